@@ -1,0 +1,63 @@
+#pragma once
+/// The result object that every page, card, report and command shows.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/deviation/Harmonics.h"
+#include "core/deviation/PointRules.h"
+#include "core/deviation/SmithFit.h"
+#include "core/record/Site.h"
+
+namespace lubberline {
+
+struct AnalysedReading {
+    MagneticHeading magnetic;
+    CompassHeading compass;
+    Deviation deviation;
+    std::optional<double> residualApproximate_rad;
+    std::optional<double> residualExact_rad;
+    std::optional<double> studentised; ///< external, of the approximate fit
+    bool suspect = false;              ///< |studentised| beyond suspectThreshold(); never dropped by itself
+};
+
+struct Summary {
+    double maxAbsDeviation_rad = 0;
+    MagneticHeading maxAbsDeviationAt;
+    double rmsDeviation_rad = 0;
+    double minDeviation_rad = 0; ///< signed
+    double maxDeviation_rad = 0;
+    [[nodiscard]] double spread_rad() const { return maxDeviation_rad - minDeviation_rad; }
+};
+
+struct Analysis {
+    std::vector<AnalysedReading> readings; ///< in the order given
+    ApproximateFit approximate;
+    ExactFit exact;
+    std::optional<PointRules> pointRules;
+    Harmonics harmonics;
+    Summary summary;
+    std::vector<std::string> warnings; ///< what the readings cannot tell, in words
+};
+
+struct AnalysisOptions {
+    int maxOrder = -1; ///< highest harmonic wanted; negative: all that the headings resolve
+};
+
+/// Errors: InvalidInput (fewer than 3 readings; fewer than 3 distinct headings).
+Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOptions& options = {});
+
+enum class Verdict { InLimits, OutOfLimits, NotKnown };
+
+struct Judgement {
+    Verdict verdict = Verdict::NotKnown;
+    double maxAbsDeviation_deg = 0;
+    double spread_deg = 0;
+};
+
+/// Holds what was read against a limits profile; NotKnown without a profile or when it sets no limit.
+[[nodiscard]] Judgement judge(const Summary& summary, const std::optional<LimitsProfile>& limits);
+
+} // namespace lubberline

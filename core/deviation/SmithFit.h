@@ -1,0 +1,65 @@
+#pragma once
+/// Least-squares fits of the Smith coefficients to readings, with an honest report.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/deviation/Smith.h"
+
+namespace lubberline {
+
+/// What a fit found, for both kinds. Values are [rad] for the approximate and dimensionless for the exact coefficients.
+/// A coefficient that the headings cannot tell has no value.
+struct SmithFitReport {
+    std::array<std::optional<double>, kCoefficientCount> value;
+    std::array<std::optional<double>, kCoefficientCount> standardError; ///< none without degrees of freedom
+    Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero(); ///< zero rows where there is no value
+    int parameters = 0;          ///< 5, 3 (A, B, C) or 0
+    int rank = 0;                ///< numerical rank of the five-column design matrix
+    int degreesOfFreedom = 0;    ///< readings − parameters
+    double conditionNumber = 0;  ///< of the design matrix of the parameters that were fitted (of five columns if none was)
+    double rms_rad = 0;          ///< √(Σ residual² / N) over the readings
+    double maxAbsResidual_rad = 0;
+    std::optional<double> sigma_rad;             ///< √(Σ residual² / degrees of freedom)
+    std::vector<double> residual_rad;            ///< deviation read − deviation fitted, one for each reading; empty without fit
+    std::vector<double> leverage;                ///< diagonal of the hat matrix
+    [[nodiscard]] bool fitted() const { return parameters > 0; }
+    [[nodiscard]] std::optional<double> of(Coefficient c) const { return value[indexOf(c)]; }
+};
+
+struct ApproximateFit : SmithFitReport {
+    /// Values [rad], zero for what could not be told: only meaningful when fitted().
+    [[nodiscard]] ApproximateSmith smith() const;
+};
+struct ExactFit : SmithFitReport {
+    [[nodiscard]] ExactSmith smith() const;
+};
+
+/// A design matrix is accepted up to this condition number; see SmithFit.cpp for what it means in readings.
+inline constexpr double kConditionLimit = 20.0;
+
+/// Fits [P 4] on compass headings by linear least squares.
+/// Fewer than five distinct headings, or five columns beyond kConditionLimit: A, B, C only; these too beyond it: nothing is
+/// fitted and the report says why by its numbers.
+/// Errors: InvalidInput (fewer than 3 readings, or fewer than 3 distinct compass headings).
+Result<ApproximateFit> fitApproximate(std::span<const Observation> readings);
+
+/// Fits sin δ = 𝔄 cos δ + 𝔅 sin ψ' + ℭ cos ψ' + 𝔇 sin(ψ+ψ') + 𝔈 cos(ψ+ψ'), which is [P 3] multiplied out with ψ = ψ' + δ,
+/// linear in the five. Residuals are δ read − δ by [P 3] at the magnetic heading. Selection and errors as above.
+Result<ExactFit> fitExact(std::span<const Observation> readings);
+
+/// Half width of the 95 % confidence band of the fitted curve at a compass heading [rad] (Student t, covariance of the fit);
+/// none without degrees of freedom.
+[[nodiscard]] std::optional<double> bandHalfWidth_rad(const ApproximateFit& fit, CompassHeading compass);
+
+/// Externally studentised residuals, none for a reading where two degrees of freedom are missing.
+[[nodiscard]] std::vector<std::optional<double>> studentisedResiduals(const SmithFitReport& fit);
+/// |studentised residual| beyond which one reading of a swing is suspect: the two-sided Student quantile with Bonferroni's
+/// correction for N readings, 10 % a swing (a false alarm costs one look at the compass, a miss costs a wrong card).
+[[nodiscard]] double suspectThreshold(int readings, int degreesOfFreedom);
+
+} // namespace lubberline

@@ -1,0 +1,23 @@
+#pragma once
+/// Exchange JSON (`.lubberline.json`): aircraft with compasses, swings, readings and events, whole. What is written reads back
+/// equal, and is written again byte for byte the same. Raw readings only: results are recomputed by whoever reads.
+
+#include <string>
+#include <string_view>
+
+#include "core/base/Result.h"
+#include "core/record/Fleet.h"
+
+namespace lubberline {
+
+inline constexpr int kExchangeVersion = 1;
+
+/// UTF-8, two spaces of indentation, keys in a fixed order, records ordered by RecordId (readings by their place), a newline at
+/// the end.
+[[nodiscard]] std::string writeExchange(const Fleet& fleet);
+
+/// Errors: Format (not JSON: line; not this format; a missing, doubled, unknown or wrong key: its path), NewerSchema (names the
+/// version of the file and ours), InvalidInput (a value out of range: its path). `name` is the file named in errors.
+Result<Fleet> readExchange(std::string_view text, const std::string& name);
+
+} // namespace lubberline

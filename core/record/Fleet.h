@@ -1,0 +1,41 @@
+#pragma once
+/// Whole records together, by value: what the exchange file holds, what the demonstration makes, what a report needs.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/record/Aircraft.h"
+#include "core/record/Site.h"
+#include "core/record/Swing.h"
+
+namespace lubberline {
+
+/// A self-contained part of a fleet. References between records are by the ids inside this struct, which are its own
+/// (1, 2, 3 …): they say nothing about any database. Records are told apart across machines by their RecordId.
+struct Fleet {
+    std::vector<LimitsProfile> limits;
+    std::vector<Site> sites;
+    std::vector<AircraftType> types;
+    std::vector<Aircraft> aircraft;
+    std::vector<CompassSystem> compasses;
+    std::vector<Event> events;
+    std::vector<Swing> swings;
+    friend bool operator==(const Fleet&, const Fleet&) = default;
+};
+
+/// One swing with everything that is printed beside it.
+struct SwingRecord {
+    Swing swing;
+    CompassSystem compass;
+    Aircraft aircraft;
+    AircraftType type;
+    std::optional<Site> site;
+    std::optional<LimitsProfile> limits;
+    friend bool operator==(const SwingRecord&, const SwingRecord&) = default;
+};
+
+/// The record as a fleet of one swing, ids renumbered: what the exchange writer and the hash take.
+[[nodiscard]] Fleet toFleet(const SwingRecord& record);
+
+} // namespace lubberline

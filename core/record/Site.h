@@ -1,0 +1,43 @@
+#pragma once
+/// Compass bases, and the limits that a swing is held against.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/record/Id.h"
+
+namespace lubberline {
+
+/// A compass base (rose, pad) where aircraft are swung.
+struct Site {
+    SiteId id;
+    RecordId record = {};
+    std::string name; ///< unique
+    std::optional<double> latitude_deg;   ///< north positive
+    std::optional<double> longitude_deg;  ///< east positive
+    std::optional<double> elevation_m;
+    std::optional<double> variation_deg;  ///< true − magnetic, east positive
+    std::string variationSource;          ///< model or certificate, with its epoch
+    std::string note;
+    friend bool operator==(const Site&, const Site&) = default;
+};
+
+/// Limits are data with a named source, never constants in code (procedures.md, section 4).
+struct LimitsProfile {
+    LimitsProfileId id;
+    RecordId record = {};
+    std::string name;     ///< unique
+    std::string document; ///< "14 CFR 25.1327"
+    std::string issue;
+    std::string scope;    ///< what it applies to, in words
+    std::optional<double> maxDeviation_deg; ///< the largest |deviation| allowed after compensation [deg]
+    std::optional<double> maxSpread_deg;    ///< the largest maximum − minimum deviation allowed [deg]
+    friend bool operator==(const LimitsProfile&, const LimitsProfile&) = default;
+};
+
+/// The profiles that are shipped: only those rows of procedures.md, section 4, whose source was read there
+/// (14 CFR 23/25/27/29.1327: 10°; TM 1-1500-204-23-4: spread 5°; slaved HSI of an aeroplane maintenance manual: 2°).
+[[nodiscard]] const std::vector<LimitsProfile>& shippedLimitsProfiles();
+
+} // namespace lubberline

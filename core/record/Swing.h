@@ -1,0 +1,95 @@
+#pragma once
+/// A swing as it was recorded: raw readings are the truth and are kept for ever; results are recomputed from them.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/angle/Heading.h"
+#include "core/record/Id.h"
+
+namespace lubberline {
+
+enum class SwingKind { Check, Correction, Calibration, Air };
+enum class SwingStage { AsFound, AsLeft };
+/// draft → complete → signed; what is signed is frozen.
+enum class SwingState { Draft, Complete, Signed };
+
+/// Why a reading is left out of the results; it stays on the record.
+struct Exclusion {
+    std::string reason; ///< never empty
+    friend bool operator==(const Exclusion&, const Exclusion&) = default;
+};
+
+/// One row of a swing. Both headings are kept as read; deviation is derived.
+struct Reading {
+    ReadingId id;
+    std::optional<double> nominal_deg;       ///< the heading that the crew turned to, magnetic [deg]
+    std::optional<MagneticHeading> magnetic; ///< the datum's reading; empty while it is being entered
+    std::optional<CompassHeading> compass;   ///< the compass's reading; empty while it is being entered
+    std::optional<TrueHeading> trueHeading;  ///< as read, where the datum was true; magnetic is then computed from it
+    std::optional<double> pitch_deg;         ///< nose up positive
+    std::optional<double> roll_deg;          ///< starboard wing down positive
+    std::string note;
+    std::optional<Exclusion> exclusion;
+    std::vector<std::pair<std::string, std::string>> extra; ///< unknown columns of the file it came from, kept
+
+    [[nodiscard]] bool complete() const { return magnetic && compass; }
+    [[nodiscard]] bool used() const { return complete() && !exclusion; }
+    friend bool operator==(const Reading&, const Reading&) = default;
+};
+
+/// Whether radio receivers were on: a card has a column for each (14 CFR 25.1547).
+enum class RadioState { NotStated, On, Off };
+
+/// The state of the aircraft while it was swung.
+struct Configuration {
+    RadioState radio = RadioState::NotStated;
+    std::string engines;    ///< "running, 1500 rpm"
+    std::string electrics;  ///< loads on and off
+    std::string other;      ///< gear, flaps, doors, stores, attitude
+    friend bool operator==(const Configuration&, const Configuration&) = default;
+};
+
+/// The instrument that gave the magnetic headings.
+struct Datum {
+    std::string instrument;
+    std::string serialNumber;
+    std::string calibrationDue; ///< ISO 8601 date
+    friend bool operator==(const Datum&, const Datum&) = default;
+};
+
+struct People {
+    std::string datumReader;
+    std::string cockpitReader;
+    std::string adjuster;
+    std::string inspector;
+    friend bool operator==(const People&, const People&) = default;
+};
+
+struct Swing {
+    SwingId id;
+    RecordId record = {};
+    CompassId compass;
+    SiteId site; ///< not valid: not stated
+    std::string date; ///< ISO 8601 date, UTC
+    SwingKind kind = SwingKind::Check;
+    SwingStage stage = SwingStage::AsFound;
+    SwingState state = SwingState::Draft;
+    Configuration configuration;
+    Datum datum;
+    People people;
+    std::optional<double> variation_deg; ///< used to make magnetic of true headings; east positive
+    std::string procedure;
+    std::string workOrder;
+    std::string reason;
+    std::string note;
+    std::vector<Reading> readings; ///< in the order in which they were entered
+    friend bool operator==(const Swing&, const Swing&) = default;
+};
+
+/// The indices of the readings that results are computed from: complete and not excluded.
+[[nodiscard]] std::vector<std::size_t> usedReadings(const Swing& swing);
+
+} // namespace lubberline

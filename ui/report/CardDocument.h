@@ -1,0 +1,29 @@
+#pragma once
+/// The correction card FOR/STEER at the size of a cockpit placard, with crop marks, one or two STEER columns.
+
+#include <QString>
+
+#include <vector>
+
+#include "core/base/Result.h"
+#include "core/deviation/Card.h"
+#include "core/record/Fleet.h"
+
+namespace lubberline::ui {
+
+struct CardColumn {
+    QString heading; ///< "STEER", or "RADIO ON" and "RADIO OFF"
+    Card card;
+};
+
+struct CardInput {
+    SwingRecord record;
+    std::vector<CardColumn> columns; ///< one or two, with the same FOR headings
+    QString madeAtUtc;
+};
+
+/// A PDF of one A4 page; the card is cut out along the crop marks. Errors: InvalidInput (ending not .pdf, columns that do not
+/// match), Io, Unsupported (no font).
+Result<void> writeCard(const CardInput& input, const QString& path);
+
+} // namespace lubberline::ui
