@@ -1,0 +1,50 @@
+#include "app/CommandLine.h"
+
+#include <memory>
+
+#include "app/Console.h"
+#include "app/Window.h"
+#include "app/commands/Command.h"
+
+namespace lubberline::app {
+
+void addDatabaseOption(CLI::App& command, Invocation& invocation)
+{
+    command.add_option("--db", invocation.database,
+        "the database (SQLite file); default: LUBBERLINE_DB, else fleet.lubberline in the user's data folder");
+}
+
+int runCommandLine(int argc, char** argv)
+{
+    CLI::App app{"Lubberline: aircraft magnetic deviation. Without a command it opens the window.\n"
+                 "deviation = magnetic heading - compass heading, east positive", "lubberline"};
+    app.set_version_flag("--version", "lubberline " LUBBERLINE_VERSION
+        "\nbased in part on the work of the Qwt project (http://qwt.sf.net)");
+    app.footer("Exit status: 0 done, 1 the data or the operation failed, 2 usage.\n"
+               "`lubberline COMMAND --help` tells of one command.");
+    app.require_subcommand(0, 1);
+
+    Invocation invocation{argc, argv, {}, {}};
+    addDatabaseOption(app, invocation);
+    addAnalyse(app, invocation);
+    addCorrect(app, invocation);
+    addCard(app, invocation);
+    addReport(app, invocation);
+    addImport(app, invocation);
+    addExport(app, invocation);
+    addSwings(app, invocation);
+    addDb(app, invocation);
+    addDemo(app, invocation);
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& wanted) { // --help, --version
+        return app.exit(wanted);
+    } catch (const CLI::ParseError& wrong) {
+        app.exit(wrong);
+        return kUsage;
+    }
+    return invocation.action ? invocation.action() : openWindow(invocation);
+}
+
+} // namespace lubberline::app

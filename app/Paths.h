@@ -1,0 +1,22 @@
+#pragma once
+/// Where files go.
+
+#include <QString>
+
+#include <string>
+
+#include "core/base/Result.h"
+
+namespace lubberline::app {
+
+/// The database of `--db`, else of LUBBERLINE_DB, else fleet.lubberline in the user's data folder (made when missing).
+/// Errors: Unsupported (a postgresql:// address), Io (the data folder cannot be made).
+Result<QString> databasePath(const std::string& option);
+
+/// demonstration.lubberline in the user's data folder: the demonstration never mixes with a real fleet.
+Result<QString> demonstrationPath(const std::string& option);
+
+/// The time now, UTC, ISO 8601: what is printed on documents.
+[[nodiscard]] QString nowUtc();
+
+} // namespace lubberline::app

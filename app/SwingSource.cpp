@@ -1,0 +1,40 @@
+#include "app/SwingSource.h"
+
+#include "app/Console.h"
+#include "core/format/SwingCsv.h"
+
+namespace lubberline::app {
+
+Result<SourcedSwing> swingFromCsv(const std::string& path)
+{
+    auto file = readSwingCsvFile(path, consoleProgress("reading " + path));
+    if (!file)
+        return file.error();
+    SourcedSwing sourced;
+    sourced.source = path;
+    sourced.warnings = file->warnings;
+    sourced.record.swing = file->swing;
+    sourced.record.aircraft.registration = file->aircraft;
+    sourced.record.aircraft.operatorName = file->operatorName;
+    sourced.record.type.name = file->type;
+    sourced.record.compass.name = file->compass;
+    if (!file->site.empty()) {
+        Site site;
+        site.name = file->site;
+        site.variation_deg = file->swing.variation_deg;
+        sourced.record.site = site;
+    }
+    return sourced;
+}
+
+Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options)
+{
+    auto analysis = analyse(observationsOf(swing.record.swing), options);
+    if (analysis)
+        return analysis;
+    Error error = analysis.error();
+    error.file = swing.source;
+    return error;
+}
+
+} // namespace lubberline::app

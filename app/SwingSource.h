@@ -1,0 +1,27 @@
+#pragma once
+/// Where a command's swing comes from: a Swing CSV, or a record of the database.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/Result.h"
+#include "core/deviation/Analysis.h"
+#include "core/record/Fleet.h"
+
+namespace lubberline::app {
+
+/// A swing with its particulars and the warnings of reading it.
+struct SourcedSwing {
+    SwingRecord record;
+    std::vector<std::string> warnings;
+    std::string source; ///< named in errors
+};
+
+/// Reads a Swing CSV; particulars that the file does not state stay empty. Errors: those of readSwingCsvFile().
+Result<SourcedSwing> swingFromCsv(const std::string& path);
+
+/// analyse() of the readings that count; an error names the source.
+Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options = {});
+
+} // namespace lubberline::app

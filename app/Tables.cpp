@@ -1,0 +1,114 @@
+#include "app/Tables.h"
+
+#include <optional>
+
+#include "app/Console.h"
+
+namespace lubberline::app {
+
+namespace {
+
+constexpr int kSmithColumn = 12;
+
+std::string signedCell(std::optional<double> value, int width, int decimals)
+{
+    return value ? text("%+*.*f", width, decimals, *value) : text("%*s", width, "-");
+}
+
+std::optional<double> degrees(std::optional<double> angle_rad)
+{
+    return angle_rad ? std::optional(toDegrees(*angle_rad)) : std::nullopt;
+}
+
+std::string readingsTable(const Analysis& analysis)
+{
+    std::string out = "magnetic  compass  deviation  residual (deg)\n"
+                      "   (deg)    (deg)  (deg, E+)    approx.     exact\n";
+    for (const auto& reading : analysis.readings) {
+        out += text("%8.2f %8.2f   %+8.2f ", reading.magnetic.degrees(), reading.compass.degrees(), reading.deviation.degrees());
+        out += signedCell(degrees(reading.residualApproximate_rad), 10, 2) + signedCell(degrees(reading.residualExact_rad), 10, 2);
+        if (reading.suspect)
+            out += text("  <- look again: %+.1f standard deviations off the others' curve", reading.studentised.value_or(0));
+        out += "\n";
+    }
+    return out;
+}
+
+std::string pointRuleCell(const std::optional<PointRules>& rules, Coefficient coefficient)
+{
+    if (!rules)
+        return {};
+    const std::optional<double> values_rad[] = {rules->A_rad, rules->B_rad, rules->C_rad, rules->D_rad, rules->E_rad};
+    return signedCell(degrees(values_rad[indexOf(coefficient)]), kSmithColumn, 3);
+}
+
+std::string coefficientsTable(const Analysis& analysis)
+{
+    const auto& rules = analysis.pointRules;
+    std::string out = text("\n%13s%12s%12s%12s", "approx. (deg)", "+- s.e.", "exact", "+- s.e.");
+    out += rules ? text("%13s\n", rules->points == 8 ? "8-point (deg)" : "4-point (deg)") : "\n";
+    for (const Coefficient coefficient : kCoefficients) {
+        const auto i = indexOf(coefficient);
+        out += letterOf(coefficient) + signedCell(degrees(analysis.approximate.value[i]), kSmithColumn, 3);
+        out += signedCell(degrees(analysis.approximate.standardError[i]), kSmithColumn, 3);
+        out += signedCell(analysis.exact.value[i], kSmithColumn, 5) + signedCell(analysis.exact.standardError[i], kSmithColumn, 5);
+        out += pointRuleCell(rules, coefficient) + "\n";
+    }
+    out += text("rms residual: approximate %.3f deg, exact %.3f deg; condition number %.1f\n", toDegrees(analysis.approximate.rms_rad),
+        toDegrees(analysis.exact.rms_rad), analysis.approximate.conditionNumber);
+    return out;
+}
+
+std::string harmonicsTable(const Harmonics& harmonics)
+{
+    std::string out = text("\nharmonics on magnetic heading (%s)\norder       sin       cos  amplitude (deg)\n",
+        harmonics.method == HarmonicsMethod::Fft ? "FFT" : "least squares");
+    for (const auto& order : harmonics.orders)
+        out += text("%5d %+9.3f %+9.3f %10.3f%s\n", order.order, toDegrees(order.sin_rad), toDegrees(order.cos_rad),
+            toDegrees(order.amplitude_rad()), order.nyquist ? "  (its sine cannot be seen)" : "");
+    if (harmonics.noiseFloor_rad)
+        out += text("noise floor (95 %%): %.3f deg\n", toDegrees(*harmonics.noiseFloor_rad));
+    return out;
+}
+
+} // namespace
+
+std::string tableOf(const Analysis& analysis)
+{
+    const auto& summary = analysis.summary;
+    return readingsTable(analysis) + coefficientsTable(analysis) + harmonicsTable(analysis.harmonics)
+        + text("\nlargest deviation %+.2f deg at magnetic heading %.1f deg; rms %.2f deg\n",
+            summary.maxDeviation_rad >= -summary.minDeviation_rad ? toDegrees(summary.maxDeviation_rad) : toDegrees(summary.minDeviation_rad),
+            summary.maxAbsDeviationAt.degrees(), toDegrees(summary.rmsDeviation_rad))
+        + "deviation = magnetic - compass, east positive; approximate fit on compass heading, exact fit on magnetic heading\n";
+}
+
+std::string tableOf(const Correction& correction)
+{
+    std::string out = text("A %+.2f deg   B %+.2f deg   C %+.2f deg   (deviation = magnetic - compass, east positive)\n\n"
+                           "coefficient  on  magnetic  compass reads  make compass read\n",
+        toDegrees(correction.A_rad), toDegrees(correction.B_rad), toDegrees(correction.C_rad));
+    for (const auto& step : correction.steps)
+        out += text("%11c  %2c  %8.1f  %13.1f  %17.1f\n", letterOf(step.coefficient), letterOf(step.on), step.magnetic.degrees(),
+            step.compassReads.degrees(), step.makeCompassRead.degrees());
+    return out + "Correct C on one of N and S, then B on one of E and W.\n";
+}
+
+std::string tableOf(const std::vector<Card>& cards, const std::vector<std::string>& labels)
+{
+    std::string out = "  FOR";
+    for (const auto& label : labels)
+        out += text("  %12s", label.c_str());
+    out += "\n";
+    for (std::size_t row = 0; row < cards.front().rows.size(); ++row) {
+        out += text("  %03.0f", cards.front().rows[row].magnetic.degrees());
+        for (const auto& card : cards)
+            out += text("  %12s", text("%03d", card.rows[row].steerRounded_deg()).c_str());
+        out += "\n";
+    }
+    for (const auto& card : cards)
+        out += text("largest residual deviation %.1f deg\n", toDegrees(card.residualMaxAbs_rad));
+    return out + "FOR: magnetic heading to make good; STEER: compass heading (degrees)\n";
+}
+
+} // namespace lubberline::app

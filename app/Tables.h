@@ -1,0 +1,17 @@
+#pragma once
+/// Readable tables of results for a terminal: what commands print without --json. Signs and units in every head.
+
+#include <string>
+
+#include "core/deviation/Analysis.h"
+#include "core/deviation/Card.h"
+#include "core/deviation/Correction.h"
+
+namespace lubberline::app {
+
+[[nodiscard]] std::string tableOf(const Analysis& analysis);
+[[nodiscard]] std::string tableOf(const Correction& correction);
+/// `labels`: the heads of the STEER columns, one for each card; all cards have the same FOR headings.
+[[nodiscard]] std::string tableOf(const std::vector<Card>& cards, const std::vector<std::string>& labels);
+
+} // namespace lubberline::app

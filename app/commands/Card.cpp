@@ -1,0 +1,106 @@
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "app/CardSource.h"
+#include "app/Console.h"
+#include "app/Paths.h"
+#include "app/QtSession.h"
+#include "app/Tables.h"
+#include "app/commands/Command.h"
+#include "core/format/AnalysisJson.h"
+#include "ui/report/CardDocument.h"
+
+namespace lubberline::app {
+
+namespace {
+
+struct Options {
+    std::string file, second, removed, output, from = "fit";
+    CardOptions card;
+    bool json = false;
+};
+
+Result<CoefficientSet> coefficientsNamed(const std::string& letters)
+{
+    CoefficientSet set;
+    for (const char c : letters) {
+        if (c >= 'A' && c <= 'E')
+            set.set(static_cast<std::size_t>(c - 'A'));
+        else if (c != ',')
+            return Error{ErrorCode::InvalidInput, "--remove " + letters + ": expected letters A to E separated by commas, as in A,B,C"};
+    }
+    return set;
+}
+
+/// The contract's object; a second card stands in it under "second_column".
+std::string jsonOf(const std::vector<Card>& cards, const std::vector<std::string>& labels)
+{
+    auto object = nlohmann::ordered_json::parse(toJson(cards.front()));
+    if (cards.size() > 1) {
+        object["heading"] = labels[0];
+        object["second_column"] = nlohmann::ordered_json::parse(toJson(cards[1]));
+        object["second_column"]["heading"] = labels[1];
+    }
+    return object.dump(2);
+}
+
+int writeCardFile(const Options& options, ui::CardInput input)
+{
+    const auto session = makeDrawingSession();
+    input.madeAtUtc = nowUtc();
+    if (const auto written = ui::writeCard(input, QString::fromStdString(options.output)); !written)
+        return fail(written.error());
+    say("wrote " + options.output);
+    return kDone;
+}
+
+int cardCommand(Options options)
+{
+    const auto removed = coefficientsNamed(options.removed);
+    if (!removed) {
+        fail(removed.error());
+        return kUsage;
+    }
+    options.card.removed = *removed;
+    options.card.source = options.from == "fit" ? CardSource::Fit : CardSource::Readings;
+
+    std::vector<std::string> files{options.file};
+    if (!options.second.empty())
+        files.push_back(options.second);
+    auto sheet = cardFromFiles(files, options.card);
+    if (!sheet)
+        return fail(sheet.error());
+    warn(sheet->warnings);
+    std::vector<Card> cards;
+    std::vector<std::string> labels;
+    for (const auto& column : sheet->input.columns) {
+        cards.push_back(column.card);
+        labels.push_back(column.heading.toStdString());
+    }
+    if (options.json)
+        std::printf("%s\n", jsonOf(cards, labels).c_str());
+    else if (options.output.empty())
+        std::fputs(tableOf(cards, labels).c_str(), stdout);
+    return options.output.empty() ? kDone : writeCardFile(options, sheet->input);
+}
+
+} // namespace
+
+void addCard(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* command = app.add_subcommand("card", "the correction card: what to steer by compass");
+    command->add_option("SWING.csv", options->file, "a Swing CSV")->required();
+    command->add_option("--second", options->second, "a second swing of the same compass for a second STEER column (radio off)");
+    command->add_option("--step", options->card.step_deg, "degrees between headings: 30 or 45")
+        ->check(CLI::IsMember({30, 45}))->capture_default_str();
+    command->add_option("--from", options->from, "fit: the exact fit; readings: the deviation read nearest to each heading")
+        ->check(CLI::IsMember({"fit", "readings"}))->capture_default_str();
+    command->add_option("--remove", options->removed, "coefficients taken out mechanically after the swing, as in A,B,C");
+    command->add_flag("--json", options->json, "one JSON object on standard output");
+    command->add_option("-o,--output", options->output, "write the card as a PDF, at the size of a cockpit placard");
+    command->callback([options, &invocation] { invocation.action = [options] { return cardCommand(*options); }; });
+}
+
+} // namespace lubberline::app

@@ -1,0 +1,49 @@
+#include <cstdio>
+
+#include "app/Console.h"
+#include "app/SwingSource.h"
+#include "app/Tables.h"
+#include "app/commands/Command.h"
+#include "core/format/AnalysisJson.h"
+#include "core/format/SwingCsv.h"
+
+namespace lubberline::app {
+
+namespace {
+
+struct Options {
+    std::string file;
+    bool json = false;
+};
+
+int correctCommand(const Options& options)
+{
+    const auto swing = swingFromCsv(options.file);
+    if (!swing)
+        return fail(swing.error());
+    const auto correction = correctionSteps(observationsOf(swing->record.swing));
+    if (!correction) {
+        Error error = correction.error();
+        error.file = options.file;
+        return fail(error);
+    }
+    warn(swing->warnings);
+    if (options.json)
+        std::printf("%s\n", toJson(*correction).c_str());
+    else
+        std::fputs(tableOf(*correction).c_str(), stdout);
+    return kDone;
+}
+
+} // namespace
+
+void addCorrect(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* command = app.add_subcommand("correct", "what to make the compass read on the cardinals (correction swing)");
+    command->add_option("SWING.csv", options->file, "a Swing CSV with N, E, S and W among its readings")->required();
+    command->add_flag("--json", options->json, "one JSON object on standard output");
+    command->callback([options, &invocation] { invocation.action = [options] { return correctCommand(*options); }; });
+}
+
+} // namespace lubberline::app

@@ -1,0 +1,63 @@
+#include <QSaveFile>
+
+#include "app/Console.h"
+#include "app/DbStorage.h"
+#include "app/QtSession.h"
+#include "app/commands/Command.h"
+#include "core/format/Exchange.h"
+
+namespace lubberline::app {
+
+namespace {
+
+struct Options {
+    std::vector<std::string> aircraft;
+    std::string output;
+};
+
+/// Written beside and renamed: a failure leaves no half file.
+Result<void> writeWhole(const std::string& path, const std::string& content)
+{
+    QSaveFile file(QString::fromStdString(path));
+    if (!file.open(QIODevice::WriteOnly) || file.write(content.data(), static_cast<qint64>(content.size())) < 0 || !file.commit())
+        return Error{ErrorCode::Io, "cannot be written: " + file.errorString().toStdString() + "; expected a folder that exists and may be written", path};
+    return {};
+}
+
+int exportCommand(const Options& options, const std::string& database)
+{
+    const auto session = makeDrawingSession();
+    auto storage = openStorage(database, db::OpenMode::ReadOnly);
+    if (!storage)
+        return fail(storage.error());
+    std::vector<AircraftId> aircraft;
+    for (const auto& registration : options.aircraft) {
+        const auto id = (*storage)->aircraftNamed(registration);
+        if (!id)
+            return fail(id.error());
+        aircraft.push_back(*id);
+    }
+    const auto fleet = (*storage)->exportFleet(aircraft, consoleProgress("exporting"));
+    if (!fleet)
+        return fail(fleet.error());
+    if (const auto written = writeWhole(options.output, writeExchange(*fleet)); !written)
+        return fail(written.error());
+    say(text("wrote %zu swings of %zu aircraft to %s", fleet->swings.size(), fleet->aircraft.size(), options.output.c_str()));
+    return kDone;
+}
+
+} // namespace
+
+void addExport(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* command = app.add_subcommand("export", "write aircraft with all their swings as exchange JSON (.lubberline.json)");
+    command->add_option("--aircraft", options->aircraft, "registrations (default: the whole fleet)");
+    command->add_option("-o,--output", options->output, "the file to write")->required();
+    addDatabaseOption(*command, invocation);
+    command->callback([options, &invocation] {
+        invocation.action = [options, &invocation] { return exportCommand(*options, invocation.database); };
+    });
+}
+
+} // namespace lubberline::app

@@ -1,0 +1,83 @@
+#include "app/Console.h"
+#include "app/DbStorage.h"
+#include "app/Paths.h"
+#include "app/QtSession.h"
+#include "app/SwingSource.h"
+#include "app/commands/Command.h"
+#include "ui/report/Report.h"
+
+namespace lubberline::app {
+
+namespace {
+
+struct Options {
+    std::string file, swing, output;
+    bool archive = false;
+};
+
+int writeReportOf(const Options& options, const SourcedSwing& swing, std::optional<Swing> previous)
+{
+    const auto analysis = analyseSwing(swing);
+    if (!analysis)
+        return fail(analysis.error());
+    warn(swing.warnings);
+    warn(analysis->warnings);
+    ui::ReportInput input;
+    input.record = swing.record;
+    input.analysis = *analysis;
+    input.previous = std::move(previous);
+    input.madeAtUtc = nowUtc();
+    input.archive = options.archive;
+    if (const auto written = ui::writeReport(input, QString::fromStdString(options.output)); !written)
+        return fail(written.error());
+    say("wrote " + options.output);
+    return kDone;
+}
+
+int reportFromDatabase(const Options& options, const std::string& database)
+{
+    auto storage = openStorage(database, db::OpenMode::ReadOnly);
+    if (!storage)
+        return fail(storage.error());
+    const auto id = (*storage)->swingNamed(options.swing);
+    if (!id)
+        return fail(id.error());
+    auto record = (*storage)->swingRecord(*id);
+    if (!record)
+        return fail(record.error());
+    auto previous = (*storage)->previousSwing(*id);
+    if (!previous)
+        return fail(previous.error());
+    return writeReportOf(options, {*record, {}, "swing " + options.swing}, *previous);
+}
+
+int reportCommand(const Options& options, const std::string& database)
+{
+    if (options.file.empty() == options.swing.empty()) {
+        say("report: expected a Swing CSV or --swing ID, and not both");
+        return kUsage;
+    }
+    const auto session = makeDrawingSession();
+    if (!options.swing.empty())
+        return reportFromDatabase(options, database);
+    const auto swing = swingFromCsv(options.file);
+    return swing ? writeReportOf(options, *swing, {}) : fail(swing.error());
+}
+
+} // namespace
+
+void addReport(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* command = app.add_subcommand("report", "a swing report: PDF (A4, the data attached), HTML, CSV or JSON");
+    command->add_option("SWING.csv", options->file, "a Swing CSV");
+    command->add_option("--swing", options->swing, "a swing of the database: its record id or the beginning of it (see `swings`)");
+    command->add_option("-o,--output", options->output, "the file to write: .pdf, .html, .csv or .json")->required();
+    command->add_flag("--archive", options->archive, "PDF/A-1b for the archive: nothing attached");
+    addDatabaseOption(*command, invocation);
+    command->callback([options, &invocation] {
+        invocation.action = [options, &invocation] { return reportCommand(*options, invocation.database); };
+    });
+}
+
+} // namespace lubberline::app

@@ -1,0 +1,132 @@
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "app/Console.h"
+#include "app/DbStorage.h"
+#include "app/QtSession.h"
+#include "app/commands/Command.h"
+
+namespace lubberline::app {
+
+namespace {
+
+struct Options {
+    std::string aircraft;
+    bool json = false;
+};
+
+const char* nameOf(SwingState state)
+{
+    switch (state) {
+    case SwingState::Draft:
+        return "draft";
+    case SwingState::Complete:
+        return "complete";
+    case SwingState::Signed:
+        return "signed";
+    }
+    return "";
+}
+
+const char* nameOf(Status status)
+{
+    switch (status) {
+    case Status::NotKnown:
+        return "not known";
+    case Status::InLimits:
+        return "in limits";
+    case Status::OutOfLimits:
+        return "out of limits";
+    }
+    return "";
+}
+
+struct Listed {
+    std::string type, aircraft, compass, record;
+    SwingRow row;
+};
+
+Result<std::vector<Listed>> listSwings(DbStorage& storage, const std::string& wanted)
+{
+    std::vector<Listed> listed;
+    const auto types = storage.types();
+    if (!types)
+        return types.error();
+    for (const auto& type : *types) {
+        const auto aircraft = storage.aircraftOf(type.id);
+        if (!aircraft)
+            return aircraft.error();
+        for (const auto& one : *aircraft) {
+            if (!wanted.empty() && one.registration != wanted)
+                continue;
+            const auto compasses = storage.compassesOf(one.id);
+            if (!compasses)
+                return compasses.error();
+            for (const auto& compass : *compasses) {
+                const auto swings = storage.swingsOf(compass.id);
+                if (!swings)
+                    return swings.error();
+                for (const auto& swing : *swings) {
+                    const auto record = storage.recordOf(swing.id);
+                    if (!record)
+                        return record.error();
+                    listed.push_back({type.name, one.registration, compass.name, *record, swing});
+                }
+            }
+        }
+    }
+    return listed;
+}
+
+std::string jsonOf(const std::vector<Listed>& swings)
+{
+    nlohmann::ordered_json array = nlohmann::ordered_json::array();
+    for (const auto& swing : swings) {
+        nlohmann::ordered_json largest;
+        if (swing.row.maxAbsDeviation_deg)
+            largest = *swing.row.maxAbsDeviation_deg;
+        array.push_back({{"record", swing.record}, {"type", swing.type}, {"aircraft", swing.aircraft}, {"compass", swing.compass},
+            {"date", swing.row.date}, {"state", nameOf(swing.row.state)}, {"readings", swing.row.readings},
+            {"max_abs_deviation_deg", largest}, {"status", nameOf(swing.row.status)}});
+    }
+    return nlohmann::ordered_json{{"swings", array}}.dump(2);
+}
+
+int swingsCommand(const Options& options, const std::string& database)
+{
+    const auto session = makeDrawingSession();
+    auto storage = openStorage(database, db::OpenMode::ReadOnly);
+    if (!storage)
+        return fail(storage.error());
+    const auto swings = listSwings(**storage, options.aircraft);
+    if (!swings)
+        return fail(swings.error());
+    if (options.json) {
+        std::printf("%s\n", jsonOf(*swings).c_str());
+        return kDone;
+    }
+    std::printf("%-36s  %-10s %-10s %-18s %-10s %-8s %8s  %9s  %s\n", "record", "type", "aircraft", "compass", "date", "state", "readings",
+        "max (deg)", "status");
+    for (const auto& swing : *swings)
+        std::printf("%-36s  %-10s %-10s %-18s %-10s %-8s %8d  %9s  %s\n", swing.record.c_str(), swing.type.c_str(), swing.aircraft.c_str(),
+            swing.compass.c_str(), swing.row.date.c_str(), nameOf(swing.row.state), swing.row.readings,
+            swing.row.maxAbsDeviation_deg ? text("%.1f", *swing.row.maxAbsDeviation_deg).c_str() : "-", nameOf(swing.row.status));
+    return kDone;
+}
+
+} // namespace
+
+void addSwings(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* command = app.add_subcommand("swings", "list the swings of the database with their record ids");
+    command->add_option("--aircraft", options->aircraft, "of this registration only");
+    command->add_flag("--json", options->json, "one JSON object on standard output");
+    addDatabaseOption(*command, invocation);
+    command->callback([options, &invocation] {
+        invocation.action = [options, &invocation] { return swingsCommand(*options, invocation.database); };
+    });
+}
+
+} // namespace lubberline::app
