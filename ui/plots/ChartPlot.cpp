@@ -1,0 +1,241 @@
+#include "ui/plots/ChartPlot.h"
+
+#include <QAction>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plots/CanvasMouse.h"
+#include "ui/plots/PictureText.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr double kReach_px = 10; ///< how near to a point a click takes it
+constexpr double kZoomStep = 0.8;
+
+bool isOurKey(const QKeyEvent& key)
+{
+    if (key.matches(QKeySequence::Copy))
+        return true;
+    switch (key.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Home:
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+    case Qt::Key_Minus:
+        return !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+ChartPlot::ChartPlot(const QString& name, MakeChart makeChart, QWidget* parent)
+    : SwingPlot(parent)
+    , m_name(name)
+    , m_makeChart(std::move(makeChart))
+{
+    m_chart = m_makeChart().release();
+    m_chart->setParent(this);
+    m_chart->setFont(font());
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(name);
+    followPalette();
+    for (QWidget* canvas : m_chart->canvases())
+        connectCanvas(canvas);
+}
+
+void ChartPlot::connectCanvas(QWidget* canvas)
+{
+    auto* mouse = new CanvasMouse(canvas);
+    connect(mouse, &CanvasMouse::hovered, this, [this, canvas](const QPointF& at) { readOutOf({canvas, at}); });
+    connect(mouse, &CanvasMouse::left, this, [this] { emit readOut({}); });
+    connect(mouse, &CanvasMouse::clicked, this, [this, canvas](const QPointF& at) { selectAt({canvas, at}); });
+    connect(mouse, &CanvasMouse::framed, this, [this, canvas](const QRectF& rect) { m_chart->zoomInto(canvas, rect); });
+    connect(mouse, &CanvasMouse::panned, this, [this, canvas](const QPointF& by) { m_chart->panBy(canvas, by); });
+    connect(mouse, &CanvasMouse::wheeled, this,
+        [this, canvas](const QPointF& at, double steps) { m_chart->zoomAt({canvas, at}, std::pow(kZoomStep, steps)); });
+    connect(mouse, &CanvasMouse::doubleClicked, this, &ChartPlot::resetZoom);
+}
+
+void ChartPlot::setPicture(const SwingPicture& picture)
+{
+    m_picture = picture;
+    m_stale = true;
+    if (isVisible())
+        refresh();
+}
+
+void ChartPlot::setSelectedRow(int row)
+{
+    m_selectedRow = row;
+    if (isVisible())
+        m_chart->setSelectedRow(row);
+}
+
+void ChartPlot::refresh()
+{
+    if (m_stale)
+        m_chart->setPicture(m_picture);
+    m_stale = false;
+    m_chart->setSelectedRow(m_selectedRow);
+}
+
+void ChartPlot::resetZoom() { m_chart->resetZoom(); }
+
+void ChartPlot::render(QPainter& painter, const QRectF& target) const
+{
+    const std::unique_ptr<Chart> paper = m_makeChart();
+    paper->takeView(*m_chart);
+    renderChart(*paper, painter, target, m_picture);
+}
+
+bool ChartPlot::event(QEvent* event)
+{
+    // Our keys come before the window's shortcuts while the plot has the focus.
+    if (event->type() == QEvent::ShortcutOverride && isOurKey(static_cast<QKeyEvent&>(*event))) {
+        event->accept();
+        return true;
+    }
+    return SwingPlot::event(event);
+}
+
+void ChartPlot::showEvent(QShowEvent* event)
+{
+    SwingPlot::showEvent(event);
+    refresh();
+}
+
+void ChartPlot::changeEvent(QEvent* event)
+{
+    SwingPlot::changeEvent(event);
+    if (!m_chart)
+        return;
+    if (event->type() == QEvent::PaletteChange)
+        followPalette();
+    if (event->type() == QEvent::FontChange)
+        m_chart->setFont(font());
+}
+
+void ChartPlot::resizeEvent(QResizeEvent* event)
+{
+    SwingPlot::resizeEvent(event);
+    m_chart->setGeometry(rect());
+}
+
+void ChartPlot::followPalette()
+{
+    const PlotColours colours = coloursFor(palette());
+    if (colours != m_chart->colours())
+        m_chart->setColours(colours);
+}
+
+void ChartPlot::keyPressEvent(QKeyEvent* event)
+{
+    if (!isOurKey(*event)) {
+        SwingPlot::keyPressEvent(event);
+        return;
+    }
+    if (event->matches(QKeySequence::Copy))
+        copyToClipboard();
+    else if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)
+        selectNeighbour(event->key() == Qt::Key_Right ? 1 : -1);
+    else if (event->key() == Qt::Key_Home)
+        resetZoom();
+    else
+        zoomMiddle(event->key() == Qt::Key_Minus ? 1 / kZoomStep : kZoomStep);
+}
+
+void ChartPlot::zoomMiddle(double factor)
+{
+    const QWidget* canvas = m_chart->canvases().front();
+    m_chart->zoomAt({canvas, QRectF(canvas->rect()).center()}, factor);
+}
+
+std::optional<int> ChartPlot::rowNear(const CanvasPlace& place) const
+{
+    std::optional<int> nearest;
+    double least = kReach_px;
+    for (const Chart::RowPlace& point : m_chart->rowsOn(place.canvas)) {
+        const QPointF away = point.at - place.at;
+        const double distance = std::hypot(away.x(), away.y());
+        if (distance <= least) {
+            least = distance;
+            nearest = point.row;
+        }
+    }
+    return nearest;
+}
+
+void ChartPlot::readOutOf(const CanvasPlace& place)
+{
+    const auto row = rowNear(place);
+    const auto isIt = [&row](const PlottedReading& reading) { return row && reading.row == *row; };
+    const auto found = std::find_if(m_picture.readings.begin(), m_picture.readings.end(), isIt);
+    emit readOut(found != m_picture.readings.end() ? readingReadOut(*found, m_picture) : m_chart->readOutAt(place));
+}
+
+void ChartPlot::selectAt(const CanvasPlace& place)
+{
+    setFocus(Qt::MouseFocusReason);
+    const auto row = rowNear(place);
+    if (!row)
+        return;
+    setSelectedRow(*row);
+    emit rowSelected(*row);
+}
+
+void ChartPlot::selectNeighbour(int direction)
+{
+    std::vector<const PlottedReading*> round;
+    for (const PlottedReading& reading : m_picture.readings)
+        round.push_back(&reading);
+    if (round.empty())
+        return;
+    std::stable_sort(round.begin(), round.end(),
+        [](const auto* a, const auto* b) { return a->magnetic.degrees() < b->magnetic.degrees(); });
+    const auto now = std::find_if(round.begin(), round.end(), [this](const auto* r) { return r->row == m_selectedRow; });
+    const int count = static_cast<int>(round.size());
+    int next = direction > 0 ? 0 : count - 1;
+    if (now != round.end())
+        next = (static_cast<int>(now - round.begin()) + direction + count) % count;
+    setSelectedRow(round[next]->row);
+    emit rowSelected(m_selectedRow);
+    emit readOut(readingReadOut(*round[next], m_picture));
+}
+
+void ChartPlot::contextMenuEvent(QContextMenuEvent* event)
+{
+    QMenu menu(this);
+    const auto& legend = m_chart->legend();
+    for (int i = 0; i < static_cast<int>(legend.size()); ++i) {
+        if (!legend[i].present)
+            continue;
+        QAction* shown = menu.addAction(legend[i].title, this, [this, i](bool on) { m_chart->setShown(i, on); });
+        shown->setCheckable(true);
+        shown->setChecked(legend[i].shown);
+    }
+    menu.addSeparator();
+    menu.addAction(tr("&Reset zoom"), QKeySequence(Qt::Key_Home), this, &ChartPlot::resetZoom);
+    menu.addAction(tr("&Copy"), QKeySequence(QKeySequence::Copy), this, &ChartPlot::copyToClipboard);
+    menu.addAction(tr("&Export…"), this, &ChartPlot::exportInteractively);
+    menu.exec(event->globalPos());
+}
+
+void renderChart(Chart& chart, QPainter& painter, const QRectF& target, const SwingPicture& picture)
+{
+    chart.setFont(paperFont());
+    chart.setColours(paperColours());
+    chart.setPicture(picture);
+    chart.paint(painter, target);
+}
+
+} // namespace lubberline::ui

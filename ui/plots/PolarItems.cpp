@@ -1,0 +1,224 @@
+#include "ui/plots/PolarItems.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <cmath>
+
+#include <qwt_interval.h>
+#include <qwt_polar.h>
+#include <qwt_scale_map.h>
+
+#include "core/angle/Angle.h"
+#include "ui/plots/Chart.h"
+#include "ui/plots/PictureText.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr double kScaleAlong_deg = 20; ///< between the headings where readings usually stand
+constexpr double kTick = 4;
+
+QString rimName(int heading_deg)
+{
+    switch (heading_deg) {
+    case 0:
+        return QStringLiteral("N");
+    case 90:
+        return QStringLiteral("E");
+    case 180:
+        return QStringLiteral("S");
+    case 270:
+        return QStringLiteral("W");
+    default:
+        return QStringLiteral("%1°").arg(heading_deg, 3, 10, QChar('0'));
+    }
+}
+
+QFont boldOf(QFont font)
+{
+    font.setBold(true);
+    return font;
+}
+
+/// Valid and inside the scale: otherwise Qwt clips by a region of whole pixels.
+QwtInterval noClipping(int scaleId) { return scaleId == QwtPolar::Radius ? QwtInterval(0, 0) : QwtInterval(); }
+
+} // namespace
+
+QPointF polarPlace(const QPointF& pole, double heading_deg, double distance)
+{
+    const double heading_rad = toRadians(heading_deg);
+    return pole + distance * QPointF(std::sin(heading_rad), -std::cos(heading_rad));
+}
+
+PolarGround::PolarGround()
+{
+    setZ(0);
+    setRenderHint(RenderAntialiased);
+}
+
+void PolarGround::setLook(const PlotColours& colours, const QFont& font)
+{
+    m_colours = colours;
+    m_font = pixelFont(font);
+}
+
+QwtInterval PolarGround::boundingInterval(int scaleId) const { return noClipping(scaleId); }
+
+int PolarGround::marginHint() const
+{
+    const QFontMetricsF metrics(m_font);
+    return static_cast<int>(std::ceil(std::max(metrics.horizontalAdvance(QStringLiteral("000°")), metrics.height()) + kTick + 4));
+}
+
+void PolarGround::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& radialMap, const QPointF& pole, double radius,
+    const QRectF& canvasRect) const
+{
+    painter->setRenderHint(QPainter::Antialiasing);
+    if (m_limit_deg && m_limitShown)
+        drawLimit(*painter, radialMap, pole);
+    drawGrid(*painter, radialMap, pole, radius);
+    drawHeadings(*painter, pole, radius);
+    drawScale(*painter, radialMap, pole);
+    drawCaptions(*painter, canvasRect);
+}
+
+void PolarGround::drawLimit(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const
+{
+    const double limit_deg = std::min(*m_limit_deg, m_scale.end);
+    const double outer = radialMap.transform(limit_deg), inner = radialMap.transform(-limit_deg);
+    QPainterPath band;
+    band.addEllipse(pole, outer, outer);
+    if (inner > 0.5) {
+        QPainterPath hole;
+        hole.addEllipse(pole, inner, inner);
+        band = band.subtracted(hole);
+    }
+    painter.fillPath(band, m_colours.limit);
+    if (*m_limit_deg > m_scale.end)
+        return;
+    painter.setPen(QPen(m_colours.limitEdge, 1.2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(pole, outer, outer);
+    painter.drawEllipse(pole, inner, inner);
+}
+
+void PolarGround::drawGrid(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole, double radius) const
+{
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(m_colours.grid, 1));
+    const int steps = static_cast<int>(std::lround(m_scale.end / m_scale.step));
+    for (int i = -steps + 1; i < steps; ++i) {
+        const double ring = radialMap.transform(i * m_scale.step);
+        painter.drawEllipse(pole, ring, ring);
+    }
+    const double innermost = radialMap.transform(-m_scale.end + m_scale.step);
+    for (int heading_deg = 0; heading_deg < 360; heading_deg += 30) {
+        const double from = heading_deg % 90 == 0 ? 0 : innermost; // twelve lines meeting at the pole would make a blot
+        painter.drawLine(polarPlace(pole, heading_deg, from), polarPlace(pole, heading_deg, radius));
+    }
+    painter.setPen(QPen(m_colours.axis, 1));
+    painter.drawEllipse(pole, radius, radius);
+    for (int heading_deg = 0; heading_deg < 360; heading_deg += 10) {
+        const double length = heading_deg % 30 == 0 ? kTick : kTick / 2;
+        painter.drawLine(polarPlace(pole, heading_deg, radius), polarPlace(pole, heading_deg, radius + length));
+    }
+    painter.setPen(QPen(m_colours.axis, 2.2));
+    const double zero = radialMap.transform(0);
+    painter.drawEllipse(pole, zero, zero);
+}
+
+void PolarGround::drawHeadings(QPainter& painter, const QPointF& pole, double radius) const
+{
+    const QFont bold = boldOf(m_font);
+    painter.setPen(m_colours.text);
+    for (int heading_deg = 0; heading_deg < 360; heading_deg += 30) {
+        const QString name = rimName(heading_deg);
+        painter.setFont(heading_deg % 90 == 0 ? bold : m_font);
+        const QFontMetricsF metrics(painter.font());
+        const QSizeF size(metrics.horizontalAdvance(name) + 2, metrics.height());
+        const double heading_rad = toRadians(heading_deg);
+        const double reach = std::abs(std::sin(heading_rad)) * size.width() / 2 + std::abs(std::cos(heading_rad)) * size.height() / 2;
+        QRectF place(QPointF(), size);
+        place.moveCenter(polarPlace(pole, heading_deg, radius + kTick + 2 + reach));
+        painter.drawText(place, Qt::AlignCenter | Qt::TextSingleLine, name);
+    }
+}
+
+void PolarGround::drawScale(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const
+{
+    painter.setFont(m_font);
+    const QFontMetricsF metrics(m_font);
+    const int steps = static_cast<int>(std::lround(m_scale.end / m_scale.step));
+    const double spacing = radialMap.transform(m_scale.step) - radialMap.transform(0);
+    const int every = spacing < 1.1 * metrics.height() ? 2 : 1;
+    for (int i = -steps; i <= steps; ++i) {
+        if (i % every != 0)
+            continue;
+        const QString label = signedTick(i * m_scale.step, m_scale.step) + QStringLiteral("°");
+        QRectF place(0, 0, metrics.horizontalAdvance(label) + 4, metrics.height() - 2);
+        place.moveCenter(polarPlace(pole, kScaleAlong_deg, radialMap.transform(i * m_scale.step)));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(m_colours.ground);
+        painter.drawRoundedRect(place, 3, 3);
+        painter.setPen(m_colours.faint);
+        painter.drawText(place, Qt::AlignCenter | Qt::TextSingleLine, label);
+    }
+}
+
+/// In the corners that the circle leaves free.
+void PolarGround::drawCaptions(QPainter& painter, const QRectF& within) const
+{
+    const QRectF corners = within.adjusted(4, 2, -4, -2);
+    painter.setFont(m_font);
+    painter.setPen(m_colours.faint);
+    painter.drawText(corners, Qt::AlignLeft | Qt::AlignBottom, deviationCaption());
+    painter.drawText(corners, Qt::AlignRight | Qt::AlignBottom, headingCaption());
+}
+
+PolarReadings::PolarReadings()
+{
+    setZ(30);
+    setRenderHint(RenderAntialiased);
+}
+
+void PolarReadings::setLook(const PlotColours& colours, const QFont& font)
+{
+    m_colours = colours;
+    m_font = pixelFont(font);
+}
+
+QwtInterval PolarReadings::boundingInterval(int scaleId) const { return noClipping(scaleId); }
+
+void PolarReadings::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& radialMap, const QPointF& pole, double,
+    const QRectF& canvasRect) const
+{
+    const auto project = [&](double heading_deg, double value_deg) {
+        return polarPlace(pole, heading_deg, std::max(0.0, radialMap.transform(value_deg)));
+    };
+    paintReadings(*painter, m_points, m_selectedRow, project, canvasRect, m_colours, m_font);
+}
+
+PolarNotice::PolarNotice()
+{
+    setZ(40);
+}
+
+void PolarNotice::setLook(const PlotColours& colours, const QFont& font)
+{
+    m_colours = colours;
+    m_font = pixelFont(font);
+}
+
+QwtInterval PolarNotice::boundingInterval(int scaleId) const { return noClipping(scaleId); }
+
+void PolarNotice::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&, const QPointF&, double,
+    const QRectF& canvasRect) const
+{
+    paintNotice(*painter, canvasRect, m_text, m_colours, m_font);
+}
+
+} // namespace lubberline::ui
