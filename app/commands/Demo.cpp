@@ -1,0 +1,165 @@
+#include <QDir>
+#include <QStandardPaths>
+
+#include <unistd.h>
+
+#include "app/Console.h"
+#include "app/DbStorage.h"
+#include "app/Paths.h"
+#include "app/QtSession.h"
+#include "app/SwingSource.h"
+#include "app/commands/Command.h"
+#include "core/demo/DemoFleet.h"
+#include "ui/plots/PictureOf.h"
+#include "ui/plots/SwingPlot.h"
+#include "ui/report/CardDocument.h"
+#include "ui/report/Report.h"
+
+namespace lubberline::app {
+
+namespace {
+
+struct Options {
+    std::string output;
+    bool noWindow = false;
+};
+
+/// Fills an empty database; one that has swings is left as it is, so that what was tried out in it stays.
+Result<void> fill(DbStorage& storage)
+{
+    const auto totals = storage.totals();
+    if (!totals)
+        return totals.error();
+    if (totals->swings > 0)
+        return {};
+    const auto imported = storage.importFleet(demoFleet(), consoleProgress("storing the demonstration fleet"));
+    return imported ? Result<void>() : Result<void>(imported.error());
+}
+
+/// The newest swing that has a result, of the first compass of the fleet that has two: its report can show last year's curve.
+Result<SwingId> swingToShow(DbStorage& storage)
+{
+    const auto types = storage.types();
+    if (!types)
+        return types.error();
+    for (const auto& type : *types) {
+        const auto aircraft = storage.aircraftOf(type.id);
+        if (!aircraft)
+            return aircraft.error();
+        for (const auto& one : *aircraft) {
+            const auto compasses = storage.compassesOf(one.id);
+            if (!compasses)
+                return compasses.error();
+            for (const auto& compass : *compasses) {
+                const auto swings = storage.swingsOf(compass.id);
+                if (!swings)
+                    return swings.error();
+                for (const auto& swing : *swings)
+                    if (swings->size() > 1 && swing.maxAbsDeviation_deg && swing.readings >= 8)
+                        return swing.id;
+            }
+        }
+    }
+    return Error{ErrorCode::NotFound, "the demonstration database has no swing with a result", storage.location().toStdString()};
+}
+
+Result<void> writePlots(const SwingRecord& record, const std::shared_ptr<const Analysis>& analysis, const std::optional<Swing>& previous, const QDir& folder)
+{
+    std::shared_ptr<const Analysis> last;
+    QString lastDate;
+    if (previous) {
+        if (auto analysed = analyseSwing({SwingRecord{*previous, {}, {}, {}, {}, {}}, {}, "the previous swing"}); analysed) {
+            last = std::make_shared<Analysis>(std::move(analysed.value()));
+            lastDate = QString::fromStdString(previous->date);
+        }
+    }
+    const auto picture = ui::pictureOf(record, analysis, {}, last, lastDate, AngleStyle::DecimalDegrees);
+    for (const auto make : {ui::makePolarPlot, ui::makeCurvePlot, ui::makeSpectrumPlot, ui::makeComponentsPlot}) {
+        const std::unique_ptr<ui::SwingPlot> plot(make(nullptr));
+        plot->setPicture(picture);
+        const QString stem = folder.filePath("swing-" + plot->name().toLower());
+        for (const char* ending : {".png", ".svg"})
+            if (const auto written = plot->exportTo(stem + ending); !written)
+                return written;
+    }
+    return {};
+}
+
+Result<void> writeDocuments(DbStorage& storage, SwingId id, const QDir& folder)
+{
+    const auto record = storage.swingRecord(id);
+    if (!record)
+        return record.error();
+    const auto previous = storage.previousSwing(id);
+    if (!previous)
+        return previous.error();
+    auto analysed = analyseSwing({*record, {}, "demonstration swing"});
+    if (!analysed)
+        return analysed.error();
+    const auto analysis = std::make_shared<const Analysis>(std::move(analysed.value()));
+
+    ui::ReportInput report{*record, *analysis, *previous};
+    report.madeAtUtc = nowUtc();
+    if (const auto written = ui::writeReport(report, folder.filePath("swing-report.pdf")); !written)
+        return written;
+    const auto card = makeCard(*analysis, {});
+    if (!card)
+        return card.error();
+    if (const auto written = ui::writeCard({*record, {{"STEER", *card}}, nowUtc()}, folder.filePath("correction-card.pdf")); !written)
+        return written;
+    return writePlots(*record, analysis, *previous, folder);
+}
+
+int demoCommand(const Options& options, const Invocation& invocation)
+{
+    const auto session = makeDrawingSession();
+    const auto path = demonstrationPath(invocation.database);
+    if (!path)
+        return fail(path.error());
+    const QDir folder(options.output.empty() ? QFileInfo(*path).absoluteDir().filePath("demonstration") : QString::fromStdString(options.output));
+    if (!folder.mkpath("."))
+        return fail({ErrorCode::Io, "the folder cannot be made; expected one that may be written", folder.path().toStdString()});
+
+    auto storage = openStorage(path->toStdString(), db::OpenMode::ReadWriteCreate);
+    if (!storage)
+        return fail(storage.error());
+    if (const auto filled = fill(**storage); !filled)
+        return fail(filled.error());
+    const auto swing = swingToShow(**storage);
+    if (!swing)
+        return fail(swing.error());
+    if (const auto written = writeDocuments(**storage, *swing, folder); !written)
+        return fail(written.error());
+    std::printf("database  %s\n", qPrintable(QFileInfo(*path).absoluteFilePath()));
+    for (const auto& file : folder.entryInfoList(QDir::Files, QDir::Name))
+        std::printf("%-8s  %s\n", file.suffix() == "pdf" ? "document" : "plot", qPrintable(file.absoluteFilePath()));
+    std::fflush(stdout);
+
+    if (options.noWindow || !hasDisplay()) {
+        if (!options.noWindow)
+            say("no display here, so no window; on a desktop: lubberline --db " + path->toStdString());
+        return kDone;
+    }
+    // The documents were drawn on the offscreen platform; the window needs an application of its own.
+    storage->reset();
+    const std::string program = QCoreApplication::applicationFilePath().toStdString();
+    const std::string database = path->toStdString();
+    execl(program.c_str(), program.c_str(), "--db", database.c_str(), nullptr);
+    return fail({ErrorCode::Io, "the window could not be started", program});
+}
+
+} // namespace
+
+void addDemo(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* command = app.add_subcommand("demo", "fill a database with a demonstration fleet, write a report and plots, open the window");
+    command->add_option("-o,--output", options->output, "the folder for the report and plots (default: beside the database)");
+    command->add_flag("--no-window", options->noWindow, "do not open the window");
+    addDatabaseOption(*command, invocation);
+    command->callback([options, &invocation] {
+        invocation.action = [options, &invocation] { return demoCommand(*options, invocation); };
+    });
+}
+
+} // namespace lubberline::app
