@@ -6,7 +6,6 @@
 #include <QObject>
 #include <QString>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,30 +13,9 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/record/Fleet.h"
-#include "core/record/Status.h"
+#include "core/record/FleetRows.h"
 
 namespace lubberline::ui {
-
-/// A line of the fleet tree.
-struct TypeRow { AircraftTypeId id; std::string name; int aircraft = 0; Status status = Status::NotKnown; };
-struct AircraftRow { AircraftId id; AircraftTypeId type; std::string registration; bool demonstration = false; Status status = Status::NotKnown; };
-struct CompassRow { CompassId id; AircraftId aircraft; std::string name; int swings = 0; Status status = Status::NotKnown; };
-/// Results here are a cache that the repository keeps beside the readings; `db verify` recomputes them.
-struct SwingRow {
-    SwingId id;
-    CompassId compass;
-    std::string date;
-    SwingKind kind = SwingKind::Check;
-    SwingStage stage = SwingStage::AsFound;
-    SwingState state = SwingState::Draft;
-    int readings = 0;
-    std::optional<double> maxAbsDeviation_deg;                        ///< none while the readings do not allow a result
-    std::array<std::optional<double>, 5> coefficient_deg = {};        ///< approximate A…E
-    Status status = Status::NotKnown;
-};
-struct SearchHit { std::string text; AircraftId aircraft; CompassId compass; SwingId swing; };
-
-struct Totals { int types = 0, aircraft = 0, compasses = 0; std::int64_t swings = 0; };
 
 class Storage : public QObject {
     Q_OBJECT

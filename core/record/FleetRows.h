@@ -1,0 +1,64 @@
+#pragma once
+/// Lines of lists and of the fleet tree: what storage answers quickly, without readings.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/record/Id.h"
+#include "core/record/Status.h"
+#include "core/record/Swing.h"
+
+namespace lubberline {
+
+struct TypeRow {
+    AircraftTypeId id;
+    std::string name;
+    int aircraft = 0;
+    Status status = Status::NotKnown;
+};
+
+struct AircraftRow {
+    AircraftId id;
+    AircraftTypeId type;
+    std::string registration;
+    bool demonstration = false;
+    Status status = Status::NotKnown;
+};
+
+struct CompassRow {
+    CompassId id;
+    AircraftId aircraft;
+    std::string name;
+    int swings = 0;
+    Status status = Status::NotKnown;
+};
+
+/// The results here are a cache that storage keeps beside the readings and that `db verify` recomputes.
+struct SwingRow {
+    SwingId id;
+    CompassId compass;
+    std::string date;
+    SwingKind kind = SwingKind::Check;
+    SwingStage stage = SwingStage::AsFound;
+    SwingState state = SwingState::Draft;
+    int readings = 0;
+    std::optional<double> maxAbsDeviation_deg;                 ///< none while the readings do not allow a result
+    std::array<std::optional<double>, 5> coefficient_deg = {}; ///< approximate A…E
+    Status status = Status::NotKnown;
+};
+
+struct SearchHit {
+    std::string text;
+    AircraftId aircraft;
+    CompassId compass; ///< not valid: the hit is the aircraft
+    SwingId swing;     ///< not valid: the hit is the compass or the aircraft
+};
+
+struct Totals {
+    int types = 0, aircraft = 0, compasses = 0;
+    std::int64_t swings = 0;
+};
+
+} // namespace lubberline
