@@ -9,8 +9,15 @@
 #include <cmath>
 
 #include "core/base/Contract.h"
+#include "ui/plots/PictureText.h"
 
 namespace lubberline::ui {
+
+namespace {
+
+constexpr double kReach_px = 10; ///< how near to a point a click takes it
+
+} // namespace
 
 Chart::Chart(QWidget* parent)
     : QWidget(parent)
@@ -34,6 +41,21 @@ void Chart::takeView(const Chart& other)
     LUBBERLINE_EXPECT(m_legend.size() == other.m_legend.size(), "a chart takes the view of one of its own kind");
     for (std::size_t i = 0; i < m_legend.size(); ++i)
         setShown(static_cast<int>(i), other.m_legend[i].shown);
+}
+
+std::optional<int> Chart::rowNear(const CanvasPlace& place) const
+{
+    std::optional<int> nearest;
+    double least = kReach_px;
+    for (const RowPlace& point : rowsOn(place.canvas)) {
+        const QPointF away = point.at - place.at;
+        const double distance = std::hypot(away.x(), away.y());
+        if (distance <= least) {
+            least = distance;
+            nearest = point.row;
+        }
+    }
+    return nearest;
 }
 
 void Chart::setShown(int index, bool shown)
@@ -105,6 +127,15 @@ void Chart::paint(QPainter& painter, const QRectF& target)
     painter.setFont(font);
     paintLegend(painter, QRectF(0, units.height() - legend, units.width(), legend), listed, m_colours);
     painter.restore();
+}
+
+QString SwingChart::readOutOfRow(int row) const
+{
+    for (const PlottedReading& reading : m_picture.readings) {
+        if (reading.row == row)
+            return readingReadOut(reading, m_picture);
+    }
+    return {};
 }
 
 QFont paperFont()

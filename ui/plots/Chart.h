@@ -30,20 +30,21 @@ class Chart : public QWidget {
 public:
     explicit Chart(QWidget* parent = nullptr);
 
-    /// Takes the new values over into the items and repaints once.
-    virtual void setPicture(const SwingPicture& picture) = 0;
-    virtual void setSelectedRow(int row) = 0;
     void setColours(const PlotColours& colours);
     [[nodiscard]] const PlotColours& colours() const { return m_colours; }
 
     [[nodiscard]] virtual std::vector<QWidget*> canvases() const = 0;
-    /// Rows of readings with the pixel where each is drawn.
+    /// What can be clicked: a row of readings (of a history: a swing), with the pixel where it is drawn.
     struct RowPlace {
         int row = 0;
         QPointF at;
     };
     [[nodiscard]] virtual std::vector<RowPlace> rowsOn(const QWidget* canvas) const = 0;
-    /// What is at a place of a canvas, with units.
+    /// The nearest of them within reach of the pointer.
+    [[nodiscard]] std::optional<int> rowNear(const CanvasPlace& place) const;
+    /// A row in words, with units.
+    [[nodiscard]] virtual QString readOutOfRow(int row) const = 0;
+    /// A place of a canvas in words, with units.
     [[nodiscard]] virtual QString readOutAt(const CanvasPlace& place) const = 0;
 
     virtual void zoomInto(const QWidget* canvas, const QRectF& rect) = 0;
@@ -85,6 +86,25 @@ private:
     std::vector<Switch> m_switches;
     PlotLegend* m_legendStrip;
     int m_legendHeight = 0;
+};
+
+/// A chart of one swing.
+class SwingChart : public Chart {
+    Q_OBJECT
+
+public:
+    using Chart::Chart;
+    /// Takes the new values over into the items and repaints once.
+    virtual void setPicture(const SwingPicture& picture) = 0;
+    virtual void setSelectedRow(int row) = 0;
+    [[nodiscard]] QString readOutOfRow(int row) const override;
+
+protected:
+    [[nodiscard]] const SwingPicture& picture() const { return m_picture; }
+    void keepPicture(const SwingPicture& picture) { m_picture = picture; }
+
+private:
+    SwingPicture m_picture;
 };
 
 /// The font of axis labels and legends on paper: 8 pt at 96 units an inch.

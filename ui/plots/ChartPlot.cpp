@@ -7,17 +7,12 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <cmath>
 
-#include "ui/plots/CanvasMouse.h"
-#include "ui/plots/PictureText.h"
+#include "ui/plots/ChartMouse.h"
 
 namespace lubberline::ui {
 
 namespace {
-
-constexpr double kReach_px = 10; ///< how near to a point a click takes it
-constexpr double kZoomStep = 0.8;
 
 bool isOurKey(const QKeyEvent& key)
 {
@@ -49,21 +44,10 @@ ChartPlot::ChartPlot(const QString& name, MakeChart makeChart, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(name);
     followPalette();
-    for (QWidget* canvas : m_chart->canvases())
-        connectCanvas(canvas);
-}
-
-void ChartPlot::connectCanvas(QWidget* canvas)
-{
-    auto* mouse = new CanvasMouse(canvas);
-    connect(mouse, &CanvasMouse::hovered, this, [this, canvas](const QPointF& at) { readOutOf({canvas, at}); });
-    connect(mouse, &CanvasMouse::left, this, [this] { emit readOut({}); });
-    connect(mouse, &CanvasMouse::clicked, this, [this, canvas](const QPointF& at) { selectAt({canvas, at}); });
-    connect(mouse, &CanvasMouse::framed, this, [this, canvas](const QRectF& rect) { m_chart->zoomInto(canvas, rect); });
-    connect(mouse, &CanvasMouse::panned, this, [this, canvas](const QPointF& by) { m_chart->panBy(canvas, by); });
-    connect(mouse, &CanvasMouse::wheeled, this,
-        [this, canvas](const QPointF& at, double steps) { m_chart->zoomAt({canvas, at}, std::pow(kZoomStep, steps)); });
-    connect(mouse, &CanvasMouse::doubleClicked, this, &ChartPlot::resetZoom);
+    auto* mouse = new ChartMouse(m_chart);
+    connect(mouse, &ChartMouse::picked, this, &ChartPlot::select);
+    connect(mouse, &ChartMouse::pressed, this, [this] { setFocus(Qt::MouseFocusReason); });
+    connect(mouse, &ChartMouse::readOut, this, &ChartPlot::readOut);
 }
 
 void ChartPlot::setPicture(const SwingPicture& picture)
@@ -93,7 +77,7 @@ void ChartPlot::resetZoom() { m_chart->resetZoom(); }
 
 void ChartPlot::render(QPainter& painter, const QRectF& target) const
 {
-    const std::unique_ptr<Chart> paper = m_makeChart();
+    const std::unique_ptr<SwingChart> paper = m_makeChart();
     paper->takeView(*m_chart);
     renderChart(*paper, painter, target, m_picture);
 }
@@ -151,46 +135,13 @@ void ChartPlot::keyPressEvent(QKeyEvent* event)
     else if (event->key() == Qt::Key_Home)
         resetZoom();
     else
-        zoomMiddle(event->key() == Qt::Key_Minus ? 1 / kZoomStep : kZoomStep);
+        zoomMiddle(*m_chart, event->key() == Qt::Key_Minus ? 1 / kZoomStep : kZoomStep);
 }
 
-void ChartPlot::zoomMiddle(double factor)
+void ChartPlot::select(int row)
 {
-    const QWidget* canvas = m_chart->canvases().front();
-    m_chart->zoomAt({canvas, QRectF(canvas->rect()).center()}, factor);
-}
-
-std::optional<int> ChartPlot::rowNear(const CanvasPlace& place) const
-{
-    std::optional<int> nearest;
-    double least = kReach_px;
-    for (const Chart::RowPlace& point : m_chart->rowsOn(place.canvas)) {
-        const QPointF away = point.at - place.at;
-        const double distance = std::hypot(away.x(), away.y());
-        if (distance <= least) {
-            least = distance;
-            nearest = point.row;
-        }
-    }
-    return nearest;
-}
-
-void ChartPlot::readOutOf(const CanvasPlace& place)
-{
-    const auto row = rowNear(place);
-    const auto isIt = [&row](const PlottedReading& reading) { return row && reading.row == *row; };
-    const auto found = std::find_if(m_picture.readings.begin(), m_picture.readings.end(), isIt);
-    emit readOut(found != m_picture.readings.end() ? readingReadOut(*found, m_picture) : m_chart->readOutAt(place));
-}
-
-void ChartPlot::selectAt(const CanvasPlace& place)
-{
-    setFocus(Qt::MouseFocusReason);
-    const auto row = rowNear(place);
-    if (!row)
-        return;
-    setSelectedRow(*row);
-    emit rowSelected(*row);
+    setSelectedRow(row);
+    emit rowSelected(row);
 }
 
 void ChartPlot::selectNeighbour(int direction)
@@ -207,9 +158,8 @@ void ChartPlot::selectNeighbour(int direction)
     int next = direction > 0 ? 0 : count - 1;
     if (now != round.end())
         next = (static_cast<int>(now - round.begin()) + direction + count) % count;
-    setSelectedRow(round[next]->row);
-    emit rowSelected(m_selectedRow);
-    emit readOut(readingReadOut(*round[next], m_picture));
+    select(round[next]->row);
+    emit readOut(m_chart->readOutOfRow(m_selectedRow));
 }
 
 void ChartPlot::contextMenuEvent(QContextMenuEvent* event)
@@ -230,7 +180,7 @@ void ChartPlot::contextMenuEvent(QContextMenuEvent* event)
     menu.exec(event->globalPos());
 }
 
-void renderChart(Chart& chart, QPainter& painter, const QRectF& target, const SwingPicture& picture)
+void renderChart(SwingChart& chart, QPainter& painter, const QRectF& target, const SwingPicture& picture)
 {
     chart.setFont(paperFont());
     chart.setColours(paperColours());

@@ -13,7 +13,7 @@ class ChartPlot : public SwingPlot {
     Q_OBJECT
 
 public:
-    using MakeChart = std::function<std::unique_ptr<Chart>()>;
+    using MakeChart = std::function<std::unique_ptr<SwingChart>()>;
     ChartPlot(const QString& name, MakeChart makeChart, QWidget* parent);
 
     [[nodiscard]] QString name() const override { return m_name; }
@@ -23,7 +23,7 @@ public:
     void render(QPainter& painter, const QRectF& target) const override;
     [[nodiscard]] QSize sizeHint() const override { return {560, 480}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {220, 200}; }
-    [[nodiscard]] Chart* chart() const { return m_chart; }
+    [[nodiscard]] SwingChart* chart() const { return m_chart; }
 
 protected:
     bool event(QEvent* event) override;
@@ -34,26 +34,22 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
-    void connectCanvas(QWidget* canvas);
-    void readOutOf(const CanvasPlace& place);
-    void selectAt(const CanvasPlace& place);
+    void select(int row);
     /// The next reading round the compass, or the one before.
     void selectNeighbour(int direction);
-    void zoomMiddle(double factor);
-    [[nodiscard]] std::optional<int> rowNear(const CanvasPlace& place) const;
     /// Hands over what was set while the plot was hidden.
     void refresh();
     void followPalette();
 
     QString m_name;
     MakeChart m_makeChart;
-    Chart* m_chart = nullptr;
+    SwingChart* m_chart = nullptr;
     SwingPicture m_picture;
     int m_selectedRow = -1;
     bool m_stale = false;
 };
 
 /// A fresh chart painted once, for paper.
-void renderChart(Chart& chart, QPainter& painter, const QRectF& target, const SwingPicture& picture);
+void renderChart(SwingChart& chart, QPainter& painter, const QRectF& target, const SwingPicture& picture);
 
 } // namespace lubberline::ui

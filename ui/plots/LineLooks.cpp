@@ -21,6 +21,20 @@ LineLooks lineLooks(const PlotColours& colours)
         dashed(colours.noise, 1.6, {6, 3})};
 }
 
+QPen componentPen(const PlotColours& colours, std::size_t index)
+{
+    const QColor colour = colours.coefficient.at(index);
+    switch (index) {
+    case 0:
+        return dashed(colour, 1.8, {1.5, 1.5});
+    case 3:
+    case 4:
+        return dashed(colour, 1.8, {6, 2.5});
+    default:
+        return QPen(colour, 1.8);
+    }
+}
+
 void styleEntry(LegendEntry& entry, const QColor& edge, const QBrush& fill)
 {
     entry.pen = QPen(edge, 1);

@@ -3,6 +3,8 @@
 
 #include <QPen>
 
+#include <cstddef>
+
 #include "ui/plots/PlotColours.h"
 #include "ui/plots/PlotLegend.h"
 
@@ -12,6 +14,9 @@ struct LineLooks {
     QPen approximate, exact, previous, noise;
 };
 [[nodiscard]] LineLooks lineLooks(const PlotColours& colours);
+
+/// Of one of A…E (0…4): told apart by colour and by dashes.
+[[nodiscard]] QPen componentPen(const PlotColours& colours, std::size_t index);
 
 void styleEntry(LegendEntry& entry, const QColor& edge, const QBrush& fill);
 

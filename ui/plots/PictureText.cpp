@@ -71,6 +71,27 @@ QString placeReadOut(double magnetic_deg, double deviation_deg, const SwingPictu
     return join(parts);
 }
 
+QString residualReadOut(double magnetic_deg, double residual_deg, const SwingPicture& picture)
+{
+    return join({Words::tr("magnetic %1").arg(heading(wrap360(magnetic_deg), picture.angleStyle)),
+        Words::tr("residual %1").arg(angle(residual_deg, picture.angleStyle, 2))});
+}
+
+QString componentsReadOut(double compass_deg, const SwingPicture& picture)
+{
+    QStringList parts{Words::tr("compass %1").arg(heading(wrap360(compass_deg), picture.angleStyle))};
+    if (!picture.analysis || !picture.analysis->approximate.fitted())
+        return parts.first();
+    const ApproximateFit& fit = picture.analysis->approximate;
+    const auto compass = CompassHeading::fromDegrees(compass_deg);
+    for (const Coefficient which : kCoefficients) {
+        if (fit.of(which))
+            parts += componentName(which) + " " + angle(toDegrees(component_rad(fit.smith(), which, compass)), picture.angleStyle);
+    }
+    parts += Words::tr("sum %1").arg(angle(deviationAt(fit.smith(), compass).degrees(), picture.angleStyle));
+    return join(parts);
+}
+
 QString orderReadOut(int order, const SwingPicture& picture)
 {
     if (order < 0 || !picture.analysis)

@@ -16,6 +16,12 @@ namespace lubberline::ui {
 /// A place of the plot that is no reading: heading, deviation, and what the fits say there.
 [[nodiscard]] QString placeReadOut(double magnetic_deg, double deviation_deg, const SwingPicture& picture);
 
+/// The same in the strip of residuals of the approximate fit.
+[[nodiscard]] QString residualReadOut(double magnetic_deg, double residual_deg, const SwingPicture& picture);
+
+/// Components of the approximate fit at a compass heading.
+[[nodiscard]] QString componentsReadOut(double compass_deg, const SwingPicture& picture);
+
 /// One order of the spectrum: amplitude, uncertainty, phase, and what it is called.
 [[nodiscard]] QString orderReadOut(int order, const SwingPicture& picture);
 

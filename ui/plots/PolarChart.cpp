@@ -45,7 +45,7 @@ void setSamples(QwtPolarCurve* curve, const QPolygonF& points)
 } // namespace
 
 PolarChart::PolarChart(QWidget* parent)
-    : Chart(parent)
+    : SwingChart(parent)
     , m_plot(new QwtPolarPlot(this))
     , m_ground(new PolarGround)
     , m_previous(attachedCurve(m_plot, tr("previous swing"), 12))
@@ -75,7 +75,7 @@ PolarChart::PolarChart(QWidget* parent)
 
 void PolarChart::setPicture(const SwingPicture& picture)
 {
-    m_picture = picture;
+    keepPicture(picture);
     m_scale = deviationScale(picture);
     m_ground->setScale(m_scale);
     m_ground->setLimit(picture.limit_deg);
@@ -127,7 +127,7 @@ QString PolarChart::readOutAt(const CanvasPlace& place) const
     if (distance > 1)
         return {};
     const double heading_deg = wrap360(toDegrees(std::atan2(radii.x(), radii.y())));
-    return placeReadOut(heading_deg, m_scale.end * (2 * distance - 1), m_picture);
+    return placeReadOut(heading_deg, m_scale.end * (2 * distance - 1), this->picture());
 }
 
 QPointF PolarChart::inRadii(const QPointF& at) const

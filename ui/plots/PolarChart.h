@@ -13,7 +13,7 @@ class PolarGround;
 class PolarNotice;
 class PolarReadings;
 
-class PolarChart : public Chart {
+class PolarChart : public SwingChart {
     Q_OBJECT
 
 public:
@@ -47,7 +47,6 @@ private:
     void setView(View view);
     [[nodiscard]] QPointF inRadii(const QPointF& at) const;
 
-    SwingPicture m_picture;
     NiceScale m_scale;
     View m_view;
     QwtPolarPlot* m_plot;

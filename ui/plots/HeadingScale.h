@@ -1,0 +1,24 @@
+#pragma once
+/// The scale of headings 0…360 in steps that sailors know, with the names of the points.
+
+#include <qwt_scale_draw.h>
+#include <qwt_scale_engine.h>
+
+namespace lubberline::ui {
+
+/// Steps of 45°, closer in of 30, 15, 10, 5, 2 and 1°.
+class HeadingScaleEngine : public QwtLinearScaleEngine {
+public:
+    [[nodiscard]] QwtScaleDiv divideScale(double from, double to, int maxMajor, int maxMinor, double step) const override;
+};
+
+/// "045" with "NE" beneath.
+class HeadingScaleDraw : public QwtScaleDraw {
+public:
+    [[nodiscard]] QwtText label(double heading_deg) const override;
+};
+
+/// "NE" for 45; empty between the eight points.
+[[nodiscard]] QString pointName(int heading_deg);
+
+} // namespace lubberline::ui
