@@ -1,0 +1,177 @@
+#include "db/Database.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSqlDatabase>
+
+#include <atomic>
+
+#include "db/SqlError.h"
+#include "db/Statement.h"
+#include "db/Transaction.h"
+
+namespace lubberline::db {
+
+namespace {
+
+constexpr std::int64_t kApplicationId = 0x4C554242; // "LUBB", in the file's header
+
+QString newConnectionName()
+{
+    static std::atomic<int> count{0};
+    return QStringLiteral("lubberline-%1").arg(++count);
+}
+
+Result<void> checkFile(const QString& path, OpenMode mode)
+{
+    const QFileInfo file(path);
+    const std::string name = path.toStdString();
+    if (file.isDir())
+        return Error{ErrorCode::Io, "this is a folder; expected a database file", name};
+    if (file.exists())
+        return {};
+    if (mode == OpenMode::ReadOnly)
+        return Error{ErrorCode::NotFound, "there is no such database; expected an existing file", name};
+    const QFileInfo folder(file.absolutePath());
+    if (!folder.isDir())
+        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " is not there; expected an existing one for the new database", name};
+    if (!folder.isWritable())
+        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " may not be written; expected one that may", name};
+    return {};
+}
+
+Result<void> configure(const Database& database)
+{
+    for (const char* pragma : {"PRAGMA foreign_keys = ON", "PRAGMA synchronous = FULL"})
+        if (const auto done = execute(database, pragma); !done)
+            return done;
+    if (database.readOnly())
+        return {};
+    return execute(database, "PRAGMA journal_mode = WAL");
+}
+
+/// Ours, or empty and so about to become ours.
+Result<void> checkIdentity(const Database& database, int newest)
+{
+    const auto application = number(database, "PRAGMA application_id");
+    if (!application)
+        return application.error();
+    const auto version = number(database, "PRAGMA user_version");
+    if (!version)
+        return version.error();
+    const auto tables = number(database, "SELECT COUNT(*) FROM sqlite_master");
+    if (!tables)
+        return tables.error();
+    const std::string file = database.path().toStdString();
+    if (*tables == 0 && *application == 0 && *version == 0)
+        return {};
+    if (*application != kApplicationId)
+        return Error{ErrorCode::Format, "this SQLite file was not made by Lubberline; expected a fleet database", file};
+    if (*version > newest)
+        return Error{ErrorCode::NewerSchema, "the database has schema " + std::to_string(*version) + ", made by a newer Lubberline; this one knows schemas up to "
+            + std::to_string(newest) + ": update the program", file};
+    return {};
+}
+
+Result<void> apply(Database& database, const Migration& step)
+{
+    auto transaction = Transaction::begin(database);
+    if (!transaction)
+        return transaction.error();
+    // Another program may have made the step while we waited for the lock.
+    const auto version = number(database, "PRAGMA user_version");
+    if (!version)
+        return version.error();
+    if (*version >= step.version)
+        return {};
+    for (const char* statement : step.statements)
+        if (const auto done = execute(database, statement); !done) {
+            Error error = done.error();
+            error.message = "the step to schema " + std::to_string(step.version) + " (" + step.description + ") failed, nothing was changed: " + error.message;
+            return error;
+        }
+    for (const QString& pragma : {QStringLiteral("PRAGMA application_id = %1").arg(kApplicationId), QStringLiteral("PRAGMA user_version = %1").arg(step.version)})
+        if (const auto done = execute(database, pragma); !done)
+            return done;
+    return transaction->commit();
+}
+
+Result<void> migrate(Database& database, const std::vector<Migration>& steps)
+{
+    const auto version = number(database, "PRAGMA user_version");
+    if (!version)
+        return version.error();
+    for (const auto& step : steps) {
+        if (step.version <= *version)
+            continue;
+        if (database.readOnly())
+            return Error{ErrorCode::ReadOnly, "the database has the old schema " + std::to_string(*version)
+                + " and may only be read; expected one that may be written once, to bring it up to date", database.path().toStdString()};
+        if (const auto done = apply(database, step); !done)
+            return done;
+    }
+    return {};
+}
+
+} // namespace
+
+struct Database::State {
+    QString path;
+    QString connection = newConnectionName();
+    bool readOnly = false;
+    int transactionDepth = 0;
+
+    ~State()
+    {
+        { // all handles must be gone before the connection is removed
+            QSqlDatabase handle = QSqlDatabase::database(connection, false);
+            if (handle.isValid())
+                handle.close();
+        }
+        QSqlDatabase::removeDatabase(connection);
+    }
+};
+
+Database::Database(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+Database::Database(Database&&) noexcept = default;
+Database& Database::operator=(Database&&) noexcept = default;
+Database::~Database() = default;
+
+QString Database::path() const { return m_state->path; }
+bool Database::readOnly() const { return m_state->readOnly; }
+QSqlDatabase Database::connection() const { return QSqlDatabase::database(m_state->connection, false); }
+int& Database::transactionDepth() { return m_state->transactionDepth; }
+
+Result<Database> Database::open(const QString& path, OpenMode mode, const std::vector<Migration>& steps)
+{
+    const bool inMemory = path == ":memory:";
+    if (!inMemory)
+        if (const auto checked = checkFile(path, mode); !checked)
+            return checked.error();
+
+    auto state = std::make_unique<State>();
+    state->path = path;
+    state->readOnly = !inMemory && QFileInfo::exists(path) && (mode == OpenMode::ReadOnly || !QFileInfo(path).isWritable());
+    QSqlDatabase handle = QSqlDatabase::addDatabase("QSQLITE", state->connection);
+    handle.setDatabaseName(path);
+    // A reader may have to wait for a writer's commit; more than two seconds means that something holds the file.
+    handle.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000") + (state->readOnly ? ";QSQLITE_OPEN_READONLY" : ""));
+    const bool opened = handle.open();
+    const QSqlError openError = handle.lastError();
+    handle = {};
+    Database database(std::move(state));
+    if (!opened)
+        return errorOf(openError, path);
+
+    // Nothing is written before the file is known to be ours.
+    if (const auto identity = checkIdentity(database, steps.back().version); !identity)
+        return identity.error();
+    if (const auto configured = configure(database); !configured)
+        return configured.error();
+    if (const auto migrated = migrate(database, steps); !migrated)
+        return migrated.error();
+    return database;
+}
+
+} // namespace lubberline::db

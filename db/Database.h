@@ -1,0 +1,56 @@
+#pragma once
+/// One SQLite database file of ours: opened, checked to be ours, migrated, and set up to lose nothing
+/// (WAL, synchronous=FULL, foreign keys). A Database belongs to the thread that opened it.
+
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+#include "core/base/Result.h"
+
+class QSqlDatabase;
+
+namespace lubberline::db {
+
+enum class OpenMode {
+    ReadWriteCreate, ///< a missing file is made; a file that may only be read is opened for reading
+    ReadOnly,        ///< a missing file is an error
+};
+
+/// A numbered step of the schema. It runs in one transaction together with the new user_version: whole or not at all.
+struct Migration {
+    int version = 0; ///< of the schema afterwards
+    const char* description = "";
+    std::vector<const char*> statements;
+};
+
+[[nodiscard]] const std::vector<Migration>& migrations();
+/// The newest schema that this program knows.
+[[nodiscard]] int schemaVersion();
+
+class Database {
+public:
+    /// Errors, each naming the file: NotFound (missing, ReadOnly), Io (folder), Format (not a database of ours), Corrupt,
+    /// NewerSchema (names both versions), Locked, ReadOnly (needs migrating but may not be written), Full.
+    /// `steps` is for tests of failing migrations.
+    static Result<Database> open(const QString& path, OpenMode mode, const std::vector<Migration>& steps = migrations());
+
+    Database(Database&&) noexcept;
+    Database& operator=(Database&&) noexcept;
+    ~Database();
+
+    [[nodiscard]] QString path() const;
+    [[nodiscard]] bool readOnly() const;
+    /// For the other sources of db only.
+    [[nodiscard]] QSqlDatabase connection() const;
+    /// Depth of nested transactions; for Transaction only.
+    [[nodiscard]] int& transactionDepth();
+
+private:
+    struct State;
+    explicit Database(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace lubberline::db

@@ -1,0 +1,78 @@
+// The schema, step by step. A step that has been released is never changed; a new one is added.
+// Enumerations are stored as the numbers of their order in core/record, held by CHECK.
+
+#include "db/Database.h"
+
+namespace lubberline::db {
+
+namespace {
+
+const Migration kFirst{1, "fleet, swings, readings, limits, audit",
+    {
+        "CREATE TABLE limits_profile (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, name TEXT NOT NULL UNIQUE, document TEXT NOT NULL,"
+        " issue TEXT NOT NULL, scope TEXT NOT NULL, max_deviation_deg REAL CHECK (max_deviation_deg > 0), max_spread_deg REAL CHECK (max_spread_deg > 0))",
+        "CREATE TABLE site (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, name TEXT NOT NULL UNIQUE, latitude_deg REAL, longitude_deg REAL,"
+        " elevation_m REAL, variation_deg REAL, variation_source TEXT NOT NULL, note TEXT NOT NULL)",
+        "CREATE TABLE aircraft_type (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, name TEXT NOT NULL UNIQUE, maker TEXT NOT NULL, note TEXT NOT NULL)",
+        "CREATE TABLE aircraft (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, type_id INTEGER NOT NULL REFERENCES aircraft_type(id),"
+        " registration TEXT NOT NULL UNIQUE CHECK (registration <> ''), serial_number TEXT NOT NULL, operator_name TEXT NOT NULL, built_year INTEGER,"
+        " note TEXT NOT NULL, demonstration INTEGER NOT NULL CHECK (demonstration IN (0, 1)))",
+        "CREATE INDEX aircraft_by_type ON aircraft(type_id)",
+        // status: of the latest swing that has a result; a cache
+        "CREATE TABLE compass (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, aircraft_id INTEGER NOT NULL REFERENCES aircraft(id),"
+        " name TEXT NOT NULL, kind INTEGER NOT NULL CHECK (kind BETWEEN 0 AND 2), compensator INTEGER NOT NULL CHECK (compensator BETWEEN 0 AND 4),"
+        " maker TEXT NOT NULL, part_number TEXT NOT NULL, serial_number TEXT NOT NULL, location TEXT NOT NULL,"
+        " resolution_deg REAL NOT NULL CHECK (resolution_deg > 0), limits_id INTEGER REFERENCES limits_profile(id),"
+        " status INTEGER NOT NULL DEFAULT 0 CHECK (status BETWEEN 0 AND 2), UNIQUE (aircraft_id, name))",
+        "CREATE TABLE event (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, aircraft_id INTEGER NOT NULL REFERENCES aircraft(id),"
+        " date TEXT NOT NULL, kind TEXT NOT NULL, note TEXT NOT NULL)",
+        "CREATE INDEX event_by_aircraft ON event(aircraft_id, date)",
+        // reading_count and all from max_abs_deviation_deg on: a cache of what core computes from the readings
+        "CREATE TABLE swing (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, compass_id INTEGER NOT NULL REFERENCES compass(id),"
+        " site_id INTEGER REFERENCES site(id), date TEXT NOT NULL, kind INTEGER NOT NULL CHECK (kind BETWEEN 0 AND 3),"
+        " stage INTEGER NOT NULL CHECK (stage BETWEEN 0 AND 1), state INTEGER NOT NULL CHECK (state BETWEEN 0 AND 2),"
+        " radio INTEGER NOT NULL CHECK (radio BETWEEN 0 AND 2), engines TEXT NOT NULL, electrics TEXT NOT NULL, other_configuration TEXT NOT NULL,"
+        " datum_instrument TEXT NOT NULL, datum_serial_number TEXT NOT NULL, datum_calibration_due TEXT NOT NULL,"
+        " datum_reader TEXT NOT NULL, cockpit_reader TEXT NOT NULL, adjuster TEXT NOT NULL, inspector TEXT NOT NULL,"
+        " variation_deg REAL, procedure_name TEXT NOT NULL, work_order TEXT NOT NULL, reason TEXT NOT NULL, note TEXT NOT NULL,"
+        " reading_count INTEGER NOT NULL DEFAULT 0, max_abs_deviation_deg REAL, a_deg REAL, b_deg REAL, c_deg REAL, d_deg REAL, e_deg REAL,"
+        " status INTEGER NOT NULL DEFAULT 0 CHECK (status BETWEEN 0 AND 2))",
+        "CREATE INDEX swing_by_compass ON swing(compass_id, date)",
+        "CREATE INDEX swing_by_date ON swing(date)",
+        "CREATE TABLE reading (id INTEGER PRIMARY KEY, swing_id INTEGER NOT NULL REFERENCES swing(id) ON DELETE CASCADE, position INTEGER NOT NULL,"
+        " nominal_deg REAL CHECK (nominal_deg >= 0 AND nominal_deg < 360), magnetic_heading_deg REAL CHECK (magnetic_heading_deg >= 0 AND magnetic_heading_deg < 360),"
+        " compass_heading_deg REAL CHECK (compass_heading_deg >= 0 AND compass_heading_deg < 360),"
+        " true_heading_deg REAL CHECK (true_heading_deg >= 0 AND true_heading_deg < 360), pitch_deg REAL CHECK (pitch_deg BETWEEN -90 AND 90),"
+        " roll_deg REAL CHECK (roll_deg BETWEEN -180 AND 180), note TEXT NOT NULL, exclusion_reason TEXT CHECK (exclusion_reason <> ''), extra_json TEXT NOT NULL)",
+        "CREATE INDEX reading_by_swing ON reading(swing_id, position)",
+        "CREATE TABLE audit_entry (id INTEGER PRIMARY KEY, time_utc TEXT NOT NULL, what TEXT NOT NULL, record TEXT NOT NULL, detail TEXT NOT NULL)",
+        "CREATE INDEX audit_by_record ON audit_entry(record)",
+        "CREATE TRIGGER audit_is_kept BEFORE DELETE ON audit_entry BEGIN SELECT RAISE(ABORT, 'the audit trail is append-only'); END",
+        "CREATE TRIGGER audit_is_not_changed BEFORE UPDATE ON audit_entry BEGIN SELECT RAISE(ABORT, 'the audit trail is append-only'); END",
+        // What is signed is frozen; the cached results are not part of what was signed.
+        "CREATE TRIGGER signed_swing_is_kept BEFORE DELETE ON swing WHEN OLD.state = 2 BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
+        "CREATE TRIGGER signed_swing_is_frozen BEFORE UPDATE OF record, compass_id, site_id, date, kind, stage, state, radio, engines, electrics,"
+        " other_configuration, datum_instrument, datum_serial_number, datum_calibration_due, datum_reader, cockpit_reader, adjuster, inspector,"
+        " variation_deg, procedure_name, work_order, reason, note ON swing WHEN OLD.state = 2 BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
+        "CREATE TRIGGER signed_readings_no_update BEFORE UPDATE ON reading WHEN (SELECT state FROM swing WHERE id = OLD.swing_id) = 2"
+        " OR (SELECT state FROM swing WHERE id = NEW.swing_id) = 2 BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
+        "CREATE TRIGGER signed_readings_no_insert BEFORE INSERT ON reading WHEN (SELECT state FROM swing WHERE id = NEW.swing_id) = 2"
+        " BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
+        "CREATE TRIGGER signed_readings_no_delete BEFORE DELETE ON reading WHEN (SELECT state FROM swing WHERE id = OLD.swing_id) = 2"
+        " BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
+    }};
+
+} // namespace
+
+const std::vector<Migration>& migrations()
+{
+    static const std::vector<Migration> steps{kFirst};
+    return steps;
+}
+
+int schemaVersion()
+{
+    return migrations().back().version;
+}
+
+} // namespace lubberline::db

@@ -1,0 +1,42 @@
+#pragma once
+/// Swings and their readings. A writing call is one transaction: readings, cached results and audit entry together.
+
+#include <functional>
+#include <vector>
+
+#include "core/base/Progress.h"
+#include "core/record/Fleet.h"
+#include "core/record/FleetRows.h"
+#include "db/Database.h"
+
+namespace lubberline::db {
+
+class SwingRepository {
+public:
+    explicit SwingRepository(Database& database) : m_database(database) {}
+
+    Result<std::vector<SwingRow>> swingsOf(CompassId compass); ///< newest first
+    Result<Swing> swing(SwingId id);                           ///< with readings
+    Result<SwingRecord> record(SwingId id);                    ///< with compass, aircraft, type, site and limits
+    /// The last swing of the same compass before this one, by date.
+    Result<std::optional<Swing>> previous(SwingId id);
+    /// By record id or the beginning of one. Errors: NotFound, Conflict when several begin so.
+    Result<SwingId> named(const std::string& beginning);
+    /// All swings with their readings, in order of id, by one statement; the callback returns false to stop.
+    Result<void> forEach(const std::function<bool(const Swing&)>& callback);
+
+    /// A new swing (id not valid; the readings are stored too) or the changed particulars of a known one (readings untouched).
+    /// Errors: Frozen when it is signed.
+    Result<SwingId> save(const Swing& swing);
+    /// Errors: Frozen unless it is a draft.
+    Result<void> remove(SwingId id);
+    /// A new row at `position` (0 …) of the readings; what was there moves down. Errors: Frozen when signed.
+    Result<ReadingId> insertReading(SwingId swing, int position, const Reading& reading);
+    Result<void> saveReading(SwingId swing, const Reading& reading);
+    Result<void> removeReading(SwingId swing, ReadingId reading);
+
+private:
+    Database& m_database;
+};
+
+} // namespace lubberline::db

@@ -1,0 +1,138 @@
+#include "db/SwingRows.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QStringList>
+
+namespace lubberline::db {
+
+namespace {
+
+std::string extraText(const Reading& reading)
+{
+    QJsonArray pairs;
+    for (const auto& [name, value] : reading.extra)
+        pairs.append(QJsonArray{QString::fromStdString(name), QString::fromStdString(value)});
+    return QJsonDocument(pairs).toJson(QJsonDocument::Compact).toStdString();
+}
+
+std::vector<std::pair<std::string, std::string>> extraFrom(const std::string& text)
+{
+    std::vector<std::pair<std::string, std::string>> extra;
+    if (text == "[]") // nearly always
+        return extra;
+    for (const auto& pair : QJsonDocument::fromJson(QByteArray::fromStdString(text)).array())
+        extra.emplace_back(pair.toArray().at(0).toString().toStdString(), pair.toArray().at(1).toString().toStdString());
+    return extra;
+}
+
+template <class HeadingType>
+std::optional<double> degreesOf(const std::optional<HeadingType>& heading)
+{
+    return heading ? std::optional(heading->degrees()) : std::nullopt;
+}
+
+template <class HeadingType>
+std::optional<HeadingType> headingFrom(std::optional<double> heading_deg)
+{
+    return heading_deg ? std::optional(HeadingType::fromDegrees(*heading_deg)) : std::nullopt;
+}
+
+} // namespace
+
+QStringList swingFields()
+{
+    return {"compass_id", "site_id", "date", "kind", "stage", "state", "radio", "engines", "electrics", "other_configuration", "datum_instrument",
+        "datum_serial_number", "datum_calibration_due", "datum_reader", "cockpit_reader", "adjuster", "inspector", "variation_deg", "procedure_name",
+        "work_order", "reason", "note"};
+}
+
+QString swingColumns()
+{
+    return "s.id, s.record, s." + swingFields().join(", s.");
+}
+
+QStringList readingFields()
+{
+    return {"nominal_deg", "magnetic_heading_deg", "compass_heading_deg", "true_heading_deg", "pitch_deg", "roll_deg", "note", "exclusion_reason", "extra_json"};
+}
+
+QString readingColumns()
+{
+    return "r.id, r." + readingFields().join(", r.");
+}
+
+Swing swingFrom(const Statement& row, int first)
+{
+    int column = first;
+    Swing swing;
+    swing.id = row.id<SwingId>(column++);
+    swing.record = row.text(column++);
+    swing.compass = row.id<CompassId>(column++);
+    swing.site = row.id<SiteId>(column++);
+    swing.date = row.text(column++);
+    swing.kind = row.as<SwingKind>(column++);
+    swing.stage = row.as<SwingStage>(column++);
+    swing.state = row.as<SwingState>(column++);
+    swing.configuration.radio = row.as<RadioState>(column++);
+    for (std::string* field : {&swing.configuration.engines, &swing.configuration.electrics, &swing.configuration.other, &swing.datum.instrument,
+             &swing.datum.serialNumber, &swing.datum.calibrationDue, &swing.people.datumReader, &swing.people.cockpitReader, &swing.people.adjuster,
+             &swing.people.inspector})
+        *field = row.text(column++);
+    swing.variation_deg = row.optionalReal(column++);
+    for (std::string* field : {&swing.procedure, &swing.workOrder, &swing.reason, &swing.note})
+        *field = row.text(column++);
+    return swing;
+}
+
+void bindParticulars(Statement& statement, const Swing& swing)
+{
+    statement << swing.compass << swing.site << swing.date << static_cast<int>(swing.kind) << static_cast<int>(swing.stage) << static_cast<int>(swing.state)
+              << static_cast<int>(swing.configuration.radio) << swing.configuration.engines << swing.configuration.electrics << swing.configuration.other
+              << swing.datum.instrument << swing.datum.serialNumber << swing.datum.calibrationDue << swing.people.datumReader << swing.people.cockpitReader
+              << swing.people.adjuster << swing.people.inspector << swing.variation_deg << swing.procedure << swing.workOrder << swing.reason << swing.note;
+}
+
+Reading readingFrom(const Statement& row, int first)
+{
+    int column = first;
+    Reading reading;
+    reading.id = row.id<ReadingId>(column++);
+    reading.nominal_deg = row.optionalReal(column++);
+    reading.magnetic = headingFrom<MagneticHeading>(row.optionalReal(column++));
+    reading.compass = headingFrom<CompassHeading>(row.optionalReal(column++));
+    reading.trueHeading = headingFrom<TrueHeading>(row.optionalReal(column++));
+    reading.pitch_deg = row.optionalReal(column++);
+    reading.roll_deg = row.optionalReal(column++);
+    reading.note = row.text(column++);
+    if (const std::string reason = row.text(column++); !reason.empty())
+        reading.exclusion = Exclusion{reason};
+    reading.extra = extraFrom(row.text(column++));
+    return reading;
+}
+
+void bindReading(Statement& statement, const Reading& reading)
+{
+    statement << reading.nominal_deg << degreesOf(reading.magnetic) << degreesOf(reading.compass) << degreesOf(reading.trueHeading) << reading.pitch_deg
+              << reading.roll_deg << reading.note;
+    if (reading.exclusion)
+        statement << reading.exclusion->reason;
+    else
+        statement.null();
+    statement << extraText(reading);
+}
+
+std::string auditText(const Reading& reading)
+{
+    const auto figure = [](std::optional<double> value) { return value ? QString::number(*value, 'g', QLocale::FloatingPointShortest).toStdString() : "-"; };
+    std::string text = "magnetic " + figure(degreesOf(reading.magnetic)) + ", compass " + figure(degreesOf(reading.compass));
+    if (reading.nominal_deg)
+        text += ", nominal " + figure(reading.nominal_deg);
+    if (reading.exclusion)
+        text += ", excluded: " + reading.exclusion->reason;
+    if (!reading.note.empty())
+        text += ", note: " + reading.note;
+    return text;
+}
+
+} // namespace lubberline::db

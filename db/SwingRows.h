@@ -1,0 +1,31 @@
+#pragma once
+/// Private to db: swings and readings to and from rows.
+
+#include "core/record/Swing.h"
+#include "db/Statement.h"
+
+namespace lubberline::db {
+
+/// The columns of a swing in the order of swingFrom(), for SELECT … FROM swing s.
+[[nodiscard]] QString swingColumns();
+inline constexpr int kSwingColumnCount = 24;
+/// The columns of a reading in the order of readingFrom(), for SELECT … FROM reading r.
+[[nodiscard]] QString readingColumns();
+
+/// Without readings; the columns begin at `first`.
+[[nodiscard]] Swing swingFrom(const Statement& row, int first);
+[[nodiscard]] Reading readingFrom(const Statement& row, int first);
+
+/// Binds the particulars in the order of swingFields(), from compass to note.
+void bindParticulars(Statement& statement, const Swing& swing);
+/// "compass_id, site_id, …": for INSERT and, each with " = ?", for UPDATE.
+[[nodiscard]] QStringList swingFields();
+
+/// Binds from nominal to extra, in the order of readingFields().
+void bindReading(Statement& statement, const Reading& reading);
+[[nodiscard]] QStringList readingFields();
+
+/// One line for the audit trail: the figures as they were or are.
+[[nodiscard]] std::string auditText(const Reading& reading);
+
+} // namespace lubberline::db
