@@ -3,11 +3,14 @@
 
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 #include "core/base/Result.h"
 #include "core/deviation/Card.h"
 #include "core/record/Fleet.h"
+
+class QPagedPaintDevice;
 
 namespace lubberline::ui {
 
@@ -19,11 +22,15 @@ struct CardColumn {
 struct CardInput {
     SwingRecord record;
     std::vector<CardColumn> columns; ///< one or two, with the same FOR headings
-    QString madeAtUtc;
+    QString madeAtUtc;               ///< ISO 8601; printed beside the card
+    std::optional<CardOptions> options; ///< how the figures were made: printed beside the card when given
 };
 
 /// A PDF of one A4 page; the card is cut out along the crop marks. Errors: InvalidInput (ending not .pdf, columns that do not
 /// match), Io, Unsupported (no font).
 Result<void> writeCard(const CardInput& input, const QString& path);
+
+/// Paints the same page on any paged device (a QPrinter), always at its true size. Errors: InvalidInput (columns), Unsupported, Io.
+Result<void> printCard(const CardInput& input, QPagedPaintDevice& device);
 
 } // namespace lubberline::ui

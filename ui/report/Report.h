@@ -10,23 +10,33 @@
 #include "core/deviation/Analysis.h"
 #include "core/record/Fleet.h"
 
+class QPagedPaintDevice;
+
 namespace lubberline::ui {
 
 struct ReportInput {
     SwingRecord record;
-    Analysis analysis;
+    Analysis analysis;             ///< of the record's used readings in their order
     std::optional<Swing> previous; ///< last swing of the same compass: drawn behind the curve
     AngleStyle angleStyle = AngleStyle::DecimalDegrees;
     QString madeAtUtc;             ///< ISO 8601; printed
     bool archive = false;          ///< PDF/A-1b, which may carry no attachment; else PDF 1.6 with the exchange JSON attached
 };
 
-/// SHA-256, lower-case hexadecimal, of the record's exchange JSON: what is printed on every page.
+/// SHA-256, lower-case hexadecimal, of the record's exchange JSON: what is printed on every page. It is that of the attached
+/// file, byte for byte.
 [[nodiscard]] QString dataHash(const SwingRecord& record);
 
 /// Writes a report; the ending says which: .pdf, .html, .csv or .json. Written beside and renamed: no half file is left.
 /// Errors: InvalidInput (another ending), Io (folder missing or not writable: named), Unsupported (no font for a PDF).
 Result<void> writeReport(const ReportInput& input, const QString& path);
+
+/// Paints the pages of the PDF on any paged device: a QPrinter of the print dialog or preview, in its page size.
+/// Errors: Unsupported (no font), Io (the device takes no painting).
+Result<void> printReport(const ReportInput& input, QPagedPaintDevice& device);
+
+/// How many A4 pages that makes. Errors: Unsupported (no font).
+Result<int> reportPageCount(const ReportInput& input);
 
 /// The exchange JSON inside a report of ours. Errors: Io, Format (not a PDF; no such attachment).
 Result<std::string> exchangeInReport(const QString& path);

@@ -1,0 +1,118 @@
+#include "ui/report/ReportContent.h"
+
+#include <memory>
+
+#include "core/format/SwingCsv.h"
+#include "ui/plots/PictureOf.h"
+#include "ui/report/Figures.h"
+#include "ui/report/Words.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+/// Without a trailing ".0": limits are printed as their documents print them.
+QString shortDegrees(double angle_deg)
+{
+    return QString::number(angle_deg, 'g', 6) + QStringLiteral("°");
+}
+
+std::shared_ptr<const Analysis> previousAnalysis(const std::optional<Swing>& previous)
+{
+    if (!previous)
+        return nullptr;
+    auto analysis = analyse(observationsOf(*previous));
+    return analysis ? std::make_shared<const Analysis>(std::move(*analysis)) : nullptr; // its own report says why there is none
+}
+
+SwingPicture pictureFor(const ReportInput& input)
+{
+    const QString label = input.previous ? printable(input.previous->date) : QString();
+    return pictureOf(input.record, std::make_shared<const Analysis>(input.analysis), {}, previousAnalysis(input.previous), label,
+        input.angleStyle);
+}
+
+QString wordFor(Verdict verdict)
+{
+    switch (verdict) {
+    case Verdict::InLimits:
+        return Words::tr("PASS");
+    case Verdict::OutOfLimits:
+        return Words::tr("FAIL");
+    case Verdict::NotKnown:
+        break;
+    }
+    return Words::tr("NO LIMIT SET");
+}
+
+double largestSigned_deg(const Summary& summary)
+{
+    const bool east = summary.maxDeviation_rad >= -summary.minDeviation_rad;
+    return toDegrees(east ? summary.maxDeviation_rad : summary.minDeviation_rad);
+}
+
+QString sentenceFor(const ReportInput& input)
+{
+    const Summary& summary = input.analysis.summary;
+    const QString found = Words::tr("Largest deviation %1 at %2 magnetic; spread (maximum − minimum) %3°.")
+                              .arg(angleWords(largestSigned_deg(summary), input.angleStyle),
+                                  headingWords(summary.maxAbsDeviationAt.degrees(), input.angleStyle),
+                                  figure(toDegrees(summary.spread_rad()), 1));
+    const QString limits = input.record.limits ? limitWords(*input.record.limits) : QString();
+    return limits.isEmpty() ? Words::tr("%1 No limit is set for this compass.").arg(found)
+                            : Words::tr("%1 Limit: %2").arg(found, limits);
+}
+
+QStringList warningsOf(const Analysis& analysis)
+{
+    QStringList warnings;
+    for (const std::string& warning : analysis.warnings)
+        warnings += printable(warning);
+    return warnings;
+}
+
+std::vector<Signature> signaturesOf(const People& people)
+{
+    return {{Words::tr("Datum reader"), printable(people.datumReader)}, {Words::tr("Cockpit reader"), printable(people.cockpitReader)},
+        {Words::tr("Adjuster"), printable(people.adjuster)}, {Words::tr("Inspector"), printable(people.inspector)}};
+}
+
+} // namespace
+
+QString limitWords(const LimitsProfile& limits)
+{
+    QStringList bounds;
+    if (limits.maxDeviation_deg)
+        bounds += Words::tr("|deviation| ≤ %1").arg(shortDegrees(*limits.maxDeviation_deg));
+    if (limits.maxSpread_deg)
+        bounds += Words::tr("spread ≤ %1").arg(shortDegrees(*limits.maxSpread_deg));
+    if (bounds.isEmpty())
+        return {};
+    const QString issue = labelled(Words::tr("issue"), printable(limits.issue));
+    QStringList source{printable(limits.document), issue, printable(limits.scope)};
+    source.removeAll(QString());
+    return source.isEmpty() ? Words::tr("%1, no document named").arg(bounds.join(QStringLiteral(", ")))
+                            : QStringLiteral("%1 (%2)").arg(bounds.join(QStringLiteral(", ")), source.join(QStringLiteral("; ")));
+}
+
+ReportContent contentOf(const ReportInput& input)
+{
+    const SwingRecord& record = input.record;
+    ReportContent content;
+    content.frame = frameFor(record, Words::tr("Compass swing report"), input.madeAtUtc);
+    content.frame.credit = Words::tr("The plots are based in part on the work of the Qwt project (http://qwt.sf.net).");
+    content.verdict = judge(input.analysis.summary, record.limits).verdict;
+    content.verdictWord = wordFor(content.verdict);
+    content.verdictSentence = sentenceFor(input);
+    content.facts = factsOf(record);
+    content.readings = readingsTable(input);
+    content.coefficients = coefficientsTable(input.analysis);
+    content.fits = fitsTable(input.analysis);
+    content.warnings = warningsOf(input.analysis);
+    content.picture = pictureFor(input);
+    content.method = methodWords(input.analysis);
+    content.signatures = signaturesOf(record.swing.people);
+    return content;
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,107 @@
+/// The particulars of a swing in words: what was swung, with what, where, how and by whom.
+
+#include <cmath>
+
+#include "ui/report/Figures.h"
+#include "ui/report/ReportContent.h"
+#include "ui/report/Words.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+QString orNotStated(const QString& text)
+{
+    return text.isEmpty() ? Words::tr("not stated") : text;
+}
+
+QString aircraftWords(const Aircraft& aircraft, const AircraftType& type)
+{
+    const QString built = aircraft.builtYear ? Words::tr("built %1").arg(*aircraft.builtYear) : QString();
+    return joined({printable(aircraft.registration), joined({printable(type.maker), printable(type.name)}).replace(" · ", " "),
+        labelled(Words::tr("serial no."), printable(aircraft.serialNumber)), built,
+        labelled(Words::tr("operator"), printable(aircraft.operatorName))});
+}
+
+QString compassWords(const CompassSystem& compass)
+{
+    return joined({printable(compass.name), wordsFor(compass.kind), printable(compass.maker),
+        labelled(Words::tr("part no."), printable(compass.partNumber)), labelled(Words::tr("serial no."), printable(compass.serialNumber)),
+        printable(compass.location), Words::tr("read to %1°").arg(compass.resolution_deg), wordsFor(compass.compensator)});
+}
+
+QString swingWords(const Swing& swing)
+{
+    return joined({Words::tr("%1 (UTC)").arg(orNotStated(printable(swing.date))), wordsFor(swing.kind), wordsFor(swing.stage), wordsFor(swing.state)});
+}
+
+QString workWords(const Swing& swing)
+{
+    return joined({labelled(Words::tr("procedure"), printable(swing.procedure)), labelled(Words::tr("work order"), printable(swing.workOrder)),
+        labelled(Words::tr("reason:"), printable(swing.reason))});
+}
+
+QString coordinate(std::optional<double> angle_deg, const QString& positive, const QString& negative)
+{
+    if (!angle_deg)
+        return {};
+    return QStringLiteral("%1° %2").arg(figure(std::abs(*angle_deg), 4), *angle_deg < 0 ? negative : positive);
+}
+
+QString variationWords(std::optional<double> variation_deg, const QString& source)
+{
+    if (!variation_deg)
+        return {};
+    const QString value = Words::tr("variation %1° (east +)").arg(signedFigure(variation_deg, 2));
+    return source.isEmpty() ? value : Words::tr("%1 by %2").arg(value, source);
+}
+
+QString siteWords(const std::optional<Site>& site, const Swing& swing)
+{
+    const QString used = swing.variation_deg
+        ? Words::tr("magnetic headings made from true ones with variation %1° (east +)").arg(signedFigure(swing.variation_deg, 2)) : QString();
+    if (!site)
+        return joined({Words::tr("not stated"), used});
+    const QString elevation = site->elevation_m ? Words::tr("elevation %1 m").arg(figure(site->elevation_m, 0)) : QString();
+    return joined({printable(site->name), coordinate(site->latitude_deg, Words::tr("N"), Words::tr("S")),
+        coordinate(site->longitude_deg, Words::tr("E"), Words::tr("W")), elevation,
+        variationWords(site->variation_deg, printable(site->variationSource)), used});
+}
+
+QString datumWords(const Datum& datum)
+{
+    return joined({printable(datum.instrument), labelled(Words::tr("serial no."), printable(datum.serialNumber)),
+        labelled(Words::tr("calibration due"), printable(datum.calibrationDue))});
+}
+
+QString peopleWords(const People& people)
+{
+    return joined({labelled(Words::tr("datum"), printable(people.datumReader)), labelled(Words::tr("cockpit"), printable(people.cockpitReader)),
+        labelled(Words::tr("adjuster"), printable(people.adjuster)), labelled(Words::tr("inspector"), printable(people.inspector))});
+}
+
+QString limitsFact(const std::optional<LimitsProfile>& limits)
+{
+    const QString words = limits ? limitWords(*limits) : QString();
+    if (words.isEmpty())
+        return Words::tr("none set");
+    return limits->name.empty() ? words : QStringLiteral("%1: %2").arg(printable(limits->name), words);
+}
+
+} // namespace
+
+std::vector<Fact> factsOf(const SwingRecord& record)
+{
+    const Swing& swing = record.swing;
+    std::vector<Fact> facts{{Words::tr("Aircraft"), orNotStated(aircraftWords(record.aircraft, record.type))},
+        {Words::tr("Compass"), compassWords(record.compass)}, {Words::tr("Swing"), swingWords(swing)},
+        {Words::tr("Task"), orNotStated(workWords(swing))}, {Words::tr("Site"), siteWords(record.site, swing)},
+        {Words::tr("Configuration"), orNotStated(configurationWords(swing.configuration))},
+        {Words::tr("Datum"), orNotStated(datumWords(swing.datum))}, {Words::tr("People"), orNotStated(peopleWords(swing.people))},
+        {Words::tr("Limits"), limitsFact(record.limits)}};
+    if (const QString note = printable(swing.note); !note.isEmpty())
+        facts.push_back({Words::tr("Note"), note});
+    return facts;
+}
+
+} // namespace lubberline::ui

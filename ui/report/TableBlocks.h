@@ -1,0 +1,26 @@
+#pragma once
+/// Tables and lists set in blocks: title and head kept with the first row, one block a row, the head repeated on the next page.
+
+#include <vector>
+
+#include "ui/report/Page.h"
+#include "ui/report/Table.h"
+
+namespace lubberline::ui {
+
+/// The columns take the whole width, in proportion. [units of the page]
+[[nodiscard]] std::vector<Block> tableBlocks(const Table& table, double width, const QString& family);
+
+/// A heading over a part of the page.
+[[nodiscard]] Block titleBlock(const QString& title, const QString& family);
+
+/// How a list of facts is set.
+struct FactStyle {
+    QString family;
+    double size_pt = 8;
+    double nameWidth = 0; ///< [units of the page]
+};
+/// Names at the left, what they say beside them, wrapped.
+[[nodiscard]] std::vector<Block> factBlocks(const std::vector<Fact>& facts, const FactStyle& style, double width);
+
+} // namespace lubberline::ui
