@@ -38,8 +38,10 @@ Result<CardSheet> cardFromFiles(const std::vector<std::string>& files, const Car
             return error;
         }
         const SwingRecord& record = swing->record;
-        if (sheet.input.columns.empty())
+        if (sheet.input.columns.empty()) {
             sheet.input.record = record;
+            sheet.input.options = options;
+        }
         const SwingRecord& first = sheet.input.record;
         if (record.aircraft.registration != first.aircraft.registration || record.compass.name != first.compass.name)
             return Error{ErrorCode::Conflict, "this swing is of " + record.aircraft.registration + ", " + record.compass.name
