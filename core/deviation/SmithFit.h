@@ -58,6 +58,9 @@ Result<ExactFit> fitExact(std::span<const Observation> readings);
 
 /// Externally studentised residuals, none for a reading where two degrees of freedom are missing.
 [[nodiscard]] std::vector<std::optional<double>> studentisedResiduals(const SmithFitReport& fit);
+/// How far a reading lies from the curve fitted to the others: e/(1 − h) with its residual e and leverage h [rad].
+/// The fit must be fitted() and the leverage below 1.
+[[nodiscard]] double deletedResidual_rad(const SmithFitReport& fit, std::size_t reading);
 /// |studentised residual| beyond which one reading of a swing is suspect: the two-sided Student quantile with Bonferroni's
 /// correction for N readings, 10 % a swing (a false alarm costs one look at the compass, a miss costs a wrong card).
 [[nodiscard]] double suspectThreshold(int readings, int degreesOfFreedom);
