@@ -10,7 +10,7 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr int kHalfLabel_px = 12;
+constexpr int kHalfLabel_px = 16;
 
 } // namespace
 

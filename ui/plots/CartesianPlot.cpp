@@ -199,7 +199,7 @@ void CartesianReadings::draw(QPainter* painter, const QwtScaleMap& xMap, const Q
     const auto project = [&](double heading_deg, double value_deg) {
         return QPointF(xMap.transform(heading_deg), yMap.transform(value_deg));
     };
-    paintReadings(*painter, m_points, m_selectedRow, project, canvasRect, m_colours, m_font);
+    paintReadings(*painter, m_points, m_selectedRow, project, {canvasRect}, m_colours, m_font);
 }
 
 PlotNotice::PlotNotice() { setZ(40); }

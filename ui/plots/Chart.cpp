@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+#include <qwt_painter.h>
+
 #include "core/base/Contract.h"
 #include "ui/plots/PictureText.h"
 
@@ -24,6 +26,8 @@ Chart::Chart(QWidget* parent)
     , m_colours(paperColours())
     , m_legendStrip(new PlotLegend(this))
 {
+    // Cut into short pieces, as Qwt does for speed, a dashed line would start its pattern anew in each of them.
+    QwtPainter::setPolylineSplitting(false);
     connect(m_legendStrip, &PlotLegend::toggled, this, [this](int index) { setShown(index, !m_legend[index].shown); });
 }
 
@@ -88,6 +92,12 @@ void Chart::placeParts()
     m_legendHeight = static_cast<int>(std::ceil(legendHeight(m_legend, width(), m_legendStrip->font())));
     m_legendStrip->setGeometry(0, height() - m_legendHeight, width(), m_legendHeight);
     layoutPlots(QRect(0, 0, width(), std::max(1, height() - m_legendHeight)));
+}
+
+void Chart::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), m_colours.ground);
 }
 
 void Chart::resizeEvent(QResizeEvent* event)

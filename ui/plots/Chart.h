@@ -75,6 +75,7 @@ protected:
     virtual void paintPlots(QPainter& painter, const QRectF& device) = 0;
     virtual void replotAll() = 0;
 
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
 

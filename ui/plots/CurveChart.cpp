@@ -24,7 +24,8 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr double kStripShare = 0.33;
+constexpr double kStripShare = 0.33, kMostStripShare = 0.48;
+constexpr double kLeastStrip = 138; ///< its axis title needs this
 
 CartesianPlot* headingPlot(QWidget* parent, const char* name)
 {
@@ -239,40 +240,39 @@ void CurveChart::alignPlots()
     }
     for (CartesianPlot* plot : {m_main, m_strip}) {
         plot->axisScaleDraw(QwtAxis::YLeft)->setMinimumExtent(widest);
+        plot->axisWidget(QwtAxis::YLeft)->setLabelRotation(0); // or its title would keep the place of the old extent
         plot->updateLayout();
     }
 }
 
-double CurveChart::stripShare() const { return m_hasStrip ? kStripShare : 0; }
+double CurveChart::stripHeight(double height) const
+{
+    return m_hasStrip ? std::min(std::max(kStripShare * height, kLeastStrip), kMostStripShare * height) : 0;
+}
 
 void CurveChart::layoutPlots(const QRect& rect)
 {
-    const int stripHeight = static_cast<int>(stripShare() * rect.height());
-    m_main->setGeometry(rect.adjusted(0, 0, 0, -stripHeight));
-    m_strip->setGeometry(rect.left(), rect.bottom() + 1 - stripHeight, rect.width(), stripHeight);
+    const int strip = static_cast<int>(stripHeight(rect.height()));
+    m_main->setGeometry(rect.adjusted(0, 0, 0, -strip));
+    m_strip->setGeometry(rect.left(), rect.bottom() + 1 - strip, rect.width(), strip);
     m_strip->setVisible(m_hasStrip);
 }
 
 void CurveChart::paintPlots(QPainter& painter, const QRectF& device)
 {
-    const double stripHeight = stripShare() * device.height();
+    const double scale = static_cast<double>(painter.device()->logicalDpiY()) / logicalDpiY();
+    const double strip = scale * stripHeight(device.height() / scale);
     replotAll();
     alignPlots();
-    m_main->paintInto(painter, device.adjusted(0, 0, 0, -stripHeight));
+    m_main->paintInto(painter, device.adjusted(0, 0, 0, -strip));
     if (m_hasStrip)
-        m_strip->paintInto(painter, QRectF(device.left(), device.bottom() - stripHeight, device.width(), stripHeight));
+        m_strip->paintInto(painter, QRectF(device.left(), device.bottom() - strip, device.width(), strip));
 }
 
 void CurveChart::replotAll()
 {
     m_main->replot();
     m_strip->replot();
-}
-
-void CurveChart::paintEvent(QPaintEvent*)
-{
-    QPainter painter(this);
-    painter.fillRect(rect(), colours().ground);
 }
 
 } // namespace lubberline::ui

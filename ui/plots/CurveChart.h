@@ -35,7 +35,6 @@ protected:
     void layoutPlots(const QRect& rect) override;
     void paintPlots(QPainter& painter, const QRectF& device) override;
     void replotAll() override;
-    void paintEvent(QPaintEvent* event) override;
 
 private:
     void setCurves();
@@ -45,7 +44,7 @@ private:
     /// The same room left of both canvases, so that a heading stands in one vertical line.
     void alignPlots();
     [[nodiscard]] bool isStrip(const QWidget* canvas) const;
-    [[nodiscard]] double stripShare() const; ///< of the height
+    [[nodiscard]] double stripHeight(double height) const; ///< of a chart of this height [96ths of an inch]
 
     CartesianPlot* m_main;
     CartesianPlot* m_strip;

@@ -1,5 +1,7 @@
 #include "ui/plots/HeadingScale.h"
 
+#include <QPainter>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,6 +42,19 @@ QwtScaleDiv HeadingScaleEngine::divideScale(double from, double to, int, int, do
     const auto [low, high] = std::minmax(from, to);
     const Steps steps = stepsFor(high - low);
     return QwtScaleDiv(low, high, multiplesWithin(low, high, steps.minor), {}, multiplesWithin(low, high, steps.major));
+}
+
+void CentredScaleDraw::drawLabel(QPainter* painter, double value) const
+{
+    QwtText text = tickLabel(painter->font(), value);
+    if (text.isEmpty())
+        return;
+    const QSizeF size = text.textSize(painter->font());
+    painter->save();
+    painter->setWorldTransform(labelTransformation(labelPosition(value), size), true);
+    text.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop);
+    text.draw(painter, QRectF(QPointF(), size));
+    painter->restore();
 }
 
 QString pointName(int heading_deg)

@@ -12,8 +12,14 @@ public:
     [[nodiscard]] QwtScaleDiv divideScale(double from, double to, int maxMajor, int maxMinor, double step) const override;
 };
 
+/// Labels of several lines, each centred under its tick; Qwt sets them flush left.
+class CentredScaleDraw : public QwtScaleDraw {
+protected:
+    void drawLabel(QPainter* painter, double value) const override;
+};
+
 /// "045" with "NE" beneath.
-class HeadingScaleDraw : public QwtScaleDraw {
+class HeadingScaleDraw : public CentredScaleDraw {
 public:
     [[nodiscard]] QwtText label(double heading_deg) const override;
 };

@@ -105,7 +105,7 @@ void HistoryChart::setHistory(const std::vector<HistoryPoint>& points, std::opti
         entry(m_entries[series]).present = m_series[series]->dataSize() > 0;
     }
     const double largest = largestOf(m_points);
-    const NiceScale scale = niceScale(limit_deg && *limit_deg < 3 * largest ? std::max(largest, 1.04 * *limit_deg) : largest);
+    const NiceScale scale = niceScale(limit_deg && *limit_deg < 3 * largest ? std::max(largest, *limit_deg) : largest);
     m_limit->setInterval(-limit_deg.value_or(0), limit_deg.value_or(0));
     m_limit->setVisible(limit_deg && entry(m_limitEntry).shown);
     entry(m_limitEntry).present = limit_deg.has_value();

@@ -158,7 +158,7 @@ NiceScale deviationScale(const SwingPicture& picture)
     for (const PlottedReading& reading : picture.readings)
         largest = std::max(largest, std::abs(reading.deviation.degrees()) + picture.resolution_deg / 2);
     if (picture.limit_deg && (largest == 0 || *picture.limit_deg <= kLimitReach * largest))
-        largest = std::max(largest, 1.04 * *picture.limit_deg); // its edge is seen, not hidden in the frame
+        largest = std::max(largest, *picture.limit_deg);
     return niceScale(largest);
 }
 

@@ -213,12 +213,6 @@ void PolarChart::replotAll()
     update();
 }
 
-void PolarChart::paintEvent(QPaintEvent*)
-{
-    QPainter painter(this);
-    painter.fillRect(rect(), colours().ground);
-}
-
 void PolarChart::paintPlots(QPainter& painter, const QRectF& device)
 {
     const double side = std::min(device.width(), device.height());

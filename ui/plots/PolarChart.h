@@ -35,7 +35,6 @@ protected:
     void layoutPlots(const QRect& rect) override;
     void paintPlots(QPainter& painter, const QRectF& device) override;
     void replotAll() override;
-    void paintEvent(QPaintEvent* event) override;
 
 private:
     /// What is seen: `centre` is at the middle of the canvas, in radii of the whole plot from the pole, y upwards;

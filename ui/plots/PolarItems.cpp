@@ -18,8 +18,9 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr double kScaleAlong_deg = 20; ///< between the headings where readings usually stand
+constexpr double kScaleGap = 9; ///< between the line to the north and the labels of the scale: a reading at 000 has room
 constexpr double kTick = 4;
+constexpr double kLeastWidthForCaptions = 240; ///< below it they would run into the headings
 
 QString rimName(int heading_deg)
 {
@@ -41,6 +42,18 @@ QFont boldOf(QFont font)
 {
     font.setBold(true);
     return font;
+}
+
+/// Where the name of a heading stands outside the rim.
+QRectF rimPlace(const QPointF& pole, double radius, int heading_deg, const QFont& font)
+{
+    const QFontMetricsF metrics(font);
+    const QSizeF size(metrics.horizontalAdvance(rimName(heading_deg)) + 2, metrics.height());
+    const double heading_rad = toRadians(heading_deg);
+    const double reach = std::abs(std::sin(heading_rad)) * size.width() / 2 + std::abs(std::cos(heading_rad)) * size.height() / 2;
+    QRectF place(QPointF(), size);
+    place.moveCenter(polarPlace(pole, heading_deg, radius + kTick + 2 + reach));
+    return place;
 }
 
 /// Valid and inside the scale: otherwise Qwt clips by a region of whole pixels.
@@ -78,9 +91,12 @@ void PolarGround::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&
     const QRectF& canvasRect) const
 {
     painter->setRenderHint(QPainter::Antialiasing);
-    if (m_limit_deg && m_limitShown)
+    const bool limit = m_limit_deg && m_limitShown;
+    if (limit)
         drawLimit(*painter, radialMap, pole);
     drawGrid(*painter, radialMap, pole, radius);
+    if (limit)
+        drawLimitEdge(*painter, radialMap, pole);
     drawHeadings(*painter, pole, radius);
     drawScale(*painter, radialMap, pole);
     drawCaptions(*painter, canvasRect);
@@ -98,12 +114,18 @@ void PolarGround::drawLimit(QPainter& painter, const QwtScaleMap& radialMap, con
         band = band.subtracted(hole);
     }
     painter.fillPath(band, m_colours.limit);
+}
+
+void PolarGround::drawLimitEdge(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const
+{
     if (*m_limit_deg > m_scale.end)
         return;
-    painter.setPen(QPen(m_colours.limitEdge, 1.2));
+    painter.setPen(QPen(m_colours.limitEdge, 1.4));
     painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(pole, outer, outer);
-    painter.drawEllipse(pole, inner, inner);
+    for (const double edge_deg : {*m_limit_deg, -*m_limit_deg}) {
+        const double ring = radialMap.transform(edge_deg);
+        painter.drawEllipse(pole, ring, ring);
+    }
 }
 
 void PolarGround::drawGrid(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole, double radius) const
@@ -136,15 +158,8 @@ void PolarGround::drawHeadings(QPainter& painter, const QPointF& pole, double ra
     const QFont bold = boldOf(m_font);
     painter.setPen(m_colours.text);
     for (int heading_deg = 0; heading_deg < 360; heading_deg += 30) {
-        const QString name = rimName(heading_deg);
         painter.setFont(heading_deg % 90 == 0 ? bold : m_font);
-        const QFontMetricsF metrics(painter.font());
-        const QSizeF size(metrics.horizontalAdvance(name) + 2, metrics.height());
-        const double heading_rad = toRadians(heading_deg);
-        const double reach = std::abs(std::sin(heading_rad)) * size.width() / 2 + std::abs(std::cos(heading_rad)) * size.height() / 2;
-        QRectF place(QPointF(), size);
-        place.moveCenter(polarPlace(pole, heading_deg, radius + kTick + 2 + reach));
-        painter.drawText(place, Qt::AlignCenter | Qt::TextSingleLine, name);
+        painter.drawText(rimPlace(pole, radius, heading_deg, painter.font()), Qt::AlignCenter | Qt::TextSingleLine, rimName(heading_deg));
     }
 }
 
@@ -159,10 +174,13 @@ void PolarGround::drawScale(QPainter& painter, const QwtScaleMap& radialMap, con
         if (i % every != 0)
             continue;
         const QString label = signedTick(i * m_scale.step, m_scale.step) + QStringLiteral("°");
-        QRectF place(0, 0, metrics.horizontalAdvance(label) + 4, metrics.height() - 2);
-        place.moveCenter(polarPlace(pole, kScaleAlong_deg, radialMap.transform(i * m_scale.step)));
+        QRectF place(0, 0, metrics.horizontalAdvance(label) + 4, metrics.height() - 3);
+        const double ring = radialMap.transform(i * m_scale.step);
+        place.moveLeft(pole.x() + kScaleGap);
+        place.moveTop(pole.y() - std::sqrt(std::max(0.0, ring * ring - kScaleGap * kScaleGap)) - place.height() / 2);
         painter.setPen(Qt::NoPen);
-        painter.setBrush(m_colours.ground);
+        const bool tinted = m_limit_deg && m_limitShown && std::abs(i * m_scale.step) < *m_limit_deg - 0.3 * m_scale.step;
+        painter.setBrush(tinted ? m_colours.limit : m_colours.ground);
         painter.drawRoundedRect(place, 3, 3);
         painter.setPen(m_colours.faint);
         painter.drawText(place, Qt::AlignCenter | Qt::TextSingleLine, label);
@@ -172,6 +190,8 @@ void PolarGround::drawScale(QPainter& painter, const QwtScaleMap& radialMap, con
 /// In the corners that the circle leaves free.
 void PolarGround::drawCaptions(QPainter& painter, const QRectF& within) const
 {
+    if (within.width() < kLeastWidthForCaptions)
+        return;
     const QRectF corners = within.adjusted(4, 2, -4, -2);
     painter.setFont(m_font);
     painter.setPen(m_colours.faint);
@@ -193,13 +213,16 @@ void PolarReadings::setLook(const PlotColours& colours, const QFont& font)
 
 QwtInterval PolarReadings::boundingInterval(int scaleId) const { return noClipping(scaleId); }
 
-void PolarReadings::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& radialMap, const QPointF& pole, double,
+void PolarReadings::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& radialMap, const QPointF& pole, double radius,
     const QRectF& canvasRect) const
 {
+    LabelRoom room{canvasRect};
+    for (int heading_deg = 0; heading_deg < 360; heading_deg += 30)
+        room.taken.push_back(rimPlace(pole, radius, heading_deg, m_font));
     const auto project = [&](double heading_deg, double value_deg) {
         return polarPlace(pole, heading_deg, std::max(0.0, radialMap.transform(value_deg)));
     };
-    paintReadings(*painter, m_points, m_selectedRow, project, canvasRect, m_colours, m_font);
+    paintReadings(*painter, m_points, m_selectedRow, project, room, m_colours, m_font);
 }
 
 PolarNotice::PolarNotice()

@@ -31,6 +31,7 @@ public:
 
 private:
     void drawLimit(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const;
+    void drawLimitEdge(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const;
     void drawGrid(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole, double radius) const;
     void drawHeadings(QPainter& painter, const QPointF& pole, double radius) const;
     void drawScale(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const;

@@ -18,7 +18,7 @@ constexpr double kRadius = 3.5, kRing = 7.5, kHalo = 10, kCap = 3;
 void paintBar(QPainter& painter, const QPointF& from, const QPointF& to)
 {
     const QLineF bar(from, to);
-    if (bar.length() < 2 * kRadius)
+    if (bar.length() < 2 * kRadius + 3)
         return; // it would hide behind the point
     painter.drawLine(bar);
     const QLineF across = bar.normalVector().unitVector();
@@ -72,10 +72,10 @@ QRectF freePlace(const QPointF& at, const QSizeF& size, const QRectF& within, co
     return place;
 }
 
-void paintLabels(QPainter& painter, const std::vector<ReadingPoint>& points, const Projection& project, const QRectF& within,
+void paintLabels(QPainter& painter, const std::vector<ReadingPoint>& points, const Projection& project, const LabelRoom& room,
     const PlotColours& colours, const QFont& font)
 {
-    std::vector<QRectF> taken;
+    std::vector<QRectF> taken = room.taken;
     for (const ReadingPoint& point : points) {
         const QPointF at = project(point.heading_deg, point.value_deg);
         const double clear = point.suspect ? kRing + 1 : kRadius + 1;
@@ -85,10 +85,10 @@ void paintLabels(QPainter& painter, const std::vector<ReadingPoint>& points, con
     const QFontMetricsF metrics(font);
     for (const ReadingPoint& point : points) {
         const QPointF at = project(point.heading_deg, point.value_deg);
-        if (!point.suspect || point.label.isEmpty() || !within.contains(at))
+        if (!point.suspect || point.label.isEmpty() || !room.within.contains(at))
             continue;
         const QSizeF size(metrics.horizontalAdvance(point.label) + 6, metrics.height());
-        const QRectF place = freePlace(at, size, within, taken);
+        const QRectF place = freePlace(at, size, room.within, taken);
         painter.setPen(Qt::NoPen);
         painter.setBrush(colours.ground);
         painter.drawRoundedRect(place, 3, 3);
@@ -112,13 +112,13 @@ std::vector<ReadingPoint> readingPoints(const SwingPicture& picture)
 }
 
 void paintReadings(QPainter& painter, const std::vector<ReadingPoint>& points, int selectedRow, const Projection& project,
-    const QRectF& within, const PlotColours& colours, const QFont& font)
+    const LabelRoom& room, const PlotColours& colours, const QFont& font)
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const ReadingPoint& point : points)
         paintMark(painter, point, point.row == selectedRow, project, colours);
-    paintLabels(painter, points, project, within, colours, font);
+    paintLabels(painter, points, project, room, colours, font);
     painter.restore();
 }
 

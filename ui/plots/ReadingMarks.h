@@ -34,8 +34,14 @@ struct ReadingPoint {
 /// Where a heading [deg] and a value [deg] lie for the painter.
 using Projection = std::function<QPointF(double heading_deg, double value_deg)>;
 
-/// Labels keep clear of each other, of the points and of the edges of `within` where they can.
+/// Where labels may stand.
+struct LabelRoom {
+    QRectF within;
+    std::vector<QRectF> taken = {};
+};
+
+/// Labels keep clear of each other, of the points, and of what is taken, where they can.
 void paintReadings(QPainter& painter, const std::vector<ReadingPoint>& points, int selectedRow, const Projection& project,
-    const QRectF& within, const PlotColours& colours, const QFont& font);
+    const LabelRoom& room, const PlotColours& colours, const QFont& font);
 
 } // namespace lubberline::ui

@@ -15,6 +15,7 @@
 
 #include "ui/plots/CartesianLines.h"
 #include "ui/plots/CartesianPlot.h"
+#include "ui/plots/HeadingScale.h"
 #include "ui/plots/LineLooks.h"
 #include "ui/plots/PictureText.h"
 #include "ui/plots/SpectrumBars.h"
@@ -26,7 +27,7 @@ namespace {
 constexpr int kLeastLastOrder = 12; ///< hatched up to here when the headings resolve fewer
 
 /// Whole orders only, with "A", "B/C", "D/E" beneath.
-class OrderScaleDraw : public QwtScaleDraw {
+class OrderScaleDraw : public CentredScaleDraw {
 public:
     [[nodiscard]] QwtText label(double order) const override
     {
