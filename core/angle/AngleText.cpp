@@ -1,0 +1,212 @@
+#include "core/angle/AngleText.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "core/base/Contract.h"
+
+namespace lubberline {
+
+namespace {
+
+enum class Sign { None, Plus, Minus };
+
+/// An angle as it was typed: sign, figures, letter.
+struct TypedAngle {
+    Sign sign = Sign::None;
+    double magnitude_deg = 0;
+    char letter = 0; ///< 'E', 'W' or none
+};
+
+/// Walks over the text; every take… moves on only when it finds what it looks for.
+class Scanner {
+public:
+    explicit Scanner(std::string_view text) : m_rest(text) {}
+
+    [[nodiscard]] bool atEnd() const { return m_rest.empty(); }
+    bool skipSpaces()
+    {
+        const auto before = m_rest.size();
+        while (take(" ") || take("\t") || take("\u00A0")) { }
+        return m_rest.size() != before;
+    }
+    bool take(std::string_view what)
+    {
+        if (!m_rest.starts_with(what))
+            return false;
+        m_rest.remove_prefix(what.size());
+        return true;
+    }
+    template <std::size_t N>
+    bool takeAny(const std::array<std::string_view, N>& signs)
+    {
+        for (const auto sign : signs)
+            if (take(sign))
+                return true;
+        return false;
+    }
+    /// Digits with at most one decimal point or comma; no exponent: nobody types one, and E is east.
+    std::optional<double> takeNumber()
+    {
+        std::string figures;
+        std::size_t length = 0, marks = 0;
+        for (; length < m_rest.size(); ++length) {
+            const char c = m_rest[length];
+            const bool mark = c == '.' || c == ',';
+            if (!mark && (c < '0' || c > '9'))
+                break;
+            marks += mark;
+            figures += mark ? '.' : c;
+        }
+        double value = 0;
+        const auto [end, fault] = std::from_chars(figures.data(), figures.data() + figures.size(), value, std::chars_format::fixed);
+        if (marks > 1 || fault != std::errc() || end != figures.data() + figures.size())
+            return {};
+        m_wholeNumber = marks == 0;
+        m_rest.remove_prefix(length);
+        return value;
+    }
+    [[nodiscard]] bool lastNumberWasWhole() const { return m_wholeNumber; }
+
+private:
+    std::string_view m_rest;
+    bool m_wholeNumber = false;
+};
+
+constexpr std::array<std::string_view, 2> kMinusSigns{"-", "\u2212"};
+constexpr std::array<std::string_view, 2> kDegreeSigns{"\u00B0", "\u00BA"};
+constexpr std::array<std::string_view, 3> kMinuteSigns{"'", "\u2032", "\u2019"};
+
+Sign takeSign(Scanner& scanner)
+{
+    if (scanner.takeAny(kMinusSigns))
+        return Sign::Minus;
+    return scanner.take("+") ? Sign::Plus : Sign::None;
+}
+
+char takeLetter(Scanner& scanner)
+{
+    if (scanner.take("E") || scanner.take("e"))
+        return 'E';
+    return scanner.take("W") || scanner.take("w") ? 'W' : '\0';
+}
+
+/// What parts degrees from minutes: a degree sign, a colon or a space.
+bool takeDivider(Scanner& scanner)
+{
+    const bool space = scanner.skipSpaces();
+    const bool divided = scanner.takeAny(kDegreeSigns) || scanner.take(":") || space;
+    scanner.skipSpaces();
+    return divided;
+}
+
+/// [sign] degrees [divider minutes [']] [letter]
+std::optional<TypedAngle> scanAngle(std::string_view text)
+{
+    Scanner scanner(text);
+    TypedAngle angle;
+    scanner.skipSpaces();
+    angle.sign = takeSign(scanner);
+    scanner.skipSpaces();
+    const auto degrees = scanner.takeNumber();
+    if (!degrees)
+        return {};
+    angle.magnitude_deg = *degrees;
+    const bool wholeDegrees = scanner.lastNumberWasWhole();
+    const bool divided = takeDivider(scanner);
+    if (const auto minutes = divided ? scanner.takeNumber() : std::nullopt) {
+        if (!wholeDegrees || *minutes >= 60.0)
+            return {};
+        angle.magnitude_deg += *minutes / 60.0;
+        scanner.takeAny(kMinuteSigns);
+        scanner.skipSpaces();
+    }
+    angle.letter = takeLetter(scanner);
+    scanner.skipSpaces();
+    return scanner.atEnd() ? std::optional(angle) : std::nullopt;
+}
+
+Error notAnAngle(std::string_view text, const char* what, const char* expected)
+{
+    return {ErrorCode::InvalidInput, "\"" + std::string(text) + "\" is " + what + "; expected " + expected};
+}
+
+std::string fixed(double value, int decimals)
+{
+    LUBBERLINE_EXPECT(std::isfinite(value) && std::abs(value) < 1e6, "an angle that is shown is finite");
+    LUBBERLINE_EXPECT(decimals >= 0 && decimals <= 12, "0 to 12 decimals");
+    std::array<char, 64> buffer;
+    const auto [end, fault] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+    LUBBERLINE_EXPECT(fault == std::errc(), "64 characters hold any angle");
+    return {buffer.data(), end};
+}
+
+std::string padded(std::string figures, std::size_t wholeDigits)
+{
+    const auto whole = std::min(figures.find('.'), figures.size());
+    return whole < wholeDigits ? std::string(wholeDigits - whole, '0') + figures : figures;
+}
+
+/// "3°15'": the minutes are rounded first, so that 59.96' carries into the degrees.
+std::string degreesMinutes(long long minutes, std::size_t wholeDigits)
+{
+    return padded(std::to_string(minutes / 60), wholeDigits) + "\u00B0" + padded(std::to_string(minutes % 60), 2) + "'";
+}
+
+bool isZero(const std::string& figures)
+{
+    return figures.find_first_not_of("-0.") == std::string::npos;
+}
+
+} // namespace
+
+Result<double> parseSignedAngle_deg(std::string_view text)
+{
+    constexpr const char* kExpected = "degrees such as 3.25, -3.25, 3.25W or 3\u00B015'W, between -180 and 180";
+    const auto angle = scanAngle(text);
+    if (!angle)
+        return notAnAngle(text, "not an angle", kExpected);
+    if (angle->letter && angle->sign != Sign::None)
+        return notAnAngle(text, "signed twice", "a sign or E or W, not both");
+    if (angle->magnitude_deg > 180.0)
+        return notAnAngle(text, "too large", kExpected);
+    const bool negative = angle->sign == Sign::Minus || angle->letter == 'W';
+    return negative ? 0.0 - angle->magnitude_deg : angle->magnitude_deg;
+}
+
+Result<double> parseHeading_deg(std::string_view text)
+{
+    constexpr const char* kExpected = "degrees from 0 to 360, such as 47.5 or 47\u00B030'";
+    const auto angle = scanAngle(text);
+    if (!angle)
+        return notAnAngle(text, "not a heading", kExpected);
+    if (angle->letter)
+        return notAnAngle(text, "not a heading: it has an E or a W", kExpected);
+    if (angle->magnitude_deg > 360.0 || (angle->sign == Sign::Minus && angle->magnitude_deg > 0.0))
+        return notAnAngle(text, "not a heading", kExpected);
+    return wrap360(angle->magnitude_deg);
+}
+
+std::string formatHeading(double heading_deg, AngleStyle style, int decimals)
+{
+    const double wrapped_deg = wrap360(heading_deg);
+    if (style == AngleStyle::DegreesMinutes)
+        return degreesMinutes(std::llround(wrapped_deg * 60.0) % (360 * 60), 3);
+    const std::string figures = fixed(wrapped_deg, decimals);
+    return padded(figures.starts_with("360") ? fixed(0.0, decimals) : figures, 3) + "\u00B0";
+}
+
+std::string formatSignedAngle(double angle_deg, AngleStyle style, int decimals)
+{
+    const std::string figures = fixed(std::abs(angle_deg), decimals);
+    if (style == AngleStyle::DegreesMinutes) {
+        const auto minutes = std::llround(std::abs(angle_deg) * 60.0);
+        return degreesMinutes(minutes, 1) + (minutes == 0 ? "" : angle_deg < 0 ? "W" : "E");
+    }
+    return (isZero(figures) ? "" : angle_deg < 0 ? "\u2212" : "+") + figures + "\u00B0";
+}
+
+} // namespace lubberline

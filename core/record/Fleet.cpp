@@ -1,0 +1,63 @@
+#include "core/record/Fleet.h"
+
+#include "core/record/DerivedId.h"
+
+namespace lubberline {
+
+namespace {
+
+void fillIn(RecordId& record, const RecordId& derived)
+{
+    if (record.empty())
+        record = derived;
+}
+
+/// Records that were never stored have no identity yet.
+void fillInRecordIds(Fleet& fleet, const std::string& site)
+{
+    auto& aircraft = fleet.aircraft.front();
+    auto& compass = fleet.compasses.front();
+    fillIn(fleet.types.front().record, recordIdOfType(fleet.types.front().name));
+    fillIn(aircraft.record, recordIdOfAircraft(aircraft.registration));
+    fillIn(compass.record, recordIdOfCompass(aircraft.registration, compass.name));
+    fillIn(fleet.swings.front().record, recordIdOfSwing(fleet.swings.front(), aircraft.registration, compass.name, site));
+    for (auto& one : fleet.sites)
+        fillIn(one.record, recordIdOfSite(one.name));
+    for (auto& profile : fleet.limits)
+        fillIn(profile.record, recordIdOfLimits(profile.name));
+}
+
+} // namespace
+
+Fleet toFleet(const SwingRecord& record)
+{
+    Fleet fleet;
+    fleet.types = {record.type};
+    fleet.aircraft = {record.aircraft};
+    fleet.compasses = {record.compass};
+    fleet.swings = {record.swing};
+    auto& swing = fleet.swings.front();
+    fleet.types.front().id = AircraftTypeId{1};
+    fleet.aircraft.front().id = AircraftId{1};
+    fleet.aircraft.front().type = AircraftTypeId{1};
+    fleet.compasses.front().id = CompassId{1};
+    fleet.compasses.front().aircraft = AircraftId{1};
+    fleet.compasses.front().limits = {};
+    swing.id = SwingId{1};
+    swing.compass = CompassId{1};
+    swing.site = {};
+    for (auto& reading : swing.readings)
+        reading.id = {};
+    if (record.limits) {
+        fleet.limits = {*record.limits};
+        fleet.limits.front().id = fleet.compasses.front().limits = LimitsProfileId{1};
+    }
+    if (record.site) {
+        fleet.sites = {*record.site};
+        fleet.sites.front().id = swing.site = SiteId{1};
+    }
+    fillInRecordIds(fleet, record.site ? record.site->name : std::string());
+    return fleet;
+}
+
+} // namespace lubberline
