@@ -1,0 +1,200 @@
+#include "app/DbStorage.h"
+
+#include "app/Paths.h"
+#include "db/Transaction.h"
+#include "db/Transfer.h"
+
+namespace lubberline::app {
+
+namespace {
+
+ui::Storage::Imported toUi(const db::Imported& imported)
+{
+    return {imported.aircraft, imported.swings, imported.alreadyThere, imported.swingIds};
+}
+
+/// A database without any limits profile is new: it gets those whose source was read.
+Result<void> addShippedLimits(DbStorage& storage)
+{
+    const auto profiles = storage.limitsProfiles();
+    if (!profiles)
+        return profiles.error();
+    if (!profiles->empty() || storage.readOnly())
+        return {};
+    auto transaction = db::Transaction::begin(storage.database());
+    if (!transaction)
+        return transaction.error();
+    for (const auto& profile : shippedLimitsProfiles())
+        if (const auto saved = storage.save(profile); !saved)
+            return saved.error();
+    return transaction->commit();
+}
+
+} // namespace
+
+DbStorage::DbStorage(db::Database database)
+    : m_database(std::move(database))
+    , m_fleet(m_database)
+    , m_sites(m_database)
+    , m_swings(m_database)
+{
+}
+
+Result<RecordId> DbStorage::recordOf(SwingId id)
+{
+    const auto swing = m_swings.swing(id);
+    if (!swing)
+        return swing.error();
+    return swing->record;
+}
+
+Result<ui::Storage::Imported> DbStorage::importAll(const std::vector<Fleet>& fleets, const Progress& progress)
+{
+    auto transaction = db::Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    Imported all;
+    for (const auto& fleet : fleets) {
+        const auto one = db::importFleet(m_database, fleet, progress);
+        if (!one)
+            return one.error();
+        all.aircraft += one->aircraft;
+        all.swings += one->swings;
+        all.alreadyThere += one->alreadyThere;
+        all.swingIds.insert(all.swingIds.end(), one->swingIds.begin(), one->swingIds.end());
+    }
+    if (const auto committed = transaction->commit(); !committed)
+        return committed.error();
+    emit fleetChanged();
+    return all;
+}
+
+Result<std::unique_ptr<ui::Storage>> DbStorage::openForWorker() const
+{
+    auto database = db::Database::open(m_database.path(), m_database.readOnly() ? db::OpenMode::ReadOnly : db::OpenMode::ReadWriteCreate);
+    if (!database)
+        return database.error();
+    return std::unique_ptr<ui::Storage>(std::make_unique<DbStorage>(std::move(database.value())));
+}
+
+Result<AircraftTypeId> DbStorage::save(const AircraftType& type)
+{
+    const auto id = m_fleet.save(type);
+    if (id)
+        emit fleetChanged();
+    return id;
+}
+
+Result<AircraftId> DbStorage::save(const Aircraft& aircraft)
+{
+    const auto id = m_fleet.save(aircraft);
+    if (id) {
+        emit fleetChanged();
+        emit aircraftChanged(*id);
+    }
+    return id;
+}
+
+Result<CompassId> DbStorage::save(const CompassSystem& compass)
+{
+    const auto id = m_fleet.save(compass);
+    if (id) {
+        emit fleetChanged();
+        emit aircraftChanged(compass.aircraft);
+    }
+    return id;
+}
+
+Result<SiteId> DbStorage::save(const Site& site)
+{
+    return m_sites.save(site);
+}
+
+Result<LimitsProfileId> DbStorage::save(const LimitsProfile& profile)
+{
+    const auto id = m_sites.save(profile);
+    if (id)
+        emit fleetChanged();
+    return id;
+}
+
+Result<EventId> DbStorage::save(const Event& event)
+{
+    const auto id = m_fleet.save(event);
+    if (id)
+        emit aircraftChanged(event.aircraft);
+    return id;
+}
+
+Result<SwingId> DbStorage::saveParticulars(const Swing& swing)
+{
+    const auto id = m_swings.save(swing);
+    if (!id)
+        return id;
+    if (!swing.id.valid())
+        emit fleetChanged();
+    emit swingChanged(*id);
+    return id;
+}
+
+Result<void> DbStorage::removeSwing(SwingId id)
+{
+    const auto done = m_swings.remove(id);
+    if (done)
+        emit fleetChanged();
+    return done;
+}
+
+Result<ReadingId> DbStorage::insertReading(SwingId swing, int position, const Reading& reading)
+{
+    const auto id = m_swings.insertReading(swing, position, reading);
+    if (id)
+        emit swingChanged(swing);
+    return id;
+}
+
+Result<void> DbStorage::saveReading(SwingId swing, const Reading& reading)
+{
+    const auto done = m_swings.saveReading(swing, reading);
+    if (done)
+        emit swingChanged(swing);
+    return done;
+}
+
+Result<void> DbStorage::removeReading(SwingId swing, ReadingId reading)
+{
+    const auto done = m_swings.removeReading(swing, reading);
+    if (done)
+        emit swingChanged(swing);
+    return done;
+}
+
+Result<Fleet> DbStorage::exportFleet(const std::vector<AircraftId>& aircraft, const Progress& progress)
+{
+    return db::exportFleet(m_database, aircraft, progress);
+}
+
+Result<ui::Storage::Imported> DbStorage::importFleet(const Fleet& fleet, const Progress& progress)
+{
+    const auto imported = db::importFleet(m_database, fleet, progress);
+    if (!imported)
+        return imported.error();
+    emit fleetChanged();
+    return toUi(*imported);
+}
+
+Result<std::unique_ptr<DbStorage>> openStorage(const std::string& option, db::OpenMode mode)
+{
+    const auto path = databasePath(option);
+    if (!path)
+        return path.error();
+    auto database = db::Database::open(*path, mode);
+    if (!database)
+        return database.error();
+    auto storage = std::make_unique<DbStorage>(std::move(database.value()));
+    if (const auto added = addShippedLimits(*storage); !added)
+        return added.error();
+    return storage;
+}
+
+} // namespace lubberline::app

@@ -1,0 +1,112 @@
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "app/Console.h"
+#include "app/DbStorage.h"
+#include "app/QtSession.h"
+#include "app/commands/Command.h"
+#include "db/Maintenance.h"
+
+namespace lubberline::app {
+
+namespace {
+
+struct Options {
+    std::string file;
+    bool json = false;
+};
+
+/// Opens the database for reading and hands it to the work.
+template <class Work>
+int onDatabase(const std::string& option, Work work)
+{
+    const auto session = makeDrawingSession();
+    auto storage = openStorage(option, db::OpenMode::ReadOnly);
+    return storage ? work((*storage)->database()) : fail(storage.error());
+}
+
+int statusCommand(db::Database& database, bool json)
+{
+    const auto status = db::status(database);
+    if (!status)
+        return fail(status.error());
+    if (json) {
+        std::printf("%s\n", nlohmann::ordered_json{{"path", status->path}, {"size_bytes", status->bytes}, {"schema", status->schema},
+            {"newest_schema", db::schemaVersion()}, {"journal", status->journal}, {"types", status->totals.types}, {"aircraft", status->totals.aircraft},
+            {"compasses", status->totals.compasses}, {"swings", status->totals.swings}, {"readings", status->readings},
+            {"audit_entries", status->auditEntries}}.dump(2).c_str());
+        return kDone;
+    }
+    std::printf("database       %s\nsize           %.1f MiB\nschema         %d (this program knows up to %d)\njournal        %s\ntypes          %d\n"
+                "aircraft       %d\ncompasses      %d\nswings         %lld\nreadings       %lld\naudit entries  %lld\n",
+        status->path.c_str(), static_cast<double>(status->bytes) / 1048576.0, status->schema, db::schemaVersion(), status->journal.c_str(),
+        status->totals.types, status->totals.aircraft, status->totals.compasses, static_cast<long long>(status->totals.swings),
+        static_cast<long long>(status->readings), static_cast<long long>(status->auditEntries));
+    return kDone;
+}
+
+int backupCommand(db::Database& database, const std::string& file)
+{
+    if (const auto done = db::backup(database, QString::fromStdString(file)); !done)
+        return fail(done.error());
+    say("wrote " + file);
+    return kDone;
+}
+
+int verifyCommand(db::Database& database, bool json)
+{
+    const auto report = db::verify(database, consoleProgress("verifying"));
+    if (!report)
+        return fail(report.error());
+    if (json)
+        std::printf("%s\n", nlohmann::ordered_json{{"swings", report->swings}, {"readings", report->readings}, {"findings", report->findings}}.dump(2).c_str());
+    else
+        for (const auto& finding : report->findings)
+            std::printf("%s\n", finding.c_str());
+    if (!report->findings.empty())
+        return fail({ErrorCode::Corrupt, text("%zu findings in %lld swings; expected none", report->findings.size(), static_cast<long long>(report->swings)),
+            database.path().toStdString()});
+    if (!json)
+        std::printf("all is well: %lld swings with %lld readings\n", static_cast<long long>(report->swings), static_cast<long long>(report->readings));
+    return kDone;
+}
+
+} // namespace
+
+void addDb(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<Options>();
+    auto* command = app.add_subcommand("db", "status, backup and verification of the database");
+    command->require_subcommand(1);
+    addDatabaseOption(*command, invocation);
+
+    auto* status = command->add_subcommand("status", "what the database holds");
+    status->add_flag("--json", options->json, "one JSON object on standard output");
+    addDatabaseOption(*status, invocation);
+    status->callback([options, &invocation] {
+        invocation.action = [options, &invocation] {
+            return onDatabase(invocation.database, [&](db::Database& database) { return statusCommand(database, options->json); });
+        };
+    });
+
+    auto* backup = command->add_subcommand("backup", "write a whole copy, also while the window is open");
+    backup->add_option("FILE", options->file, "the copy; it must not exist yet")->required();
+    addDatabaseOption(*backup, invocation);
+    backup->callback([options, &invocation] {
+        invocation.action = [options, &invocation] {
+            return onDatabase(invocation.database, [&](db::Database& database) { return backupCommand(database, options->file); });
+        };
+    });
+
+    auto* verify = command->add_subcommand("verify", "integrity, references, and every kept result recomputed from its readings");
+    verify->add_flag("--json", options->json, "one JSON object on standard output");
+    addDatabaseOption(*verify, invocation);
+    verify->callback([options, &invocation] {
+        invocation.action = [options, &invocation] {
+            return onDatabase(invocation.database, [&](db::Database& database) { return verifyCommand(database, options->json); });
+        };
+    });
+}
+
+} // namespace lubberline::app
