@@ -55,8 +55,11 @@ template <class Points>
 Points cutToOneTurn(const Points& turn)
 {
     Points three;
+    if (turn.empty())
+        return three;
     for (const double by_deg : {-360.0, 0.0, 360.0}) {
-        for (auto it = turn.begin(); it != turn.end(); ++it)
+        // A turn begins where the one before ends.
+        for (auto it = turn.begin() + (three.empty() ? 0 : 1); it < turn.end(); ++it)
             three.push_back(turned(*it, by_deg));
     }
     Points inside;
