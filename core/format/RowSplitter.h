@@ -1,0 +1,42 @@
+#pragma once
+/// Cells of a CSV row (RFC 4180): a cell in double quotes may hold separators, "" for a quote, and line breaks.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lubberline {
+
+class RowSplitter {
+public:
+    enum class State {
+        Complete,
+        Open,           ///< a quoted cell goes on in the next line
+        TextAfterQuote, ///< `"a"b`: not a row
+    };
+
+    explicit RowSplitter(char separator) : m_separator(separator) {}
+
+    State begin(std::string_view line);
+    /// The next line, after Open.
+    State resume(std::string_view line);
+
+    /// Cells that were not quoted are without spaces at both ends. Valid until the next begin().
+    [[nodiscard]] const std::vector<std::string>& cells() const { return m_cells; }
+    [[nodiscard]] std::size_t bytes() const { return m_bytes; } ///< of the row so far
+
+private:
+    enum class Place { CellStart, Bare, Quoted, AfterQuote };
+
+    State take(std::string_view line);
+    State takeByte(char c);
+    void endCell();
+
+    char m_separator;
+    Place m_place = Place::CellStart;
+    std::string m_cell;
+    std::vector<std::string> m_cells;
+    std::size_t m_bytes = 0;
+};
+
+} // namespace lubberline

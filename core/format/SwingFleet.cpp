@@ -1,0 +1,43 @@
+#include "core/format/SwingCsv.h"
+#include "core/record/DerivedId.h"
+
+namespace lubberline {
+
+namespace {
+
+SwingRecord recordOf(const SwingFile& file)
+{
+    SwingRecord record;
+    record.swing = file.swing;
+    record.aircraft.registration = file.aircraft;
+    record.aircraft.operatorName = file.operatorName;
+    record.type.name = file.type.empty() ? "type not stated" : file.type;
+    record.compass.name = file.compass.empty() ? "compass not stated" : file.compass;
+    if (!file.site.empty())
+        record.site.emplace().name = file.site;
+    return record;
+}
+
+} // namespace
+
+std::vector<Observation> observationsOf(const Swing& swing)
+{
+    std::vector<Observation> observations;
+    observations.reserve(swing.readings.size());
+    for (const auto& reading : swing.readings)
+        if (reading.used())
+            observations.push_back({*reading.magnetic, *reading.compass});
+    return observations;
+}
+
+Result<Fleet> toFleet(const SwingFile& file)
+{
+    if (file.aircraft.empty())
+        return Error{ErrorCode::InvalidInput, "the aircraft is not named; expected a line \"# aircraft: REGISTRATION\", or its registration beside the file"};
+    SwingRecord record = recordOf(file);
+    // The names may have been filled in since the file was read: the same readings of two aircraft are two swings.
+    record.swing.record.clear();
+    return toFleet(record);
+}
+
+} // namespace lubberline
