@@ -320,14 +320,14 @@ Result<void> SwingRepository::removeReading(SwingId swing, ReadingId reading)
     const auto before = storedReading(m_database, swing, reading);
     if (!before)
         return before.error();
-    for (const QString& sql : {QStringLiteral("UPDATE reading SET position = position - 1 WHERE swing_id = (SELECT swing_id FROM reading WHERE id = ?1)"
-                                              " AND position > (SELECT position FROM reading WHERE id = ?1)"),
-             QStringLiteral("DELETE FROM reading WHERE id = ?1")}) {
-        Statement statement(m_database, sql);
-        statement << reading;
-        if (const auto done = statement.run(); !done)
-            return done;
-    }
+    Statement close(m_database, "UPDATE reading SET position = position - 1 WHERE swing_id = ? AND position > (SELECT position FROM reading WHERE id = ?)");
+    close << swing << reading;
+    if (const auto done = close.run(); !done)
+        return done;
+    Statement statement(m_database, "DELETE FROM reading WHERE id = ?");
+    statement << reading;
+    if (const auto done = statement.run(); !done)
+        return done;
     return finish(m_database, *transaction, *open, "removed reading", auditText(*before));
 }
 

@@ -41,7 +41,9 @@ TEST(Kill, losesNothingThatWasSaidToBeStored)
         auto database = db::Database::open(path, db::OpenMode::ReadWriteCreate);
         ASSERT_TRUE(database) << describe(database.error());
         std::set<std::int64_t> stored;
-        for (const auto& one : db::SwingRepository(*database).swing(swing)->readings)
+        const auto whole = db::SwingRepository(*database).swing(swing);
+        ASSERT_TRUE(whole);
+        for (const auto& one : whole->readings)
             stored.insert(one.id.value);
         for (const auto id : acknowledged)
             ASSERT_TRUE(stored.contains(id)) << "reading " << id << " was said to be stored and is lost";
