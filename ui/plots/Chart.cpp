@@ -139,6 +139,13 @@ void Chart::paint(QPainter& painter, const QRectF& target)
     painter.restore();
 }
 
+void SwingChart::keepPicture(const SwingPicture& picture)
+{
+    LUBBERLINE_EXPECT(std::isfinite(picture.resolution_deg) && picture.resolution_deg >= 0, "a resolution is finite");
+    LUBBERLINE_EXPECT(std::isfinite(picture.limit_deg.value_or(0)), "a limit is finite");
+    m_picture = picture;
+}
+
 QString SwingChart::readOutOfRow(int row) const
 {
     for (const PlottedReading& reading : m_picture.readings) {

@@ -102,7 +102,7 @@ public:
 
 protected:
     [[nodiscard]] const SwingPicture& picture() const { return m_picture; }
-    void keepPicture(const SwingPicture& picture) { m_picture = picture; }
+    void keepPicture(const SwingPicture& picture);
 
 private:
     SwingPicture m_picture;

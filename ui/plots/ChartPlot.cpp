@@ -14,6 +14,8 @@ namespace lubberline::ui {
 
 namespace {
 
+constexpr int kFrame_px = 1;
+
 bool isOurKey(const QKeyEvent& key)
 {
     if (key.matches(QKeySequence::Copy))
@@ -112,7 +114,26 @@ void ChartPlot::changeEvent(QEvent* event)
 void ChartPlot::resizeEvent(QResizeEvent* event)
 {
     SwingPlot::resizeEvent(event);
-    m_chart->setGeometry(rect());
+    m_chart->setGeometry(rect().marginsRemoved({kFrame_px, kFrame_px, kFrame_px, kFrame_px}));
+}
+
+/// The frame of the focus; the chart covers the rest.
+void ChartPlot::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), hasFocus() ? palette().color(QPalette::Highlight) : m_chart->colours().ground);
+}
+
+void ChartPlot::focusInEvent(QFocusEvent* event)
+{
+    SwingPlot::focusInEvent(event);
+    update();
+}
+
+void ChartPlot::focusOutEvent(QFocusEvent* event)
+{
+    SwingPlot::focusOutEvent(event);
+    update();
 }
 
 void ChartPlot::followPalette()

@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QFontInfo>
+#include <QGuiApplication>
 #include <QImage>
 #include <QPageSize>
 #include <QPainter>
@@ -75,6 +77,10 @@ Result<void> writePlotFile(const QString& path, QSize size_px, const QString& ti
     }
     if (size_px.width() < 1 || size_px.height() < 1)
         return failure(ErrorCode::InvalidInput, Words::tr("a plot needs a width and a height of at least 1 pixel"), path);
+    if (QFontInfo(QGuiApplication::font()).family().isEmpty()) {
+        return failure(ErrorCode::Unsupported,
+            Words::tr("no font is installed, so the plot would have no text; install one (fonts-dejavu-core)"), path);
+    }
     if (!file.dir().exists())
         return failure(ErrorCode::Io, Words::tr("the folder \"%1\" does not exist").arg(file.path()), path);
 

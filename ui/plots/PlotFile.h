@@ -16,7 +16,8 @@ namespace lubberline::ui {
 using PaintPlot = std::function<void(QPainter& painter, const QRectF& target)>;
 
 /// Writes .png, .svg or .pdf, by the ending; 96 pixels are an inch of the drawing. Written beside the file and renamed.
-/// Errors: InvalidInput (another ending, an empty size), Io (the folder is missing or not writable, the disk is full).
+/// Errors: InvalidInput (another ending, an empty size), Io (the folder is missing or not writable, the disk is full),
+/// Unsupported (no font).
 Result<void> writePlotFile(const QString& path, QSize size_px, const QString& title, const PaintPlot& paint);
 
 } // namespace lubberline::ui

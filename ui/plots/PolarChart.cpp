@@ -207,11 +207,7 @@ void PolarChart::layoutPlots(const QRect& rect)
     m_plot->setGeometry(square);
 }
 
-void PolarChart::replotAll()
-{
-    m_plot->replot();
-    update();
-}
+void PolarChart::replotAll() { m_plot->replot(); }
 
 void PolarChart::paintPlots(QPainter& painter, const QRectF& device)
 {

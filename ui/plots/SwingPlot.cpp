@@ -17,11 +17,17 @@ Result<void> SwingPlot::exportTo(const QString& path, QSize size_px) const
 
 void SwingPlot::exportInteractively()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export the plot"), name().toLower() + ".png",
-        tr("Image (*.png);;Drawing (*.svg);;PDF (*.pdf)"));
-    if (path.isEmpty())
+    QFileDialog dialog(this, tr("Export the plot"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({tr("Image (*.png)"), tr("Drawing (*.svg)"), tr("PDF (*.pdf)")});
+    dialog.setDefaultSuffix("png");
+    dialog.selectFile(name().toLower() + ".png");
+    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+        dialog.setDefaultSuffix(filter.contains(".svg") ? "svg" : filter.contains(".pdf") ? "pdf" : "png");
+    });
+    if (dialog.exec() != QDialog::Accepted)
         return;
-    const Result<void> written = exportTo(path);
+    const Result<void> written = exportTo(dialog.selectedFiles().constFirst());
     if (!written)
         emit exportFailed(QString::fromStdString(describe(written.error())));
 }

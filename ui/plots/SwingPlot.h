@@ -26,7 +26,8 @@ public:
     /// Draws the plot as it is, light colours on white, in vector form, into `target` of the painter's own units.
     virtual void render(QPainter& painter, const QRectF& target) const = 0;
 
-    /// The ending says which: .png, .svg or .pdf. Errors: InvalidInput (another ending), Io. No half-written file is left.
+    /// The ending says which: .png, .svg or .pdf. Errors: InvalidInput (another ending), Io,
+    /// Unsupported (no font). No half-written file is left.
     Result<void> exportTo(const QString& path, QSize size_px = {900, 650}) const;
     /// A QFileDialog, then exportTo(); failures are shown by exportFailed().
     void exportInteractively();

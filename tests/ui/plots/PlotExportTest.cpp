@@ -7,6 +7,7 @@
 #include <QSvgRenderer>
 #include <QTemporaryDir>
 
+#include "ui/plots/ChartPlot.h"
 #include "ui/plots/PlotRendering.h"
 #include "ui/plots/SwingPlot.h"
 
@@ -185,6 +186,15 @@ private slots:
         const QString path = m_folder.filePath("curve.svg");
         QVERIFY(plot->exportTo(path));
         QVERIFY(contentOf(path).contains("2025-11-20"));
+        plot->show();
+        Chart& chart = *static_cast<ChartPlot*>(plot.get())->chart();
+        for (std::size_t i = 0; i < chart.legend().size(); ++i) {
+            if (chart.legend()[i].title.contains("2025-11-20"))
+                chart.setShown(static_cast<int>(i), false);
+        }
+        QVERIFY(plot->exportTo(path));
+        QVERIFY(!contentOf(path).contains("2025-11-20"));
+        QVERIFY(contentOf(path).contains("exact fit"));
     }
 
     void badPathsAreErrorsAndLeaveNothing()
