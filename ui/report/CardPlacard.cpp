@@ -20,7 +20,7 @@ namespace {
 constexpr double kPadding = mm(2);
 constexpr double kRowHeight = mm(6.6);
 constexpr double kHeadHeight = mm(4);
-constexpr double kTopHeight = mm(16.4); ///< whose card it is and what it holds for
+constexpr double kTopHeight = mm(19); ///< whose card it is and what it holds for
 constexpr double kFootHeight = mm(19.4);
 constexpr double kBannerHeight = mm(4.2);
 constexpr double kDigits_pt = 15;
@@ -85,6 +85,19 @@ private:
     double m_y;
 };
 
+/// As large as it fits, on several lines if need be; what does not fit at the smallest size stands on the page around the card.
+void paintConfiguration(QPainter& painter, const QRectF& rect, QString text, const QString& family)
+{
+    constexpr double kLargest_pt = 6.5, kSmallest_pt = 4;
+    double size_pt = kLargest_pt;
+    while (size_pt > kSmallest_pt && wrappedHeight(documentFont(family, size_pt, true), rect.width(), text) > rect.height())
+        size_pt -= 0.25;
+    const QFont font = documentFont(family, size_pt, true);
+    while (text.size() > 1 && wrappedHeight(font, rect.width(), text) > rect.height())
+        text = text.left(text.size() - 2).trimmed() + QChar(0x2026);
+    paintWrapped(painter, font, rect, text);
+}
+
 void paintTop(QPainter& painter, const QRectF& room, const CardInput& input, const QString& family)
 {
     const SwingRecord& record = input.record;
@@ -99,7 +112,8 @@ void paintTop(QPainter& painter, const QRectF& room, const CardInput& input, con
     SmallLines below(painter, QRectF(room.left(), lines.y(), room.width(), room.height()), family);
     below.add(compassLine(record.compass), 6.5, mm(3.4));
     below.add(Words::tr("Swung at %1").arg(record.site ? printable(record.site->name) : Words::tr("a site not stated")), 6, mm(3));
-    below.add(configurationLine(input), 6.5, mm(3.6), true);
+    const double top = below.y() + mm(1);
+    paintConfiguration(painter, QRectF(QPointF(room.left(), top), QPointF(room.right(), room.top() + kTopHeight - mm(1.4))), configurationLine(input), family);
 }
 
 /// One half of the table: FOR, then each STEER.
@@ -108,15 +122,25 @@ struct Half {
     std::size_t first = 0, count = 0;
 };
 
+/// One size for all headings: the one at which the longest fits.
+QFont headingFont(const CardInput& input, const QString& family, double width)
+{
+    QString longest;
+    for (const CardColumn& column : input.columns)
+        if (column.heading.size() > longest.size())
+            longest = column.heading;
+    return fitted(family, 7, true, width, longest);
+}
+
 void paintHalfHead(QPainter& painter, const Half& half, const CardInput& input, const QString& family)
 {
     const double column = half.rect.width() / static_cast<double>(input.columns.size() + 1);
     const double baseline = half.rect.top() + kHeadHeight - mm(1.1);
+    const QFont headings = headingFont(input, family, column - mm(0.8));
     paintLine(painter, documentFont(family, 7, true), {half.rect.left() + column / 2, baseline}, Qt::AlignHCenter, Words::tr("FOR"));
     for (std::size_t i = 0; i < input.columns.size(); ++i) {
-        const QString heading = input.columns[i].heading;
-        paintLine(painter, fitted(family, 7, true, column - mm(0.8), heading),
-            {half.rect.left() + column * (static_cast<double>(i) + 1.5), baseline}, Qt::AlignHCenter, heading);
+        paintLine(painter, headings, {half.rect.left() + column * (static_cast<double>(i) + 1.5), baseline}, Qt::AlignHCenter,
+            input.columns[i].heading);
     }
 }
 

@@ -9,7 +9,7 @@ class QPainter;
 
 namespace lubberline::ui {
 
-/// About 60 × 79 mm for 30° steps, 60 × 66 mm for 45°; wider with two STEER columns. [units of the page]
+/// About 60 × 82 mm for 30° steps, 60 × 69 mm for 45°; wider with two STEER columns. [units of the page]
 [[nodiscard]] QSizeF placardSize(const CardInput& input);
 void paintPlacard(QPainter& painter, const QRectF& rect, const CardInput& input, const QString& family);
 

@@ -69,7 +69,7 @@ void paintFooter(QPainter& painter, const PageFrame& frame, const QString& famil
     y += kFooterLine;
     paintLine(painter, font, {left, y}, Qt::AlignLeft, Words::tr("Data SHA-256 %1").arg(frame.hash));
     if (page + 1 == pages)
-        paintLine(painter, documentFont(family, 5.5), {right, y}, Qt::AlignRight, frame.credit);
+        paintLine(painter, documentFont(family, 5.5), {left, y + kFooterLine}, Qt::AlignLeft, frame.credit);
 }
 
 } // namespace

@@ -83,9 +83,9 @@ QString limitWords(const LimitsProfile& limits)
 {
     QStringList bounds;
     if (limits.maxDeviation_deg)
-        bounds += Words::tr("|deviation| ≤ %1").arg(shortDegrees(*limits.maxDeviation_deg));
+        bounds += Words::tr("|deviation| ≤\u00a0%1").arg(shortDegrees(*limits.maxDeviation_deg));
     if (limits.maxSpread_deg)
-        bounds += Words::tr("spread ≤ %1").arg(shortDegrees(*limits.maxSpread_deg));
+        bounds += Words::tr("spread ≤\u00a0%1").arg(shortDegrees(*limits.maxSpread_deg));
     if (bounds.isEmpty())
         return {};
     const QString issue = labelled(Words::tr("issue"), printable(limits.issue));
