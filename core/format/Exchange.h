@@ -12,8 +12,10 @@ namespace lubberline {
 
 inline constexpr int kExchangeVersion = 1;
 
-/// UTF-8, two spaces of indentation, keys in a fixed order, records ordered by RecordId (readings by their place), a newline at
-/// the end.
+/// UTF-8, two spaces of indentation (a reading in one line), keys in a fixed order, records ordered by RecordId (readings by their
+/// place), a newline at the end. What is not stated (no text, no value) is left out. Swings stand inside their compass, compasses
+/// and events inside their aircraft; type, site and limits are referred to by RecordId.
+/// The fleet must hold what its records refer to, and every record must have its RecordId.
 [[nodiscard]] std::string writeExchange(const Fleet& fleet);
 
 /// Errors: Format (not JSON: line; not this format; a missing, doubled, unknown or wrong key: its path), NewerSchema (names the

@@ -11,8 +11,8 @@ SwingRecord recordOf(const SwingFile& file)
     record.swing = file.swing;
     record.aircraft.registration = file.aircraft;
     record.aircraft.operatorName = file.operatorName;
-    record.type.name = file.type.empty() ? "type not stated" : file.type;
-    record.compass.name = file.compass.empty() ? "compass not stated" : file.compass;
+    record.type.name = file.type;
+    record.compass.name = file.compass;
     if (!file.site.empty())
         record.site.emplace().name = file.site;
     return record;

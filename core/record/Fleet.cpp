@@ -6,10 +6,10 @@ namespace lubberline {
 
 namespace {
 
-void fillIn(RecordId& record, const RecordId& derived)
+void fillIn(std::string& field, const std::string& value)
 {
-    if (record.empty())
-        record = derived;
+    if (field.empty())
+        field = value;
 }
 
 /// Records that were never stored have no identity yet.
@@ -56,6 +56,8 @@ Fleet toFleet(const SwingRecord& record)
         fleet.sites = {*record.site};
         fleet.sites.front().id = swing.site = SiteId{1};
     }
+    fillIn(fleet.types.front().name, "type not stated"); // names are what tells types and compasses apart
+    fillIn(fleet.compasses.front().name, "compass not stated");
     fillInRecordIds(fleet, record.site ? record.site->name : std::string());
     return fleet;
 }

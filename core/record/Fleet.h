@@ -35,7 +35,8 @@ struct SwingRecord {
     friend bool operator==(const SwingRecord&, const SwingRecord&) = default;
 };
 
-/// The record as a fleet of one swing, ids renumbered: what the exchange writer and the hash take.
+/// The record as a fleet of one swing, ids renumbered: what the exchange writer and the hash take. Records that have no RecordId
+/// yet get the one that is derived from their names (core/record/DerivedId.h); a type or compass without a name is "not stated".
 [[nodiscard]] Fleet toFleet(const SwingRecord& record);
 
 } // namespace lubberline

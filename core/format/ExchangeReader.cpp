@@ -1,0 +1,312 @@
+#include <map>
+#include <set>
+
+#include "core/format/Exchange.h"
+#include "core/format/FileText.h"
+#include "core/format/JsonDocument.h"
+#include "core/format/JsonObject.h"
+#include "core/format/RecordWords.h"
+#include "core/format/SwingCsv.h"
+
+namespace lubberline {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr NumberRange kSignedAngle{-180, 180};
+constexpr NumberRange kHeading{0, 360}; // 360 is 0
+/// More than nothing; what else is sensible is for the user to know.
+constexpr NumberRange kPositive{std::numeric_limits<double>::min(), 1e9};
+
+template <class Choice>
+Choice choice(JsonObject& object, std::string_view key)
+{
+    const std::string word = object.requiredText(key);
+    const auto found = choiceOf<Choice>(word);
+    if (!found)
+        object.fault(key, inQuotes(word) + " is not allowed; expected " + allowedWords<Choice>());
+    return found.value_or(Choice{});
+}
+
+template <class Angle>
+std::optional<Angle> heading(JsonObject& object, std::string_view key)
+{
+    const auto heading_deg = object.number(key, kHeading);
+    return heading_deg ? std::optional(Angle::fromDegrees(*heading_deg)) : std::nullopt;
+}
+
+class FleetReader {
+public:
+    FleetReader(const Json& document, const std::string& name) : m_document(document), m_fault(name) {}
+
+    Result<Fleet> read()
+    {
+        const JsonPath root;
+        JsonObject file(m_document, root, m_fault);
+        if (file.requiredText("format") != "lubberline")
+            m_fault.report(ErrorCode::Format, JsonPath{&root, "format"}, "is not \"lubberline\"; expected an exchange file (.lubberline.json)");
+        checkVersion(file, root);
+        if (!m_fault.error())
+            readRecords(file);
+        if (m_fault.error())
+            return *m_fault.error();
+        return std::move(m_fleet);
+    }
+
+private:
+    void checkVersion(JsonObject& file, const JsonPath& root);
+    void readRecords(JsonObject& file);
+    void readLimits(const Json& value, const JsonPath& path);
+    void readSite(const Json& value, const JsonPath& path);
+    void readType(const Json& value, const JsonPath& path);
+    void readAircraft(const Json& value, const JsonPath& path);
+    void readEvent(const Json& value, const JsonPath& path, AircraftId aircraft);
+    void readCompass(const Json& value, const JsonPath& path, AircraftId aircraft);
+    void readSwing(const Json& value, const JsonPath& path, CompassId compass);
+    void readConfiguration(JsonObject& object, Swing& swing);
+    Reading readReading(const Json& value, const JsonPath& path);
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> readExtra(JsonObject& object);
+
+    /// The identity of a new record, which no other of the file may have.
+    RecordId identity(JsonObject& object)
+    {
+        RecordId record = object.recordId("record");
+        if (!m_records.insert(record).second)
+            object.fault("record", inQuotes(record) + " is the identity of another record, too; expected one of its own");
+        return record;
+    }
+    template <class IdType>
+    IdType reference(JsonObject& object, std::string_view key, const std::map<RecordId, IdType>& known, const char* what)
+    {
+        if (!object.has(key))
+            return {};
+        const auto found = known.find(object.recordId(key));
+        if (found == known.end())
+            object.fault(key, std::string("refers to a record that is not there; expected ") + what + " of this file");
+        return found == known.end() ? IdType{} : found->second;
+    }
+
+    const Json& m_document;
+    FirstFault m_fault;
+    Fleet m_fleet;
+    std::set<RecordId> m_records;
+    std::map<RecordId, LimitsProfileId> m_limits;
+    std::map<RecordId, SiteId> m_sites;
+    std::map<RecordId, AircraftTypeId> m_types;
+};
+
+void FleetReader::checkVersion(JsonObject& file, const JsonPath& root)
+{
+    const double version = file.requiredNumber("version", {1, 1e9});
+    if (!m_fault.error() && version > kExchangeVersion)
+        m_fault.report(ErrorCode::NewerSchema, JsonPath{&root, "version"}, "the file is of exchange version " + std::to_string(static_cast<long long>(version))
+            + ", written by a newer Lubberline; expected version " + std::to_string(kExchangeVersion) + ", which this one reads");
+}
+
+void FleetReader::readRecords(JsonObject& file)
+{
+    file.array("limits", [this](const Json& value, const JsonPath& path) { readLimits(value, path); });
+    file.array("sites", [this](const Json& value, const JsonPath& path) { readSite(value, path); });
+    file.array("types", [this](const Json& value, const JsonPath& path) { readType(value, path); });
+    file.array("aircraft", [this](const Json& value, const JsonPath& path) { readAircraft(value, path); });
+    file.finish();
+}
+
+/// A number of this file's own for the next record of a list: 1, 2, 3 …
+template <class Record>
+auto nextId(const std::vector<Record>& records)
+{
+    return decltype(Record::id){static_cast<std::int64_t>(records.size()) + 1};
+}
+
+void FleetReader::readLimits(const Json& value, const JsonPath& path)
+{
+    JsonObject object(value, path, m_fault);
+    LimitsProfile limits;
+    limits.id = nextId(m_fleet.limits);
+    limits.record = identity(object);
+    limits.name = object.requiredText("name");
+    limits.document = object.text("document");
+    limits.issue = object.text("issue");
+    limits.scope = object.text("scope");
+    limits.maxDeviation_deg = object.number("max_deviation_deg", kPositive);
+    limits.maxSpread_deg = object.number("max_spread_deg", kPositive);
+    object.finish();
+    m_limits[limits.record] = limits.id;
+    m_fleet.limits.push_back(std::move(limits));
+}
+
+void FleetReader::readSite(const Json& value, const JsonPath& path)
+{
+    JsonObject object(value, path, m_fault);
+    Site site;
+    site.id = nextId(m_fleet.sites);
+    site.record = identity(object);
+    site.name = object.requiredText("name");
+    site.latitude_deg = object.number("latitude_deg", {-90, 90});
+    site.longitude_deg = object.number("longitude_deg", kSignedAngle);
+    site.elevation_m = object.number("elevation_m", {-1e5, 1e5});
+    site.variation_deg = object.number("variation_deg", kSignedAngle);
+    site.variationSource = object.text("variation_source");
+    site.note = object.text("note");
+    object.finish();
+    m_sites[site.record] = site.id;
+    m_fleet.sites.push_back(std::move(site));
+}
+
+void FleetReader::readType(const Json& value, const JsonPath& path)
+{
+    JsonObject object(value, path, m_fault);
+    AircraftType type;
+    type.id = nextId(m_fleet.types);
+    type.record = identity(object);
+    type.name = object.requiredText("name");
+    type.maker = object.text("maker");
+    type.note = object.text("note");
+    object.finish();
+    m_types[type.record] = type.id;
+    m_fleet.types.push_back(std::move(type));
+}
+
+void FleetReader::readAircraft(const Json& value, const JsonPath& path)
+{
+    JsonObject object(value, path, m_fault);
+    Aircraft aircraft;
+    aircraft.id = nextId(m_fleet.aircraft);
+    aircraft.record = identity(object);
+    if (!object.has("type"))
+        object.missing("type");
+    aircraft.type = reference(object, "type", m_types, "a type");
+    aircraft.registration = object.requiredText("registration");
+    aircraft.serialNumber = object.text("serial_number");
+    aircraft.operatorName = object.text("operator");
+    aircraft.builtYear = object.integer("built_year", {1, 9999});
+    aircraft.note = object.text("note");
+    aircraft.demonstration = object.boolean("demonstration");
+    const AircraftId id = aircraft.id;
+    m_fleet.aircraft.push_back(std::move(aircraft));
+    object.array("compasses", [&](const Json& one, const JsonPath& place) { readCompass(one, place, id); });
+    object.array("events", [&](const Json& one, const JsonPath& place) { readEvent(one, place, id); });
+    object.finish();
+}
+
+void FleetReader::readEvent(const Json& value, const JsonPath& path, AircraftId aircraft)
+{
+    JsonObject object(value, path, m_fault);
+    Event event;
+    event.id = nextId(m_fleet.events);
+    event.record = identity(object);
+    event.aircraft = aircraft;
+    event.date = object.date("date");
+    event.kind = object.text("kind");
+    event.note = object.text("note");
+    object.finish();
+    m_fleet.events.push_back(std::move(event));
+}
+
+void FleetReader::readCompass(const Json& value, const JsonPath& path, AircraftId aircraft)
+{
+    JsonObject object(value, path, m_fault);
+    CompassSystem compass;
+    compass.id = nextId(m_fleet.compasses);
+    compass.record = identity(object);
+    compass.aircraft = aircraft;
+    compass.name = object.requiredText("name");
+    compass.kind = choice<CompassKind>(object, "kind");
+    compass.compensator = choice<Compensator>(object, "compensator");
+    compass.maker = object.text("maker");
+    compass.partNumber = object.text("part_number");
+    compass.serialNumber = object.text("serial_number");
+    compass.location = object.text("location");
+    compass.resolution_deg = object.requiredNumber("resolution_deg", kPositive);
+    compass.limits = reference(object, "limits", m_limits, "a limits profile");
+    const CompassId id = compass.id;
+    m_fleet.compasses.push_back(std::move(compass));
+    object.array("swings", [&](const Json& one, const JsonPath& place) { readSwing(one, place, id); });
+    object.finish();
+}
+
+void FleetReader::readSwing(const Json& value, const JsonPath& path, CompassId compass)
+{
+    JsonObject object(value, path, m_fault);
+    Swing swing;
+    swing.id = nextId(m_fleet.swings);
+    swing.record = identity(object);
+    swing.compass = compass;
+    swing.site = reference(object, "site", m_sites, "a site");
+    swing.date = object.date("date");
+    swing.kind = choice<SwingKind>(object, "kind");
+    swing.stage = choice<SwingStage>(object, "stage");
+    swing.state = choice<SwingState>(object, "state");
+    readConfiguration(object, swing);
+    swing.variation_deg = object.number("variation_deg", kSignedAngle);
+    swing.procedure = object.text("procedure");
+    swing.workOrder = object.text("work_order");
+    swing.reason = object.text("reason");
+    swing.note = object.text("note");
+    object.array("readings", [&](const Json& one, const JsonPath& place) { swing.readings.push_back(readReading(one, place)); });
+    if (swing.readings.size() > kMaxReadings)
+        object.fault("readings", "are more than " + std::to_string(kMaxReadings) + "; expected a compass swing");
+    object.finish();
+    m_fleet.swings.push_back(std::move(swing));
+}
+
+void FleetReader::readConfiguration(JsonObject& object, Swing& swing)
+{
+    swing.configuration.radio = choice<RadioState>(object, "radio");
+    swing.configuration.engines = object.text("engines");
+    swing.configuration.electrics = object.text("electrics");
+    swing.configuration.other = object.text("configuration");
+    swing.datum.instrument = object.text("datum");
+    swing.datum.serialNumber = object.text("datum_serial_number");
+    swing.datum.calibrationDue = object.date("datum_calibration_due");
+    swing.people.datumReader = object.text("datum_reader");
+    swing.people.cockpitReader = object.text("cockpit_reader");
+    swing.people.adjuster = object.text("adjuster");
+    swing.people.inspector = object.text("inspector");
+}
+
+Reading FleetReader::readReading(const Json& value, const JsonPath& path)
+{
+    JsonObject object(value, path, m_fault);
+    Reading reading;
+    if (const auto nominal_deg = object.number("nominal_deg", kHeading))
+        reading.nominal_deg = wrap360(*nominal_deg);
+    reading.magnetic = heading<MagneticHeading>(object, "magnetic_heading_deg");
+    reading.compass = heading<CompassHeading>(object, "compass_heading_deg");
+    reading.trueHeading = heading<TrueHeading>(object, "true_heading_deg");
+    reading.pitch_deg = object.number("pitch_deg", {-90, 90});
+    reading.roll_deg = object.number("roll_deg", kSignedAngle);
+    reading.note = object.text("note");
+    if (auto reason = object.optionalText("excluded"))
+        reading.exclusion = Exclusion{std::move(*reason)};
+    reading.extra = readExtra(object);
+    object.finish();
+    return reading;
+}
+
+std::vector<std::pair<std::string, std::string>> FleetReader::readExtra(JsonObject& object)
+{
+    std::vector<std::pair<std::string, std::string>> extra;
+    object.array("extra", [&](const Json& one, const JsonPath& place) {
+        JsonObject pair(one, place, m_fault);
+        auto name = pair.requiredText("name");
+        auto value = pair.text("value");
+        pair.finish();
+        extra.emplace_back(std::move(name), std::move(value));
+    });
+    return extra;
+}
+
+} // namespace
+
+Result<Fleet> readExchange(std::string_view text, const std::string& name)
+{
+    const auto document = parseJson(text, name);
+    if (!document)
+        return document.error();
+    return FleetReader(*document, name).read();
+}
+
+} // namespace lubberline

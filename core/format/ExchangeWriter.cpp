@@ -1,0 +1,262 @@
+#include <algorithm>
+#include <map>
+
+#include "core/base/Contract.h"
+#include "core/format/Exchange.h"
+#include "core/format/JsonWriter.h"
+#include "core/format/RecordWords.h"
+
+namespace lubberline {
+
+namespace {
+
+/// What is not stated is left out.
+void text(JsonWriter& json, std::string_view key, const std::string& value)
+{
+    if (!value.empty())
+        json.text(key, value);
+}
+
+void number(JsonWriter& json, std::string_view key, std::optional<double> value)
+{
+    if (value)
+        json.number(key, *value);
+}
+
+template <class Angle>
+void angle(JsonWriter& json, std::string_view key, const std::optional<Angle>& value)
+{
+    if (value)
+        json.number(key, value->degrees());
+}
+
+void record(JsonWriter& json, const RecordId& id)
+{
+    LUBBERLINE_EXPECT(isRecordId(id), "a record that is written has an identity");
+    json.text("record", id);
+}
+
+/// The records by RecordId, so that the order in memory leaves no trace.
+template <class Record, class Belongs>
+std::vector<const Record*> sorted(const std::vector<Record>& records, Belongs belongs)
+{
+    std::vector<const Record*> chosen;
+    for (const auto& one : records)
+        if (belongs(one))
+            chosen.push_back(&one);
+    std::sort(chosen.begin(), chosen.end(), [](const Record* a, const Record* b) { return a->record < b->record; });
+    return chosen;
+}
+
+/// Children grouped under their parent's id once, instead of a search for each parent.
+template <class Record, class ParentId>
+std::map<ParentId, std::vector<const Record*>> grouped(const std::vector<Record>& records, ParentId Record::*parent)
+{
+    std::map<ParentId, std::vector<const Record*>> groups;
+    for (const Record* one : sorted(records, [](const Record&) { return true; }))
+        groups[one->*parent].push_back(one);
+    return groups;
+}
+
+class FleetWriter {
+public:
+    explicit FleetWriter(const Fleet& fleet)
+        : m_fleet(fleet), m_compasses(grouped(fleet.compasses, &CompassSystem::aircraft)), m_events(grouped(fleet.events, &Event::aircraft)),
+          m_swings(grouped(fleet.swings, &Swing::compass)) {}
+
+    std::string write()
+    {
+        m_json.beginObject();
+        m_json.text("format", "lubberline");
+        m_json.integer("version", kExchangeVersion);
+        all("limits", m_fleet.limits);
+        all("sites", m_fleet.sites);
+        all("types", m_fleet.types);
+        all("aircraft", m_fleet.aircraft);
+        m_json.end();
+        return m_json.take();
+    }
+
+private:
+    template <class Record>
+    void all(std::string_view key, const std::vector<Record>& records)
+    {
+        each(key, sorted(records, [](const Record&) { return true; }));
+    }
+    template <class Record>
+    void each(std::string_view key, const std::vector<const Record*>& records)
+    {
+        m_json.beginArray(key);
+        for (const Record* one : records) {
+            m_json.beginObject();
+            write(*one);
+            m_json.end();
+        }
+        m_json.end();
+    }
+    template <class Record, class ParentId>
+    void children(std::string_view key, const std::map<ParentId, std::vector<const Record*>>& groups, ParentId parent)
+    {
+        const auto found = groups.find(parent);
+        each(key, found == groups.end() ? std::vector<const Record*>{} : found->second);
+    }
+    /// The RecordId of a record of this fleet that another one refers to; nothing when the reference is not set.
+    template <class Record, class IdType>
+    void reference(std::string_view key, const std::vector<Record>& records, IdType id)
+    {
+        if (!id.valid())
+            return;
+        const auto found = std::find_if(records.begin(), records.end(), [&](const Record& one) { return one.id == id; });
+        LUBBERLINE_EXPECT(found != records.end(), "a fleet holds what its records refer to");
+        m_json.text(key, found->record);
+    }
+
+    void write(const LimitsProfile& limits);
+    void write(const Site& site);
+    void write(const AircraftType& type);
+    void write(const Aircraft& aircraft);
+    void write(const Event& event);
+    void write(const CompassSystem& compass);
+    void write(const Swing& swing);
+    void write(const Reading& reading);
+
+    const Fleet& m_fleet;
+    std::map<AircraftId, std::vector<const CompassSystem*>> m_compasses;
+    std::map<AircraftId, std::vector<const Event*>> m_events;
+    std::map<CompassId, std::vector<const Swing*>> m_swings;
+    JsonWriter m_json;
+};
+
+void FleetWriter::write(const LimitsProfile& limits)
+{
+    record(m_json, limits.record);
+    m_json.text("name", limits.name);
+    text(m_json, "document", limits.document);
+    text(m_json, "issue", limits.issue);
+    text(m_json, "scope", limits.scope);
+    number(m_json, "max_deviation_deg", limits.maxDeviation_deg);
+    number(m_json, "max_spread_deg", limits.maxSpread_deg);
+}
+
+void FleetWriter::write(const Site& site)
+{
+    record(m_json, site.record);
+    m_json.text("name", site.name);
+    number(m_json, "latitude_deg", site.latitude_deg);
+    number(m_json, "longitude_deg", site.longitude_deg);
+    number(m_json, "elevation_m", site.elevation_m);
+    number(m_json, "variation_deg", site.variation_deg);
+    text(m_json, "variation_source", site.variationSource);
+    text(m_json, "note", site.note);
+}
+
+void FleetWriter::write(const AircraftType& type)
+{
+    record(m_json, type.record);
+    m_json.text("name", type.name);
+    text(m_json, "maker", type.maker);
+    text(m_json, "note", type.note);
+}
+
+void FleetWriter::write(const Aircraft& aircraft)
+{
+    record(m_json, aircraft.record);
+    LUBBERLINE_EXPECT(aircraft.type.valid(), "an aircraft has a type");
+    reference("type", m_fleet.types, aircraft.type);
+    m_json.text("registration", aircraft.registration);
+    text(m_json, "serial_number", aircraft.serialNumber);
+    text(m_json, "operator", aircraft.operatorName);
+    if (aircraft.builtYear)
+        m_json.integer("built_year", *aircraft.builtYear);
+    text(m_json, "note", aircraft.note);
+    m_json.boolean("demonstration", aircraft.demonstration);
+    children("compasses", m_compasses, aircraft.id);
+    children("events", m_events, aircraft.id);
+}
+
+void FleetWriter::write(const Event& event)
+{
+    record(m_json, event.record);
+    text(m_json, "date", event.date);
+    text(m_json, "kind", event.kind);
+    text(m_json, "note", event.note);
+}
+
+void FleetWriter::write(const CompassSystem& compass)
+{
+    record(m_json, compass.record);
+    m_json.text("name", compass.name);
+    m_json.text("kind", fileWord(compass.kind));
+    m_json.text("compensator", fileWord(compass.compensator));
+    text(m_json, "maker", compass.maker);
+    text(m_json, "part_number", compass.partNumber);
+    text(m_json, "serial_number", compass.serialNumber);
+    text(m_json, "location", compass.location);
+    m_json.number("resolution_deg", compass.resolution_deg);
+    reference("limits", m_fleet.limits, compass.limits);
+    children("swings", m_swings, compass.id);
+}
+
+void FleetWriter::write(const Swing& swing)
+{
+    record(m_json, swing.record);
+    reference("site", m_fleet.sites, swing.site);
+    text(m_json, "date", swing.date);
+    m_json.text("kind", fileWord(swing.kind));
+    m_json.text("stage", fileWord(swing.stage));
+    m_json.text("state", fileWord(swing.state));
+    m_json.text("radio", fileWord(swing.configuration.radio));
+    text(m_json, "engines", swing.configuration.engines);
+    text(m_json, "electrics", swing.configuration.electrics);
+    text(m_json, "configuration", swing.configuration.other);
+    text(m_json, "datum", swing.datum.instrument);
+    text(m_json, "datum_serial_number", swing.datum.serialNumber);
+    text(m_json, "datum_calibration_due", swing.datum.calibrationDue);
+    text(m_json, "datum_reader", swing.people.datumReader);
+    text(m_json, "cockpit_reader", swing.people.cockpitReader);
+    text(m_json, "adjuster", swing.people.adjuster);
+    text(m_json, "inspector", swing.people.inspector);
+    number(m_json, "variation_deg", swing.variation_deg);
+    text(m_json, "procedure", swing.procedure);
+    text(m_json, "work_order", swing.workOrder);
+    text(m_json, "reason", swing.reason);
+    text(m_json, "note", swing.note);
+    m_json.beginArray("readings");
+    for (const auto& reading : swing.readings)
+        write(reading);
+    m_json.end();
+}
+
+void FleetWriter::write(const Reading& reading)
+{
+    m_json.beginObject({}, true);
+    number(m_json, "nominal_deg", reading.nominal_deg);
+    angle(m_json, "magnetic_heading_deg", reading.magnetic);
+    angle(m_json, "compass_heading_deg", reading.compass);
+    angle(m_json, "true_heading_deg", reading.trueHeading);
+    number(m_json, "pitch_deg", reading.pitch_deg);
+    number(m_json, "roll_deg", reading.roll_deg);
+    text(m_json, "note", reading.note);
+    if (reading.exclusion)
+        m_json.text("excluded", reading.exclusion->reason);
+    if (!reading.extra.empty()) {
+        m_json.beginArray("extra");
+        for (const auto& [name, value] : reading.extra) {
+            m_json.beginObject();
+            m_json.text("name", name);
+            m_json.text("value", value);
+            m_json.end();
+        }
+        m_json.end();
+    }
+    m_json.end();
+}
+
+} // namespace
+
+std::string writeExchange(const Fleet& fleet)
+{
+    return FleetWriter(fleet).write();
+}
+
+} // namespace lubberline

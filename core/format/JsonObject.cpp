@@ -1,0 +1,158 @@
+#include "core/format/JsonObject.h"
+
+#include <algorithm>
+
+#include "core/format/FileText.h"
+#include "core/format/Number.h"
+#include "core/record/Id.h"
+
+namespace lubberline {
+
+using Json = nlohmann::json;
+
+namespace {
+
+std::string words(const NumberRange& range)
+{
+    const bool above = range.least > std::numeric_limits<double>::lowest(), below = range.most < std::numeric_limits<double>::max();
+    if (above && below)
+        return "a number from " + shortestNumber(range.least) + " to " + shortestNumber(range.most);
+    if (above)
+        return "a number from " + shortestNumber(range.least) + " up";
+    return "a number";
+}
+
+} // namespace
+
+void FirstFault::report(ErrorCode code, const JsonPath& path, const std::string& what)
+{
+    if (m_error)
+        return;
+    const std::string place = path.text();
+    m_error = Error{code, (place.empty() ? "the file" : place) + ": " + what, m_file};
+}
+
+JsonObject::JsonObject(const Json& value, const JsonPath& path, FirstFault& fault) : m_value(value), m_path(path), m_fault(fault)
+{
+    if (!value.is_object())
+        m_fault.report(ErrorCode::Format, path, "is not an object; expected {\u2026}");
+    m_asked.reserve(32);
+}
+
+const Json* JsonObject::find(std::string_view key)
+{
+    m_asked.push_back(key);
+    if (!m_value.is_object())
+        return nullptr;
+    const auto found = m_value.find(key);
+    if (found == m_value.end())
+        return nullptr;
+    ++m_found;
+    return &*found;
+}
+
+const Json* JsonObject::find(std::string_view key, Json::value_t type, const char* expected)
+{
+    const Json* value = find(key);
+    if (value && value->type() != type) {
+        wrongType(key, expected);
+        return nullptr;
+    }
+    return value;
+}
+
+bool JsonObject::has(std::string_view key) const
+{
+    return m_value.is_object() && m_value.contains(key);
+}
+
+void JsonObject::wrongType(std::string_view key, const char* expected)
+{
+    m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, std::string("has a value of the wrong kind; expected ") + expected);
+}
+
+std::string JsonObject::text(std::string_view key)
+{
+    const Json* value = find(key, Json::value_t::string, "text");
+    return value ? value->get_ref<const std::string&>() : std::string();
+}
+
+std::string JsonObject::requiredText(std::string_view key)
+{
+    if (!has(key))
+        missing(key);
+    std::string value = text(key);
+    if (value.empty())
+        fault(key, "is empty; expected text");
+    return value;
+}
+
+std::optional<std::string> JsonObject::optionalText(std::string_view key)
+{
+    return has(key) ? std::optional(requiredText(key)) : std::nullopt;
+}
+
+std::string JsonObject::date(std::string_view key)
+{
+    std::string value = text(key);
+    if (!value.empty() && !isIsoDate(value))
+        fault(key, inQuotes(value) + " is not a date; expected a day of the calendar as YYYY-MM-DD");
+    return value;
+}
+
+std::string JsonObject::recordId(std::string_view key)
+{
+    std::string value = requiredText(key);
+    if (!isRecordId(value))
+        fault(key, inQuotes(value) + " is not a record id; expected a UUID in lower case with hyphens");
+    return value;
+}
+
+std::optional<double> JsonObject::number(std::string_view key, NumberRange range)
+{
+    const Json* value = find(key);
+    if (!value)
+        return {};
+    if (!value->is_number()) {
+        wrongType(key, words(range).c_str());
+        return {};
+    }
+    const double figure = value->get<double>();
+    if (!(figure >= range.least && figure <= range.most)) {
+        fault(key, shortestNumber(figure) + " is out of range; expected " + words(range));
+        return {};
+    }
+    return figure;
+}
+
+double JsonObject::requiredNumber(std::string_view key, NumberRange range)
+{
+    if (!has(key))
+        missing(key);
+    return number(key, range).value_or(range.least);
+}
+
+std::optional<int> JsonObject::integer(std::string_view key, NumberRange range)
+{
+    const auto value = number(key, range);
+    if (value && *value != std::floor(*value))
+        fault(key, shortestNumber(*value) + " is not whole; expected a whole number");
+    return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+}
+
+bool JsonObject::boolean(std::string_view key)
+{
+    const Json* value = find(key, Json::value_t::boolean, "true or false");
+    return value && value->get<bool>();
+}
+
+void JsonObject::finish()
+{
+    if (!m_value.is_object() || m_found == m_value.size())
+        return;
+    for (const auto& [key, value] : m_value.items())
+        if (std::find(m_asked.begin(), m_asked.end(), key) == m_asked.end())
+            m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, "is not known; expected only keys of exchange version 1");
+}
+
+} // namespace lubberline
