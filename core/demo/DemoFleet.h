@@ -1,6 +1,7 @@
 #pragma once
 /// A demonstration fleet, the same on every machine: at least 3 types, 12 aircraft, several years of swings each, plausible
-/// coefficients with reading noise, a few aircraft out of limits, one misread figure. Invented: every aircraft is marked so.
+/// coefficients with reading noise, three aircraft out of limits at their last swing, one misread figure (10°) in the year before,
+/// one draft. Invented: every aircraft is marked so. With one swing a compass the misread figure is in the last swing, too.
 
 #include <cstdint>
 
