@@ -47,7 +47,8 @@ public:
     virtual Result<std::vector<Site>> sites() = 0;
     virtual Result<std::vector<LimitsProfile>> limitsProfiles() = 0;
 
-    /// Stores a new record, or the changed fields of a known one (id valid), without its readings.
+    /// Stores a new record (id not valid; a swing with its readings), or the changed particulars of a known one. The signals below
+    /// are emitted before a writing call returns.
     virtual Result<AircraftTypeId> save(const AircraftType& type) = 0;
     virtual Result<AircraftId> save(const Aircraft& aircraft) = 0;
     virtual Result<CompassId> save(const CompassSystem& compass) = 0;

@@ -1,0 +1,175 @@
+#include "ui/fleet/FleetPanel.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QStackedWidget>
+#include <QTimer>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include "ui/style/Words.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr int kSearchDelay_ms = 120;  // a word is searched for once, not letter by letter
+constexpr int kRefreshDelay_ms = 250; // badges may lag behind typing; typing may not lag behind badges
+constexpr int kMaxHits = 100;
+
+FleetItem itemOf(const SearchHit& hit)
+{
+    if (hit.swing.valid())
+        return hit.swing;
+    if (hit.compass.valid())
+        return hit.compass;
+    return hit.aircraft;
+}
+
+} // namespace
+
+FleetPanel::FleetPanel(Storage& storage, QWidget* parent)
+    : QWidget(parent)
+    , m_storage(storage)
+    , m_model(new FleetModel(storage, this))
+    , m_words(new QLineEdit)
+    , m_stack(new QStackedWidget)
+    , m_tree(new QTreeView)
+    , m_hits(new QListWidget)
+    , m_searchSoon(new QTimer(this))
+    , m_refreshSoon(new QTimer(this))
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 0, 4);
+    layout->addWidget(m_words);
+    layout->addWidget(m_stack);
+    buildTree();
+    buildSearch();
+    m_refreshSoon->setSingleShot(true);
+    m_refreshSoon->setInterval(kRefreshDelay_ms);
+    connect(m_refreshSoon, &QTimer::timeout, m_model, &FleetModel::refresh);
+    const auto refreshSoon = [this] { m_refreshSoon->start(); };
+    connect(&storage, &Storage::swingChanged, this, refreshSoon);
+    connect(&storage, &Storage::aircraftChanged, this, refreshSoon);
+    connect(&storage, &Storage::fleetChanged, m_model, &FleetModel::refresh);
+    connect(m_model, &FleetModel::failed, this, &FleetPanel::failed);
+}
+
+void FleetPanel::buildTree()
+{
+    m_tree->setObjectName(QStringLiteral("fleetTree"));
+    m_tree->setAccessibleName(tr("Fleet"));
+    m_tree->setUniformRowHeights(true);
+    m_tree->setHeaderHidden(true);
+    m_tree->setIndentation(14);
+    m_stack->addWidget(m_tree);
+}
+
+void FleetPanel::buildSearch()
+{
+    m_words->setObjectName(QStringLiteral("searchLine"));
+    m_words->setPlaceholderText(tr("Search everything (Ctrl+F)"));
+    m_words->setClearButtonEnabled(true);
+    m_words->installEventFilter(this);
+    m_hits->setObjectName(QStringLiteral("searchHits"));
+    m_hits->setAccessibleName(tr("Found"));
+    m_hits->installEventFilter(this);
+    m_stack->addWidget(m_hits);
+    m_searchSoon->setSingleShot(true);
+    m_searchSoon->setInterval(kSearchDelay_ms);
+    connect(m_words, &QLineEdit::textChanged, m_searchSoon, qOverload<>(&QTimer::start));
+    connect(m_words, &QLineEdit::returnPressed, this, [this] {
+        search();
+        chooseHit(0);
+    });
+    connect(m_searchSoon, &QTimer::timeout, this, &FleetPanel::search);
+    connect(m_hits, &QListWidget::itemActivated, this, [this] { chooseHit(m_hits->currentRow()); });
+    connect(m_hits, &QListWidget::itemClicked, this, [this] { chooseHit(m_hits->currentRow()); });
+}
+
+void FleetPanel::populate()
+{
+    if (m_tree->model())
+        return;
+    m_tree->setModel(m_model); // asks storage for the first level
+    m_model->fetchMore({});
+    m_tree->header()->setStretchLastSection(false);
+    m_tree->header()->setSectionResizeMode(FleetModel::Name, QHeaderView::Stretch);
+    m_tree->header()->setSectionResizeMode(FleetModel::Badge, QHeaderView::ResizeToContents);
+    connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
+        if (!m_selecting && current.isValid())
+            emit itemChosen(m_model->item(current));
+    });
+}
+
+void FleetPanel::select(const std::vector<FleetItem>& path)
+{
+    if (!m_tree->model())
+        return;
+    m_selecting = true;
+    m_tree->setCurrentIndex(m_model->find(path));
+    m_selecting = false;
+}
+
+void FleetPanel::search()
+{
+    m_searchSoon->stop();
+    const QString words = m_words->text().trimmed();
+    m_stack->setCurrentIndex(words.isEmpty() ? 0 : 1);
+    m_hits->clear();
+    m_hitItems.clear();
+    if (words.isEmpty())
+        return;
+    const auto hits = m_storage.search(words.toStdString(), kMaxHits);
+    if (!hits) {
+        emit failed(messageOf(hits.error()));
+        return;
+    }
+    for (const SearchHit& hit : *hits) {
+        m_hits->addItem(toText(hit.text));
+        m_hitItems.push_back(itemOf(hit));
+    }
+    if (hits->empty()) {
+        auto* nothing = new QListWidgetItem(tr("Nothing found"), m_hits);
+        nothing->setFlags(Qt::NoItemFlags);
+    }
+}
+
+void FleetPanel::chooseHit(int row)
+{
+    if (row < 0 || row >= static_cast<int>(m_hitItems.size()))
+        return;
+    m_hits->setCurrentRow(row);
+    emit itemChosen(m_hitItems[static_cast<std::size_t>(row)]);
+}
+
+bool FleetPanel::eventFilter(QObject* object, QEvent* event)
+{
+    if (event->type() != QEvent::KeyPress)
+        return QWidget::eventFilter(object, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape) {
+        m_words->clear();
+        search();
+        focusTree();
+        return true;
+    }
+    if (object == m_words && key == Qt::Key_Down) {
+        search();
+        m_stack->currentWidget()->setFocus();
+        return true;
+    }
+    return QWidget::eventFilter(object, event);
+}
+
+void FleetPanel::focusSearch()
+{
+    m_words->setFocus(Qt::ShortcutFocusReason);
+    m_words->selectAll();
+}
+
+void FleetPanel::focusTree() { m_tree->setFocus(Qt::ShortcutFocusReason); }
+
+} // namespace lubberline::ui

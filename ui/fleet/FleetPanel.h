@@ -1,0 +1,54 @@
+#pragma once
+/// The left dock: a search line over the fleet tree. While words are typed, what was found takes the tree's place.
+
+#include <QWidget>
+
+#include "ui/fleet/FleetModel.h"
+
+class QLineEdit;
+class QListWidget;
+class QStackedWidget;
+class QTimer;
+class QTreeView;
+
+namespace lubberline::ui {
+
+class FleetPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FleetPanel(Storage& storage, QWidget* parent = nullptr);
+
+    /// Fills the first level: called after the window's first paint.
+    void populate();
+    /// Marks what the page shows, without emitting itemChosen().
+    void select(const std::vector<FleetItem>& path);
+    void focusSearch();
+    void focusTree();
+
+signals:
+    void itemChosen(const lubberline::ui::FleetItem& item);
+    void failed(const QString& message);
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+    void buildTree();
+    void buildSearch();
+    void search();
+    void chooseHit(int row);
+
+    Storage& m_storage;
+    FleetModel* m_model;
+    QLineEdit* m_words;
+    QStackedWidget* m_stack;
+    QTreeView* m_tree;
+    QListWidget* m_hits;
+    QTimer* m_searchSoon;
+    QTimer* m_refreshSoon;
+    std::vector<FleetItem> m_hitItems;
+    bool m_selecting = false;
+};
+
+} // namespace lubberline::ui

@@ -1,0 +1,44 @@
+#pragma once
+/// The whole fleet, or one type: how many, what is out of limits, and how to go on.
+
+#include <QWidget>
+
+#include "ui/storage/Storage.h"
+
+class QLabel;
+class QTableWidget;
+
+namespace lubberline::ui {
+
+class OverviewPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit OverviewPage(Storage& storage, QWidget* parent = nullptr);
+
+    void showFleet();
+    void showType(AircraftTypeId type);
+    /// Asks storage again for what is shown.
+    void refresh();
+
+signals:
+    void aircraftChosen(lubberline::AircraftId id);
+    void newSwingWanted();
+    void importWanted();
+    void failed(const QString& message);
+
+private:
+    void fillFleet(const std::vector<TypeRow>& types);
+    void fillType(const TypeRow& type);
+    void add(const TypeRow& type, const AircraftRow& aircraft);
+
+    Storage& m_storage;
+    AircraftTypeId m_type; ///< not valid: the whole fleet
+    QLabel* m_title;
+    QLabel* m_counts;
+    QLabel* m_listTitle;
+    QTableWidget* m_list;
+    std::vector<AircraftId> m_listed;
+};
+
+} // namespace lubberline::ui

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace lubberline::ui {
+
+/// Edits a cell in a plain line; Enter stores it and says so. A cell whose text was not stored has a red frame, a suspect or
+/// placeholder one its own look.
+class ReadingDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+signals:
+    void entered(); ///< Enter ended an edit; what was typed is stored or refused by now
+};
+
+} // namespace lubberline::ui

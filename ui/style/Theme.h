@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QIcon>
+#include <QString>
+
+namespace lubberline::ui {
+
+/// Light or dark, for the whole application: the Fusion style, whose colours follow the palette everywhere.
+void applyTheme(bool dark);
+
+/// One of our own drawings (resources/icons), by its name without ending.
+[[nodiscard]] QIcon icon(const QString& name);
+
+} // namespace lubberline::ui

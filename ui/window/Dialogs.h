@@ -1,0 +1,31 @@
+#pragma once
+/// The questions that the window asks in windows of their own; tests answer them without any.
+
+#include <QString>
+
+#include <functional>
+
+class QPrinter;
+class QWidget;
+
+namespace lubberline::ui {
+
+class Dialogs {
+public:
+    virtual ~Dialogs() = default;
+    /// @return the file chosen, or empty.
+    virtual QString openFile(QWidget* parent, const QString& title, const QString& filter) = 0;
+    /// The file's ending is that of the filter that was chosen, unless one was typed.
+    virtual QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) = 0;
+    virtual void printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) = 0;
+};
+
+/// Those of the desktop.
+class DesktopDialogs final : public Dialogs {
+public:
+    QString openFile(QWidget* parent, const QString& title, const QString& filter) override;
+    QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) override;
+    void printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) override;
+};
+
+} // namespace lubberline::ui

@@ -1,0 +1,19 @@
+#pragma once
+/// Documents of the swing that is shown: what the report and the card take.
+
+#include "core/deviation/Card.h"
+#include "ui/report/CardDocument.h"
+#include "ui/report/Report.h"
+
+namespace lubberline::ui {
+
+class SwingEditor;
+
+/// Errors: InvalidInput when the readings allow no result: it says why.
+Result<ReportInput> reportOf(const SwingEditor& editor, AngleStyle style);
+/// @param step_deg 30 or 45. Errors: as above, and those of makeCard().
+Result<CardInput> cardOf(const SwingEditor& editor, int step_deg);
+/// "3713 standby compass 2026-11-20": a file name without ending or characters that file systems dislike.
+[[nodiscard]] QString fileStem(const SwingRecord& record);
+
+} // namespace lubberline::ui

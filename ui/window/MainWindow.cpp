@@ -1,0 +1,335 @@
+#include "ui/window/MainWindow.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "ui/fleet/FleetPanel.h"
+#include "ui/pages/AircraftPage.h"
+#include "ui/pages/NewSwingPage.h"
+#include "ui/pages/OverviewPage.h"
+#include "ui/pages/StartPage.h"
+#include "ui/pages/SwingPage.h"
+#include "ui/readings/SwingEditor.h"
+#include "ui/style/Theme.h"
+#include "ui/style/Words.h"
+#include "ui/window/ImportPanels.h"
+#include "ui/window/MessagePanel.h"
+
+namespace lubberline::ui {
+
+MainWindow::MainWindow(Storage& storage, WindowServices services)
+    : m_storage(storage)
+    , m_services(std::move(services))
+    , m_context{storage, [this](const Error& error) {
+                    fail(messageOf(error));
+                    showSaved(false);
+                }}
+{
+    applyTheme(m_services.settings.value("view/dark", false).toBool());
+    if (m_services.settings.value("view/minutes", false).toBool())
+        m_style = AngleStyle::DegreesMinutes;
+    setWindowTitle(tr("%1 – Lubberline").arg(QFileInfo(storage.location()).fileName()));
+    setWindowIcon(icon("lubberline"));
+    setAcceptDrops(true);
+    buildParts();
+    buildActions();
+    buildStatusBar();
+    resize(1280, 700); // fits a screen of 1366×768 with its panels
+    restoreGeometry(m_services.settings.value("window/geometry").toByteArray());
+    restoreState(m_services.settings.value("window/state").toByteArray());
+    connect(&m_stack, &QUndoStack::indexChanged, this, [this] { showSaved(true); });
+    connect(&m_storage, &Storage::fleetChanged, this, &MainWindow::afterFleetChange);
+    connect(&m_job, &BackgroundJob::finished, this, &MainWindow::finishJob);
+    connect(&m_job, &BackgroundJob::progressed, m_progress, &ProgressStrip::setPercent);
+    connect(m_progress, &ProgressStrip::cancelled, this, [this] { m_job.cancel(); });
+    connect(m_naming, &NamingStrip::named, this, &MainWindow::importFile);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildParts()
+{
+    m_fleet = new FleetPanel(m_storage);
+    auto* dock = new QDockWidget(tr("Fleet"), this);
+    dock->setObjectName(QStringLiteral("fleetDock"));
+    dock->setWidget(m_fleet);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    addDockWidget(Qt::LeftDockWidgetArea, dock);
+    resizeDocks({dock}, {250}, Qt::Horizontal);
+    connect(m_fleet, &FleetPanel::itemChosen, this, &MainWindow::go);
+    connect(m_fleet, &FleetPanel::failed, this, &MainWindow::fail);
+
+    m_messages = new MessagePanel;
+    m_progress = new ProgressStrip;
+    m_naming = new NamingStrip;
+    m_pages = new QStackedWidget;
+    m_pages->addWidget(new QWidget); // nothing yet: what to show is asked after the first paint
+    auto* central = new QWidget;
+    auto* layout = new QVBoxLayout(central);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messages);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_naming);
+    layout->addWidget(m_pages, 1);
+    setCentralWidget(central);
+}
+
+void MainWindow::buildStatusBar()
+{
+    m_saved = new QLabel;
+    m_saved->setObjectName(QStringLiteral("savedLabel"));
+    m_readOut = new QLabel;
+    m_readOut->setObjectName(QStringLiteral("readOut"));
+    auto* convention = new QLabel(tr("deviation = magnetic − compass, E +"));
+    for (QLabel* label : {m_saved, convention})
+        statusBar()->addWidget(label);
+    statusBar()->addPermanentWidget(m_readOut);
+    showSaved(true);
+}
+
+void MainWindow::showSaved(bool saved)
+{
+    const QString state = m_storage.readOnly() ? tr("read only") : saved ? tr("all changes saved") : tr("THE LAST CHANGE WAS NOT SAVED");
+    m_saved->setText(tr("%1 · %2 · ").arg(QFileInfo(m_storage.location()).fileName(), state));
+    m_saved->setToolTip(m_storage.location());
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    const bool done = QMainWindow::event(event);
+    if (event->type() == QEvent::Paint && !m_painted) {
+        m_painted = true;
+        emit firstPainted();
+        QTimer::singleShot(0, this, &MainWindow::populate);
+    }
+    return done;
+}
+
+void MainWindow::populate()
+{
+    m_fleet->populate();
+    showHome();
+    if (m_storage.readOnly())
+        m_messages->add(MessagePanel::Kind::Information, tr("This database can only be read: nothing can be changed here."));
+}
+
+void MainWindow::showHome()
+{
+    const auto totals = m_storage.totals();
+    if (!totals) {
+        fail(messageOf(totals.error()));
+        return;
+    }
+    if (totals->aircraft == 0) {
+        turnTo(startPage());
+        startPage().setFocus();
+        return;
+    }
+    overviewPage().showFleet();
+    turnTo(overviewPage());
+}
+
+void MainWindow::go(const FleetItem& item)
+{
+    if (const auto* swing = std::get_if<SwingId>(&item))
+        showSwing(*swing);
+    else if (const auto* compass = std::get_if<CompassId>(&item)) {
+        if (const auto record = m_storage.compass(*compass))
+            showAircraft(record->aircraft, *compass);
+        else
+            fail(messageOf(record.error()));
+    } else if (const auto* aircraft = std::get_if<AircraftId>(&item))
+        showAircraft(*aircraft, {});
+    else if (const auto* type = std::get_if<AircraftTypeId>(&item)) {
+        overviewPage().showType(*type);
+        turnTo(overviewPage());
+    } else
+        showHome();
+}
+
+void MainWindow::showSwing(SwingId id)
+{
+    if (const auto shown = swingPage().showSwing(id); !shown) {
+        fail(messageOf(shown.error()));
+        return;
+    }
+    turnTo(swingPage());
+    const SwingRecord& record = swingPage().editor().record();
+    m_fleet->select({record.type.id, record.aircraft.id, record.compass.id, record.swing.id});
+}
+
+void MainWindow::showAircraft(AircraftId id, CompassId compass)
+{
+    if (const auto shown = aircraftPage().showAircraft(id, compass); !shown) {
+        fail(messageOf(shown.error()));
+        return;
+    }
+    turnTo(aircraftPage());
+    if (const auto record = m_storage.aircraft(id)) {
+        std::vector<FleetItem> path{record->type, id};
+        if (compass.valid())
+            path.emplace_back(compass);
+        m_fleet->select(path);
+    }
+}
+
+void MainWindow::showNewSwing()
+{
+    newSwingPage().begin(aircraftShown(), compassShown());
+    turnTo(newSwingPage());
+    newSwingPage().setFocus();
+}
+
+void MainWindow::turnTo(QWidget& page)
+{
+    m_pages->setCurrentWidget(&page);
+    m_readOut->clear();
+    updateActions();
+}
+
+void MainWindow::afterFleetChange()
+{
+    QWidget* shown = m_pages->currentWidget();
+    if (shown == m_startPage && m_startPage)
+        showHome();
+    else if (shown == m_overviewPage && m_overviewPage)
+        m_overviewPage->refresh();
+}
+
+void MainWindow::leaveRemovedSwing()
+{
+    if (m_aircraftPage && m_aircraftPage->aircraft().valid())
+        turnTo(*m_aircraftPage);
+    else
+        showHome();
+}
+
+void MainWindow::fail(const QString& message) { m_messages->add(MessagePanel::Kind::Failure, message); }
+
+SwingPage& MainWindow::swingPage()
+{
+    if (m_swingPage)
+        return *m_swingPage;
+    m_swingPage = new SwingPage(m_context, m_stack);
+    m_swingPage->setAngleStyle(m_style);
+    m_pages->addWidget(m_swingPage);
+    connect(m_swingPage, &SwingPage::readOut, m_readOut, &QLabel::setText);
+    connect(m_swingPage, &SwingPage::failed, this, &MainWindow::fail);
+    connect(m_swingPage, &SwingPage::stateChanged, this, &MainWindow::updateActions);
+    connect(m_swingPage, &SwingPage::closed, this, [this] {
+        if (m_pages->currentWidget() == m_swingPage)
+            leaveRemovedSwing();
+    });
+    return *m_swingPage;
+}
+
+AircraftPage& MainWindow::aircraftPage()
+{
+    if (m_aircraftPage)
+        return *m_aircraftPage;
+    m_aircraftPage = new AircraftPage(m_context, m_stack);
+    m_pages->addWidget(m_aircraftPage);
+    connect(m_aircraftPage, &AircraftPage::swingChosen, this, &MainWindow::showSwing);
+    connect(m_aircraftPage, &AircraftPage::readOut, m_readOut, &QLabel::setText);
+    connect(m_aircraftPage, &AircraftPage::failed, this, &MainWindow::fail);
+    return *m_aircraftPage;
+}
+
+OverviewPage& MainWindow::overviewPage()
+{
+    if (m_overviewPage)
+        return *m_overviewPage;
+    m_overviewPage = new OverviewPage(m_storage);
+    m_pages->addWidget(m_overviewPage);
+    connect(m_overviewPage, &OverviewPage::aircraftChosen, this, [this](AircraftId id) { showAircraft(id, {}); });
+    connect(m_overviewPage, &OverviewPage::newSwingWanted, this, &MainWindow::showNewSwing);
+    connect(m_overviewPage, &OverviewPage::importWanted, this, &MainWindow::chooseImport);
+    connect(m_overviewPage, &OverviewPage::failed, this, &MainWindow::fail);
+    return *m_overviewPage;
+}
+
+StartPage& MainWindow::startPage()
+{
+    if (m_startPage)
+        return *m_startPage;
+    m_startPage = new StartPage;
+    m_pages->addWidget(m_startPage);
+    connect(m_startPage, &StartPage::demonstrationWanted, this, [this] { m_services.openDemonstration(); });
+    connect(m_startPage, &StartPage::importWanted, this, &MainWindow::chooseImport);
+    connect(m_startPage, &StartPage::newSwingWanted, this, &MainWindow::showNewSwing);
+    return *m_startPage;
+}
+
+NewSwingPage& MainWindow::newSwingPage()
+{
+    if (m_newSwingPage)
+        return *m_newSwingPage;
+    m_newSwingPage = new NewSwingPage(m_context, m_stack);
+    m_pages->addWidget(m_newSwingPage);
+    connect(m_newSwingPage, &NewSwingPage::created, this, [this](SwingId id) {
+        showSwing(id);
+        m_swingPage->focusReadings();
+    });
+    connect(m_newSwingPage, &NewSwingPage::cancelled, this, [this] {
+        if (m_swingPage && m_swingPage->editor().id().valid())
+            turnTo(*m_swingPage);
+        else
+            showHome();
+    });
+    return *m_newSwingPage;
+}
+
+bool MainWindow::swingShown() const
+{
+    return m_swingPage && m_pages->currentWidget() == m_swingPage && m_swingPage->editor().id().valid();
+}
+
+AircraftId MainWindow::aircraftShown() const
+{
+    if (swingShown())
+        return m_swingPage->editor().record().aircraft.id;
+    return m_aircraftPage && m_pages->currentWidget() == m_aircraftPage ? m_aircraftPage->aircraft() : AircraftId();
+}
+
+CompassId MainWindow::compassShown() const
+{
+    if (swingShown())
+        return m_swingPage->editor().record().compass.id;
+    return m_aircraftPage && m_pages->currentWidget() == m_aircraftPage ? m_aircraftPage->compass() : CompassId();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (QWidget* typing = focusWidget())
+        typing->clearFocus(); // the cell is left: what was typed is stored
+    m_services.settings.setValue("window/geometry", saveGeometry());
+    m_services.settings.setValue("window/state", saveState());
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (event->mimeData()->hasUrls() && !m_storage.readOnly() && event->mimeData()->urls().value(0).isLocalFile())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() > 1)
+        m_messages->add(MessagePanel::Kind::Information, tr("%n files were dropped; one is imported at a time.", nullptr, static_cast<int>(urls.size())));
+    event->acceptProposedAction();
+    importFile(urls.value(0).toLocalFile());
+}
+
+} // namespace lubberline::ui

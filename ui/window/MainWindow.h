@@ -1,0 +1,150 @@
+#pragma once
+/// The main window: the fleet at the left, the page of what is chosen at the right, messages above it that stay until dismissed.
+/// Pages and plots are made when they are first needed; nothing is read from storage before the first paint.
+
+#include <QMainWindow>
+#include <QUndoStack>
+
+#include <functional>
+
+#include "core/angle/AngleText.h"
+#include "ui/edits/EditContext.h"
+#include "ui/fleet/FleetModel.h"
+#include "ui/storage/ImportFile.h"
+#include "ui/window/BackgroundJob.h"
+#include "ui/window/Dialogs.h"
+
+class QAction;
+class QLabel;
+class QMenu;
+class QSettings;
+class QStackedWidget;
+
+namespace lubberline::ui {
+
+class AircraftPage;
+class FleetPanel;
+class MessagePanel;
+class NamingStrip;
+class NewSwingPage;
+class OverviewPage;
+class ProgressStrip;
+class StartPage;
+class SwingPage;
+
+/// What the window needs from outside besides storage.
+struct WindowServices {
+    Dialogs& dialogs;
+    QSettings& settings;
+    std::function<void()> openDemonstration;                    ///< the first of the three choices of an empty database
+    std::function<Result<void>(const QString& path)> backup;    ///< may be empty: then there is no Backup
+};
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow(Storage& storage, WindowServices services);
+    ~MainWindow() override;
+
+    /// Shows the page of an item and marks it in the tree.
+    void go(const FleetItem& item);
+    void importFile(const QString& path, const CsvParticulars& particulars = {});
+    [[nodiscard]] QUndoStack& undoStack() { return m_stack; }
+    [[nodiscard]] MessagePanel& messages() { return *m_messages; }
+
+public slots:
+    void fail(const QString& message);
+
+signals:
+    void firstPainted();
+    void importFinished();
+
+protected:
+    bool event(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    // MainWindow.cpp: parts and navigation
+    void buildParts();
+    void buildStatusBar();
+    void populate();
+    void showHome();
+    void showSwing(SwingId id);
+    void showAircraft(AircraftId id, CompassId compass);
+    void showNewSwing();
+    void turnTo(QWidget& page);
+    void afterFleetChange();
+    void leaveRemovedSwing();
+    void showSaved(bool saved);
+    SwingPage& swingPage();
+    AircraftPage& aircraftPage();
+    OverviewPage& overviewPage();
+    StartPage& startPage();
+    NewSwingPage& newSwingPage();
+    [[nodiscard]] bool swingShown() const;
+    [[nodiscard]] AircraftId aircraftShown() const;
+    [[nodiscard]] CompassId compassShown() const;
+
+    // MainWindowActions.cpp: menus, toolbar
+    QAction* addCommand(QMenu& menu, const QString& text, const QKeySequence& keys, const std::function<void()>& act, const QString& name);
+    void buildActions();
+    void buildFileMenu();
+    void buildEditMenu();
+    void buildSwingMenu();
+    void buildFleetMenu();
+    void buildViewMenu();
+    void buildHelpMenu();
+    void buildToolBar();
+    void updateActions();
+    void undo();
+    void redo();
+    void showEdited(int command);
+
+    // MainWindowFiles.cpp: documents, import, export
+    void chooseImport();
+    void finishJob(const Result<JobOutcome>& outcome);
+    void startJob(const QString& what, const Work& work);
+    void exportExchange(bool wholeFleet);
+    void writeReportFile();
+    void previewReport();
+    void writeCardFile(int step_deg);
+    void previewCard();
+    void backUp();
+    void removeDraft();
+    void report(const Result<void>& done, const QString& success);
+    void applyAngleStyle(bool minutes);
+
+    Storage& m_storage;
+    WindowServices m_services;
+    EditContext m_context;
+    QUndoStack m_stack;
+    BackgroundJob m_job;
+    QString m_importPath; ///< of the import that is running
+    AngleStyle m_style = AngleStyle::DecimalDegrees;
+
+    FleetPanel* m_fleet = nullptr;
+    MessagePanel* m_messages = nullptr;
+    ProgressStrip* m_progress = nullptr;
+    NamingStrip* m_naming = nullptr;
+    QStackedWidget* m_pages = nullptr;
+    StartPage* m_startPage = nullptr;
+    OverviewPage* m_overviewPage = nullptr;
+    AircraftPage* m_aircraftPage = nullptr;
+    SwingPage* m_swingPage = nullptr;
+    NewSwingPage* m_newSwingPage = nullptr;
+    QLabel* m_saved = nullptr;
+    QLabel* m_readOut = nullptr;
+
+    QAction* m_undo = nullptr;
+    QAction* m_redo = nullptr;
+    QAction* m_exclude = nullptr;
+    QList<QAction*> m_writingActions; ///< need a database that can be written
+    QList<QAction*> m_swingActions;   ///< need a swing on the page
+    QList<QAction*> m_draftActions;   ///< need a swing whose readings may be changed
+    bool m_painted = false;
+};
+
+} // namespace lubberline::ui

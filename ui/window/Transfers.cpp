@@ -1,0 +1,88 @@
+#include "ui/window/Transfers.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include "core/format/Exchange.h"
+#include "ui/style/Words.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+struct TransferWords {
+    Q_DECLARE_TR_FUNCTIONS(lubberline::ui::Transfers)
+};
+
+Progress half(const Progress& whole, int which)
+{
+    return [whole, which](double fraction) { return whole(0.5 * which + 0.5 * fraction); };
+}
+
+QString importMessage(const QString& path, const Storage::Imported& imported)
+{
+    QString message = TransferWords::tr("%1: %n swing(s) imported", nullptr, imported.swings).arg(QFileInfo(path).fileName());
+    if (imported.alreadyThere > 0)
+        message += TransferWords::tr(", %n already there", nullptr, imported.alreadyThere);
+    return message + ".";
+}
+
+Result<JobOutcome> importFile(const Storage& storage, const QString& path, const CsvParticulars& particulars, const Progress& progress)
+{
+    auto file = readImportFile(path, particulars, half(progress, 0));
+    if (!file)
+        return file.error();
+    auto own = storage.openForWorker();
+    if (!own)
+        return own.error();
+    const auto imported = (*own)->importFleet(file->fleet, half(progress, 1));
+    if (!imported)
+        return imported.error();
+    JobOutcome outcome;
+    outcome.message = importMessage(path, *imported);
+    for (const std::string& warning : file->warnings)
+        outcome.warnings += toText(warning);
+    if (imported->swingIds.size() == 1)
+        outcome.swing = imported->swingIds.front();
+    outcome.fleetChanged = true;
+    return outcome;
+}
+
+Result<void> writeFile(const QString& path, const std::string& text)
+{
+    QSaveFile file(path);
+    const auto size = static_cast<qint64>(text.size());
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit())
+        return Error{ErrorCode::Io, "cannot be written: " + file.errorString().toStdString(), path.toStdString()};
+    return {};
+}
+
+Result<JobOutcome> exportFile(const Storage& storage, const std::vector<AircraftId>& aircraft, const QString& path, const Progress& progress)
+{
+    auto own = storage.openForWorker();
+    if (!own)
+        return own.error();
+    const auto fleet = (*own)->exportFleet(aircraft, progress);
+    if (!fleet)
+        return fleet.error();
+    if (const auto written = writeFile(path, writeExchange(*fleet)); !written)
+        return written.error();
+    JobOutcome outcome;
+    outcome.message = TransferWords::tr("%1: %n swing(s) exported.", nullptr, static_cast<int>(fleet->swings.size())).arg(path);
+    return outcome;
+}
+
+} // namespace
+
+Work importing(const Storage& storage, const QString& path, const CsvParticulars& particulars)
+{
+    return [&storage, path, particulars](const Progress& progress) { return importFile(storage, path, particulars, progress); };
+}
+
+Work exporting(const Storage& storage, const std::vector<AircraftId>& aircraft, const QString& path)
+{
+    return [&storage, aircraft, path](const Progress& progress) { return exportFile(storage, aircraft, path, progress); };
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,18 @@
+#pragma once
+/// Files in and out, as work for a background job.
+
+#include <vector>
+
+#include "ui/storage/ImportFile.h"
+#include "ui/storage/Storage.h"
+#include "ui/window/BackgroundJob.h"
+
+namespace lubberline::ui {
+
+/// Reads a file (see readImportFile()) and stores it through a connection of the worker's own.
+[[nodiscard]] Work importing(const Storage& storage, const QString& path, const CsvParticulars& particulars);
+
+/// Writes aircraft (none: all) as an exchange file: beside it, then renamed. Errors: Io.
+[[nodiscard]] Work exporting(const Storage& storage, const std::vector<AircraftId>& aircraft, const QString& path);
+
+} // namespace lubberline::ui
