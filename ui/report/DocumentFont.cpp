@@ -45,6 +45,8 @@ QFont documentFont(const QString& family, double size_pt, bool bold)
     font.setPixelSize(qRound(mm(size_pt * kMmPerPoint)));
     font.setBold(bold);
     font.setHintingPreference(QFont::PreferNoHinting); // hinted widths would follow the resolution
+    // Letters that are spaced, however little, are not drawn as ligatures, by which "configuration" would not be found in a PDF.
+    font.setLetterSpacing(QFont::AbsoluteSpacing, mm(0.0005));
     return font;
 }
 
