@@ -1,15 +1,14 @@
 #include <QDir>
-#include <QStandardPaths>
+#include <QFileInfo>
 
 #include <unistd.h>
 
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/Demonstration.h"
 #include "app/Paths.h"
 #include "app/QtSession.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
-#include "core/demo/DemoFleet.h"
 #include "ui/plots/PictureOf.h"
 #include "ui/plots/SwingPlot.h"
 #include "ui/report/CardDocument.h"
@@ -23,18 +22,6 @@ struct Options {
     std::string output;
     bool noWindow = false;
 };
-
-/// Fills an empty database; one that has swings is left as it is, so that what was tried out in it stays.
-Result<void> fill(DbStorage& storage)
-{
-    const auto totals = storage.totals();
-    if (!totals)
-        return totals.error();
-    if (totals->swings > 0)
-        return {};
-    const auto imported = storage.importFleet(demoFleet(), consoleProgress("storing the demonstration fleet"));
-    return imported ? Result<void>() : Result<void>(imported.error());
-}
 
 /// The newest swing that has a result, of the first compass of the fleet that has two: its report can show last year's curve.
 Result<SwingId> swingToShow(DbStorage& storage)
@@ -98,14 +85,21 @@ Result<void> writeDocuments(DbStorage& storage, SwingId id, const QDir& folder)
         return analysed.error();
     const auto analysis = std::make_shared<const Analysis>(std::move(analysed.value()));
 
-    ui::ReportInput report{*record, *analysis, *previous};
+    ui::ReportInput report;
+    report.record = *record;
+    report.analysis = *analysis;
+    report.previous = *previous;
     report.madeAtUtc = nowUtc();
     if (const auto written = ui::writeReport(report, folder.filePath("swing-report.pdf")); !written)
         return written;
     const auto card = makeCard(*analysis, {});
     if (!card)
         return card.error();
-    if (const auto written = ui::writeCard({*record, {{"STEER", *card}}, nowUtc()}, folder.filePath("correction-card.pdf")); !written)
+    ui::CardInput sheet;
+    sheet.record = *record;
+    sheet.columns = {{"STEER", *card}};
+    sheet.madeAtUtc = nowUtc();
+    if (const auto written = ui::writeCard(sheet, folder.filePath("correction-card.pdf")); !written)
         return written;
     return writePlots(*record, analysis, *previous, folder);
 }
@@ -113,37 +107,33 @@ Result<void> writeDocuments(DbStorage& storage, SwingId id, const QDir& folder)
 int demoCommand(const Options& options, const Invocation& invocation)
 {
     const auto session = makeDrawingSession();
-    const auto path = demonstrationPath(invocation.database);
-    if (!path)
-        return fail(path.error());
-    const QDir folder(options.output.empty() ? QFileInfo(*path).absoluteDir().filePath("demonstration") : QString::fromStdString(options.output));
+    auto storage = openDemonstration(invocation.database);
+    if (!storage)
+        return fail(storage.error());
+    const QString path = QFileInfo((*storage)->location()).absoluteFilePath();
+    const QDir folder(options.output.empty() ? QFileInfo(path).absoluteDir().filePath("demonstration") : QString::fromStdString(options.output));
     if (!folder.mkpath("."))
         return fail({ErrorCode::Io, "the folder cannot be made; expected one that may be written", folder.path().toStdString()});
 
-    auto storage = openStorage(path->toStdString(), db::OpenMode::ReadWriteCreate);
-    if (!storage)
-        return fail(storage.error());
-    if (const auto filled = fill(**storage); !filled)
-        return fail(filled.error());
     const auto swing = swingToShow(**storage);
     if (!swing)
         return fail(swing.error());
     if (const auto written = writeDocuments(**storage, *swing, folder); !written)
         return fail(written.error());
-    std::printf("database  %s\n", qPrintable(QFileInfo(*path).absoluteFilePath()));
+    std::printf("database  %s\n", qPrintable(path));
     for (const auto& file : folder.entryInfoList(QDir::Files, QDir::Name))
         std::printf("%-8s  %s\n", file.suffix() == "pdf" ? "document" : "plot", qPrintable(file.absoluteFilePath()));
     std::fflush(stdout);
 
     if (options.noWindow || !hasDisplay()) {
         if (!options.noWindow)
-            say("no display here, so no window; on a desktop: lubberline --db " + path->toStdString());
+            say("no display here, so no window; on a desktop: lubberline --db " + path.toStdString());
         return kDone;
     }
     // The documents were drawn on the offscreen platform; the window needs an application of its own.
     storage->reset();
     const std::string program = QCoreApplication::applicationFilePath().toStdString();
-    const std::string database = path->toStdString();
+    const std::string database = path.toStdString();
     execl(program.c_str(), program.c_str(), "--db", database.c_str(), nullptr);
     return fail({ErrorCode::Io, "the window could not be started", program});
 }

@@ -1,0 +1,66 @@
+#include "app/Window.h"
+
+#include <QMessageBox>
+#include <QProcess>
+#include <QSettings>
+
+#include "app/Console.h"
+#include "app/DbStorage.h"
+#include "app/Demonstration.h"
+#include "app/QtSession.h"
+#include "app/commands/Command.h"
+#include "db/Maintenance.h"
+#include "ui/window/MainWindow.h"
+
+namespace lubberline::app {
+
+namespace {
+
+/// Said on standard error, and in a box for whoever started the program from a menu. There is nobody on the offscreen platform.
+int failVisibly(const Error& error)
+{
+    if (QGuiApplication::platformName() != "offscreen")
+        QMessageBox::critical(nullptr, "Lubberline", QString::fromStdString(describe(error)));
+    return fail(error);
+}
+
+/// The demonstration has a database of its own, so its window does too: this one makes room for it.
+void startDemonstration(ui::MainWindow& window)
+{
+    const auto demonstration = openDemonstration({});
+    if (!demonstration) {
+        window.fail(QString::fromStdString(describe(demonstration.error())));
+        return;
+    }
+    if (QProcess::startDetached(QCoreApplication::applicationFilePath(), {"--db", (*demonstration)->location()}))
+        window.close();
+    else
+        window.fail(QObject::tr("The window of the demonstration fleet could not be started."));
+}
+
+} // namespace
+
+int openWindow(const Invocation& invocation)
+{
+    auto session = makeWindowSession(invocation.argc, invocation.argv);
+    if (!session)
+        return fail(session.error());
+    auto storage = openStorage(invocation.database, db::OpenMode::ReadWriteCreate);
+    if (!storage)
+        return failVisibly(storage.error());
+
+    ui::DesktopDialogs dialogs;
+    QSettings settings;
+    ui::MainWindow* opened = nullptr;
+    const QString path = (*storage)->location();
+    ui::MainWindow window(**storage, {dialogs, settings, [&opened] { startDemonstration(*opened); },
+        [path](const QString& copy) -> Result<void> { // may run on a worker: a connection of its own
+            auto database = db::Database::open(path, db::OpenMode::ReadOnly);
+            return database ? db::backup(*database, copy) : Result<void>(database.error());
+        }});
+    opened = &window;
+    window.show();
+    return (*session)->exec();
+}
+
+} // namespace lubberline::app
