@@ -3,6 +3,8 @@
 #include <QFontMetricsF>
 #include <QPainter>
 
+#include <algorithm>
+
 #include <qwt_scale_map.h>
 
 #include "ui/plots/Chart.h"
@@ -48,16 +50,17 @@ void SpectrumBars::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtSca
     }
 }
 
-/// By lines of our own: a brush pattern would be a raster image on paper.
+/// By lines of our own, cut by their ends: a brush pattern would be a raster image on paper, and SVG files know no clipping.
 void SpectrumBars::drawHatch(QPainter& painter, const QwtScaleMap& xMap, const QRectF& canvasRect) const
 {
     painter.save();
     const double from = xMap.transform(m_highestResolvable + 0.5), to = xMap.transform(m_last + 0.5);
     const QRectF area = QRectF(QPointF(from, canvasRect.top()), QPointF(to, canvasRect.bottom())).intersected(canvasRect);
-    painter.setClipRect(area, Qt::IntersectClip);
     painter.setPen(QPen(m_colours.hatch, 0.8));
-    for (double x = area.left() - area.height(); x < area.right(); x += kHatchSpacing)
-        painter.drawLine(QPointF(x, area.bottom()), QPointF(x + area.height(), area.top()));
+    for (double x = area.left() - area.height(); x < area.right(); x += kHatchSpacing) {
+        const double left = std::max(x, area.left()), right = std::min(x + area.height(), area.right());
+        painter.drawLine(QPointF(left, area.bottom() - (left - x)), QPointF(right, area.bottom() - (right - x)));
+    }
     painter.restore();
 }
 
