@@ -5,6 +5,8 @@
 #include <QGuiApplication>
 #include <QRawFont>
 
+#include <algorithm>
+
 #include "ui/report/Page.h"
 #include "ui/report/Words.h"
 
@@ -42,7 +44,7 @@ QFont documentFont(const QString& family, double size_pt, bool bold)
 {
     constexpr double kMmPerPoint = 25.4 / 72.0;
     QFont font(family);
-    font.setPixelSize(qRound(mm(size_pt * kMmPerPoint)));
+    font.setPixelSize(std::max(1, qRound(mm(size_pt * kMmPerPoint))));
     font.setBold(bold);
     font.setHintingPreference(QFont::PreferNoHinting); // hinted widths would follow the resolution
     // Letters that are spaced, however little, are not drawn as ligatures, by which "configuration" would not be found in a PDF.

@@ -4,6 +4,8 @@
 #include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
+#include <QTextLayout>
+#include <QTextOption>
 
 #include "ui/report/DocumentFont.h"
 #include "ui/report/Words.h"
@@ -11,8 +13,6 @@
 namespace lubberline::ui {
 
 namespace {
-
-constexpr int kWrapFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
 
 /// From the origin of the device, which is inside its margins unless it was set to the full page, to the sheet's corner.
 void enterSheet(QPainter& painter, const QPagedPaintDevice& device)
@@ -71,15 +71,35 @@ void paintLine(QPainter& painter, const QFont& font, QPointF at, Qt::Alignment a
     painter.drawText(at, text);
 }
 
+QStringList wrappedLines(const QFont& font, double width, const QString& text)
+{
+    QTextLayout layout(text, font);
+    QTextOption option;
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    layout.setTextOption(option);
+    QStringList lines;
+    layout.beginLayout();
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(width);
+        lines += text.mid(line.textStart(), line.textLength()).trimmed();
+    }
+    layout.endLayout();
+    return lines;
+}
+
 double wrappedHeight(const QFont& font, double width, const QString& text)
 {
-    return QFontMetricsF(font).boundingRect(QRectF(0, 0, width, mm(10000)), kWrapFlags, text).height();
+    return QFontMetricsF(font).lineSpacing() * static_cast<double>(wrappedLines(font, width, text).size());
 }
 
 void paintWrapped(QPainter& painter, const QFont& font, const QRectF& rect, const QString& text)
 {
-    painter.setFont(font);
-    painter.drawText(rect, kWrapFlags | Qt::TextDontClip, text);
+    const QFontMetricsF metrics(font);
+    double baseline = rect.top() + metrics.ascent();
+    for (const QString& line : wrappedLines(font, rect.width(), text)) {
+        paintLine(painter, font, {rect.left(), baseline}, Qt::AlignLeft, line);
+        baseline += metrics.lineSpacing();
+    }
 }
 
 QFont fitted(const QString& family, double size_pt, bool bold, double width, const QString& text)

@@ -4,6 +4,7 @@
 
 #include <QRectF>
 #include <QString>
+#include <QStringList>
 
 #include <functional>
 #include <memory>
@@ -29,7 +30,8 @@ Result<void> paintSheets(QPagedPaintDevice& device, int pages, const std::functi
 /// A single line from its baseline: `at` is left, centre or right of it by `alignment`.
 void paintLine(QPainter& painter, const QFont& font, QPointF at, Qt::Alignment alignment, const QString& text);
 
-/// Text wrapped into a width.
+/// Text wrapped into a width, in words where they fit and within them where they do not.
+[[nodiscard]] QStringList wrappedLines(const QFont& font, double width, const QString& text);
 [[nodiscard]] double wrappedHeight(const QFont& font, double width, const QString& text);
 void paintWrapped(QPainter& painter, const QFont& font, const QRectF& rect, const QString& text);
 

@@ -151,7 +151,7 @@ std::vector<Block> plotPage(const ReportContent& content, const QString& family,
     words.push_back(gap(kGap));
     words.push_back(signatureBlock(content, family, body.width()));
     const double room = body.height() - heightOf(words) - 2 * kGap - mm(0.1);
-    std::vector<Block> blocks{polarAndSpectrum(content, family, std::clamp(room * 0.5, mm(70), mm(94)))};
+    std::vector<Block> blocks{polarAndSpectrum(content, family, std::clamp(room * 0.56, mm(70), mm(100)))};
     blocks.front().newPage = true;
     blocks.push_back(gap(kGap));
     blocks.push_back(curve(content, family, std::clamp(room - blocks.front().height, mm(62), mm(92))));

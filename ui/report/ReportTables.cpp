@@ -16,6 +16,7 @@ using Look = TableRow::Look;
 
 constexpr int kResidualDecimals = 2;
 constexpr int kExactDecimals = 4;
+constexpr int kLongestRemark = 300; ///< a row must fit a page; the whole text is in the attached record
 
 std::vector<TableColumn> readingColumns(const QString& angleUnit)
 {
@@ -47,7 +48,8 @@ QString remarkOn(const Reading& reading, const AnalysedReading* analysed)
     if (analysed && analysed->suspect)
         remarks += Words::tr("SUSPECT, used");
     remarks += printable(reading.note);
-    return joined(remarks);
+    const QString remark = joined(remarks);
+    return remark.size() <= kLongestRemark ? remark : remark.left(kLongestRemark - 1) + QChar(0x2026);
 }
 
 TableRow readingRow(std::size_t index, const Reading& reading, const AnalysedReading* analysed, const AngleFigures& figures)

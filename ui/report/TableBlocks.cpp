@@ -176,15 +176,20 @@ std::vector<Block> factBlocks(const std::vector<Fact>& facts, const FactStyle& s
 {
     const QFont name = documentFont(style.family, style.size_pt, true);
     const QFont value = documentFont(style.family, style.size_pt);
-    const double nameWidth = style.nameWidth;
+    const double lineHeight = QFontMetricsF(value).lineSpacing(), ascent = QFontMetricsF(value).ascent();
     std::vector<Block> blocks;
     for (const Fact& fact : facts) {
-        const double height = wrappedHeight(value, width - nameWidth, fact.value);
-        blocks.push_back({height + mm(0.5), [fact, name, value, nameWidth](QPainter& painter, const QRectF& rect) {
-                              painter.setPen(Ink::text());
-                              paintWrapped(painter, name, QRectF(rect.left(), rect.top(), nameWidth, rect.height()), fact.name);
-                              paintWrapped(painter, value, rect.adjusted(nameWidth, 0, 0, 0), fact.value);
-                          }});
+        const QStringList lines = wrappedLines(value, width - style.nameWidth, fact.value);
+        // A block for each line: a note of any length goes on on the next page.
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            const QString head = i == 0 ? fact.name : QString();
+            blocks.push_back({lineHeight + (i + 1 == lines.size() ? mm(0.5) : 0),
+                [head, line = lines[i], name, value, ascent, left = style.nameWidth](QPainter& painter, const QRectF& rect) {
+                    painter.setPen(Ink::text());
+                    paintLine(painter, name, {rect.left(), rect.top() + ascent}, Qt::AlignLeft, head);
+                    paintLine(painter, value, {rect.left() + left, rect.top() + ascent}, Qt::AlignLeft, line);
+                }});
+        }
     }
     return blocks;
 }

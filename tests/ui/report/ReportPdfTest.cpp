@@ -208,6 +208,23 @@ TEST(ReportPdf, namesThePreviousSwingInTheCurve)
     EXPECT_TRUE(PdfProbe(input).text().contains("PASS"));
 }
 
+TEST(ReportPdf, takesTextOfAnyLengthWithoutLosingAny)
+{
+    SwingRecord record = simulatedRecord(8);
+    for (int i = 0; i < 2000; ++i)
+        record.swing.note += "word" + std::to_string(i) + " ";
+    record.swing.note += std::string(3000, 'x'); // and one without a blank
+    record.swing.readings[0].exclusion = Exclusion{std::string(5000, 'y')};
+    const PdfProbe pdf(reportOf(record));
+    const QString text = pdf.text();
+    for (int i = 0; i < 2000; ++i)
+        ASSERT_TRUE(text.contains(QString("word%1").arg(i))) << i;
+    EXPECT_GE(text.count('x'), 3000);
+    const QStringList pages = pdf.pages();
+    for (qsizetype i = 0; i < pages.size(); ++i)
+        EXPECT_TRUE(pages[i].contains(QString("page %1 of %2").arg(i + 1).arg(pages.size())));
+}
+
 TEST(ReportPdf, isOfTheVersionAskedForAndSmall)
 {
     auto input = reportOf(simulatedRecord(8));
