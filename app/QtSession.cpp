@@ -1,6 +1,7 @@
 #include "app/QtSession.h"
 
-#include <QLoggingCategory>
+#include <cstdio>
+#include <cstdlib>
 
 namespace lubberline::app {
 
@@ -13,9 +14,16 @@ void describeApplication()
     QCoreApplication::setApplicationVersion(LUBBERLINE_VERSION);
     QGuiApplication::setApplicationDisplayName("Lubberline");
     QGuiApplication::setDesktopFileName("lubberline");
-    // The offscreen platform says "This plugin does not support propagateSizeHints()" in the uncategorised log at every window.
-    if (QGuiApplication::platformName() == "offscreen")
-        QLoggingCategory::setFilterRules("default.warning=false\nqt.qpa.*=false");
+}
+
+/// Qt's own remarks on the machine (no runtime folder, no size hints offscreen) are not for whoever reads our messages.
+void showMessage(QtMsgType type, const QMessageLogContext&, const QString& message)
+{
+    if (message.startsWith("QStandardPaths: ") || message.startsWith("This plugin does not support"))
+        return;
+    std::fprintf(stderr, "lubberline: %s\n", qPrintable(message));
+    if (type == QtFatalMsg)
+        std::abort();
 }
 
 } // namespace
@@ -33,6 +41,7 @@ std::unique_ptr<QApplication> makeDrawingSession()
     static char* arguments[] = {name, option, platform, nullptr};
     static int count;
     count = qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") ? 3 : 1;
+    qInstallMessageHandler(showMessage);
     auto session = std::make_unique<QApplication>(count, arguments);
     describeApplication();
     return session;
@@ -43,6 +52,7 @@ Result<std::unique_ptr<QApplication>> makeWindowSession(int& argc, char** argv)
     if (!hasDisplay())
         return Error{ErrorCode::Unsupported, "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are not set); "
                                              "commands work without one: lubberline --help"};
+    qInstallMessageHandler(showMessage);
     auto session = std::make_unique<QApplication>(argc, argv);
     describeApplication();
     return session;

@@ -45,6 +45,11 @@ const std::vector<Damage> kDamages = {
 
 } // namespace
 
+void PrintTo(const Damage& damage, std::ostream* stream) // GoogleTest's name for it
+{
+    *stream << damage.name;
+}
+
 class BadFile : public testing::TestWithParam<Damage> {};
 
 TEST_P(BadFile, isRefusedByEveryCommandWithOneClearError)
@@ -64,7 +69,7 @@ TEST_P(BadFile, isRefusedByEveryCommandWithOneClearError)
     EXPECT_EQ(sandbox.files(), std::vector<std::string>{"bad.csv"});
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, BadFile, testing::ValuesIn(kDamages), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Kinds, BadFile, testing::ValuesIn(kDamages), [](const auto& one) { return std::string(one.param.name); });
 
 TEST(GoodFile, comesInManyForms)
 {

@@ -20,10 +20,12 @@ TEST_P(Worksheet, correctionFiguresAreTheSheets)
     EXPECT_EQ(json["B_deg"], swing().B);
     ASSERT_EQ(json["steps"].size(), 4u);
     for (const auto& step : json["steps"]) {
-        if (step["on"] == "S")
+        if (step["on"] == "S") {
             EXPECT_EQ(step["make_compass_read_deg"], swing().makeReadSouth);
-        if (step["on"] == "W")
+        }
+        if (step["on"] == "W") {
             EXPECT_EQ(step["make_compass_read_deg"], swing().makeReadWest);
+        }
         EXPECT_EQ(step["coefficient"], step["on"] == "N" || step["on"] == "S" ? "C" : "B");
     }
 }

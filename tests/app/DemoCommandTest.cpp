@@ -24,7 +24,8 @@ TEST(DemoCommand, theFleetIsWorthLookingAt)
     const Sandbox sandbox;
     ASSERT_EQ(sandbox.run({"demo", "--db", "demo.db", "--no-window", "-o", "out"}).status, 0);
     std::set<std::string> types, aircraft, out, years;
-    for (const auto& swing : sandbox.run({"swings", "--db", "demo.db", "--json"}).json()["swings"]) {
+    const auto listed = sandbox.run({"swings", "--db", "demo.db", "--json"}).json();
+    for (const auto& swing : listed["swings"]) {
         types.insert(swing["type"]);
         aircraft.insert(swing["aircraft"]);
         years.insert(swing["date"].get<std::string>().substr(0, 4));

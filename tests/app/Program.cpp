@@ -34,6 +34,7 @@ Sandbox::Sandbox()
     std::string pattern = (std::filesystem::temp_directory_path() / "lubberline-test-XXXXXX").string();
     m_folder = mkdtemp(pattern.data());
     std::filesystem::create_directories(m_folder / ".home");
+    std::filesystem::permissions(m_folder / ".home", std::filesystem::perms::owner_all); // as a runtime folder must be
 }
 
 Sandbox::~Sandbox()
