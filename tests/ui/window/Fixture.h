@@ -1,0 +1,147 @@
+#pragma once
+/// A window on a small fleet in memory, with dialogs that answer themselves.
+
+#include <QApplication>
+#include <QLabel>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/ui/MemoryStorage.h"
+#include "ui/pages/SwingPage.h"
+#include "ui/readings/ReadingsModel.h"
+#include "ui/readings/ReadingsTable.h"
+#include "ui/readings/SwingEditor.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/MessagePanel.h"
+
+namespace lubberline::ui {
+
+class AnsweringDialogs final : public Dialogs {
+public:
+    QString answer;
+    int previews = 0;
+    std::function<void(const std::function<void(QPrinter&)>&)> onPreview;
+    QString openFile(QWidget*, const QString&, const QString&) override { return answer; }
+    QString saveFile(QWidget*, const QString&, const QString&, const QString&) override { return answer; }
+    void printPreview(QWidget*, const std::function<void(QPrinter&)>& paint) override
+    {
+        ++previews;
+        if (onPreview)
+            onPreview(paint);
+    }
+};
+
+/// Type → aircraft → compass with limits of 10°, and one empty draft swing.
+struct SmallFleet {
+    MemoryStorage storage;
+    AircraftTypeId type;
+    AircraftId aircraft;
+    CompassId compass;
+    SwingId swing;
+
+    SmallFleet()
+    {
+        AircraftType su22;
+        su22.name = "Su-22";
+        type = *storage.save(su22);
+        Aircraft one;
+        one.type = type;
+        one.registration = "3713";
+        aircraft = *storage.save(one);
+        LimitsProfile limits;
+        limits.name = "25.1327";
+        limits.document = "14 CFR 25.1327";
+        limits.maxDeviation_deg = 10.0;
+        CompassSystem standby;
+        standby.aircraft = aircraft;
+        standby.name = "standby compass";
+        standby.limits = *storage.save(limits);
+        compass = *storage.save(standby);
+        swing = addSwing("2026-11-20", {});
+    }
+
+    /// Readings: magnetic and compass headings [deg].
+    SwingId addSwing(const std::string& date, const std::vector<std::pair<double, double>>& headings_deg)
+    {
+        Swing made;
+        made.compass = compass;
+        made.date = date;
+        for (const auto& [magnetic_deg, compass_deg] : headings_deg) {
+            Reading reading;
+            reading.magnetic = MagneticHeading::fromDegrees(magnetic_deg);
+            reading.compass = CompassHeading::fromDegrees(compass_deg);
+            made.readings.push_back(reading);
+        }
+        return *storage.saveParticulars(made);
+    }
+};
+
+struct OpenWindow {
+    AnsweringDialogs dialogs;
+    QTemporaryDir folder;
+    QSettings settings;
+    int demonstrations = 0;
+    MainWindow window;
+
+    explicit OpenWindow(Storage& storage)
+        : settings(folder.filePath("settings.ini"), QSettings::IniFormat)
+        , window(storage, {dialogs, settings, [this] { ++demonstrations; }, [this](const QString& path) { return backup(path); }})
+    {
+        window.resize(1366, 720);
+        window.show();
+        QApplication::setActiveWindow(&window);
+        QApplication::processEvents();
+        QApplication::processEvents();
+    }
+
+    QString backedUpTo;
+    Result<void> backup(const QString& path)
+    {
+        backedUpTo = path;
+        return {};
+    }
+
+    template <class Widget>
+    Widget& find(const char* name)
+    {
+        auto* widget = window.findChild<Widget*>(QString::fromLatin1(name));
+        if (!widget)
+            qFatal("there is no widget named %s", name);
+        return *widget;
+    }
+    ReadingsTable& table() { return static_cast<ReadingsTable&>(find<QTableView>("readingsTable")); }
+    void trigger(const char* action) { find<QAction>(action).trigger(); }
+    /// Keys as a person types them: into the editor when one is open.
+    void type(const QString& text)
+    {
+        for (const QChar character : text)
+            QTest::keyClick(target(), character.toLatin1());
+    }
+    void press(Qt::Key key) { QTest::keyClick(target(), key); }
+    QString cell(int row, ReadingColumn column) { return table().model()->index(row, int(column)).data().toString(); }
+    QString label(const char* name) { return find<QLabel>(name).text(); }
+
+private:
+    QWidget* target()
+    {
+        for (QWidget* editor : table().findChildren<QWidget*>("readingEditor"))
+            if (editor->isVisible()) // one that was closed lives on until the event loop deletes it
+                return editor;
+        return &table();
+    }
+};
+
+/// δ = 1 + 3 sin ψ' − 2 cos ψ' on eight points, read to a tenth of a degree.
+inline std::vector<std::pair<double, double>> eightPoints()
+{
+    std::vector<std::pair<double, double>> readings;
+    for (int i = 0; i < 8; ++i) {
+        const double compass_deg = 45.0 * i, compass_rad = compass_deg * kRadiansPerDegree;
+        const double deviation_deg = 1.0 + 3.0 * std::sin(compass_rad) - 2.0 * std::cos(compass_rad) + (i % 2 ? 0.05 : -0.05);
+        readings.emplace_back(compass_deg + deviation_deg, compass_deg);
+    }
+    return readings;
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,121 @@
+// The tree asks for children only when they are wanted, and tells views what changed.
+
+#include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSignalSpy>
+#include <QTreeView>
+
+#include "tests/ui/window/Fixture.h"
+#include "ui/fleet/FleetModel.h"
+
+using namespace lubberline;
+using namespace lubberline::ui;
+
+class FleetTreeTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void asksOnlyWhatIsOpened();
+    void refreshKeepsPlaces();
+    void badgeFollowsTheReadings();
+    void nothingIsAskedBeforeTheFirstPaint();
+    void searchFindsAndGoes();
+};
+
+void FleetTreeTest::asksOnlyWhatIsOpened()
+{
+    SmallFleet fleet;
+    fleet.storage.asked.clear();
+    FleetModel model(fleet.storage);
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    fleet.storage.asked.clear();
+    FleetModel lazy(fleet.storage);
+    QVERIFY(fleet.storage.asked.empty());
+    lazy.fetchMore({});
+    QCOMPARE(lazy.rowCount(), 1);
+    QCOMPARE(fleet.storage.asked["aircraft"], 0);
+    const QModelIndex type = lazy.index(0, 0);
+    QVERIFY(lazy.hasChildren(type)); // known without asking
+    QVERIFY(lazy.canFetchMore(type));
+    lazy.fetchMore(type);
+    const QModelIndex aircraft = lazy.index(0, 0, type);
+    QCOMPARE(aircraft.data().toString(), QStringLiteral("3713"));
+    QCOMPARE(fleet.storage.asked["swings"], 0);
+    lazy.fetchMore(aircraft);
+    lazy.fetchMore(lazy.index(0, 0, aircraft));
+    QCOMPARE(fleet.storage.asked["swings"], 1);
+    QVERIFY(lazy.index(0, 0, lazy.index(0, 0, aircraft)).data().toString().startsWith("2026-11-20"));
+}
+
+void FleetTreeTest::refreshKeepsPlaces()
+{
+    SmallFleet fleet;
+    FleetModel model(fleet.storage);
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    const QPersistentModelIndex swing = model.find({fleet.type, fleet.aircraft, fleet.compass, fleet.swing});
+    QVERIFY(std::holds_alternative<SwingId>(model.item(swing)));
+    const SwingId newer = fleet.addSwing("2027-01-05", {});
+    QSignalSpy resets(&model, &QAbstractItemModel::modelReset);
+    model.refresh();
+    QVERIFY(swing.isValid());
+    QCOMPARE(swing.row(), 1); // the newer one is before it
+    QCOMPARE(resets.count(), 0);
+    QVERIFY(model.item(model.index(0, 0, swing.parent())) == FleetItem(newer));
+    QVERIFY(fleet.storage.removeSwing(fleet.swing).ok());
+    model.refresh();
+    QVERIFY(!swing.isValid());
+}
+
+void FleetTreeTest::badgeFollowsTheReadings()
+{
+    SmallFleet fleet;
+    FleetModel model(fleet.storage);
+    const QModelIndex type = model.find({fleet.type});
+    QCOMPARE(type.siblingAtColumn(FleetModel::Badge).data().toString(), QStringLiteral("not known"));
+    fleet.addSwing("2027-01-05", eightPoints());
+    model.refresh();
+    QCOMPARE(type.siblingAtColumn(FleetModel::Badge).data().toString(), QStringLiteral("in limits"));
+    auto beyond = eightPoints();
+    for (auto& [magnetic_deg, compass_deg] : beyond)
+        compass_deg -= 9.0;
+    fleet.addSwing("2027-01-06", beyond);
+    model.refresh();
+    QCOMPARE(type.siblingAtColumn(FleetModel::Badge).data().toString(), QStringLiteral("out of limits"));
+    QVERIFY(!type.siblingAtColumn(FleetModel::Badge).data(Qt::DecorationRole).value<QIcon>().isNull());
+}
+
+void FleetTreeTest::nothingIsAskedBeforeTheFirstPaint()
+{
+    SmallFleet fleet;
+    fleet.storage.asked.clear();
+    AnsweringDialogs dialogs;
+    QTemporaryDir folder;
+    QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
+    MainWindow window(fleet.storage, {dialogs, settings, [] {}, {}});
+    bool askedBefore = false;
+    QSignalSpy painted(&window, &MainWindow::firstPainted);
+    connect(&window, &MainWindow::firstPainted, this, [&] { askedBefore = !fleet.storage.asked.empty(); });
+    window.show();
+    QTRY_COMPARE(painted.count(), 1);
+    QVERIFY(!askedBefore);
+    QTRY_VERIFY(fleet.storage.asked["types"] > 0);
+    QCOMPARE(fleet.storage.asked["swings"], 0);
+}
+
+void FleetTreeTest::searchFindsAndGoes()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.storage);
+    open.trigger("search");
+    auto& words = open.find<QLineEdit>("searchLine");
+    QTest::keyClicks(&words, "371");
+    QTest::keyClick(&words, Qt::Key_Return);
+    QCOMPARE(open.find<QListWidget>("searchHits").count(), 1);
+    QCOMPARE(open.label("aircraftTitle"), QStringLiteral("3713"));
+    QTest::keyClick(&words, Qt::Key_Escape);
+    QVERIFY(open.find<QTreeView>("fleetTree").isVisible());
+}
+
+QTEST_MAIN(FleetTreeTest)
+#include "FleetTreeTest.moc"
