@@ -32,7 +32,8 @@ QString compassWords(const CompassSystem& compass)
 
 QString swingWords(const Swing& swing)
 {
-    return joined({Words::tr("%1 (UTC)").arg(orNotStated(printable(swing.date))), wordsFor(swing.kind), wordsFor(swing.stage), wordsFor(swing.state)});
+    const QString date = swing.date.empty() ? Words::tr("date not stated") : Words::tr("%1 (UTC)").arg(printable(swing.date));
+    return joined({date, wordsFor(swing.kind), wordsFor(swing.stage), wordsFor(swing.state)});
 }
 
 QString workWords(const Swing& swing)

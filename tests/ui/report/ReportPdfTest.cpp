@@ -89,8 +89,10 @@ TEST(ReportPdf, saysWhatIsNotStated)
     record.swing.configuration = {};
     record.swing.datum = {};
     record.swing.people = {};
+    record.swing.date.clear();
     const QString text = PdfProbe(reportOf(record)).flowingText();
     EXPECT_TRUE(text.contains("Site not stated"));
+    EXPECT_TRUE(text.contains("Swing date not stated"));
     EXPECT_TRUE(text.contains("Configuration not stated"));
     EXPECT_TRUE(text.contains("Datum not stated"));
     EXPECT_TRUE(text.contains("NO LIMIT SET"));
