@@ -85,7 +85,7 @@ void CartesianPlot::setLook(const PlotColours& colours, const QFont& font)
     m_notice->setLook(colours, font);
     for (const int axis : {QwtAxis::YLeft, QwtAxis::XBottom}) {
         axisWidget(axis)->setPalette(looks);
-        axisWidget(axis)->setMargin(0);
+        axisWidget(axis)->setMargin(axis == QwtAxis::XBottom ? 1 : 0); // its line would lie half outside the axis
         setAxisFont(axis, m_font);
         QwtText title = axisTitle(axis);
         title.setFont(m_font);

@@ -28,6 +28,7 @@ Chart::Chart(QWidget* parent)
 {
     // Cut into short pieces, as Qwt does for speed, a dashed line would start its pattern anew in each of them.
     QwtPainter::setPolylineSplitting(false);
+    QwtPainter::setRoundingAlignment(false); // curves would follow whole pixels in steps
     connect(m_legendStrip, &PlotLegend::toggled, this, [this](int index) { setShown(index, !m_legend[index].shown); });
 }
 

@@ -8,7 +8,6 @@
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_curve.h>
 #include <qwt_plot_intervalcurve.h>
-#include <qwt_plot_zoneitem.h>
 #include <qwt_scale_draw.h>
 #include <qwt_scale_widget.h>
 #include <qwt_series_data.h>
@@ -59,7 +58,7 @@ CurveChart::CurveChart(QWidget* parent)
     : SwingChart(parent)
     , m_main(headingPlot(this, "deviationPlot"))
     , m_strip(headingPlot(this, "residualPlot"))
-    , m_limit(new QwtPlotZoneItem)
+    , m_limit(m_main)
     , m_band(new QwtPlotIntervalCurve(tr("95 % band")))
     , m_previous(attachedCurve(m_main, tr("previous swing"), 12))
     , m_approximate(attachedCurve(m_main, tr("approximate fit"), 20))
@@ -67,9 +66,6 @@ CurveChart::CurveChart(QWidget* parent)
     , m_readings(new CartesianReadings)
     , m_residuals(new CartesianReadings)
 {
-    m_limit->setOrientation(Qt::Horizontal);
-    m_limit->setZ(1);
-    m_limit->attach(m_main);
     m_band->setZ(2);
     m_band->setStyle(QwtPlotIntervalCurve::Tube);
     m_band->setRenderHint(QwtPlotItem::RenderAntialiased);
@@ -91,7 +87,7 @@ void CurveChart::addEntries()
     m_bandEntry = addEntry({tr("95 % band"), LegendEntry::Key::Area}, [this](bool on) { m_band->setVisible(on); });
     m_exactEntry = addEntry({tr("exact fit")}, [this](bool on) { m_exact->setVisible(on); });
     m_previousEntry = addEntry({tr("previous swing")}, [this](bool on) { m_previous->setVisible(on); });
-    m_limitEntry = addEntry({tr("limit"), LegendEntry::Key::Area}, [this](bool on) { m_limit->setVisible(on); });
+    m_limitEntry = addEntry({tr("limit"), LegendEntry::Key::Area}, [this](bool on) { m_limit.setShown(on); });
 }
 
 void CurveChart::setPicture(const SwingPicture& picture)
@@ -118,8 +114,7 @@ void CurveChart::setCurves()
     m_exact->setSamples(analysis ? exactCurve(analysis->exact) : QPolygonF());
     m_previous->setSamples(previous ? withinOneTurn(approximateCurve(previous->approximate)) : QPolygonF());
     m_readings->setPoints(readingPoints(picture()));
-    const double limit_deg = picture().limit_deg.value_or(0);
-    m_limit->setInterval(-limit_deg, limit_deg);
+    m_limit.setLimit(picture().limit_deg);
 }
 
 void CurveChart::setStrip()
@@ -146,7 +141,6 @@ void CurveChart::setEntries(const NiceScale& scale)
     entry(m_previousEntry).title = previousTitle(picture());
     entry(m_limitEntry).present = picture().limit_deg.has_value();
     entry(m_limitEntry).title = limitTitle(picture(), scale.end);
-    m_limit->setVisible(entry(m_limitEntry).present && entry(m_limitEntry).shown);
 }
 
 void CurveChart::setSelectedRow(int row)
@@ -216,8 +210,7 @@ void CurveChart::styleItems()
     m_previous->setPen(looks.previous);
     m_band->setPen(QPen(Qt::NoPen));
     m_band->setBrush(colours().band);
-    m_limit->setBrush(colours().limit);
-    m_limit->setPen(colours().limitEdge, 1.2);
+    m_limit.setLook(colours());
     styleEntry(entry(m_readingsEntry), colours().readings, colours().readings);
     entry(m_approximateEntry).pen = looks.approximate;
     styleEntry(entry(m_bandEntry), colours().band, colours().band);

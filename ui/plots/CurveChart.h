@@ -1,12 +1,12 @@
 #pragma once
 /// Deviation against magnetic heading, with the residuals of the approximate fit in a strip beneath.
 
+#include "ui/plots/CartesianLines.h"
 #include "ui/plots/Chart.h"
 #include "ui/plots/NiceScale.h"
 
 class QwtPlotCurve;
 class QwtPlotIntervalCurve;
-class QwtPlotZoneItem;
 
 namespace lubberline::ui {
 
@@ -48,7 +48,7 @@ private:
 
     CartesianPlot* m_main;
     CartesianPlot* m_strip;
-    QwtPlotZoneItem* m_limit;
+    LimitBand m_limit;
     QwtPlotIntervalCurve* m_band;
     QwtPlotCurve* m_previous;
     QwtPlotCurve* m_approximate;

@@ -9,7 +9,6 @@
 #include <qwt_date_scale_draw.h>
 #include <qwt_date_scale_engine.h>
 #include <qwt_plot_curve.h>
-#include <qwt_plot_zoneitem.h>
 #include <qwt_symbol.h>
 #include <qwt_text.h>
 
@@ -77,20 +76,17 @@ void makeDateAxis(CartesianPlot& plot)
 HistoryChart::HistoryChart(QWidget* parent)
     : Chart(parent)
     , m_plot(new CartesianPlot(this))
-    , m_limit(new QwtPlotZoneItem)
+    , m_limit(m_plot)
 {
     m_plot->setObjectName("historyPlot");
     makeDateAxis(*m_plot);
     m_plot->setTitles(tr("date of the swing"), tr("coefficient, deviation (°)"));
-    m_limit->setOrientation(Qt::Horizontal);
-    m_limit->setZ(1);
-    m_limit->attach(m_plot);
     for (std::size_t series = 0; series < m_series.size(); ++series) {
         QwtPlotCurve* curve = attachedCurve(m_plot, seriesName(series), 20 + static_cast<double>(series) / 10);
         m_series[series] = curve;
         m_entries[series] = addEntry({seriesName(series)}, [curve](bool on) { curve->setVisible(on); });
     }
-    m_limitEntry = addEntry({tr("limit"), LegendEntry::Key::Area}, [this](bool on) { m_limit->setVisible(on); });
+    m_limitEntry = addEntry({tr("limit"), LegendEntry::Key::Area}, [this](bool on) { m_limit.setShown(on); });
     styleItems();
     setHistory({}, {});
 }
@@ -106,8 +102,7 @@ void HistoryChart::setHistory(const std::vector<HistoryPoint>& points, std::opti
     }
     const double largest = largestOf(m_points);
     const NiceScale scale = niceScale(limit_deg && *limit_deg < 3 * largest ? std::max(largest, *limit_deg) : largest);
-    m_limit->setInterval(-limit_deg.value_or(0), limit_deg.value_or(0));
-    m_limit->setVisible(limit_deg && entry(m_limitEntry).shown);
+    m_limit.setLimit(limit_deg);
     entry(m_limitEntry).present = limit_deg.has_value();
     entry(m_limitEntry).title = limit_deg ? tr("limit ±%1°").arg(*limit_deg) : QString();
 
@@ -181,8 +176,7 @@ void HistoryChart::styleItems()
         pen.setStyle(Qt::SolidLine);
         m_series[series]->setSymbol(new QwtSymbol(kSymbols[series], pen.color(), pen, QSize(8, 8))); // the curve owns it
     }
-    m_limit->setBrush(colours().limit);
-    m_limit->setPen(colours().limitEdge, 1.2);
+    m_limit.setLook(colours());
     styleEntry(entry(m_limitEntry), colours().limitEdge, colours().limit);
 }
 

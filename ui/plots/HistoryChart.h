@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "ui/plots/CartesianLines.h"
 #include "ui/plots/Chart.h"
 #include "ui/plots/HistoryPlot.h"
 
 class QwtPlotCurve;
-class QwtPlotZoneItem;
 
 namespace lubberline::ui {
 
@@ -43,7 +43,7 @@ private:
     static constexpr std::size_t kLargest = 5; ///< the series after A…E
 
     CartesianPlot* m_plot;
-    QwtPlotZoneItem* m_limit;
+    LimitBand m_limit;
     std::array<QwtPlotCurve*, 6> m_series; ///< A…E, largest |deviation|
     std::array<int, 6> m_entries;
     int m_limitEntry;
