@@ -189,22 +189,21 @@ Result<SwingId> SwingRepository::named(const std::string& beginning)
 
 Result<void> SwingRepository::forEach(const std::function<bool(const Swing&)>& callback)
 {
-    Statement row(m_database, "SELECT " + swingColumns() + ", " + readingColumns() + " FROM swing s LEFT JOIN reading r ON r.swing_id = s.id"
-                              " ORDER BY s.id, r.position, r.id");
-    if (const auto done = row.run(); !done)
-        return done;
-    Swing swing;
-    while (row.next()) {
-        if (const auto id = row.id<SwingId>(0); id != swing.id) {
-            if (swing.id.valid() && !callback(swing))
-                return {};
-            swing = swingFrom(row, 0);
-        }
-        if (row.id<ReadingId>(kSwingColumnCount).valid())
-            swing.readings.push_back(readingFrom(row, kSwingColumnCount));
+    // Two statements in step, both in order of swing: a join would bring a swing's columns again with each of its readings.
+    Statement swings(m_database, "SELECT " + swingColumns() + " FROM swing s ORDER BY s.id");
+    Statement readings(m_database, "SELECT r.swing_id, " + readingColumns() + " FROM reading r ORDER BY r.swing_id, r.position");
+    for (Statement* statement : {&swings, &readings})
+        if (const auto done = statement->run(); !done)
+            return done;
+    bool more = readings.next();
+    while (swings.next()) {
+        Swing swing = swingFrom(swings, 0);
+        for (; more && readings.id<SwingId>(0) <= swing.id; more = readings.next())
+            if (readings.id<SwingId>(0) == swing.id)
+                swing.readings.push_back(readingFrom(readings, 1));
+        if (!callback(swing))
+            break;
     }
-    if (swing.id.valid())
-        callback(swing);
     return {};
 }
 

@@ -8,7 +8,6 @@ namespace lubberline::db {
 
 /// The columns of a swing in the order of swingFrom(), for SELECT … FROM swing s.
 [[nodiscard]] QString swingColumns();
-inline constexpr int kSwingColumnCount = 24;
 /// The columns of a reading in the order of readingFrom(), for SELECT … FROM reading r.
 [[nodiscard]] QString readingColumns();
 

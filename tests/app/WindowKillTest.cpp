@@ -1,0 +1,79 @@
+// Kills the window in the middle of entry, many times, at random moments: on restart all but the cell being typed is there.
+
+#include <gtest/gtest.h>
+
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <map>
+#include <random>
+#include <thread>
+
+#include "db/Maintenance.h"
+#include "tests/db/TestFleet.h"
+
+namespace lubberline::test {
+
+namespace {
+
+struct Typed {
+    std::map<int, double> magnetic, compass; ///< by row, as the window said it had left the cell
+};
+
+void collect(Typed& typed, const QByteArray& output)
+{
+    for (const QByteArray& line : output.split('\n')) {
+        const auto words = line.split(' ');
+        if (words.size() == 3)
+            (words[0] == "magnetic" ? typed.magnetic : typed.compass)[words[1].toInt()] = words[2].toDouble();
+    }
+}
+
+} // namespace
+
+TEST(WindowKill, losesAtMostTheCellBeingTyped)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("a.lubberline");
+    SwingId swing;
+    {
+        auto database = db::Database::open(path, db::OpenMode::ReadWriteCreate);
+        Swing empty = swingOf(store(*database));
+        empty.readings.clear();
+        swing = *db::SwingRepository(*database).save(empty);
+    }
+    std::mt19937 random(20261123);
+    Typed typed;
+    int rows = 0, killedInEntry = 0;
+    for (int round = 0; round < 12; ++round) {
+        QProcess window;
+        window.start(LUBBERLINE_WINDOW_TYPIST, {path, QString::number(swing.value), QString::number(rows)});
+        ASSERT_TRUE(window.waitForStarted());
+        ASSERT_TRUE(window.waitForReadyRead(20000)) << "the window types nothing";
+        std::this_thread::sleep_for(std::chrono::milliseconds(std::uniform_int_distribution(1, 120)(random)));
+        window.kill(); // SIGKILL
+        window.waitForFinished();
+        killedInEntry += window.exitStatus() == QProcess::CrashExit;
+        collect(typed, window.readAllStandardOutput());
+
+        auto database = db::Database::open(path, db::OpenMode::ReadWriteCreate);
+        ASSERT_TRUE(database) << describe(database.error());
+        const auto whole = db::SwingRepository(*database).swing(swing);
+        ASSERT_TRUE(whole);
+        const auto& readings = whole->readings;
+        for (const auto& [row, figure] : typed.magnetic) {
+            ASSERT_LT(static_cast<std::size_t>(row), readings.size()) << "row " << row << " is lost";
+            EXPECT_EQ(readings[static_cast<std::size_t>(row)].magnetic, MagneticHeading::fromDegrees(figure)) << "row " << row;
+        }
+        for (const auto& [row, figure] : typed.compass) {
+            ASSERT_LT(static_cast<std::size_t>(row), readings.size()) << "row " << row << " is lost";
+            EXPECT_EQ(readings[static_cast<std::size_t>(row)].compass, CompassHeading::fromDegrees(figure)) << "row " << row;
+        }
+        EXPECT_TRUE(db::verify(*database, {})->findings.empty());
+        rows = static_cast<int>(readings.size());
+    }
+    EXPECT_EQ(killedInEntry, 12);
+    EXPECT_GT(typed.compass.size(), 12u);
+}
+
+} // namespace lubberline::test

@@ -1,0 +1,70 @@
+// Types readings into the real window on a real database, as fast as it can, until it is killed. After each cell is left it says
+// on standard output what was typed: the row, the column and the figure. Run by WindowKillTest.
+
+#include <QApplication>
+#include <QLineEdit>
+#include <QSettings>
+#include <QTableView>
+#include <QTest>
+
+#include <cstdio>
+
+#include "app/DbStorage.h"
+#include "ui/window/MainWindow.h"
+
+namespace {
+
+using namespace lubberline;
+
+class NoDialogs final : public ui::Dialogs {
+    QString openFile(QWidget*, const QString&, const QString&) override { return {}; }
+    QString saveFile(QWidget*, const QString&, const QString&, const QString&) override { return {}; }
+    void printPreview(QWidget*, const std::function<void(QPrinter&)>&) override {}
+};
+
+void say(const char* column, int row, double figure)
+{
+    std::printf("%s %d %g\n", column, row, figure);
+    std::fflush(stdout);
+}
+
+void typeCell(QTableView& table, double figure)
+{
+    // The first key opens the editor of the current cell, the others go to it.
+    const QString text = QString::number(figure);
+    QTest::keyClick(&table, text.at(0).toLatin1());
+    for (qsizetype i = 1; i < text.size(); ++i)
+        QTest::keyClick(QApplication::focusWidget(), text.at(i).toLatin1());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    QApplication application(argc, argv);
+    auto storage = app::openStorage(argv[1], db::OpenMode::ReadWriteCreate);
+    if (!storage)
+        return 1;
+    NoDialogs dialogs;
+    QSettings settings(QString(argv[1]) + ".ini", QSettings::IniFormat);
+    ui::MainWindow window(**storage, {dialogs, settings, {}, {}});
+    window.show();
+    if (!QTest::qWaitForWindowActive(&window))
+        return 2;
+    window.go(SwingId{std::atoi(argv[2])});
+    auto* table = window.findChild<QTableView*>("readingsTable");
+    if (!table)
+        return 3;
+    const int first = std::atoi(argv[3]); // rows that are there from earlier rounds
+    table->setFocus();
+    for (int row = first; row < first + 10000; ++row) {
+        table->setCurrentIndex(table->model()->index(row, 1));
+        const double magnetic = (row * 45) % 360, compass = (row * 45 + 3) % 360;
+        typeCell(*table, magnetic);
+        say("magnetic", row, magnetic);
+        typeCell(*table, compass);
+        say("compass", row, compass);
+    }
+    return 0;
+}

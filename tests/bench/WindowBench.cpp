@@ -1,0 +1,150 @@
+// Start to first painted window against a bare Qt main window with two docks and tables, in the same process and harness: with the
+// demonstration fleet (limit 1.6) and with BENCH_SWINGS (100,000) swings in the database (not slower). The keystroke that ends
+// a figure in a 32-point swing, to stored, computed and repainted (limit: 16 ms median; here the reference is that number itself).
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <QProcess>
+#include <QSettings>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cstdlib>
+
+#include "app/DbStorage.h"
+#include "core/demo/DemoFleet.h"
+#include "tests/bench/BenchFleet.h"
+#include "tests/bench/Ratio.h"
+#include "ui/window/MainWindow.h"
+
+namespace {
+
+using namespace lubberline;
+
+class NoDialogs final : public ui::Dialogs {
+    QString openFile(QWidget*, const QString&, const QString&) override { return {}; }
+    QString saveFile(QWidget*, const QString&, const QString&, const QString&) override { return {}; }
+    void printPreview(QWidget*, const std::function<void(QPrinter&)>&) override {}
+};
+
+class BareWindow : public QMainWindow {
+public:
+    BareWindow()
+    {
+        for (const auto area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea}) {
+            auto* dock = new QDockWidget("dock", this);
+            dock->setWidget(new QTableWidget(20, 4, dock));
+            addDockWidget(area, dock);
+        }
+        setCentralWidget(new QTableWidget(20, 6, this));
+        resize(1280, 720);
+    }
+    bool painted = false;
+
+protected:
+    bool event(QEvent* event) override
+    {
+        const bool done = QMainWindow::event(event);
+        painted = painted || event->type() == QEvent::Paint;
+        return done;
+    }
+};
+
+/// This program again, to show one window and leave: a start is a process of its own.
+int showOnce(int argc, char** argv)
+{
+    QApplication application(argc, argv);
+    if (QString(argv[1]) == "bare") {
+        BareWindow window;
+        window.show();
+        while (!window.painted)
+            QApplication::processEvents();
+        return 0;
+    }
+    auto storage = app::openStorage(argv[2], db::OpenMode::ReadWriteCreate);
+    NoDialogs dialogs;
+    const QTemporaryDir folder;
+    QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
+    ui::MainWindow window(**storage, {dialogs, settings, {}, {}});
+    bool painted = false;
+    QObject::connect(&window, &ui::MainWindow::firstPainted, [&] { painted = true; });
+    window.resize(1280, 720);
+    window.show();
+    while (!painted)
+        QApplication::processEvents();
+    return 0;
+}
+
+void run(const QStringList& arguments)
+{
+    if (QProcess::execute(QCoreApplication::applicationFilePath(), arguments) != 0)
+        std::abort();
+}
+
+bool benchStart(const QString& folder)
+{
+    const QString demo = folder + "/demo.lubberline", large = folder + "/large.lubberline";
+    {
+        auto storage = app::openStorage(demo.toStdString(), db::OpenMode::ReadWriteCreate);
+        if (!(*storage)->importFleet(demoFleet(), {}))
+            std::abort();
+        const char* wanted = std::getenv("BENCH_SWINGS");
+        auto many = app::openStorage(large.toStdString(), db::OpenMode::ReadWriteCreate);
+        bench::fillFleet((*many)->database(), wanted ? std::atoi(wanted) : 100'000, 8);
+    }
+    const auto bare = [] { run({"bare"}); };
+    const auto few = [&] { run({"ours", demo}); };
+    const auto many = [&] { run({"ours", large}); };
+    const bool first = bench::report("start, demonstration fleet", bench::compare(few, bare, 15), "a bare window", 1.6);
+    const bool second = bench::report("start, very many swings", bench::compare(many, few, 15), "the demonstration", 1.1);
+    return first && second;
+}
+
+bool benchKeystroke(const QString& folder)
+{
+    auto storage = app::openStorage((folder + "/keys.lubberline").toStdString(), db::OpenMode::ReadWriteCreate);
+    bench::fillFleet((*storage)->database(), 2, 32);
+    NoDialogs dialogs;
+    QSettings settings(folder + "/keys.ini", QSettings::IniFormat);
+    ui::MainWindow window(**storage, {dialogs, settings, {}, {}});
+    window.resize(1366, 768);
+    window.show();
+    if (!QTest::qWaitForWindowActive(&window))
+        return false;
+    window.go(SwingId{1});
+    QTest::qWait(200);
+    auto* table = window.findChild<QTableView*>("readingsTable");
+    table->setFocus();
+    std::vector<double> times;
+    for (int i = 0; i < 64; ++i) {
+        table->setCurrentIndex(table->model()->index(i % 32, 2));
+        const QByteArray figure = QByteArray::number((i % 32) * 11.25 + (i % 3)); // another one than is there
+        for (qsizetype k = 0; k < figure.size(); ++k)
+            QTest::keyClick(k == 0 ? static_cast<QWidget*>(table) : QApplication::focusWidget(), figure[k]);
+        QApplication::processEvents();
+        // The key that ends a figure: stored on disk, computed, table and plots painted.
+        times.push_back(bench::seconds([] {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+            QApplication::processEvents();
+        }));
+    }
+    const bench::Timing timing{bench::median(times), 0.016};
+    return bench::report("keystroke in a 32-point swing", timing, "16 ms", 1.0);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (argc > 1)
+        return showOnce(argc, argv);
+    QApplication application(argc, argv);
+    const QTemporaryDir folder;
+    const bool start = benchStart(folder.path());
+    const bool keystroke = benchKeystroke(folder.path());
+    return start && keystroke ? 0 : 1;
+}
