@@ -24,12 +24,12 @@ namespace {
 
 QString swingName(const SwingRow& row)
 {
-    return FleetModel::tr("%1  %2").arg(toText(row.date), wordFor(row.stage));
+    return FleetModel::tr("%1 %2").arg(toText(row.date), wordFor(row.stage));
 }
 
 QString swingDetail(const SwingRow& row)
 {
-    const QString what = FleetModel::tr("%1, %2, %3 · %n reading(s)", nullptr, row.readings).arg(wordFor(row.kind), wordFor(row.stage), wordFor(row.state));
+    const QString what = FleetModel::tr("%1, %2, %3 · readings: %4").arg(wordFor(row.kind), wordFor(row.stage), wordFor(row.state)).arg(row.readings);
     if (!row.maxAbsDeviation_deg)
         return what;
     return what + FleetModel::tr(" · largest deviation %1°").arg(*row.maxAbsDeviation_deg, 0, 'f', 1);
@@ -109,7 +109,7 @@ Result<std::vector<std::unique_ptr<FleetModel::Node>>> FleetModel::ask(const Nod
         if (!rows)
             return rows.error();
         for (const TypeRow& row : *rows)
-            add(row.id, toText(row.name), tr("%n aircraft", nullptr, row.aircraft), row.status, row.aircraft > 0);
+            add(row.id, toText(row.name), tr("aircraft: %1").arg(row.aircraft), row.status, row.aircraft > 0);
     } else if (const auto* type = std::get_if<AircraftTypeId>(&parent.item)) {
         const auto rows = m_storage.aircraftOf(*type);
         if (!rows)
@@ -121,7 +121,7 @@ Result<std::vector<std::unique_ptr<FleetModel::Node>>> FleetModel::ask(const Nod
         if (!rows)
             return rows.error();
         for (const CompassRow& row : *rows)
-            add(row.id, toText(row.name), tr("%n swing(s)", nullptr, row.swings), row.status, row.swings > 0);
+            add(row.id, toText(row.name), tr("swings: %1").arg(row.swings), row.status, row.swings > 0);
     } else if (const auto* compass = std::get_if<CompassId>(&parent.item)) {
         const auto rows = m_storage.swingsOf(*compass);
         if (!rows)

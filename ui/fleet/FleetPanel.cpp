@@ -63,7 +63,7 @@ void FleetPanel::buildTree()
     m_tree->setAccessibleName(tr("Fleet"));
     m_tree->setUniformRowHeights(true);
     m_tree->setHeaderHidden(true);
-    m_tree->setIndentation(14);
+    m_tree->setIndentation(12);
     m_stack->addWidget(m_tree);
 }
 

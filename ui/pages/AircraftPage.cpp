@@ -195,6 +195,16 @@ void AircraftPage::refresh()
         emit failed(messageOf(shown.error()));
 }
 
+QString AircraftPage::typeName(AircraftTypeId id) const
+{
+    const auto types = m_context.storage.types();
+    if (types)
+        for (const TypeRow& type : *types)
+            if (type.id == id)
+                return tr("%1 · ").arg(toText(type.name));
+    return {};
+}
+
 Result<void> AircraftPage::load(AircraftId id, CompassId compass)
 {
     const auto record = m_context.storage.aircraft(id);
@@ -204,11 +214,11 @@ Result<void> AircraftPage::load(AircraftId id, CompassId compass)
     if (!compasses)
         return compasses.error();
     m_aircraft.show(*record, !m_context.storage.readOnly());
-    m_title->setText(toText(record->registration) + (record->demonstration ? tr(" · DEMONSTRATION") : QString()));
+    m_title->setText(typeName(record->type) + toText(record->registration) + (record->demonstration ? tr(" · DEMONSTRATION") : QString()));
     m_compasses = std::move(compasses.value());
     m_compassChoice->clear();
     for (const CompassRow& row : m_compasses)
-        m_compassChoice->addItem(badgeIcon(row.status), tr("%1 (%n swing(s))", nullptr, row.swings).arg(toText(row.name)));
+        m_compassChoice->addItem(badgeIcon(row.status), tr("%1 (swings: %2)").arg(toText(row.name)).arg(row.swings));
     m_events->showAircraft(id);
     const bool known = std::any_of(m_compasses.begin(), m_compasses.end(), [compass](const CompassRow& row) { return row.id == compass; });
     if (known || !m_compasses.empty())

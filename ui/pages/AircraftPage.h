@@ -46,6 +46,7 @@ private:
     void showSwings(const std::vector<SwingRow>& swings, const CompassSystem& compass);
     void showHistory(const std::vector<SwingRow>& swings, const CompassSystem& compass);
     void loadLimits();
+    [[nodiscard]] QString typeName(AircraftTypeId id) const; ///< with the separator after it
 
     EditContext& m_context;
     QUndoStack& m_stack;

@@ -21,12 +21,14 @@ ExclusionPanel::ExclusionPanel(QWidget* parent)
     m_exclude->setObjectName(QStringLiteral("excludeButton"));
     m_exclude->setEnabled(false);
     auto* cancel = new QPushButton(tr("Cancel"));
-    auto* layout = new QHBoxLayout(this);
+    auto* answer = new QHBoxLayout;
+    answer->addWidget(m_reason, 1);
+    answer->addWidget(m_exclude);
+    answer->addWidget(cancel);
+    auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 4);
     layout->addWidget(m_question);
-    layout->addWidget(m_reason, 1);
-    layout->addWidget(m_exclude);
-    layout->addWidget(cancel);
+    layout->addLayout(answer);
     connect(m_reason, &QLineEdit::textChanged, this, [this](const QString& text) { m_exclude->setEnabled(!text.trimmed().isEmpty()); });
     connect(m_reason, &QLineEdit::returnPressed, m_exclude, &QPushButton::click);
     connect(m_exclude, &QPushButton::clicked, this, [this] {

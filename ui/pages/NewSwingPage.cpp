@@ -61,6 +61,7 @@ NewSwingPage::NewSwingPage(EditContext& context, QUndoStack& stack, QWidget* par
     , m_type(typedChoice(QStringLiteral("newType"), tr("pick or type, as Su-22")))
     , m_aircraft(typedChoice(QStringLiteral("newAircraft"), tr("registration or tail number")))
     , m_compass(typedChoice(QStringLiteral("newCompass"), tr("as standby compass")))
+    , m_limits(new QComboBox)
     , m_site(typedChoice(QStringLiteral("newSite"), tr("compass base; may stay empty")))
     , m_kind(new QComboBox)
     , m_stage(new QComboBox)
@@ -77,6 +78,9 @@ void NewSwingPage::build()
     m_kind->addItems(swingKindWords());
     m_stage->setObjectName(QStringLiteral("newStage"));
     m_stage->addItems(swingStageWords());
+    m_limits->setObjectName(QStringLiteral("newLimits"));
+    m_limits->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_limits->setToolTip(tr("What a new compass is held against. A known compass keeps its own: see the aircraft's page"));
     m_date->setObjectName(QStringLiteral("newDate"));
     m_complaint->setObjectName(QStringLiteral("newComplaint"));
     m_complaint->setWordWrap(true);
@@ -93,6 +97,7 @@ void NewSwingPage::build()
     form->addRow(tr("&Type:"), m_type);
     form->addRow(tr("&Aircraft:"), m_aircraft);
     form->addRow(tr("&Compass:"), m_compass);
+    form->addRow(tr("&Limits:"), m_limits);
     form->addRow(tr("S&ite:"), m_site);
     form->addRow(tr("&Date (UTC):"), m_date);
     form->addRow(tr("&Kind:"), m_kind);
@@ -116,6 +121,9 @@ void NewSwingPage::build()
 
     connect(m_type, &QComboBox::currentTextChanged, this, &NewSwingPage::loadAircraft);
     connect(m_aircraft, &QComboBox::currentTextChanged, this, &NewSwingPage::loadCompasses);
+    connect(m_compass, &QComboBox::currentTextChanged, this, &NewSwingPage::updateLimits);
+    for (QLineEdit* line : {m_type->lineEdit(), m_aircraft->lineEdit(), m_compass->lineEdit(), m_site->lineEdit(), m_date})
+        connect(line, &QLineEdit::returnPressed, this, [this] { focusNextChild(); }); // Enter goes on, as in the table
     connect(m_create, &QPushButton::clicked, this, &NewSwingPage::create);
     connect(cancel, &QPushButton::clicked, this, &NewSwingPage::cancelled);
 }
@@ -128,8 +136,22 @@ void NewSwingPage::begin(AircraftId aircraft, CompassId compass)
     auto sites = m_context.storage.sites();
     m_sites = sites ? std::move(sites.value()) : std::vector<Site>();
     fill(*m_site, m_sites, &Site::name);
+    loadLimits();
     preselect(aircraft, compass);
 }
+
+void NewSwingPage::loadLimits()
+{
+    auto profiles = m_context.storage.limitsProfiles();
+    m_profiles = profiles ? std::move(profiles.value()) : std::vector<LimitsProfile>();
+    m_limits->clear();
+    m_limits->addItem(tr("none set"));
+    for (const LimitsProfile& profile : m_profiles)
+        m_limits->addItem(toText(profile.name));
+    updateLimits();
+}
+
+void NewSwingPage::updateLimits() { m_limits->setEnabled(!named(m_compasses, typed(*m_compass), &CompassRow::name)); }
 
 void NewSwingPage::preselect(AircraftId aircraft, CompassId compass)
 {
@@ -210,6 +232,8 @@ Result<CompassId> NewSwingPage::compassChosen(AircraftId aircraft)
     CompassSystem compass;
     compass.aircraft = aircraft;
     compass.name = typed(*m_compass).toStdString();
+    if (m_limits->currentIndex() > 0)
+        compass.limits = m_profiles[static_cast<std::size_t>(m_limits->currentIndex()) - 1].id;
     return m_context.storage.save(compass);
 }
 

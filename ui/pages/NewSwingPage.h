@@ -32,6 +32,8 @@ private:
     void loadTypes();
     void loadAircraft();
     void loadCompasses();
+    void loadLimits();
+    void updateLimits();
     void create();
     void complain(const QString& message);
     void preselect(AircraftId aircraft, CompassId compass);
@@ -46,6 +48,7 @@ private:
     QComboBox* m_type;
     QComboBox* m_aircraft;
     QComboBox* m_compass;
+    QComboBox* m_limits; ///< for a new compass; a known one keeps its own
     QComboBox* m_site;
     QComboBox* m_kind;
     QComboBox* m_stage;
@@ -56,6 +59,7 @@ private:
     std::vector<AircraftRow> m_aircraftRows;
     std::vector<CompassRow> m_compasses;
     std::vector<Site> m_sites;
+    std::vector<LimitsProfile> m_profiles;
 };
 
 } // namespace lubberline::ui

@@ -114,9 +114,7 @@ void OverviewPage::fillFleet(const std::vector<TypeRow>& types)
         emit failed(messageOf(totals.error()));
         return;
     }
-    m_counts->setText(QStringList{tr("%n type(s)", nullptr, totals->types), tr("%n aircraft", nullptr, totals->aircraft),
-        tr("%n compass(es)", nullptr, totals->compasses), tr("%n swing(s)", nullptr, static_cast<int>(totals->swings))}
-                          .join(QStringLiteral(" · ")));
+    m_counts->setText(tr("types: %1 · aircraft: %2 · compasses: %3 · swings: %4").arg(totals->types).arg(totals->aircraft).arg(totals->compasses).arg(totals->swings));
     for (const TypeRow& type : types) {
         if (type.status != Status::OutOfLimits)
             continue;
@@ -129,14 +127,14 @@ void OverviewPage::fillFleet(const std::vector<TypeRow>& types)
             if (row.status == Status::OutOfLimits)
                 add(type, row);
     }
-    m_listTitle->setText(m_listed.empty() ? tr("No aircraft is out of limits.") : tr("Out of limits: %n aircraft", nullptr, static_cast<int>(m_listed.size())));
+    m_listTitle->setText(m_listed.empty() ? tr("No aircraft is out of limits.") : tr("Out of limits: %1 aircraft").arg(m_listed.size()));
     m_list->setVisible(!m_listed.empty());
 }
 
 void OverviewPage::fillType(const TypeRow& type)
 {
     m_title->setText(toText(type.name));
-    m_counts->setText(tr("%n aircraft", nullptr, type.aircraft));
+    m_counts->setText(tr("aircraft: %1").arg(type.aircraft));
     m_listTitle->setText(tr("All aircraft of this type"));
     const auto aircraft = m_storage.aircraftOf(type.id);
     if (!aircraft) {

@@ -47,8 +47,9 @@ void SwingPage::build()
     splitter->setObjectName(QStringLiteral("swingSplitter"));
     splitter->addWidget(buildReadings());
     splitter->addWidget(buildResults());
-    splitter->setStretchFactor(0, 5);
-    splitter->setStretchFactor(1, 4);
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({530, 500});
     splitter->setChildrenCollapsible(false);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);

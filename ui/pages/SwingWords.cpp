@@ -44,7 +44,7 @@ QString judgementSentence(const Summary& summary, const std::optional<LimitsProf
 {
     const Judgement judgement = judge(summary, limits);
     if (judgement.verdict == Verdict::NotKnown)
-        return Words::tr("No limits are set for this compass: choose them on the aircraft's page.");
+        return Words::tr("No limits are set for this compass: choose them on the aircraft's page (Ctrl+U).");
     QStringList parts;
     for (const QString& part : {against(judgement.maxAbsDeviation_deg, limits->maxDeviation_deg, Words::tr("deviation")),
              against(judgement.spread_deg, limits->maxSpread_deg, Words::tr("spread"))})
@@ -54,13 +54,21 @@ QString judgementSentence(const Summary& summary, const std::optional<LimitsProf
     return Words::tr("%1: %2 (%3).").arg(verdict, parts.join(Words::tr(", ")), limitName(*limits));
 }
 
+QString suspicionSentence(const Analysis& analysis)
+{
+    for (const AnalysedReading& reading : analysis.readings)
+        if (reading.suspect)
+            return Words::tr(" A reading is suspect: look again before these figures are used.");
+    return {};
+}
+
 } // namespace
 
 QString meaningOf(const Analysis& analysis, const std::optional<LimitsProfile>& limits, AngleStyle style)
 {
     const Summary& summary = analysis.summary;
     return Words::tr("Largest deviation %1 at %2. ").arg(toText(formatSignedAngle(toDegrees(extreme_rad(summary)), style)), place(summary.maxAbsDeviationAt))
-        + judgementSentence(summary, limits);
+        + judgementSentence(summary, limits) + suspicionSentence(analysis);
 }
 
 QString suspicionOf(const Analysis& analysis, std::size_t index, AngleStyle style)

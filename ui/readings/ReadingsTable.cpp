@@ -29,9 +29,8 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent)
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     verticalHeader()->setMinimumWidth(fontMetrics().horizontalAdvance("000"));
     horizontalHeader()->setHighlightSections(false);
-    const int width = fontMetrics().horizontalAdvance("000°00′ W00");
     for (int column = 0; column < kReadingColumns; ++column)
-        setColumnWidth(column, static_cast<ReadingColumn>(column) == ReadingColumn::State ? 2 * width : width);
+        setColumnWidth(column, fontMetrics().horizontalAdvance(static_cast<ReadingColumn>(column) == ReadingColumn::State ? "suspect, t = −00" : "000°00'W0"));
     horizontalHeader()->setStretchLastSection(true);
 }
 

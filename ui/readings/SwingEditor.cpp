@@ -172,7 +172,10 @@ bool SwingEditor::removeReadings(std::vector<int> rows)
     std::vector<PlacedReading> placed;
     for (const int row : rows)
         placed.push_back({row, readings().at(static_cast<std::size_t>(row))});
-    return placed.empty() || run(new RemoveReadings(m_context, id(), std::move(placed), tr("removal of %n row(s)", nullptr, static_cast<int>(rows.size()))));
+    if (placed.empty())
+        return true;
+    const QString text = placed.size() == 1 ? tr("removal of the row on %1").arg(placeOf(placed.front().reading)) : tr("removal of %1 rows").arg(placed.size());
+    return run(new RemoveReadings(m_context, id(), std::move(placed), text));
 }
 
 bool SwingEditor::layOutNominals(int points)

@@ -43,7 +43,9 @@ QIcon drawn(Status status)
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     drawShape(painter, status);
-    return QIcon(pixmap);
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected); // a selected line must not tint what the colour says
+    return icon;
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -43,7 +44,7 @@ MainWindow::MainWindow(Storage& storage, WindowServices services)
     buildParts();
     buildActions();
     buildStatusBar();
-    resize(1280, 700); // fits a screen of 1366×768 with its panels
+    resize(QSize(1440, 860).boundedTo(screen()->availableSize() - QSize(20, 40))); // with a frame, on a screen of 1366×768 too
     restoreGeometry(m_services.settings.value("window/geometry").toByteArray());
     restoreState(m_services.settings.value("window/state").toByteArray());
     connect(&m_stack, &QUndoStack::indexChanged, this, [this] { showSaved(true); });
@@ -64,7 +65,7 @@ void MainWindow::buildParts()
     dock->setWidget(m_fleet);
     dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     addDockWidget(Qt::LeftDockWidgetArea, dock);
-    resizeDocks({dock}, {250}, Qt::Horizontal);
+    resizeDocks({dock}, {296}, Qt::Horizontal);
     connect(m_fleet, &FleetPanel::itemChosen, this, &MainWindow::go);
     connect(m_fleet, &FleetPanel::failed, this, &MainWindow::fail);
 
@@ -90,9 +91,7 @@ void MainWindow::buildStatusBar()
     m_saved->setObjectName(QStringLiteral("savedLabel"));
     m_readOut = new QLabel;
     m_readOut->setObjectName(QStringLiteral("readOut"));
-    auto* convention = new QLabel(tr("deviation = magnetic − compass, E +"));
-    for (QLabel* label : {m_saved, convention})
-        statusBar()->addWidget(label);
+    statusBar()->addWidget(m_saved);
     statusBar()->addPermanentWidget(m_readOut);
     showSaved(true);
 }
@@ -100,7 +99,7 @@ void MainWindow::buildStatusBar()
 void MainWindow::showSaved(bool saved)
 {
     const QString state = m_storage.readOnly() ? tr("read only") : saved ? tr("all changes saved") : tr("THE LAST CHANGE WAS NOT SAVED");
-    m_saved->setText(tr("%1 · %2 · ").arg(QFileInfo(m_storage.location()).fileName(), state));
+    m_saved->setText(tr("%1 · %2 · deviation = magnetic − compass, E +").arg(QFileInfo(m_storage.location()).fileName(), state));
     m_saved->setToolTip(m_storage.location());
 }
 
@@ -327,7 +326,7 @@ void MainWindow::dropEvent(QDropEvent* event)
 {
     const QList<QUrl> urls = event->mimeData()->urls();
     if (urls.size() > 1)
-        m_messages->add(MessagePanel::Kind::Information, tr("%n files were dropped; one is imported at a time.", nullptr, static_cast<int>(urls.size())));
+        m_messages->add(MessagePanel::Kind::Information, tr("%1 files were dropped; the first is imported.").arg(urls.size()));
     event->acceptProposedAction();
     importFile(urls.value(0).toLocalFile());
 }

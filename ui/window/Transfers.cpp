@@ -22,9 +22,9 @@ Progress half(const Progress& whole, int which)
 
 QString importMessage(const QString& path, const Storage::Imported& imported)
 {
-    QString message = TransferWords::tr("%1: %n swing(s) imported", nullptr, imported.swings).arg(QFileInfo(path).fileName());
+    QString message = TransferWords::tr("%1: swings imported: %2").arg(QFileInfo(path).fileName()).arg(imported.swings);
     if (imported.alreadyThere > 0)
-        message += TransferWords::tr(", %n already there", nullptr, imported.alreadyThere);
+        message += TransferWords::tr(", already there: %1").arg(imported.alreadyThere);
     return message + ".";
 }
 
@@ -69,7 +69,7 @@ Result<JobOutcome> exportFile(const Storage& storage, const std::vector<Aircraft
     if (const auto written = writeFile(path, writeExchange(*fleet)); !written)
         return written.error();
     JobOutcome outcome;
-    outcome.message = TransferWords::tr("%1: %n swing(s) exported.", nullptr, static_cast<int>(fleet->swings.size())).arg(path);
+    outcome.message = TransferWords::tr("%1: swings exported: %2.").arg(path).arg(fleet->swings.size());
     return outcome;
 }
 

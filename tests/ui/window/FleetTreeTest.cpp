@@ -112,7 +112,7 @@ void FleetTreeTest::searchFindsAndGoes()
     QTest::keyClicks(&words, "371");
     QTest::keyClick(&words, Qt::Key_Return);
     QCOMPARE(open.find<QListWidget>("searchHits").count(), 1);
-    QCOMPARE(open.label("aircraftTitle"), QStringLiteral("3713"));
+    QCOMPARE(open.label("aircraftTitle"), QStringLiteral("Su-22 · 3713"));
     QTest::keyClick(&words, Qt::Key_Escape);
     QVERIFY(open.find<QTreeView>("fleetTree").isVisible());
 }
