@@ -1,10 +1,16 @@
 #pragma once
 /// Swing CSV: `# key: value` lines, a header of named columns in any order, one reading a row.
-/// Keys: aircraft, type, compass, site, date, kind, stage, operator, datum, engines, electrics, radio, variation_deg, note, …
+/// Keys, each once: aircraft, type, compass, site, operator, engines, electrics, configuration, datum, datum_serial_number,
+/// datum_reader, cockpit_reader, adjuster, inspector, procedure, work_order, reason, note (text); date, datum_calibration_due
+/// (YYYY-MM-DD); kind (check, correction, calibration, air), stage (as_found, as_left), radio (on, off, not_stated);
+/// variation_deg (east positive; above the header). Any other key is kept in the note; a # line without a key is a comment.
 /// Columns: two of magnetic_heading_deg, compass_heading_deg, deviation_deg (east positive, magnetic − compass); or
-/// true_heading_deg with `variation_deg` in place of the magnetic heading; optional pitch_deg, roll_deg, nominal_deg, note,
-/// excluded (the reason). Unknown columns are kept with the readings and named in a warning.
-/// Decimal point or comma; comma, semicolon or tab between cells; UTF-8 with or without BOM; CRLF or LF.
+/// true_heading_deg with `variation_deg` in place of the magnetic heading; or indication_error_deg (indicated − actual, that is
+/// −deviation) in place of deviation_deg; optional pitch_deg, roll_deg, nominal_deg, note, excluded (the reason). What a row says
+/// twice must agree to 0.05°. Unknown columns are kept with the readings, by name and where they are not empty, and named in a
+/// warning.
+/// Decimal point or comma (not where commas part the cells); comma, semicolon or tab between cells; cells in double quotes may
+/// hold separators, line breaks and "" for a quote; UTF-8 with or without BOM; CRLF or LF; blank lines.
 /// Headings: 0…360 (360 is 0). Errors name file, line, what is wrong and what was expected; nothing is guessed.
 
 #include <istream>
@@ -45,7 +51,8 @@ Result<SwingFile> readSwingCsvFile(const std::string& path, const Progress& prog
 /// The file as a fleet of one swing: what `import` stores. Errors: InvalidInput when the aircraft is not named.
 Result<Fleet> toFleet(const SwingFile& file);
 
-/// Writes a swing with its particulars; readSwingCsv gives the same readings back.
+/// Writes a swing with its particulars; readSwingCsv gives the same readings back. Readings that are not complete yet are left
+/// out, and line breaks of the particulars become spaces. Deviation is derived, so it is not written.
 [[nodiscard]] std::string writeSwingCsv(const SwingRecord& record);
 
 } // namespace lubberline

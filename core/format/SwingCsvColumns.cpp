@@ -91,6 +91,8 @@ Result<Columns> columnsOf(const std::vector<std::string>& header)
             return added.error();
     if (const auto enough = requireTwoOfThree(columns, header); !enough)
         return enough.error();
+    // By name, so that a file that is written and read again gives equal readings whatever their order of columns was.
+    std::sort(columns.unknown.begin(), columns.unknown.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     return columns;
 }
 

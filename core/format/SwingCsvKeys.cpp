@@ -109,15 +109,11 @@ std::optional<KeyLine> keyLineOf(std::string_view line)
 {
     const auto content = trimmed(line.substr(std::min(line.find_first_not_of('#'), line.size())));
     const auto end = std::find_if_not(content.begin(), content.end(), isKeyCharacter);
-    const auto length = static_cast<std::size_t>(end - content.begin());
-    if (length == 0 || length == content.size() || content[length] != ':' || content.substr(length).starts_with("://"))
+    const auto key = content.substr(0, static_cast<std::size_t>(end - content.begin()));
+    const auto rest = trimmed(content.substr(key.size()));
+    if (key.empty() || !rest.starts_with(':') || rest.starts_with("://"))
         return {};
-    return KeyLine{content.substr(0, length), trimmed(content.substr(length + 1))};
-}
-
-bool KeyReader::known(std::string_view key)
-{
-    return find(kTextKeys, key) || find(kValueKeys, key);
+    return KeyLine{key, trimmed(rest.substr(1))};
 }
 
 Result<void> KeyReader::take(const KeyLine& line)

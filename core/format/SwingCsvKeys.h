@@ -23,7 +23,6 @@ public:
     explicit KeyReader(SwingFile& file) : m_file(file) {}
     /// Errors (without file and line): InvalidInput (a key twice, a value that is not allowed).
     Result<void> take(const KeyLine& line);
-    [[nodiscard]] static bool known(std::string_view key);
 
 private:
     SwingFile& m_file;
