@@ -151,7 +151,7 @@ void FleetMaker::addCompass(int type, int number, std::size_t kind, AircraftId a
     DemoMagnetism magnetism(made, m_random);
     for (int year = m_options.lastYear - m_options.swingsPerCompass + 1; year <= m_options.lastYear; ++year)
         addYear(type, number, kind, compass.id, magnetism, year);
-    if (type == 2 && number == 1 % m_options.aircraftPerType && kind == 0)
+    if (type == 3 && number == 1 % m_options.aircraftPerType && kind == 0)
         addMisreading(compass.id);
     if (type == 2 && number == m_options.aircraftPerType - 1 && kind == 1)
         addDraft(compass.id);

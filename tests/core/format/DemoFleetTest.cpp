@@ -125,7 +125,7 @@ TEST(DemoFleet, hasOneMisreadFigureThatTheResidualsFind)
         if (!analysis || !analysis->approximate.fitted())
             continue;
         for (std::size_t i = 0; i < analysis->readings.size(); ++i)
-            if (std::abs(analysis->readings[i].residualApproximate_rad.value_or(0)) > toRadians(3.0)) {
+            if (std::abs(analysis->readings[i].residualApproximate_rad.value_or(0)) > toRadians(4.0)) {
                 ++slips;
                 EXPECT_TRUE(analysis->readings[i].suspect);
                 EXPECT_FALSE(swing.readings[i].exclusion); // left in for the user to find
