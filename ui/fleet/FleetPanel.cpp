@@ -64,6 +64,7 @@ void FleetPanel::buildTree()
     m_tree->setUniformRowHeights(true);
     m_tree->setHeaderHidden(true);
     m_tree->setIndentation(12);
+    connect(m_tree, &QTreeView::activated, this, &FleetPanel::itemOpened);
     m_stack->addWidget(m_tree);
 }
 

@@ -28,6 +28,7 @@ public:
 
 signals:
     void itemChosen(const lubberline::ui::FleetItem& item);
+    void itemOpened(); ///< Enter or double click on the chosen item: the page is wanted
     void failed(const QString& message);
 
 protected:

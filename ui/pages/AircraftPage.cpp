@@ -100,6 +100,7 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
     layout->setContentsMargins(8, 6, 8, 6);
     layout->addWidget(m_title);
     layout->addWidget(splitter, 1);
+    setFocusProxy(m_swingTable);
     const auto changed = [this](AircraftId id) {
         if (id == aircraft())
             refresh();

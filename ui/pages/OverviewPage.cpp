@@ -76,6 +76,7 @@ OverviewPage::OverviewPage(Storage& storage, QWidget* parent)
     layout->addSpacing(8);
     layout->addWidget(m_listTitle);
     layout->addWidget(m_list, 1);
+    setFocusProxy(m_list);
 }
 
 void OverviewPage::showFleet()

@@ -253,6 +253,7 @@ void SwingPage::focusReadings() { m_table->setFocus(); }
 
 void SwingPage::insertRow()
 {
+    m_table->leaveCell();
     const int row = currentRow();
     if (row >= 0 && m_editor->editable() && m_editor->insertReadings(row, {Reading()}, tr("new row")))
         m_table->goTo(row, ReadingColumn::Magnetic);
@@ -260,12 +261,14 @@ void SwingPage::insertRow()
 
 void SwingPage::deleteRows()
 {
+    m_table->leaveCell();
     if (m_editor->editable())
         m_editor->removeReadings(m_table->selectedReadings());
 }
 
 void SwingPage::toggleExcluded()
 {
+    m_table->leaveCell();
     const int row = currentRow();
     if (row < 0 || !m_editor->editable())
         return;
@@ -280,6 +283,7 @@ void SwingPage::acceptNominal() { m_table->acceptNominal(); }
 
 void SwingPage::layOut(int points)
 {
+    m_table->leaveCell();
     if (!m_editor->editable() || !m_editor->layOutNominals(points))
         return;
     m_table->setFocus();
@@ -292,6 +296,7 @@ void SwingPage::layOut(int points)
 
 void SwingPage::toggleComplete()
 {
+    m_table->leaveCell();
     if (m_editor->particularsEditable())
         m_editor->setState(m_editor->record().swing.state == SwingState::Draft ? SwingState::Complete : SwingState::Draft);
 }

@@ -53,9 +53,16 @@ std::vector<int> ReadingsTable::selectedReadings() const
 
 void ReadingsTable::acceptNominal()
 {
+    leaveCell();
     const QModelIndex cell = m_model.index(currentIndex().row(), static_cast<int>(ReadingColumn::Magnetic));
     if (cell.isValid() && m_model.setData(cell, QStringLiteral("=")))
         goTo(cell.row(), ReadingColumn::Compass);
+}
+
+void ReadingsTable::leaveCell()
+{
+    if (state() == EditingState)
+        setFocus();
 }
 
 void ReadingsTable::advance()

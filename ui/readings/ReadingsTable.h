@@ -18,6 +18,8 @@ public:
 
     void goTo(int row, ReadingColumn column);
     void acceptNominal();
+    /// Ends an edit as if the cell had been left: what was typed is stored or refused.
+    void leaveCell();
     [[nodiscard]] std::vector<int> selectedReadings() const;
 
 protected:

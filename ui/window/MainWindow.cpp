@@ -67,6 +67,7 @@ void MainWindow::buildParts()
     addDockWidget(Qt::LeftDockWidgetArea, dock);
     resizeDocks({dock}, {296}, Qt::Horizontal);
     connect(m_fleet, &FleetPanel::itemChosen, this, &MainWindow::go);
+    connect(m_fleet, &FleetPanel::itemOpened, this, [this] { m_pages->currentWidget()->setFocus(); });
     connect(m_fleet, &FleetPanel::failed, this, &MainWindow::fail);
 
     m_messages = new MessagePanel;
@@ -117,6 +118,7 @@ bool MainWindow::event(QEvent* event)
 void MainWindow::populate()
 {
     m_fleet->populate();
+    m_fleet->focusTree();
     showHome();
     if (m_storage.readOnly())
         m_messages->add(MessagePanel::Kind::Information, tr("This database can only be read: nothing can be changed here."));
@@ -138,8 +140,17 @@ void MainWindow::showHome()
     turnTo(overviewPage());
 }
 
+void MainWindow::leaveField()
+{
+    if (QWidget* typing = focusWidget(); typing && m_pages->isAncestorOf(typing)) {
+        typing->clearFocus();
+        m_pages->currentWidget()->setFocus();
+    }
+}
+
 void MainWindow::go(const FleetItem& item)
 {
+    leaveField();
     if (const auto* swing = std::get_if<SwingId>(&item))
         showSwing(*swing);
     else if (const auto* compass = std::get_if<CompassId>(&item)) {
@@ -309,8 +320,7 @@ CompassId MainWindow::compassShown() const
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (QWidget* typing = focusWidget())
-        typing->clearFocus(); // the cell is left: what was typed is stored
+    leaveField();
     m_services.settings.setValue("window/geometry", saveGeometry());
     m_services.settings.setValue("window/state", saveState());
     event->accept();

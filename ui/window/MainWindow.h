@@ -78,6 +78,7 @@ private:
     void turnTo(QWidget& page);
     void afterFleetChange();
     void leaveRemovedSwing();
+    void leaveField(); ///< what is being typed is stored before something else happens
     void showSaved(bool saved);
     SwingPage& swingPage();
     AircraftPage& aircraftPage();

@@ -93,7 +93,7 @@ void MainWindow::buildSwingMenu()
 void MainWindow::buildFleetMenu()
 {
     auto& menu = *menuBar()->addMenu(tr("F&leet"));
-    addCommand(menu, tr("&Overview"), tr("Ctrl+Home"), [this] { showHome(); }, "overview");
+    addCommand(menu, tr("&Overview"), tr("Alt+Home"), [this] { showHome(); }, "overview");
     addCommand(menu, tr("&Search everything"), QKeySequence::Find, [this] { m_fleet->focusSearch(); }, "search");
     addCommand(menu, tr("Go to the &tree"), tr("Ctrl+T"), [this] { m_fleet->focusTree(); }, "focusTree");
     m_swingActions += addCommand(menu, tr("Go to the &readings"), tr("Ctrl+G"), [this] { m_swingPage->focusReadings(); }, "focusReadings");
@@ -198,6 +198,7 @@ void MainWindow::showEdited(int command)
 
 void MainWindow::undo()
 {
+    leaveField();
     const int command = m_stack.index() - 1;
     showEdited(command); // what changes is seen to change
     m_stack.undo();
@@ -207,6 +208,7 @@ void MainWindow::undo()
 
 void MainWindow::redo()
 {
+    leaveField();
     const int command = m_stack.index();
     showEdited(command);
     m_stack.redo();

@@ -46,7 +46,7 @@ void MainWindow::finishJob(const Result<JobOutcome>& outcome)
     const QString path = std::exchange(m_importPath, QString());
     if (!outcome) {
         const Error& error = outcome.error();
-        const bool unnamed = !path.isEmpty() && error.code == ErrorCode::InvalidInput && error.line == 0 && !path.endsWith(".json") && !path.endsWith(".pdf");
+        const bool unnamed = !path.isEmpty() && error.code == ErrorCode::InvalidInput && error.line == 0 && QFileInfo(path).suffix().toLower() != "json" && QFileInfo(path).suffix().toLower() != "pdf";
         if (error.code == ErrorCode::Cancelled)
             m_messages->add(MessagePanel::Kind::Information, tr("Cancelled: nothing was changed."));
         else if (unnamed)
@@ -159,6 +159,7 @@ void MainWindow::backUp()
 
 void MainWindow::removeDraft()
 {
+    leaveField();
     const SwingRecord record = m_swingPage->editor().record();
     m_stack.push(new MakeSwing(m_context, record.swing, MakeSwing::Direction::Remove, tr("removal of the swing of %1").arg(toText(record.swing.date))));
     if (m_swingPage->editor().id().valid())

@@ -25,6 +25,7 @@ QWidget* MessagePanel::makeRow(Kind kind, const QString& message)
     row->setFrameShape(QFrame::StyledPanel);
     row->setAutoFillBackground(true);
     row->setProperty("message", message);
+    row->setProperty("news", kind == Kind::Information);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(8, 3, 4, 3);
     auto* sign = new QLabel;
@@ -53,6 +54,9 @@ void MessagePanel::add(Kind kind, const QString& message)
 {
     if (messages().contains(message))
         return;
+    for (int i = m_rows->count() - 1; kind == Kind::Information && i >= 0; --i)
+        if (QWidget* row = m_rows->itemAt(i)->widget(); row->property("news").toBool())
+            remove(row);
     m_rows->addWidget(makeRow(kind, message));
     show();
 }

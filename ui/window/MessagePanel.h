@@ -8,7 +8,8 @@ class QVBoxLayout;
 
 namespace lubberline::ui {
 
-/// Messages that stay until they are dismissed, in place of message boxes. The same message is not shown twice.
+/// Messages that stay until they are dismissed, in place of message boxes. The same message is not shown twice; news takes the
+/// place of older news, failures never.
 class MessagePanel : public QWidget {
     Q_OBJECT
 

@@ -21,6 +21,7 @@ private slots:
     void minutesDoNotLoseSeconds();
     void completeSwingCannotBeTyped();
     void emptyRowBecomesAReading();
+    void whatIsTypedSurvivesAShortcut();
 
 private:
     static std::vector<Reading>& stored(SmallFleet& fleet) { return fleet.storage.fleet().swings.front().readings; }
@@ -212,6 +213,25 @@ void KeyboardEntryTest::emptyRowBecomesAReading()
     QVERIFY(open.cell(1, ReadingColumn::Compass).isEmpty());
     QCOMPARE(open.table().currentIndex().row(), 0);
     QCOMPARE(open.table().currentIndex().column(), int(ReadingColumn::Magnetic));
+}
+
+void KeyboardEntryTest::whatIsTypedSurvivesAShortcut()
+{
+    SmallFleet fleet;
+    const SwingId other = fleet.addSwing("2026-11-21", eightPoints());
+    OpenWindow open(fleet.storage);
+    for (const bool leaves : {true, false}) {
+        open.window.go(fleet.swing);
+        open.table().setFocus();
+        open.table().goTo(0, ReadingColumn::Magnetic);
+        open.type(leaves ? "45" : "46");
+        if (leaves)
+            open.window.go(other);
+        else
+            open.trigger("complete");
+        QCOMPARE(stored(fleet).size(), 1u);
+        QCOMPARE(stored(fleet)[0].magnetic->degrees(), leaves ? 45.0 : 46.0);
+    }
 }
 
 QTEST_MAIN(KeyboardEntryTest)
