@@ -19,6 +19,11 @@ struct Damage {
     const char* says;     ///< part of the message
 };
 
+void PrintTo(const Damage& damage, std::ostream* stream) // GoogleTest's name for it
+{
+    *stream << damage.name;
+}
+
 const std::string kRow = "0,358\n90,88\n180,181\n270,272\n";
 
 const std::vector<Damage> kDamages = {
@@ -44,11 +49,6 @@ const std::vector<Damage> kDamages = {
 };
 
 } // namespace
-
-void PrintTo(const Damage& damage, std::ostream* stream) // GoogleTest's name for it
-{
-    *stream << damage.name;
-}
 
 class BadFile : public testing::TestWithParam<Damage> {};
 
