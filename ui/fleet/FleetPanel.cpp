@@ -76,6 +76,8 @@ void FleetPanel::buildSearch()
     m_words->installEventFilter(this);
     m_hits->setObjectName(QStringLiteral("searchHits"));
     m_hits->setAccessibleName(tr("Found"));
+    m_hits->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_hits->setTextElideMode(Qt::ElideRight);
     m_hits->installEventFilter(this);
     m_stack->addWidget(m_hits);
     m_searchSoon->setSingleShot(true);
@@ -130,6 +132,7 @@ void FleetPanel::search()
     }
     for (const SearchHit& hit : *hits) {
         m_hits->addItem(toText(hit.text));
+        m_hits->item(m_hits->count() - 1)->setToolTip(toText(hit.text));
         m_hitItems.push_back(itemOf(hit));
     }
     if (hits->empty()) {

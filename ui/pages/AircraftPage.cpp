@@ -60,10 +60,7 @@ void addText(FormFields<Record>& fields, QFormLayout& form, const QString& title
     fields.addLine(form, title, name, [member](const Record& record) { return toText(record.*member); }, takeText(member));
 }
 
-QString deviationText(std::optional<double> angle_deg)
-{
-    return angle_deg ? QString::number(*angle_deg, 'f', 2).replace('-', QChar(0x2212)) : QStringLiteral("—");
-}
+QString deviationText(std::optional<double> angle_deg) { return angle_deg ? signedNumber(*angle_deg, 2) : QStringLiteral("—"); }
 
 } // namespace
 
@@ -95,6 +92,7 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
     splitter->addWidget(tabs);
     splitter->addWidget(buildSwings());
     splitter->setStretchFactor(1, 1);
+    splitter->setSizes({310, 720});
     splitter->setChildrenCollapsible(false);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);
@@ -168,6 +166,7 @@ QWidget* AircraftPage::buildSwings()
     m_swingTable->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_swingTable->horizontalHeader()->setStretchLastSection(true);
     m_swingTable->verticalHeader()->hide();
+    m_swingTable->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     m_swingTable->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_swingTable->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_swingTable->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -275,7 +274,7 @@ void AircraftPage::showSwings(const std::vector<SwingRow>& swings, const Compass
         set(Stage, wordFor(swing.stage), false);
         set(State, wordFor(swing.state), false);
         set(Readings, QString::number(swing.readings), true);
-        set(Largest, deviationText(swing.maxAbsDeviation_deg), true);
+        set(Largest, swing.maxAbsDeviation_deg ? QString::number(*swing.maxAbsDeviation_deg, 'f', 2) : QStringLiteral("—"), true);
         for (const Coefficient coefficient : kCoefficients)
             set(CoefficientA + static_cast<int>(indexOf(coefficient)), deviationText(swing.coefficient_deg[indexOf(coefficient)]), true);
         set(Standing, badgeWord(swing.status), false);

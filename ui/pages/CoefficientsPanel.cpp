@@ -8,19 +8,13 @@
 #include <cmath>
 
 #include "ui/pages/SwingWords.h"
+#include "ui/style/Words.h"
 
 namespace lubberline::ui {
 
 namespace {
 
 enum Column { Approximate, ApproximateError, Exact, ExactError, Rule, kColumns };
-
-QString signedText(double value, int decimals)
-{
-    QString digits = QString::number(std::abs(value), 'f', decimals);
-    const bool zero = digits.toDouble() == 0.0;
-    return (zero ? QString() : value < 0 ? QString(QChar(0x2212)) : QStringLiteral("+")) + digits;
-}
 
 } // namespace
 
@@ -77,7 +71,7 @@ void CoefficientsPanel::showFit(const SmithFitReport& fit, int column, double sc
     for (const Coefficient coefficient : kCoefficients) {
         const auto i = indexOf(coefficient);
         const auto value = fit.value[i], error = fit.standardError[i];
-        setCell(static_cast<int>(i), column, value ? signedText(*value * scale, decimals) : QString(), whyNone);
+        setCell(static_cast<int>(i), column, value ? signedNumber(*value * scale, decimals) : QString(), whyNone);
         setCell(static_cast<int>(i), column + 1, error ? QString::number(*error * scale, 'f', decimals) : QString(), value ? whyNoError : whyNone);
     }
 }
@@ -90,7 +84,7 @@ void CoefficientsPanel::showPointRules(const std::optional<PointRules>& rules)
         values_rad = {rules->A_rad, rules->B_rad, rules->C_rad, rules->D_rad, rules->E_rad};
     const QString why = rules ? tr("Four points cannot tell D") : tr("The rule needs readings near N, E, S and W");
     for (std::size_t i = 0; i < kCoefficientCount; ++i)
-        setCell(static_cast<int>(i), Rule, values_rad[i] ? signedText(toDegrees(*values_rad[i]), 2) : QString(), why);
+        setCell(static_cast<int>(i), Rule, values_rad[i] ? signedNumber(toDegrees(*values_rad[i]), 2) : QString(), why);
 }
 
 void CoefficientsPanel::show(const std::shared_ptr<const Analysis>& analysis, const QString& whyNone)

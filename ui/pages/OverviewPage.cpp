@@ -49,6 +49,7 @@ OverviewPage::OverviewPage(Storage& storage, QWidget* parent)
     m_list->setHorizontalHeaderLabels({tr("Aircraft"), tr("Type"), tr("State")});
     m_list->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_list->verticalHeader()->hide();
+    m_list->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
     m_list->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_list->setSelectionMode(QAbstractItemView::SingleSelection);
     m_list->setTabKeyNavigation(false);

@@ -18,7 +18,7 @@ QCommandLinkButton* choice(const QString& name, const QString& title, const QStr
     button->setObjectName(name);
     button->setIcon(icon(iconName));
     button->setIconSize({32, 32});
-    button->setMaximumWidth(kWidth);
+    button->setMinimumHeight(button->heightForWidth(kWidth)); // the whole explanation, whatever the font
     return button;
 }
 
@@ -32,7 +32,6 @@ StartPage::StartPage(QWidget* parent)
     large.setPointSizeF(large.pointSizeF() * 1.5);
     title->setFont(large);
     title->setWordWrap(true);
-    title->setMaximumWidth(kWidth);
     auto* subtitle = new QLabel(tr("This database is empty. How do you want to begin?"));
     auto* demonstration = choice("demonstrationChoice", tr("&Open the demonstration fleet"),
         tr("Invented aircraft with several years of swings, to look around in. Marked as demonstration data everywhere."), "fleet");
@@ -44,14 +43,16 @@ StartPage::StartPage(QWidget* parent)
     connect(import, &QCommandLinkButton::clicked, this, &StartPage::importWanted);
     connect(start, &QCommandLinkButton::clicked, this, &StartPage::newSwingWanted);
 
+    auto* inner = new QWidget;
+    inner->setFixedWidth(kWidth);
+    auto* column = new QVBoxLayout(inner);
+    column->setSpacing(12);
+    for (QWidget* widget : {static_cast<QWidget*>(title), static_cast<QWidget*>(subtitle), static_cast<QWidget*>(demonstration),
+             static_cast<QWidget*>(import), static_cast<QWidget*>(start)})
+        column->addWidget(widget);
     auto* layout = new QVBoxLayout(this);
     layout->addStretch(2);
-    for (QWidget* widget : {static_cast<QWidget*>(title), static_cast<QWidget*>(subtitle), static_cast<QWidget*>(demonstration),
-             static_cast<QWidget*>(import), static_cast<QWidget*>(start)}) {
-        widget->setMinimumWidth(kWidth);
-        layout->addWidget(widget, 0, Qt::AlignHCenter);
-        layout->addSpacing(8);
-    }
+    layout->addWidget(inner, 0, Qt::AlignHCenter);
     layout->addStretch(3);
     setFocusProxy(demonstration);
 }

@@ -31,7 +31,8 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent)
     horizontalHeader()->setHighlightSections(false);
     for (int column = 0; column < kReadingColumns; ++column)
         setColumnWidth(column, fontMetrics().horizontalAdvance(static_cast<ReadingColumn>(column) == ReadingColumn::State ? "suspect, t = −00" : "000°00'W0"));
-    horizontalHeader()->setStretchLastSection(true);
+    horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance("Note00"));
+    horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::Note), QHeaderView::Stretch);
 }
 
 void ReadingsTable::goTo(int row, ReadingColumn column)
