@@ -39,14 +39,14 @@ std::string pointRuleCell(const std::optional<PointRules>& rules, Coefficient co
     if (!rules)
         return {};
     const std::optional<double> values_rad[] = {rules->A_rad, rules->B_rad, rules->C_rad, rules->D_rad, rules->E_rad};
-    return signedCell(degrees(values_rad[indexOf(coefficient)]), kSmithColumn, 3);
+    return signedCell(degrees(values_rad[indexOf(coefficient)]), kSmithColumn + 3, 3);
 }
 
 std::string coefficientsTable(const Analysis& analysis)
 {
     const auto& rules = analysis.pointRules;
     std::string out = text("\n%13s%12s%12s%12s", "approx. (deg)", "+- s.e.", "exact", "+- s.e.");
-    out += rules ? text("%13s\n", rules->points == 8 ? "8-point (deg)" : "4-point (deg)") : "\n";
+    out += rules ? text("%15s\n", rules->points == 8 ? "8-point (deg)" : "4-point (deg)") : "\n";
     for (const Coefficient coefficient : kCoefficients) {
         const auto i = indexOf(coefficient);
         out += letterOf(coefficient) + signedCell(degrees(analysis.approximate.value[i]), kSmithColumn, 3);
