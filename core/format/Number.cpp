@@ -18,12 +18,12 @@ std::string asciiFigures(std::string_view text, bool decimalComma)
 {
     std::string figures;
     if (text.starts_with(kUnicodeMinus)) {
-        figures = "-";
+        figures.push_back('-');
         text.remove_prefix(kUnicodeMinus.size());
     } else if (text.starts_with('+') && !text.starts_with("+-")) {
         text.remove_prefix(1);
     }
-    figures += text;
+    figures.append(text);
     if (decimalComma && std::count(figures.begin(), figures.end(), ',') == 1 && figures.find('.') == std::string::npos)
         std::replace(figures.begin(), figures.end(), ',', '.');
     const bool onlyFigures = figures.find_first_not_of("0123456789.+-eE") == std::string::npos;
