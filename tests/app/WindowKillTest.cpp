@@ -49,12 +49,18 @@ TEST(WindowKill, losesAtMostTheCellBeingTyped)
         QProcess window;
         window.start(LUBBERLINE_WINDOW_TYPIST, {path, QString::number(swing.value), QString::number(rows)});
         ASSERT_TRUE(window.waitForStarted());
-        ASSERT_TRUE(window.waitForReadyRead(20000)) << "the window types nothing";
-        std::this_thread::sleep_for(std::chrono::milliseconds(std::uniform_int_distribution(1, 120)(random)));
+        // A random number of cells, then a random moment: on a busy machine too, each round gets into the entry.
+        QByteArray output;
+        const auto cells = std::uniform_int_distribution(1, 12)(random);
+        while (output.count('\n') < cells) {
+            ASSERT_TRUE(window.waitForReadyRead(60000)) << "the window types nothing";
+            output += window.readAllStandardOutput();
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(std::uniform_int_distribution(0, 20000)(random)));
         window.kill(); // SIGKILL
         window.waitForFinished();
         killedInEntry += window.exitStatus() == QProcess::CrashExit;
-        collect(typed, window.readAllStandardOutput());
+        collect(typed, output + window.readAllStandardOutput());
 
         auto database = db::Database::open(path, db::OpenMode::ReadWriteCreate);
         ASSERT_TRUE(database) << describe(database.error());
@@ -73,7 +79,7 @@ TEST(WindowKill, losesAtMostTheCellBeingTyped)
         rows = static_cast<int>(readings.size());
     }
     EXPECT_EQ(killedInEntry, 12);
-    EXPECT_GT(typed.compass.size(), 12u);
+    EXPECT_GE(typed.magnetic.size(), 12u);
 }
 
 } // namespace lubberline::test
