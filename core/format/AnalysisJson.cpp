@@ -97,9 +97,7 @@ Json readingJson(const AnalysedReading& reading)
         {"residual_exact_deg", degrees(reading.residualExact_rad)}, {"studentised_residual", plain(reading.studentised)}, {"outlier", reading.suspect}};
 }
 
-} // namespace
-
-std::string toJson(const Analysis& analysis)
+Json analysisJson(const Analysis& analysis)
 {
     Json json;
     json["readings"] = Json::array();
@@ -114,6 +112,24 @@ std::string toJson(const Analysis& analysis)
         {"min_deviation_deg", degrees(analysis.summary.minDeviation_rad)},
         {"max_deviation_deg", degrees(analysis.summary.maxDeviation_rad)}, {"spread_deg", degrees(analysis.summary.spread_rad())}};
     json["warnings"] = analysis.warnings;
+    return json;
+}
+
+} // namespace
+
+std::string toJson(const Analysis& analysis)
+{
+    return analysisJson(analysis).dump(2);
+}
+
+std::string toJson(const Analysis& analysis, const Removal& removal)
+{
+    Json json = analysisJson(analysis);
+    Json remaining = Json::array();
+    for (const double left_rad : removal.remaining_rad)
+        remaining.push_back(degrees(left_rad));
+    json["removal"] = {{"remaining_deg", remaining}, {"max_abs_deg", degrees(removal.maxAbs_rad)}, {"rms_deg", degrees(removal.rms_rad)},
+        {"harmonics", harmonicsJson(removal.harmonics)}};
     return json.dump(2);
 }
 

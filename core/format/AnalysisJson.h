@@ -6,11 +6,14 @@
 #include "core/deviation/Analysis.h"
 #include "core/deviation/Card.h"
 #include "core/deviation/Correction.h"
+#include "core/deviation/Removal.h"
 
 namespace lubberline {
 
 /// One JSON object each, two spaces of indentation, no newline at the end; never NaN or infinity.
 [[nodiscard]] std::string toJson(const Analysis& analysis);
+/// The same with "removal": what would remain at each reading without the removed components, and its harmonics.
+[[nodiscard]] std::string toJson(const Analysis& analysis, const Removal& removal);
 [[nodiscard]] std::string toJson(const Card& card);
 [[nodiscard]] std::string toJson(const Correction& correction);
 

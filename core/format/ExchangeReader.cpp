@@ -22,10 +22,11 @@ constexpr NumberRange kPositive{std::numeric_limits<double>::min(), 1e9};
 template <class Choice>
 Choice choice(JsonObject& object, std::string_view key)
 {
-    const std::string word = object.requiredText(key);
+    const std::string allowed = allowedWords<Choice>();
+    const std::string word = object.requiredText(key, allowed.c_str());
     const auto found = choiceOf<Choice>(word);
     if (!found)
-        object.fault(key, inQuotes(word) + " is not allowed; expected " + allowedWords<Choice>());
+        object.fault(key, inQuotes(word) + " is not allowed; expected " + allowed);
     return found.value_or(Choice{});
 }
 
@@ -176,7 +177,7 @@ void FleetReader::readAircraft(const Json& value, const JsonPath& path)
     aircraft.id = nextId(m_fleet.aircraft);
     aircraft.record = identity(object);
     if (!object.has("type"))
-        object.missing("type");
+        object.missing("type", "the record id of a type of this file");
     aircraft.type = reference(object, "type", m_types, "a type");
     aircraft.registration = object.requiredText("registration");
     aircraft.serialNumber = object.text("serial_number");

@@ -77,13 +77,13 @@ std::string JsonObject::text(std::string_view key)
     return value ? value->get_ref<const std::string&>() : std::string();
 }
 
-std::string JsonObject::requiredText(std::string_view key)
+std::string JsonObject::requiredText(std::string_view key, const char* expected)
 {
     if (!has(key))
-        missing(key);
+        missing(key, expected);
     std::string value = text(key);
     if (value.empty())
-        fault(key, "is empty; expected text");
+        fault(key, std::string("is empty; expected ") + expected);
     return value;
 }
 
@@ -102,7 +102,7 @@ std::string JsonObject::date(std::string_view key)
 
 std::string JsonObject::recordId(std::string_view key)
 {
-    std::string value = requiredText(key);
+    std::string value = requiredText(key, "a record id");
     if (!isRecordId(value))
         fault(key, inQuotes(value) + " is not a record id; expected a UUID in lower case with hyphens");
     return value;
@@ -128,7 +128,7 @@ std::optional<double> JsonObject::number(std::string_view key, NumberRange range
 double JsonObject::requiredNumber(std::string_view key, NumberRange range)
 {
     if (!has(key))
-        missing(key);
+        missing(key, words(range));
     return number(key, range).value_or(range.least);
 }
 

@@ -40,7 +40,7 @@ public:
     JsonObject& operator=(const JsonObject&) = delete;
 
     [[nodiscard]] std::string text(std::string_view key);         ///< empty when the key is not there
-    [[nodiscard]] std::string requiredText(std::string_view key); ///< neither missing nor empty
+    [[nodiscard]] std::string requiredText(std::string_view key, const char* expected = "text"); ///< neither missing nor empty
     [[nodiscard]] std::optional<std::string> optionalText(std::string_view key); ///< when there, not empty
     [[nodiscard]] std::string date(std::string_view key);         ///< empty, or a day of the calendar
     [[nodiscard]] std::string recordId(std::string_view key);
@@ -63,7 +63,10 @@ public:
 
     [[nodiscard]] bool has(std::string_view key) const;
     void fault(std::string_view key, const std::string& what) { m_fault.report(ErrorCode::InvalidInput, JsonPath{&m_path, key}, what); }
-    void missing(std::string_view key) { m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, "is missing"); }
+    void missing(std::string_view key, const std::string& expected)
+    {
+        m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, "is missing; expected " + expected);
+    }
     /// Refuses keys that nobody asked for; called when all keys have been read.
     void finish();
 

@@ -88,6 +88,7 @@ TEST_P(DamagedExchange, isRefusedNamingThePath)
     EXPECT_EQ(fleet.error().code, damage.code) << fleet.error().message;
     for (const char* words : damage.says)
         EXPECT_THAT(fleet.error().message, HasSubstr(words));
+    EXPECT_THAT(fleet.error().message, HasSubstr("expected"));
     EXPECT_EQ(fleet.error().message.find('\n'), std::string::npos);
 }
 
