@@ -4,6 +4,8 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSqlDatabase>
+#include <QSqlError>
+#include <QUrl>
 
 #include <atomic>
 
@@ -29,6 +31,8 @@ Result<void> checkFile(const QString& path, OpenMode mode)
     const std::string name = path.toStdString();
     if (file.isDir())
         return Error{ErrorCode::Io, "this is a folder; expected a database file", name};
+    if (file.exists() && file.size() == 0 && mode == OpenMode::ReadOnly)
+        return Error{ErrorCode::Format, "the file is empty; expected a Lubberline database", name};
     if (file.exists())
         return {};
     if (mode == OpenMode::ReadOnly)
@@ -41,9 +45,17 @@ Result<void> checkFile(const QString& path, OpenMode mode)
     return {};
 }
 
+/// SQLite writes its log beside the file, so the folder counts, too.
+bool mayOnlyBeRead(const QString& path, OpenMode mode)
+{
+    const QFileInfo file(path);
+    return file.exists() && (mode == OpenMode::ReadOnly || !file.isWritable() || !QFileInfo(file.absolutePath()).isWritable());
+}
+
 Result<void> configure(const Database& database)
 {
-    for (const char* pragma : {"PRAGMA foreign_keys = ON", "PRAGMA synchronous = FULL"})
+    // 32 MiB of pages: a search through 100,000 swings reads each page once.
+    for (const char* pragma : {"PRAGMA foreign_keys = ON", "PRAGMA synchronous = FULL", "PRAGMA cache_size = -32768"})
         if (const auto done = execute(database, pragma); !done)
             return done;
     if (database.readOnly())
@@ -120,18 +132,43 @@ struct Database::State {
     QString path;
     QString connection = newConnectionName();
     bool readOnly = false;
-    int transactionDepth = 0;
+    TransactionState transaction;
 
-    ~State()
-    {
-        { // all handles must be gone before the connection is removed
-            QSqlDatabase handle = QSqlDatabase::database(connection, false);
-            if (handle.isValid())
-                handle.close();
-        }
-        QSqlDatabase::removeDatabase(connection);
-    }
+    Result<void> connect(bool immutable);
+    ~State();
 };
+
+/// `immutable`: SQLite is told that nobody changes the file, and makes no files beside it.
+Result<void> Database::State::connect(bool immutable)
+{
+    QSqlDatabase handle = QSqlDatabase::database(connection, false);
+    if (handle.isValid())
+        handle.close();
+    else
+        handle = QSqlDatabase::addDatabase("QSQLITE", connection);
+    // A reader may have to wait for a writer's commit; more than two seconds means that something holds the file.
+    QString options = "QSQLITE_BUSY_TIMEOUT=2000";
+    if (readOnly)
+        options += ";QSQLITE_OPEN_READONLY";
+    if (immutable)
+        options += ";QSQLITE_OPEN_URI";
+    const QUrl url = QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath());
+    handle.setDatabaseName(immutable ? url.toString(QUrl::FullyEncoded) + "?immutable=1" : path);
+    handle.setConnectOptions(options);
+    if (!handle.open())
+        return errorOf(handle.lastError(), path);
+    return {};
+}
+
+Database::State::~State()
+{
+    { // all handles must be gone before the connection is removed
+        QSqlDatabase handle = QSqlDatabase::database(connection, false);
+        if (handle.isValid())
+            handle.close();
+    }
+    QSqlDatabase::removeDatabase(connection);
+}
 
 Database::Database(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 Database::Database(Database&&) noexcept = default;
@@ -141,7 +178,24 @@ Database::~Database() = default;
 QString Database::path() const { return m_state->path; }
 bool Database::readOnly() const { return m_state->readOnly; }
 QSqlDatabase Database::connection() const { return QSqlDatabase::database(m_state->connection, false); }
-int& Database::transactionDepth() { return m_state->transactionDepth; }
+TransactionState& Database::transactionState() { return m_state->transaction; }
+
+Result<void> Database::connectToOurs(int newest)
+{
+    auto known = m_state->connect(false);
+    if (known)
+        known = checkIdentity(*this, newest);
+    if (known || known.error().code != ErrorCode::Io || !readOnly())
+        return known;
+    // WAL needs an index file beside the database. Where that cannot be made, nobody can be writing through the same folder
+    // rights; a log with contents, however, would be left out.
+    if (QFileInfo(path() + "-wal").size() > 0)
+        return Error{ErrorCode::Io, "the database was not closed properly, and its folder may not be written; expected one that may, so that what was "
+            "stored last can be recovered", path().toStdString()};
+    if (const auto connected = m_state->connect(true); !connected)
+        return connected;
+    return checkIdentity(*this, newest);
+}
 
 Result<Database> Database::open(const QString& path, OpenMode mode, const std::vector<Migration>& steps)
 {
@@ -152,21 +206,11 @@ Result<Database> Database::open(const QString& path, OpenMode mode, const std::v
 
     auto state = std::make_unique<State>();
     state->path = path;
-    state->readOnly = !inMemory && QFileInfo::exists(path) && (mode == OpenMode::ReadOnly || !QFileInfo(path).isWritable());
-    QSqlDatabase handle = QSqlDatabase::addDatabase("QSQLITE", state->connection);
-    handle.setDatabaseName(path);
-    // A reader may have to wait for a writer's commit; more than two seconds means that something holds the file.
-    handle.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000") + (state->readOnly ? ";QSQLITE_OPEN_READONLY" : ""));
-    const bool opened = handle.open();
-    const QSqlError openError = handle.lastError();
-    handle = {};
+    state->readOnly = !inMemory && mayOnlyBeRead(path, mode);
     Database database(std::move(state));
-    if (!opened)
-        return errorOf(openError, path);
-
     // Nothing is written before the file is known to be ours.
-    if (const auto identity = checkIdentity(database, steps.back().version); !identity)
-        return identity.error();
+    if (const auto connected = database.connectToOurs(steps.back().version); !connected)
+        return connected.error();
     if (const auto configured = configure(database); !configured)
         return configured.error();
     if (const auto migrated = migrate(database, steps); !migrated)

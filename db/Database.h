@@ -14,7 +14,7 @@ class QSqlDatabase;
 namespace lubberline::db {
 
 enum class OpenMode {
-    ReadWriteCreate, ///< a missing file is made; a file that may only be read is opened for reading
+    ReadWriteCreate, ///< a missing file is made; where file or folder may not be written it is opened for reading
     ReadOnly,        ///< a missing file is an error
 };
 
@@ -28,6 +28,12 @@ struct Migration {
 [[nodiscard]] const std::vector<Migration>& migrations();
 /// The newest schema that this program knows.
 [[nodiscard]] int schemaVersion();
+
+/// For Transaction only.
+struct TransactionState {
+    int depth = 0;       ///< of transactions inside one another
+    bool broken = false; ///< an inner one was not committed: the outer ones cannot be
+};
 
 class Database {
 public:
@@ -44,12 +50,12 @@ public:
     [[nodiscard]] bool readOnly() const;
     /// For the other sources of db only.
     [[nodiscard]] QSqlDatabase connection() const;
-    /// Depth of nested transactions; for Transaction only.
-    [[nodiscard]] int& transactionDepth();
+    [[nodiscard]] TransactionState& transactionState();
 
 private:
     struct State;
     explicit Database(std::unique_ptr<State> state);
+    Result<void> connectToOurs(int newest);
     std::unique_ptr<State> m_state;
 };
 

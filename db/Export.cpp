@@ -6,6 +6,7 @@
 #include "db/FleetRepository.h"
 #include "db/SiteRepository.h"
 #include "db/SwingRepository.h"
+#include "db/Transaction.h"
 
 namespace lubberline::db {
 
@@ -91,6 +92,9 @@ Result<void> appendReferences(Database& database, Fleet& fleet, bool all)
 
 Result<Fleet> exportFleet(Database& database, const std::vector<AircraftId>& aircraft, const Progress& progress)
 {
+    const auto snapshot = Transaction::beginReading(database);
+    if (!snapshot)
+        return snapshot.error();
     const auto ids = aircraft.empty() ? wholeFleet(database) : Result<std::vector<AircraftId>>(aircraft);
     if (!ids)
         return ids.error();
@@ -98,7 +102,7 @@ Result<Fleet> exportFleet(Database& database, const std::vector<AircraftId>& air
     std::set<AircraftTypeId> types;
     for (std::size_t i = 0; i < ids->size(); ++i) {
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(ids->size())))
-            return Error{ErrorCode::Cancelled, "cancelled", database.path().toStdString()};
+            return Error{ErrorCode::Cancelled, "cancelled; nothing was exported", database.path().toStdString()};
         if (const auto done = append(database, fleet, types, (*ids)[i]); !done)
             return done.error();
     }

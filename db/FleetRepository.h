@@ -17,7 +17,8 @@ public:
     Result<std::vector<TypeRow>> types();                            ///< by name
     Result<std::vector<AircraftRow>> aircraftOf(AircraftTypeId type); ///< by registration
     Result<std::vector<CompassRow>> compassesOf(AircraftId aircraft); ///< by name
-    /// All words must be found in type, registration, compass, or in date, site, note or people of a swing; newest swings first.
+    /// Each word must be found in type, registration or compass, or in date, site, note or people of a swing. Aircraft first, then
+    /// compasses, then swings, the newest first; `limit` in all.
     Result<std::vector<SearchHit>> search(const std::string& words, int limit);
 
     Result<AircraftType> type(AircraftTypeId id);

@@ -60,10 +60,11 @@ private:
                 statement << record;
             else
                 static_cast<void>((statement << ... << values));
-            if (const auto done = statement.run(); !done)
-                return done.error();
-            if (statement.next())
-                return statement.id<IdType>(0);
+            const auto found = firstOf<IdType>(statement, [](Statement& row) { return row.id<IdType>(0); });
+            if (!found)
+                return found.error();
+            if (*found)
+                return **found;
         }
         return IdType{};
     }

@@ -3,6 +3,9 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <map>
 
@@ -11,6 +14,8 @@
 #include "db/SiteRepository.h"
 #include "db/Statement.h"
 #include "db/SwingRepository.h"
+#include "db/SwingRows.h"
+#include "db/Transaction.h"
 
 namespace lubberline::db {
 
@@ -34,32 +39,54 @@ bool same(const CachedResult& computed, const SwingRow& stored)
     return true;
 }
 
+/// Adds a finding for each row that `sql` answers.
+template <class Words>
+Result<void> findings(Database& database, VerifyReport& report, const QString& sql, Words words)
+{
+    Statement statement(database, sql);
+    const auto found = rowsOf<std::string>(statement, words);
+    if (!found)
+        return found.error();
+    report.findings.insert(report.findings.end(), found->begin(), found->end());
+    return {};
+}
+
+/// SQLite's own checks (integrity_check holds every row against the CHECKs of its table, too), and what the schema cannot promise.
 Result<void> checkStructure(Database& database, VerifyReport& report)
 {
-    Statement integrity(database, "PRAGMA integrity_check");
-    if (const auto done = integrity.run(); !done)
-        return done;
-    while (integrity.next())
-        if (integrity.text(0) != "ok")
-            report.findings.push_back("integrity: " + integrity.text(0));
-    Statement keys(database, "PRAGMA foreign_key_check");
-    if (const auto done = keys.run(); !done)
-        return done;
-    while (keys.next())
-        report.findings.push_back("foreign key: a row of " + keys.text(0) + " refers to a missing row of " + keys.text(2));
-    return {};
+    auto done = findings(database, report, "SELECT integrity_check FROM pragma_integrity_check WHERE integrity_check <> 'ok'",
+        [](Statement& row) { return "integrity: " + row.text(0); });
+    if (done)
+        done = findings(database, report, "PRAGMA foreign_key_check",
+            [](Statement& row) { return "foreign key: a row of " + row.text(0) + " refers to a missing row of " + row.text(2); });
+    if (done)
+        done = findings(database, report, "SELECT DISTINCT s.record FROM reading r JOIN swing s ON s.id = r.swing_id GROUP BY r.swing_id, r.position"
+            " HAVING COUNT(*) > 1", [](Statement& row) { return "order: two readings of the swing " + row.text(0) + " are in one place"; });
+    for (const char* column : {"swing.variation_deg", "site.latitude_deg", "site.longitude_deg", "site.elevation_m", "site.variation_deg", "compass.resolution_deg"})
+        if (done) { // a column takes text that is not a number as it is, and 9e999 as infinite
+            const QStringList parts = QString(column).split('.');
+            done = findings(database, report, QStringLiteral("SELECT record FROM %1 WHERE typeof(%2) IN ('text', 'blob') OR abs(%2) > 1e300").arg(parts[0], parts[1]),
+                [&](Statement& row) { return std::string("figure: ") + column + " of the record " + row.text(0) + " is not a real number"; });
+        }
+    return done;
+}
+
+/// The badge of a compass is that of its latest swing with a result.
+Result<void> checkBadges(Database& database, VerifyReport& report)
+{
+    return findings(database, report, "SELECT a.registration, c.name FROM compass c JOIN aircraft a ON a.id = c.aircraft_id WHERE c.status <> "
+        + statusOfLatest(), [](Statement& row) { return "results: the state kept for " + row.text(0) + ", " + row.text(1) + " is not that of its latest swing"; });
 }
 
 Result<std::map<SwingId, SwingRow>> storedRows(Database& database)
 {
-    Statement row(database, "SELECT id, compass_id, date, kind, stage, state, reading_count, max_abs_deviation_deg, a_deg, b_deg, c_deg, d_deg, e_deg, status FROM swing");
-    if (const auto done = row.run(); !done)
-        return done.error();
+    Statement statement(database, "SELECT " + swingRowColumns() + " FROM swing");
+    const auto listed = rowsOf<SwingRow>(statement, swingRowFrom);
+    if (!listed)
+        return listed.error();
     std::map<SwingId, SwingRow> rows;
-    while (row.next())
-        rows[row.id<SwingId>(0)] = {row.id<SwingId>(0), row.id<CompassId>(1), row.text(2), row.as<SwingKind>(3), row.as<SwingStage>(4), row.as<SwingState>(5),
-            static_cast<int>(row.integer(6)), row.optionalReal(7),
-            {row.optionalReal(8), row.optionalReal(9), row.optionalReal(10), row.optionalReal(11), row.optionalReal(12)}, row.as<Status>(13)};
+    for (const auto& row : *listed)
+        rows[row.id] = row;
     return rows;
 }
 
@@ -68,14 +95,16 @@ Result<std::map<CompassId, std::optional<LimitsProfile>>> limitsByCompass(Databa
     const auto profiles = SiteRepository(database).limitsProfiles();
     if (!profiles)
         return profiles.error();
-    Statement row(database, "SELECT id, limits_id FROM compass");
-    if (const auto done = row.run(); !done)
-        return done.error();
+    Statement statement(database, "SELECT id, limits_id FROM compass");
+    const auto pairs = rowsOf<std::pair<CompassId, LimitsProfileId>>(statement,
+        [](Statement& row) { return std::pair(row.id<CompassId>(0), row.id<LimitsProfileId>(1)); });
+    if (!pairs)
+        return pairs.error();
     std::map<CompassId, std::optional<LimitsProfile>> limits;
-    while (row.next()) {
-        auto& slot = limits[row.id<CompassId>(0)];
+    for (const auto& [compass, id] : *pairs) {
+        auto& slot = limits[compass];
         for (const auto& profile : *profiles)
-            if (profile.id == row.id<LimitsProfileId>(1))
+            if (profile.id == id)
                 slot = profile;
     }
     return limits;
@@ -109,6 +138,23 @@ Result<void> checkResults(Database& database, VerifyReport& report, const Progre
     return {};
 }
 
+/// SQLite does not wait for a copy to reach the drive (sqlite.org/lang_vacuum.html); a backup that a power cut empties is none.
+bool reachesTheDrive(const QString& path)
+{
+    const int handle = ::open(QFile::encodeName(path).constData(), O_RDONLY);
+    if (handle < 0)
+        return false;
+    const bool done = ::fsync(handle) == 0;
+    ::close(handle);
+    return done;
+}
+
+Error named(Error error, const std::string& file)
+{
+    error.file = file;
+    return error;
+}
+
 } // namespace
 
 Result<void> backup(Database& database, const QString& path)
@@ -116,38 +162,42 @@ Result<void> backup(Database& database, const QString& path)
     const std::string file = path.toStdString();
     if (QFileInfo::exists(path))
         return Error{ErrorCode::Conflict, "there is a file of this name already; expected a new name for the backup", file};
-    const QString folder = QFileInfo(path).absolutePath();
-    if (!QFileInfo(folder).isDir())
-        return Error{ErrorCode::Io, "the folder " + folder.toStdString() + " is not there; expected an existing one", file};
-    const QString partial = path + ".partial";
-    QFile::remove(partial);
+    const QFileInfo folder(QFileInfo(path).absolutePath());
+    if (!folder.isDir())
+        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " is not there; expected an existing one", file};
+    if (!folder.isWritable())
+        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " may not be written; expected one that may", file};
+    const QString partial = path + "." + QString::fromStdString(newRecordId()).left(8) + ".partial";
     Statement statement(database, "VACUUM INTO ?");
     statement << partial.toStdString();
-    if (const auto done = statement.run(); !done) {
-        QFile::remove(partial);
-        Error error = done.error();
-        error.file = file;
-        return error;
-    }
-    if (!QFile::rename(partial, path)) {
-        QFile::remove(partial);
-        return Error{ErrorCode::Io, "the backup could not be given its name; expected a folder that may be written", file};
-    }
-    return {};
+    const auto copied = statement.run();
+    const bool kept = copied && reachesTheDrive(partial) && QFile::rename(partial, path) && reachesTheDrive(folder.filePath());
+    if (kept)
+        return {};
+    QFile::remove(partial);
+    return copied ? Error{ErrorCode::Io, "the backup could not be written to its place; expected a folder that may be written", file} : named(copied.error(), file);
 }
 
 Result<VerifyReport> verify(Database& database, const Progress& progress)
 {
+    const auto snapshot = Transaction::beginReading(database);
+    if (!snapshot)
+        return snapshot.error();
     VerifyReport report;
     if (const auto done = checkStructure(database, report); !done)
         return done.error();
     if (const auto done = checkResults(database, report, progress); !done)
+        return done.error();
+    if (const auto done = checkBadges(database, report); !done)
         return done.error();
     return report;
 }
 
 Result<DatabaseStatus> status(Database& database)
 {
+    const auto snapshot = Transaction::beginReading(database);
+    if (!snapshot)
+        return snapshot.error();
     DatabaseStatus status;
     status.path = database.path().toStdString();
     status.bytes = QFileInfo(database.path()).size();
@@ -155,22 +205,15 @@ Result<DatabaseStatus> status(Database& database)
     if (!totals)
         return totals.error();
     status.totals = *totals;
-    for (const auto& [sql, target] : {std::pair{"SELECT COUNT(*) FROM reading", &status.readings}, std::pair{"SELECT COUNT(*) FROM audit_entry", &status.auditEntries}}) {
-        const auto count = number(database, sql);
-        if (!count)
-            return count.error();
-        *target = *count;
-    }
-    const auto schema = number(database, "PRAGMA user_version");
-    if (!schema)
-        return schema.error();
-    status.schema = static_cast<int>(*schema);
-    Statement journal(database, "PRAGMA journal_mode");
-    if (const auto done = journal.run(); !done)
-        return done.error();
-    if (journal.next())
-        status.journal = journal.text(0);
-    return status;
+    Statement statement(database, "SELECT (SELECT COUNT(*) FROM reading), (SELECT COUNT(*) FROM audit_entry), (SELECT user_version FROM pragma_user_version),"
+                                  " (SELECT journal_mode FROM pragma_journal_mode)");
+    return oneOf<DatabaseStatus>(statement, database, "status", [&](Statement& row) {
+        status.readings = row.integer(0);
+        status.auditEntries = row.integer(1);
+        status.schema = static_cast<int>(row.integer(2));
+        status.journal = row.text(3);
+        return status;
+    });
 }
 
 } // namespace lubberline::db

@@ -62,11 +62,26 @@ const Migration kFirst{1, "fleet, swings, readings, limits, audit",
         " BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
     }};
 
+const Migration kSecond{2, "what is signed and the audit trail withstand REPLACE; badges from an index",
+    {
+        // REPLACE deletes the row that is in its way without the triggers on DELETE; so does UPDATE OR REPLACE, which needs a changed id.
+        "CREATE TRIGGER audit_is_not_replaced BEFORE INSERT ON audit_entry WHEN EXISTS (SELECT 1 FROM audit_entry WHERE id = NEW.id)"
+        " BEGIN SELECT RAISE(ABORT, 'the audit trail is append-only'); END",
+        "CREATE TRIGGER signed_swing_is_not_replaced BEFORE INSERT ON swing WHEN EXISTS (SELECT 1 FROM swing WHERE state = 2 AND"
+        " (id = NEW.id OR record = NEW.record)) BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
+        "CREATE TRIGGER signed_readings_are_not_replaced BEFORE INSERT ON reading WHEN EXISTS (SELECT 1 FROM reading r JOIN swing s ON s.id = r.swing_id"
+        " WHERE r.id = NEW.id AND s.state = 2) BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
+        "CREATE TRIGGER swing_stays_the_same_record BEFORE UPDATE ON swing WHEN NEW.id <> OLD.id OR NEW.record <> OLD.record"
+        " BEGIN SELECT RAISE(ABORT, 'a record keeps its identity'); END",
+        "CREATE TRIGGER reading_stays_the_same BEFORE UPDATE ON reading WHEN NEW.id <> OLD.id BEGIN SELECT RAISE(ABORT, 'a reading keeps its identity'); END",
+        "CREATE INDEX compass_by_status ON compass(aircraft_id, status)",
+    }};
+
 } // namespace
 
 const std::vector<Migration>& migrations()
 {
-    static const std::vector<Migration> steps{kFirst};
+    static const std::vector<Migration> steps{kFirst, kSecond};
     return steps;
 }
 

@@ -1,6 +1,7 @@
 #include "db/ResultCache.h"
 
 #include "core/deviation/Analysis.h"
+#include "db/SiteRepository.h"
 #include "db/Statement.h"
 #include "db/SwingRepository.h"
 
@@ -10,12 +11,7 @@ namespace {
 
 Result<std::vector<SwingId>> swingIds(Statement& statement)
 {
-    if (const auto done = statement.run(); !done)
-        return done.error();
-    std::vector<SwingId> ids;
-    while (statement.next())
-        ids.push_back(statement.id<SwingId>(0));
-    return ids;
+    return rowsOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
 }
 
 Result<void> refreshAll(Database& database, const Result<std::vector<SwingId>>& ids)
@@ -76,19 +72,31 @@ CachedResult resultOf(const Swing& swing, const std::optional<LimitsProfile>& li
 
 Result<void> refreshSwing(Database& database, SwingId id)
 {
-    SwingRepository swings(database);
-    const auto record = swings.record(id);
-    if (!record)
-        return record.error();
-    if (const auto written = write(database, id, resultOf(record->swing, record->limits)); !written)
+    const auto swing = SwingRepository(database).swing(id);
+    if (!swing)
+        return swing.error();
+    return storeResult(database, *swing);
+}
+
+Result<void> storeResult(Database& database, const Swing& swing)
+{
+    const auto limits = SiteRepository(database).limitsOf(swing.compass);
+    if (!limits)
+        return limits.error();
+    if (const auto written = write(database, swing.id, resultOf(swing, *limits)); !written)
         return written;
-    return refreshCompass(database, record->swing.compass);
+    return refreshCompass(database, swing.compass);
+}
+
+QString statusOfLatest(const QString& compass)
+{
+    return "COALESCE((SELECT s.status FROM swing s WHERE s.compass_id = " + compass + ".id AND s.max_abs_deviation_deg IS NOT NULL"
+        " ORDER BY s.date DESC, s.id DESC LIMIT 1), 0)";
 }
 
 Result<void> refreshCompass(Database& database, CompassId compass)
 {
-    Statement statement(database, "UPDATE compass SET status = COALESCE((SELECT s.status FROM swing s WHERE s.compass_id = compass.id"
-                                  " AND s.max_abs_deviation_deg IS NOT NULL ORDER BY s.date DESC, s.id DESC LIMIT 1), 0) WHERE id = ?");
+    Statement statement(database, "UPDATE compass SET status = " + statusOfLatest("compass") + " WHERE id = ?");
     statement << compass;
     return statement.run();
 }

@@ -5,54 +5,80 @@
 
 namespace lubberline::db {
 
+namespace {
+
+const Table& siteTable()
+{
+    static const Table table{"site", "site", {"name", "latitude_deg", "longitude_deg", "elevation_m", "variation_deg", "variation_source", "note"}};
+    return table;
+}
+
+const Table& limitsTable()
+{
+    static const Table table{"limits profile", "limits_profile", {"name", "document", "issue", "scope", "max_deviation_deg", "max_spread_deg"}};
+    return table;
+}
+
+QString selectSite() { return "SELECT id, record, " + siteTable().fields.join(", ") + " FROM site "; }
+QString selectLimits() { return "SELECT id, record, " + limitsTable().fields.join(", ") + " FROM limits_profile "; }
+
+Site siteFrom(const Statement& row)
+{
+    return {row.id<SiteId>(0), row.text(1), row.text(2), row.optionalReal(3), row.optionalReal(4), row.optionalReal(5), row.optionalReal(6), row.text(7), row.text(8)};
+}
+
+LimitsProfile limitsFrom(const Statement& row)
+{
+    return {row.id<LimitsProfileId>(0), row.text(1), row.text(2), row.text(3), row.text(4), row.text(5), row.optionalReal(6), row.optionalReal(7)};
+}
+
+} // namespace
+
 Result<std::vector<Site>> SiteRepository::sites()
 {
-    Statement row(m_database, "SELECT id, record, name, latitude_deg, longitude_deg, elevation_m, variation_deg, variation_source, note FROM site ORDER BY name");
-    if (const auto done = row.run(); !done)
-        return done.error();
-    std::vector<Site> sites;
-    while (row.next())
-        sites.push_back({row.id<SiteId>(0), row.text(1), row.text(2), row.optionalReal(3), row.optionalReal(4), row.optionalReal(5), row.optionalReal(6),
-            row.text(7), row.text(8)});
-    return sites;
+    Statement statement(m_database, selectSite() + "ORDER BY name");
+    return rowsOf<Site>(statement, siteFrom);
 }
 
 Result<std::vector<LimitsProfile>> SiteRepository::limitsProfiles()
 {
-    Statement row(m_database, "SELECT id, record, name, document, issue, scope, max_deviation_deg, max_spread_deg FROM limits_profile ORDER BY name");
-    if (const auto done = row.run(); !done)
-        return done.error();
-    std::vector<LimitsProfile> profiles;
-    while (row.next())
-        profiles.push_back({row.id<LimitsProfileId>(0), row.text(1), row.text(2), row.text(3), row.text(4), row.text(5), row.optionalReal(6), row.optionalReal(7)});
-    return profiles;
+    Statement statement(m_database, selectLimits() + "ORDER BY name");
+    return rowsOf<LimitsProfile>(statement, limitsFrom);
+}
+
+Result<std::optional<Site>> SiteRepository::site(SiteId id)
+{
+    Statement statement(m_database, selectSite() + "WHERE id = ?");
+    statement << id;
+    return firstOf<Site>(statement, siteFrom);
+}
+
+Result<std::optional<LimitsProfile>> SiteRepository::limitsOf(CompassId compass)
+{
+    Statement statement(m_database, selectLimits() + "WHERE id = (SELECT limits_id FROM compass WHERE id = ?)");
+    statement << compass;
+    return firstOf<LimitsProfile>(statement, limitsFrom);
 }
 
 Result<SiteId> SiteRepository::save(const Site& site)
 {
-    if (const auto named = requireName(site.name, "the site"); !named)
+    if (const auto named = requireName(site.name, "the name of the site"); !named)
         return named.error();
-    return saveRecord(m_database, "site", site.id, site.record, site.name,
-        "INSERT INTO site (record, name, latitude_deg, longitude_deg, elevation_m, variation_deg, variation_source, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-        "UPDATE site SET name = ?, latitude_deg = ?, longitude_deg = ?, elevation_m = ?, variation_deg = ?, variation_source = ?, note = ? WHERE id = ?",
-        [&](Statement& statement) {
-            statement << site.name << site.latitude_deg << site.longitude_deg << site.elevation_m << site.variation_deg << site.variationSource << site.note;
-        });
+    return saveRecord(m_database, siteTable(), site.id, site.record, [&](Statement& statement) {
+        statement << site.name << site.latitude_deg << site.longitude_deg << site.elevation_m << site.variation_deg << site.variationSource << site.note;
+    });
 }
 
 Result<LimitsProfileId> SiteRepository::save(const LimitsProfile& profile)
 {
-    if (const auto named = requireName(profile.name, "the limits profile"); !named)
+    if (const auto named = requireName(profile.name, "the name of the limits profile"); !named)
         return named.error();
     auto transaction = Transaction::begin(m_database);
     if (!transaction)
         return transaction.error();
-    const auto saved = saveRecord(m_database, "limits profile", profile.id, profile.record, profile.name,
-        "INSERT INTO limits_profile (record, name, document, issue, scope, max_deviation_deg, max_spread_deg) VALUES (?, ?, ?, ?, ?, ?, ?)",
-        "UPDATE limits_profile SET name = ?, document = ?, issue = ?, scope = ?, max_deviation_deg = ?, max_spread_deg = ? WHERE id = ?",
-        [&](Statement& statement) {
-            statement << profile.name << profile.document << profile.issue << profile.scope << profile.maxDeviation_deg << profile.maxSpread_deg;
-        });
+    const auto saved = saveRecord(m_database, limitsTable(), profile.id, profile.record, [&](Statement& statement) {
+        statement << profile.name << profile.document << profile.issue << profile.scope << profile.maxDeviation_deg << profile.maxSpread_deg;
+    });
     if (!saved)
         return saved.error();
     if (profile.id.valid())

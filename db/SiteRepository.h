@@ -1,6 +1,7 @@
 #pragma once
 /// Compass bases and limits profiles.
 
+#include <optional>
 #include <vector>
 
 #include "core/record/Site.h"
@@ -14,6 +15,10 @@ public:
 
     Result<std::vector<Site>> sites();                    ///< by name
     Result<std::vector<LimitsProfile>> limitsProfiles();  ///< by name
+    Result<std::optional<Site>> site(SiteId id);          ///< none when the id is not valid
+    /// The limits that apply to a compass, if any.
+    Result<std::optional<LimitsProfile>> limitsOf(CompassId compass);
+
     /// As FleetRepository::save(). A changed limits profile recomputes the status of the compasses that it applies to.
     Result<SiteId> save(const Site& site);
     Result<LimitsProfileId> save(const LimitsProfile& profile);

@@ -2,6 +2,8 @@
 
 #include <QSqlDatabase>
 
+#include <cmath>
+
 #include "db/SqlError.h"
 
 namespace lubberline::db {
@@ -51,6 +53,13 @@ Result<void> Statement::run()
     return {};
 }
 
+Result<void> Statement::finished() const
+{
+    if (m_query.lastError().isValid())
+        return errorOf(m_query.lastError(), m_path);
+    return {};
+}
+
 std::optional<double> Statement::optionalReal(int column) const
 {
     const QVariant value = m_query.value(column);
@@ -74,9 +83,10 @@ Result<void> execute(const Database& database, const QString& sql)
 Result<std::int64_t> number(const Database& database, const QString& sql)
 {
     Statement statement(database, sql);
-    if (const auto done = statement.run(); !done)
-        return done.error();
-    return statement.next() ? statement.integer(0) : 0;
+    const auto found = firstOf<std::int64_t>(statement, [](Statement& row) { return row.integer(0); });
+    if (!found)
+        return found.error();
+    return found->value_or(0);
 }
 
 } // namespace lubberline::db

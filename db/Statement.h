@@ -4,9 +4,9 @@
 #include <QSqlQuery>
 #include <QVariant>
 
-#include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/record/Id.h"
 #include "db/Database.h"
@@ -34,6 +34,8 @@ public:
     /// that is not finite (SQLite would store NULL for it).
     Result<void> run();
     bool next() { return m_query.next(); }
+    /// Whether next() returned false because there are no more rows, and not because one could not be read (a damaged page).
+    Result<void> finished() const;
 
     [[nodiscard]] std::string text(int column) const { return m_query.value(column).toString().toStdString(); }
     [[nodiscard]] std::int64_t integer(int column) const { return m_query.value(column).toLongLong(); }
@@ -55,6 +57,45 @@ private:
     bool m_prepared = false;
     bool m_finite = true;
 };
+
+/// Runs a statement and makes a value of each of its rows.
+template <class Row, class Make>
+Result<std::vector<Row>> rowsOf(Statement& statement, Make make)
+{
+    if (const auto done = statement.run(); !done)
+        return done.error();
+    std::vector<Row> rows;
+    while (statement.next())
+        rows.push_back(make(statement));
+    if (const auto read = statement.finished(); !read)
+        return read.error();
+    return rows;
+}
+
+/// The first row, if there is any.
+template <class Row, class Make>
+Result<std::optional<Row>> firstOf(Statement& statement, Make make)
+{
+    if (const auto done = statement.run(); !done)
+        return done.error();
+    if (statement.next())
+        return std::optional<Row>(make(statement));
+    if (const auto read = statement.finished(); !read)
+        return read.error();
+    return std::optional<Row>{};
+}
+
+/// The first row. Errors: NotFound ("there is no such `what` in the database").
+template <class Row, class Make>
+Result<Row> oneOf(Statement& statement, const Database& database, const char* what, Make make)
+{
+    auto found = firstOf<Row>(statement, make);
+    if (!found)
+        return found.error();
+    if (!*found)
+        return Error{ErrorCode::NotFound, std::string("there is no such ") + what + " in the database", database.path().toStdString()};
+    return std::move(**found);
+}
 
 /// A statement without parameters.
 Result<void> execute(const Database& database, const QString& sql);

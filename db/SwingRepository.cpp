@@ -1,8 +1,6 @@
 #include "db/SwingRepository.h"
 
-#include <QStringList>
-
-#include <algorithm>
+#include <span>
 
 #include "db/Audit.h"
 #include "db/FleetRepository.h"
@@ -15,9 +13,10 @@ namespace lubberline::db {
 
 namespace {
 
-Error noSuchSwing(const Database& database)
+const Table& swingTable()
 {
-    return {ErrorCode::NotFound, "there is no such swing in the database", database.path().toStdString()};
+    static const Table table{"swing", "swing", swingFields()};
+    return table;
 }
 
 Error isSigned(const Database& database)
@@ -25,20 +24,11 @@ Error isSigned(const Database& database)
     return {ErrorCode::Frozen, "the swing is signed and frozen; expected a new revision instead of a change", database.path().toStdString()};
 }
 
-QString placeholders(qsizetype count)
-{
-    return QStringList(count, "?").join(", ");
-}
-
 Result<Swing> particulars(Database& database, SwingId id)
 {
     Statement statement(database, "SELECT " + swingColumns() + " FROM swing s WHERE s.id = ?");
     statement << id;
-    if (const auto done = statement.run(); !done)
-        return done.error();
-    if (!statement.next())
-        return noSuchSwing(database);
-    return swingFrom(statement, 0);
+    return oneOf<Swing>(statement, database, "swing", [](Statement& row) { return swingFrom(row, 0); });
 }
 
 /// The particulars of a swing whose readings may be changed. Errors: NotFound, Frozen.
@@ -50,37 +40,26 @@ Result<Swing> openSwing(Database& database, SwingId id)
     return swing;
 }
 
-Result<ReadingId> insertRow(Database& database, SwingId swing, int position, const Reading& reading)
+/// Readings one after the other from `position` on, with one prepared statement. @return the id of the last.
+Result<ReadingId> insertRows(Database& database, SwingId swing, int position, std::span<const Reading> readings)
 {
-    static const QString kInsert = "INSERT INTO reading (swing_id, position, " + readingFields().join(", ") + ") VALUES (?, ?, " + placeholders(readingFields().size()) + ")";
+    static const QString kInsert = "INSERT INTO reading (swing_id, position, " + readingFields().join(", ") + ") VALUES ("
+        + placeholders(readingFields().size() + 2) + ")";
     Statement statement(database, kInsert);
-    statement << swing << position;
-    bindReading(statement, reading);
-    if (const auto done = statement.run(); !done)
-        return done.error();
+    for (const auto& reading : readings) {
+        statement << swing << position++;
+        bindReading(statement, reading);
+        if (const auto done = statement.run(); !done)
+            return done.error();
+    }
     return ReadingId{statement.insertedId()};
-}
-
-Result<std::optional<LimitsProfile>> limitsOf(Database& database, LimitsProfileId id)
-{
-    if (!id.valid())
-        return std::optional<LimitsProfile>{};
-    const auto profiles = SiteRepository(database).limitsProfiles();
-    if (!profiles)
-        return profiles.error();
-    const auto found = std::find_if(profiles->begin(), profiles->end(), [&](const LimitsProfile& profile) { return profile.id == id; });
-    return found == profiles->end() ? std::optional<LimitsProfile>{} : std::optional(*found);
 }
 
 Result<Reading> storedReading(Database& database, SwingId swing, ReadingId id)
 {
     Statement statement(database, "SELECT " + readingColumns() + " FROM reading r WHERE r.id = ? AND r.swing_id = ?");
     statement << id << swing;
-    if (const auto done = statement.run(); !done)
-        return done.error();
-    if (!statement.next())
-        return Error{ErrorCode::NotFound, "there is no such reading in the swing", database.path().toStdString()};
-    return readingFrom(statement, 0);
+    return oneOf<Reading>(statement, database, "reading of the swing", [](Statement& row) { return readingFrom(row, 0); });
 }
 
 /// After a change of readings: cached results, audit entry, commit.
@@ -97,36 +76,35 @@ Result<void> finish(Database& database, Transaction& transaction, const Swing& s
 
 Result<std::vector<SwingRow>> SwingRepository::swingsOf(CompassId compass)
 {
-    Statement row(m_database, "SELECT id, compass_id, date, kind, stage, state, reading_count, max_abs_deviation_deg, a_deg, b_deg, c_deg, d_deg, e_deg, status"
-                              " FROM swing WHERE compass_id = ? ORDER BY date DESC, id DESC");
-    row << compass;
-    if (const auto done = row.run(); !done)
-        return done.error();
-    std::vector<SwingRow> rows;
-    while (row.next())
-        rows.push_back({row.id<SwingId>(0), row.id<CompassId>(1), row.text(2), row.as<SwingKind>(3), row.as<SwingStage>(4), row.as<SwingState>(5),
-            static_cast<int>(row.integer(6)), row.optionalReal(7),
-            {row.optionalReal(8), row.optionalReal(9), row.optionalReal(10), row.optionalReal(11), row.optionalReal(12)}, row.as<Status>(13)});
-    return rows;
+    Statement statement(m_database, "SELECT " + swingRowColumns() + " FROM swing WHERE compass_id = ? ORDER BY date DESC, id DESC");
+    statement << compass;
+    return rowsOf<SwingRow>(statement, swingRowFrom);
 }
 
 Result<Swing> SwingRepository::swing(SwingId id)
 {
+    const auto snapshot = Transaction::beginReading(m_database);
+    if (!snapshot)
+        return snapshot.error();
     auto swing = particulars(m_database, id);
     if (!swing)
-        return swing.error();
+        return swing;
     Statement statement(m_database, "SELECT " + readingColumns() + " FROM reading r WHERE r.swing_id = ? ORDER BY r.position, r.id");
     statement << id;
-    if (const auto done = statement.run(); !done)
-        return done.error();
-    while (statement.next())
-        swing->readings.push_back(readingFrom(statement, 0));
+    auto readings = rowsOf<Reading>(statement, [](Statement& row) { return readingFrom(row, 0); });
+    if (!readings)
+        return readings.error();
+    swing->readings = std::move(*readings);
     return swing;
 }
 
 Result<SwingRecord> SwingRepository::record(SwingId id)
 {
+    const auto snapshot = Transaction::beginReading(m_database);
+    if (!snapshot)
+        return snapshot.error();
     FleetRepository fleet(m_database);
+    SiteRepository sites(m_database);
     auto found = swing(id);
     if (!found)
         return found.error();
@@ -139,19 +117,13 @@ Result<SwingRecord> SwingRepository::record(SwingId id)
     const auto type = fleet.type(aircraft->type);
     if (!type)
         return type.error();
-    const auto limits = limitsOf(m_database, compass->limits);
+    const auto site = sites.site(found->site);
+    if (!site)
+        return site.error();
+    const auto limits = sites.limitsOf(compass->id);
     if (!limits)
         return limits.error();
-    SwingRecord record{*found, *compass, *aircraft, *type, {}, *limits};
-    if (found->site.valid()) {
-        const auto sites = SiteRepository(m_database).sites();
-        if (!sites)
-            return sites.error();
-        for (const auto& site : *sites)
-            if (site.id == found->site)
-                record.site = site;
-    }
-    return record;
+    return SwingRecord{std::move(*found), *compass, *aircraft, *type, *site, *limits};
 }
 
 Result<std::optional<Swing>> SwingRepository::previous(SwingId id)
@@ -160,14 +132,15 @@ Result<std::optional<Swing>> SwingRepository::previous(SwingId id)
                                     " AND (p.date < s.date OR (p.date = s.date AND p.id < s.id)) WHERE s.id = ?"
                                     " ORDER BY p.date DESC, p.id DESC LIMIT 1");
     statement << id;
-    if (const auto done = statement.run(); !done)
-        return done.error();
-    if (!statement.next())
+    const auto before = firstOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
+    if (!before)
+        return before.error();
+    if (!*before)
         return std::optional<Swing>{};
-    auto found = swing(statement.id<SwingId>(0));
+    auto found = swing(**before);
     if (!found)
         return found.error();
-    return std::optional(std::move(found.value()));
+    return std::optional(std::move(*found));
 }
 
 Result<SwingId> SwingRepository::named(const std::string& beginning)
@@ -177,14 +150,14 @@ Result<SwingId> SwingRepository::named(const std::string& beginning)
         return Error{ErrorCode::InvalidInput, "'" + beginning + "' is no record id; expected one, or its beginning, as `lubberline swings` lists them", file};
     Statement statement(m_database, "SELECT id FROM swing WHERE record LIKE ? LIMIT 2");
     statement << beginning + "%";
-    if (const auto done = statement.run(); !done)
-        return done.error();
-    if (!statement.next())
+    const auto found = rowsOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
+    if (!found)
+        return found.error();
+    if (found->empty())
         return Error{ErrorCode::NotFound, "there is no swing whose record id begins with " + beginning, file};
-    const auto id = statement.id<SwingId>(0);
-    if (statement.next())
+    if (found->size() > 1)
         return Error{ErrorCode::Conflict, "several swings have record ids that begin with " + beginning + "; expected more of it", file};
-    return id;
+    return found->front();
 }
 
 Result<void> SwingRepository::forEach(const std::function<bool(const Swing&)>& callback)
@@ -202,9 +175,10 @@ Result<void> SwingRepository::forEach(const std::function<bool(const Swing&)>& c
             if (readings.id<SwingId>(0) == swing.id)
                 swing.readings.push_back(readingFrom(readings, 1));
         if (!callback(swing))
-            break;
+            return {};
     }
-    return {};
+    const auto whole = swings.finished();
+    return whole ? readings.finished() : whole;
 }
 
 Result<SwingId> SwingRepository::save(const Swing& swing)
@@ -212,34 +186,49 @@ Result<SwingId> SwingRepository::save(const Swing& swing)
     auto transaction = Transaction::begin(m_database);
     if (!transaction)
         return transaction.error();
-    if (swing.id.valid())
-        if (const auto open = openSwing(m_database, swing.id); !open)
-            return open.error();
-    static const QString kInsert = "INSERT INTO swing (record, " + swingFields().join(", ") + ") VALUES (?, " + placeholders(swingFields().size()) + ")";
-    static const QString kUpdate = "UPDATE swing SET " + swingFields().join(" = ?, ") + " = ? WHERE id = ?";
-    // A signed swing comes in as one whole: it is frozen only when its readings are there.
-    Swing stored = swing;
-    if (!swing.id.valid() && swing.state == SwingState::Signed)
-        stored.state = SwingState::Complete;
-    const auto id = saveRecord(m_database, "swing", swing.id, swing.record, swing.date, kInsert, kUpdate,
-        [&](Statement& statement) { bindParticulars(statement, stored); });
+    const auto id = swing.id.valid() ? change(swing) : add(swing);
     if (!id)
-        return id.error();
-    if (!swing.id.valid())
-        for (std::size_t i = 0; i < swing.readings.size(); ++i)
-            if (const auto inserted = insertRow(m_database, *id, static_cast<int>(i), swing.readings[i]); !inserted)
-                return inserted.error();
-    if (const auto refreshed = refreshSwing(m_database, *id); !refreshed)
-        return refreshed.error();
-    if (stored.state != swing.state) {
-        Statement freeze(m_database, "UPDATE swing SET state = 2 WHERE id = ?");
-        freeze << *id;
-        if (const auto done = freeze.run(); !done)
-            return done.error();
-    }
+        return id;
     if (const auto committed = transaction->commit(); !committed)
         return committed.error();
-    return *id;
+    return id;
+}
+
+Result<SwingId> SwingRepository::add(Swing swing)
+{
+    // A signed swing comes in as one whole: it is frozen only when its readings are there.
+    const SwingState state = swing.state;
+    if (state == SwingState::Signed)
+        swing.state = SwingState::Complete;
+    const auto id = saveRecord(m_database, swingTable(), swing.id, swing.record, [&](Statement& statement) { bindParticulars(statement, swing); });
+    if (!id)
+        return id;
+    if (const auto inserted = insertRows(m_database, *id, 0, swing.readings); !inserted)
+        return inserted.error();
+    swing.id = *id;
+    if (const auto stored = storeResult(m_database, swing); !stored)
+        return stored.error();
+    if (swing.state != state) {
+        swing.state = state;
+        return saveRecord(m_database, swingTable(), *id, swing.record, [&](Statement& statement) { bindParticulars(statement, swing); });
+    }
+    return id;
+}
+
+Result<SwingId> SwingRepository::change(const Swing& swing)
+{
+    const auto before = openSwing(m_database, swing.id);
+    if (!before)
+        return before.error();
+    const auto id = saveRecord(m_database, swingTable(), swing.id, swing.record, [&](Statement& statement) { bindParticulars(statement, swing); });
+    if (!id)
+        return id;
+    if (const auto refreshed = refreshSwing(m_database, swing.id); !refreshed)
+        return refreshed.error();
+    if (before->compass != swing.compass)
+        if (const auto refreshed = refreshCompass(m_database, before->compass); !refreshed)
+            return refreshed.error();
+    return id;
 }
 
 Result<void> SwingRepository::remove(SwingId id)
@@ -254,9 +243,12 @@ Result<void> SwingRepository::remove(SwingId id)
         return isSigned(m_database);
     if (found->state != SwingState::Draft)
         return Error{ErrorCode::Frozen, "only a draft can be removed; this swing is complete", m_database.path().toStdString()};
-    std::string detail = found->date; // what is removed stays readable in the audit trail
+    const auto row = storedRow(m_database, swingTable(), id.value);
+    if (!row)
+        return row.error();
+    std::string detail = changesBetween(swingTable(), {}, *row); // what is removed stays readable in the audit trail
     for (const auto& reading : found->readings)
-        detail += "; " + auditText(reading);
+        detail += "; reading: " + auditText(reading);
     Statement statement(m_database, "DELETE FROM swing WHERE id = ?");
     statement << id;
     if (const auto done = statement.run(); !done)
@@ -270,6 +262,7 @@ Result<void> SwingRepository::remove(SwingId id)
 
 Result<ReadingId> SwingRepository::insertReading(SwingId swing, int position, const Reading& reading)
 {
+    LUBBERLINE_EXPECT(position >= 0, "a reading's position counts from 0");
     auto transaction = Transaction::begin(m_database);
     if (!transaction)
         return transaction.error();
@@ -280,7 +273,7 @@ Result<ReadingId> SwingRepository::insertReading(SwingId swing, int position, co
     shift << swing << position;
     if (const auto done = shift.run(); !done)
         return done.error();
-    const auto id = insertRow(m_database, swing, position, reading);
+    const auto id = insertRows(m_database, swing, position, {&reading, 1});
     if (!id)
         return id.error();
     if (const auto done = finish(m_database, *transaction, *open, "added reading", auditText(reading)); !done)
@@ -299,6 +292,8 @@ Result<void> SwingRepository::saveReading(SwingId swing, const Reading& reading)
     const auto before = storedReading(m_database, swing, reading.id);
     if (!before)
         return before.error();
+    if (*before == reading)
+        return transaction->commit();
     static const QString kUpdate = "UPDATE reading SET " + readingFields().join(" = ?, ") + " = ? WHERE id = ?";
     Statement statement(m_database, kUpdate);
     bindReading(statement, reading);

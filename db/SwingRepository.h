@@ -22,7 +22,7 @@ public:
     Result<std::optional<Swing>> previous(SwingId id);
     /// By record id or the beginning of one. Errors: NotFound, Conflict when several begin so.
     Result<SwingId> named(const std::string& beginning);
-    /// All swings with their readings, in order of id, in few statements; the callback returns false to stop.
+    /// All swings with their readings, in order of id, in two statements; the callback returns false to stop.
     Result<void> forEach(const std::function<bool(const Swing&)>& callback);
 
     /// A new swing (id not valid; the readings are stored too) or the changed particulars of a known one (readings untouched).
@@ -36,6 +36,8 @@ public:
     Result<void> removeReading(SwingId swing, ReadingId reading);
 
 private:
+    Result<SwingId> add(Swing swing);
+    Result<SwingId> change(const Swing& swing);
     Database& m_database;
 };
 

@@ -2,6 +2,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QLocale>
 #include <QStringList>
 
 namespace lubberline::db {
@@ -85,6 +86,18 @@ Swing swingFrom(const Statement& row, int first)
     return swing;
 }
 
+QString swingRowColumns()
+{
+    return "id, compass_id, date, kind, stage, state, reading_count, max_abs_deviation_deg, a_deg, b_deg, c_deg, d_deg, e_deg, status";
+}
+
+SwingRow swingRowFrom(const Statement& row)
+{
+    return {row.id<SwingId>(0), row.id<CompassId>(1), row.text(2), row.as<SwingKind>(3), row.as<SwingStage>(4), row.as<SwingState>(5),
+        static_cast<int>(row.integer(6)), row.optionalReal(7),
+        {row.optionalReal(8), row.optionalReal(9), row.optionalReal(10), row.optionalReal(11), row.optionalReal(12)}, row.as<Status>(13)};
+}
+
 void bindParticulars(Statement& statement, const Swing& swing)
 {
     statement << swing.compass << swing.site << swing.date << static_cast<int>(swing.kind) << static_cast<int>(swing.stage) << static_cast<int>(swing.state)
@@ -124,15 +137,25 @@ void bindReading(Statement& statement, const Reading& reading)
 
 std::string auditText(const Reading& reading)
 {
-    const auto figure = [](std::optional<double> value) { return value ? QString::number(*value, 'g', QLocale::FloatingPointShortest).toStdString() : "-"; };
-    std::string text = "magnetic " + figure(degreesOf(reading.magnetic)) + ", compass " + figure(degreesOf(reading.compass));
-    if (reading.nominal_deg)
-        text += ", nominal " + figure(reading.nominal_deg);
+    std::string text;
+    const auto add = [&](const char* name, const std::string& value) { text += (text.empty() ? "" : ", ") + std::string(name) + " " + value; };
+    const auto figure = [&](const char* name, std::optional<double> value) {
+        if (value)
+            add(name, QString::number(*value, 'g', QLocale::FloatingPointShortest).toStdString());
+    };
+    figure("nominal", reading.nominal_deg);
+    figure("magnetic", degreesOf(reading.magnetic));
+    figure("compass", degreesOf(reading.compass));
+    figure("true", degreesOf(reading.trueHeading));
+    figure("pitch", reading.pitch_deg);
+    figure("roll", reading.roll_deg);
     if (reading.exclusion)
-        text += ", excluded: " + reading.exclusion->reason;
+        add("excluded:", reading.exclusion->reason);
     if (!reading.note.empty())
-        text += ", note: " + reading.note;
-    return text;
+        add("note:", reading.note);
+    if (!reading.extra.empty())
+        add("extra", extraText(reading));
+    return text.empty() ? "empty" : text;
 }
 
 } // namespace lubberline::db

@@ -1,6 +1,7 @@
 #pragma once
 /// Private to db: swings and readings to and from rows.
 
+#include "core/record/FleetRows.h"
 #include "core/record/Swing.h"
 #include "db/Statement.h"
 
@@ -15,6 +16,10 @@ namespace lubberline::db {
 [[nodiscard]] Swing swingFrom(const Statement& row, int first);
 [[nodiscard]] Reading readingFrom(const Statement& row, int first);
 
+/// A line of a list with its cached results, for SELECT … FROM swing.
+[[nodiscard]] QString swingRowColumns();
+[[nodiscard]] SwingRow swingRowFrom(const Statement& row);
+
 /// Binds the particulars in the order of swingFields(), from compass to note.
 void bindParticulars(Statement& statement, const Swing& swing);
 /// "compass_id, site_id, …": for INSERT and, each with " = ?", for UPDATE.
@@ -24,7 +29,7 @@ void bindParticulars(Statement& statement, const Swing& swing);
 void bindReading(Statement& statement, const Reading& reading);
 [[nodiscard]] QStringList readingFields();
 
-/// One line for the audit trail: the figures as they were or are.
+/// One line for the audit trail: all that is stated of a reading.
 [[nodiscard]] std::string auditText(const Reading& reading);
 
 } // namespace lubberline::db

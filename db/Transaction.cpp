@@ -8,24 +8,40 @@ namespace lubberline::db {
 
 Result<Transaction> Transaction::begin(Database& database)
 {
-    if (database.transactionDepth() == 0)
-        if (const auto begun = execute(database, "BEGIN IMMEDIATE"); !begun)
+    return beginWith(database, true);
+}
+
+Result<Transaction> Transaction::beginReading(Database& database)
+{
+    return beginWith(database, false);
+}
+
+Result<Transaction> Transaction::beginWith(Database& database, bool writing)
+{
+    TransactionState& state = database.transactionState();
+    if (state.depth == 0)
+        if (const auto begun = execute(database, writing ? "BEGIN IMMEDIATE" : "BEGIN"); !begun)
             return begun.error();
-    ++database.transactionDepth();
-    return Transaction(database);
+    ++state.depth;
+    return Transaction(database, writing);
 }
 
 Transaction::Transaction(Transaction&& other) noexcept
     : m_database(std::exchange(other.m_database, nullptr))
+    , m_writing(other.m_writing)
 {
 }
 
 Result<void> Transaction::commit()
 {
-    if (m_database->transactionDepth() == 1)
+    LUBBERLINE_EXPECT(m_database, "a transaction is committed once");
+    TransactionState& state = m_database->transactionState();
+    if (state.broken)
+        return Error{ErrorCode::Conflict, "a part of the change failed; nothing was stored", m_database->path().toStdString()};
+    if (state.depth == 1)
         if (const auto done = execute(*m_database, "COMMIT"); !done)
             return done; // the destructor rolls back
-    --m_database->transactionDepth();
+    --state.depth;
     m_database = nullptr;
     return {};
 }
@@ -34,10 +50,12 @@ Transaction::~Transaction()
 {
     if (!m_database)
         return;
-    // An inner one that failed must take the outer one with it: its commit then fails with "no transaction is active".
-    if (m_database->transactionDepth() > 0)
-        (void)execute(*m_database, "ROLLBACK");
-    --m_database->transactionDepth();
+    TransactionState& state = m_database->transactionState();
+    state.broken = state.broken || m_writing;
+    if (--state.depth > 0)
+        return; // the outermost rolls back, so that nothing is stored piecemeal in between
+    state.broken = false;
+    (void)execute(*m_database, "ROLLBACK"); // after some errors (a full drive) SQLite has rolled back already
 }
 
 } // namespace lubberline::db

@@ -1,0 +1,52 @@
+#include "db/Saving.h"
+
+namespace lubberline::db {
+
+Result<StoredRow> storedRow(Database& database, const Table& table, std::int64_t id)
+{
+    Statement statement(database, "SELECT record, " + table.fields.join(", ") + " FROM " + table.name + " WHERE id = ?");
+    statement << id;
+    return oneOf<StoredRow>(statement, database, table.what, [&](Statement& row) {
+        StoredRow stored{row.text(0), {}};
+        for (int i = 1; i <= table.fields.size(); ++i)
+            stored.fields.push_back(row.text(i));
+        return stored;
+    });
+}
+
+std::string changesBetween(const Table& table, const StoredRow& before, const StoredRow& after)
+{
+    std::string text;
+    for (std::size_t i = 0; i < after.fields.size(); ++i) {
+        const std::string was = i < before.fields.size() ? before.fields[i] : std::string();
+        if (was == after.fields[i])
+            continue;
+        text += (text.empty() ? "" : "; ") + table.fields[static_cast<qsizetype>(i)].toStdString() + ": ";
+        text += was.empty() ? after.fields[i] : was + " -> " + after.fields[i];
+    }
+    return text;
+}
+
+QString insertInto(const Table& table)
+{
+    return "INSERT INTO " + table.name + " (record, " + table.fields.join(", ") + ") VALUES (" + placeholders(table.fields.size() + 1) + ")";
+}
+
+QString updateOf(const Table& table)
+{
+    return "UPDATE " + table.name + " SET " + table.fields.join(" = ?, ") + " = ? WHERE id = ?";
+}
+
+QString placeholders(qsizetype count)
+{
+    return QStringList(count, "?").join(", ");
+}
+
+Result<void> requireName(const std::string& name, const char* what)
+{
+    if (name.empty())
+        return Error{ErrorCode::InvalidInput, std::string(what) + " is empty; expected a name"};
+    return {};
+}
+
+} // namespace lubberline::db
