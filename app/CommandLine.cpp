@@ -14,6 +14,14 @@ void addDatabaseOption(CLI::App& command, Invocation& invocation)
         "the database (SQLite file); default: LUBBERLINE_DB, else fleet.lubberline in the user's data folder");
 }
 
+void addRemoveOption(CLI::App& command, CoefficientSet& removed, const std::string& help)
+{
+    command.add_option_function<std::vector<std::string>>("--remove", [&removed](const std::vector<std::string>& letters) {
+        for (const auto& letter : letters)
+            removed.set(static_cast<std::size_t>(letter[0] - 'A'));
+    }, help)->delimiter(',')->check(CLI::IsMember({"A", "B", "C", "D", "E"}));
+}
+
 int runCommandLine(int argc, char** argv)
 {
     CLI::App app{"Lubberline: aircraft magnetic deviation. Without a command it opens the window.\n"

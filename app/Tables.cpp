@@ -1,5 +1,6 @@
 #include "app/Tables.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "app/Console.h"
@@ -81,6 +82,24 @@ std::string tableOf(const Analysis& analysis)
             summary.maxDeviation_rad >= -summary.minDeviation_rad ? toDegrees(summary.maxDeviation_rad) : toDegrees(summary.minDeviation_rad),
             summary.maxAbsDeviationAt.degrees(), toDegrees(summary.rmsDeviation_rad))
         + "deviation = magnetic - compass, east positive; approximate fit on compass heading, exact fit on magnetic heading\n";
+}
+
+std::string tableOf(const Analysis& analysis, const Removal& removal, CoefficientSet removed)
+{
+    std::string out = "\nwithout";
+    for (const Coefficient coefficient : kCoefficients)
+        if (removed.test(indexOf(coefficient)))
+            out += std::string(" ") + letterOf(coefficient);
+    out += ":\nmagnetic  deviation  would remain (deg)\n";
+    for (std::size_t i = 0; i < analysis.readings.size(); ++i)
+        out += text("%8.2f   %+8.2f  %+12.2f\n", analysis.readings[i].magnetic.degrees(), analysis.readings[i].deviation.degrees(),
+            toDegrees(removal.remaining_rad[i]));
+    out += text("largest %.2f deg, rms %.2f deg (before: %.2f, %.2f)\n", toDegrees(removal.maxAbs_rad), toDegrees(removal.rms_rad),
+        toDegrees(analysis.summary.maxAbsDeviation_rad), toDegrees(analysis.summary.rmsDeviation_rad));
+    out += "order  amplitude before  after (deg)\n";
+    for (std::size_t k = 0; k < std::min(analysis.harmonics.orders.size(), removal.harmonics.orders.size()); ++k)
+        out += text("%5zu  %16.3f  %11.3f\n", k, toDegrees(analysis.harmonics.orders[k].amplitude_rad()), toDegrees(removal.harmonics.orders[k].amplitude_rad()));
+    return out;
 }
 
 std::string tableOf(const Correction& correction)

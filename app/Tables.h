@@ -6,10 +6,13 @@
 #include "core/deviation/Analysis.h"
 #include "core/deviation/Card.h"
 #include "core/deviation/Correction.h"
+#include "core/deviation/Removal.h"
 
 namespace lubberline::app {
 
 [[nodiscard]] std::string tableOf(const Analysis& analysis);
+/// What would remain without the removed components, reading by reading and order by order.
+[[nodiscard]] std::string tableOf(const Analysis& analysis, const Removal& removal, CoefficientSet removed);
 [[nodiscard]] std::string tableOf(const Correction& correction);
 /// `labels`: the heads of the STEER columns, one for each card; all cards have the same FOR headings.
 [[nodiscard]] std::string tableOf(const std::vector<Card>& cards, const std::vector<std::string>& labels);

@@ -4,6 +4,7 @@
 #include "app/SwingSource.h"
 #include "app/Tables.h"
 #include "app/commands/Command.h"
+#include "core/deviation/Removal.h"
 #include "core/format/AnalysisJson.h"
 
 namespace lubberline::app {
@@ -12,6 +13,7 @@ namespace {
 
 struct Options {
     std::string file;
+    CoefficientSet removed;
     int orders = -1;
     bool json = false;
 };
@@ -24,14 +26,20 @@ int analyseCommand(const Options& options)
     auto analysis = analyseSwing(*swing, {options.orders});
     if (!analysis)
         return fail(analysis.error());
+    const auto removal = removeComponents(*analysis, options.removed);
+    if (!removal)
+        return fail({removal.error().code, removal.error().message, options.file});
+    const bool removes = options.removed.any();
     warn(swing->warnings);
     if (options.json) {
         analysis->warnings.insert(analysis->warnings.begin(), swing->warnings.begin(), swing->warnings.end());
-        std::printf("%s\n", toJson(*analysis).c_str());
+        std::printf("%s\n", (removes ? toJson(*analysis, *removal) : toJson(*analysis)).c_str());
         return kDone;
     }
     warn(analysis->warnings);
     std::fputs(tableOf(*analysis).c_str(), stdout);
+    if (removes)
+        std::fputs(tableOf(*analysis, *removal, options.removed).c_str(), stdout);
     return kDone;
 }
 
@@ -44,6 +52,7 @@ void addAnalyse(CLI::App& app, Invocation& invocation)
     command->add_option("SWING.csv", options->file, "a Swing CSV")->required();
     command->add_option("--orders", options->orders, "highest harmonic wanted (default: all that the headings resolve)")
         ->check(CLI::Range(0, 1'000'000));
+    addRemoveOption(*command, options->removed, "show what would remain without these components, as in B,C");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &invocation] { invocation.action = [options] { return analyseCommand(*options); }; });
 }

@@ -16,22 +16,10 @@ namespace lubberline::app {
 namespace {
 
 struct Options {
-    std::string file, second, removed, output, from = "fit";
+    std::string file, second, output, from = "fit";
     CardOptions card;
     bool json = false;
 };
-
-Result<CoefficientSet> coefficientsNamed(const std::string& letters)
-{
-    CoefficientSet set;
-    for (const char c : letters) {
-        if (c >= 'A' && c <= 'E')
-            set.set(static_cast<std::size_t>(c - 'A'));
-        else if (c != ',')
-            return Error{ErrorCode::InvalidInput, "--remove " + letters + ": expected letters A to E separated by commas, as in A,B,C"};
-    }
-    return set;
-}
 
 /// The contract's object; a second card stands in it under "second_column".
 std::string jsonOf(const std::vector<Card>& cards, const std::vector<std::string>& labels)
@@ -57,12 +45,6 @@ int writeCardFile(const Options& options, ui::CardInput input)
 
 int cardCommand(Options options)
 {
-    const auto removed = coefficientsNamed(options.removed);
-    if (!removed) {
-        fail(removed.error());
-        return kUsage;
-    }
-    options.card.removed = *removed;
     options.card.source = options.from == "fit" ? CardSource::Fit : CardSource::Readings;
 
     std::vector<std::string> files{options.file};
@@ -97,7 +79,7 @@ void addCard(CLI::App& app, Invocation& invocation)
         ->check(CLI::IsMember({30, 45}))->capture_default_str();
     command->add_option("--from", options->from, "fit: the exact fit; readings: the deviation read nearest to each heading")
         ->check(CLI::IsMember({"fit", "readings"}))->capture_default_str();
-    command->add_option("--remove", options->removed, "coefficients taken out mechanically after the swing, as in A,B,C");
+    addRemoveOption(*command, options->card.removed, "coefficients taken out mechanically after the swing, as in A,B,C");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->add_option("-o,--output", options->output, "write the card as a PDF, at the size of a cockpit placard");
     command->callback([options, &invocation] { invocation.action = [options] { return cardCommand(*options); }; });

@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/deviation/Smith.h"
+
 namespace lubberline::app {
 
 /// What all commands share.
@@ -25,6 +27,9 @@ void addExport(CLI::App& app, Invocation& invocation);
 void addSwings(CLI::App& app, Invocation& invocation);
 void addDb(CLI::App& app, Invocation& invocation);
 void addDemo(CLI::App& app, Invocation& invocation);
+
+/// Adds `--remove A,B,C` to a command; another letter is a usage error.
+void addRemoveOption(CLI::App& command, CoefficientSet& removed, const std::string& help);
 
 /// Adds `--db FILE` to a command that uses the database.
 void addDatabaseOption(CLI::App& command, Invocation& invocation);

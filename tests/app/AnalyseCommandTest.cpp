@@ -83,6 +83,21 @@ TEST(AnalyseCommand, theTableNamesSignsAndUnits)
     EXPECT_THAT(outcome.out, testing::HasSubstr("8-point (deg)"));
 }
 
+TEST(AnalyseCommand, showsWhatWouldRemainWithoutComponents)
+{
+    const Sandbox sandbox;
+    const auto file = sandbox.write("nga.csv", kNga501);
+    const auto json = sandbox.run({"analyse", file, "--remove", "B,C", "--json"}).json();
+    ASSERT_EQ(json["removal"]["remaining_deg"].size(), 8u);
+    // On north the compass heading is 0: all of C (least squares 7.9598) is taken from 10.5.
+    EXPECT_NEAR(json["removal"]["remaining_deg"][0], 10.5 - 7.9598, 1e-4);
+    EXPECT_LT(json["removal"]["max_abs_deg"], json["summary"]["max_abs_deviation_deg"]);
+    EXPECT_FALSE(sandbox.run({"analyse", file, "--json"}).json().contains("removal"));
+    EXPECT_EQ(sandbox.run({"analyse", file, "--remove", "X"}).status, 2);
+    EXPECT_EQ(sandbox.run({"analyse", sandbox.write("m.csv", kMilStd765), "--remove", "D"}).status, 1);
+    EXPECT_THAT(sandbox.run({"analyse", file, "--remove", "B,C"}).out, testing::HasSubstr("would remain"));
+}
+
 TEST(AnalyseCommand, ordersAreCutOnRequest)
 {
     const Sandbox sandbox;

@@ -11,6 +11,7 @@ class SwingEditor;
 
 /// Errors: InvalidInput when the readings allow no result: it says why.
 Result<ReportInput> reportOf(const SwingEditor& editor, AngleStyle style);
+/// With a second STEER column when the swing before it was made in the same week with the radio in the other state.
 /// @param step_deg 30 or 45. Errors: as above, and those of makeCard().
 Result<CardInput> cardOf(const SwingEditor& editor, int step_deg);
 /// "3713 standby compass 2026-11-20": a file name without ending or characters that file systems dislike.
