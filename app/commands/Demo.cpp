@@ -7,6 +7,7 @@
 #include "app/Demonstration.h"
 #include "app/Paths.h"
 #include "app/QtSession.h"
+#include "app/SwingList.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
 #include "ui/plots/PictureOf.h"
@@ -23,29 +24,16 @@ struct Options {
     bool noWindow = false;
 };
 
-/// The newest swing that has a result, of the first compass of the fleet that has two: its report can show last year's curve.
+/// The newest swing that has a result and an older one of its compass: its report can show last year's curve.
 Result<SwingId> swingToShow(DbStorage& storage)
 {
-    const auto types = storage.types();
-    if (!types)
-        return types.error();
-    for (const auto& type : *types) {
-        const auto aircraft = storage.aircraftOf(type.id);
-        if (!aircraft)
-            return aircraft.error();
-        for (const auto& one : *aircraft) {
-            const auto compasses = storage.compassesOf(one.id);
-            if (!compasses)
-                return compasses.error();
-            for (const auto& compass : *compasses) {
-                const auto swings = storage.swingsOf(compass.id);
-                if (!swings)
-                    return swings.error();
-                for (const auto& swing : *swings)
-                    if (swings->size() > 1 && swing.maxAbsDeviation_deg && swing.readings >= 8)
-                        return swing.id;
-            }
-        }
+    const auto swings = listSwings(storage);
+    if (!swings)
+        return swings.error();
+    for (std::size_t i = 0; i + 1 < swings->size(); ++i) {
+        const SwingRow& row = (*swings)[i].row;
+        if (row.maxAbsDeviation_deg && row.readings >= 8 && (*swings)[i + 1].row.compass == row.compass)
+            return row.id;
     }
     return Error{ErrorCode::NotFound, "the demonstration database has no swing with a result", storage.location().toStdString()};
 }

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/SwingList.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 
@@ -42,44 +42,7 @@ const char* nameOf(Status status)
     return "";
 }
 
-struct Listed {
-    std::string type, aircraft, compass, record;
-    SwingRow row;
-};
-
-Result<std::vector<Listed>> listSwings(DbStorage& storage, const std::string& wanted)
-{
-    std::vector<Listed> listed;
-    const auto types = storage.types();
-    if (!types)
-        return types.error();
-    for (const auto& type : *types) {
-        const auto aircraft = storage.aircraftOf(type.id);
-        if (!aircraft)
-            return aircraft.error();
-        for (const auto& one : *aircraft) {
-            if (!wanted.empty() && one.registration != wanted)
-                continue;
-            const auto compasses = storage.compassesOf(one.id);
-            if (!compasses)
-                return compasses.error();
-            for (const auto& compass : *compasses) {
-                const auto swings = storage.swingsOf(compass.id);
-                if (!swings)
-                    return swings.error();
-                for (const auto& swing : *swings) {
-                    const auto record = storage.recordOf(swing.id);
-                    if (!record)
-                        return record.error();
-                    listed.push_back({type.name, one.registration, compass.name, *record, swing});
-                }
-            }
-        }
-    }
-    return listed;
-}
-
-std::string jsonOf(const std::vector<Listed>& swings)
+std::string jsonOf(const std::vector<ListedSwing>& swings)
 {
     nlohmann::ordered_json array = nlohmann::ordered_json::array();
     for (const auto& swing : swings) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/DbStorage.h"
+
+namespace lubberline::app {
+
+/// A swing with the names of what it is of.
+struct ListedSwing {
+    std::string type, aircraft, compass;
+    RecordId record;
+    SwingRow row;
+};
+
+/// In order of type, aircraft and compass, the newest first. @param aircraft of this registration only; empty: all.
+Result<std::vector<ListedSwing>> listSwings(DbStorage& storage, const std::string& aircraft = {});
+
+} // namespace lubberline::app
