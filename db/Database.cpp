@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QSqlDatabase>
 #include <QSqlError>
+#include <QThread>
 #include <QUrl>
 
 #include <atomic>
@@ -52,20 +53,32 @@ bool mayOnlyBeRead(const QString& path, OpenMode mode)
     return file.exists() && (mode == OpenMode::ReadOnly || !file.isWritable() || !QFileInfo(file.absolutePath()).isWritable());
 }
 
+/// SQLite does not wait by itself when two programs make the same new database: one turns on the log while the other wants to.
+Result<void> turnOnLog(const Database& database)
+{
+    for (int attempt = 0;; ++attempt) {
+        const auto done = execute(database, "PRAGMA journal_mode = WAL");
+        if (done || done.error().code != ErrorCode::Locked || attempt == 20)
+            return done;
+        QThread::msleep(100);
+    }
+}
+
 Result<void> configure(const Database& database)
 {
     // 32 MiB of pages: a search through 100,000 swings reads each page once.
     for (const char* pragma : {"PRAGMA foreign_keys = ON", "PRAGMA synchronous = FULL", "PRAGMA cache_size = -32768"})
         if (const auto done = execute(database, pragma); !done)
             return done;
-    if (database.readOnly())
-        return {};
-    return execute(database, "PRAGMA journal_mode = WAL");
+    return database.readOnly() ? Result<void>() : turnOnLog(database);
 }
 
 /// Ours, or empty and so about to become ours.
-Result<void> checkIdentity(const Database& database, int newest)
+Result<void> checkIdentity(Database& database, int newest)
 {
+    const auto moment = Transaction::beginReading(database); // another program may be making it just now
+    if (!moment)
+        return moment.error();
     const auto application = number(database, "PRAGMA application_id");
     if (!application)
         return application.error();
@@ -185,10 +198,10 @@ Result<void> Database::connectToOurs(int newest)
     auto known = m_state->connect(false);
     if (known)
         known = checkIdentity(*this, newest);
-    if (known || known.error().code != ErrorCode::Io || !readOnly())
+    if (known || !readOnly() || (known.error().code != ErrorCode::Io && known.error().code != ErrorCode::ReadOnly))
         return known;
-    // WAL needs an index file beside the database. Where that cannot be made, nobody can be writing through the same folder
-    // rights; a log with contents, however, would be left out.
+    // The log needs an index file beside the database. Where that cannot be made the file is read as one that nobody changes, which
+    // is so unless somebody with more rights opens it at the same time. A log with contents, however, would be left out.
     if (QFileInfo(path() + "-wal").size() > 0)
         return Error{ErrorCode::Io, "the database was not closed properly, and its folder may not be written; expected one that may, so that what was "
             "stored last can be recovered", path().toStdString()};

@@ -1,12 +1,11 @@
 #include <gmock/gmock.h>
 
-#include <QFile>
-#include <QProcess>
-#include <QSqlDatabase>
+#include <thread>
 
 #include "db/Maintenance.h"
 #include "db/Statement.h"
 #include "db/Transaction.h"
+#include "tests/db/RawDatabase.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -21,22 +20,9 @@ std::int64_t pragma(const Database& database, const char* name)
     return db::number(database, QStringLiteral("PRAGMA ") + name).value();
 }
 
-QByteArray contents(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void write(const QString& path, const QByteArray& bytes)
-{
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(bytes);
-}
-
 } // namespace
 
-TEST(Database, loosesNothingByItsSettings)
+TEST(Database, losesNothingByItsSettings)
 {
     const QTemporaryDir folder;
     const auto database = Database::open(folder.filePath("a.db"), OpenMode::ReadWriteCreate);
@@ -53,17 +39,20 @@ TEST(Database, loosesNothingByItsSettings)
 TEST(Database, refusesWhatIsNotOursAndLeavesItAlone)
 {
     const QTemporaryDir folder;
-    const QString text = folder.filePath("letter.db");
-    write(text, QByteArray("not a database ").repeated(200));
-    const QByteArray before = contents(text);
-    const auto letter = Database::open(text, OpenMode::ReadWriteCreate);
-    ASSERT_FALSE(letter);
-    EXPECT_EQ(letter.error().code, ErrorCode::Format);
-    EXPECT_THAT(describe(letter.error()), testing::HasSubstr("letter.db"));
-    EXPECT_EQ(contents(text), before);
-
+    const QString path = folder.filePath("letter.db");
+    for (const QByteArray& bytes : {QByteArray("hello"), QByteArray("not a database ").repeated(200), QByteArray("SQLite format 3\0", 16),
+             QByteArray(1000, '\0'), QByteArray("%PDF-1.6\n\x80\xff\x00\x01", 13).repeated(99)}) {
+        ASSERT_TRUE(write(path, bytes));
+        for (const auto mode : {OpenMode::ReadWriteCreate, OpenMode::ReadOnly}) {
+            const auto letter = Database::open(path, mode);
+            ASSERT_FALSE(letter) << bytes.left(16).constData();
+            EXPECT_EQ(letter.error().code, ErrorCode::Format);
+            EXPECT_THAT(describe(letter.error()), testing::HasSubstr("letter.db"));
+        }
+        EXPECT_EQ(contents(path), bytes);
+    }
     const QString foreign = folder.filePath("foreign.db");
-    ASSERT_EQ(QProcess::execute("sqlite3", {foreign, "CREATE TABLE song (title TEXT);"}), 0);
+    ASSERT_TRUE(RawDatabase(foreign).run({"CREATE TABLE song (title TEXT)"}));
     const QByteArray songs = contents(foreign);
     const auto other = Database::open(foreign, OpenMode::ReadWriteCreate);
     ASSERT_FALSE(other);
@@ -71,16 +60,15 @@ TEST(Database, refusesWhatIsNotOursAndLeavesItAlone)
     EXPECT_EQ(contents(foreign), songs);
 }
 
-TEST(Database, refusesANewerSchemaByName)
+TEST(Database, anEmptyFileBecomesOneButCannotBeRead)
 {
     const QTemporaryDir folder;
-    const QString path = folder.filePath("a.db");
-    ASSERT_TRUE(Database::open(path, OpenMode::ReadWriteCreate));
-    ASSERT_EQ(QProcess::execute("sqlite3", {path, "PRAGMA user_version = 999;"}), 0);
-    const auto database = Database::open(path, OpenMode::ReadWriteCreate);
-    ASSERT_FALSE(database);
-    EXPECT_EQ(database.error().code, ErrorCode::NewerSchema);
-    EXPECT_THAT(database.error().message, testing::AllOf(testing::HasSubstr("999"), testing::HasSubstr(std::to_string(db::schemaVersion()))));
+    const QString path = folder.filePath("empty.db");
+    ASSERT_TRUE(write(path, {}));
+    EXPECT_EQ(Database::open(path, OpenMode::ReadOnly).error().code, ErrorCode::Format);
+    EXPECT_EQ(contents(path).size(), 0);
+    EXPECT_TRUE(Database::open(path, OpenMode::ReadWriteCreate));
+    EXPECT_TRUE(Database::open(path, OpenMode::ReadOnly));
 }
 
 TEST(Database, namesMissingFilesAndFolders)
@@ -91,29 +79,45 @@ TEST(Database, namesMissingFilesAndFolders)
     const auto nowhere = Database::open(folder.filePath("no/a.db"), OpenMode::ReadWriteCreate);
     ASSERT_FALSE(nowhere);
     EXPECT_EQ(nowhere.error().code, ErrorCode::Io);
+    EXPECT_THAT(nowhere.error().message, testing::HasSubstr(folder.filePath("no").toStdString()));
     EXPECT_EQ(Database::open(folder.path(), OpenMode::ReadWriteCreate).error().code, ErrorCode::Io);
 }
 
-TEST(Database, aDamagedFileIsSaidToBe)
+TEST(Database, aDamagedFileIsSaidToBeAndNotReadInPart)
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath("a.db");
     {
         auto database = Database::open(path, OpenMode::ReadWriteCreate);
         const Stored stored = store(*database);
+        auto all = db::Transaction::begin(*database);
         for (int i = 0; i < 200; ++i)
             ASSERT_TRUE(db::SwingRepository(*database).save(swingOf(stored)));
+        ASSERT_TRUE(all->commit());
     }
-    QByteArray bytes = contents(path);
-    for (qsizetype i = 8192; i + 600 < bytes.size(); i += 1500)
-        bytes.replace(i, 600, QByteArray(600, '\x5a'));
-    write(path, bytes);
+    const QByteArray whole = contents(path);
+    QByteArray bytes = whole;
+    const qsizetype third = bytes.size() / 3 / 4096 * 4096; // whole pages; the schema is among the first
+    bytes.replace(bytes.size() - third, third, QByteArray(third, '\x5a'));
+    ASSERT_TRUE(write(path, bytes));
     auto database = Database::open(path, OpenMode::ReadOnly);
-    if (database) {
-        const auto report = db::verify(*database, {});
-        EXPECT_TRUE(!report || !report->findings.empty());
-    } else {
-        EXPECT_THAT(database.error().code, testing::AnyOf(ErrorCode::Corrupt, ErrorCode::Format, ErrorCode::Io));
+    ASSERT_TRUE(database) << describe(database.error()); // the first page is whole
+    int visited = 0;
+    const auto read = db::SwingRepository(*database).forEach([&](const Swing&) { return ++visited > 0; });
+    ASSERT_FALSE(read) << visited << " swings were read as if they were all";
+    EXPECT_EQ(read.error().code, ErrorCode::Corrupt);
+    EXPECT_THAT(describe(read.error()), testing::AllOf(testing::HasSubstr("a.db"), testing::HasSubstr("backup")));
+    const auto report = db::verify(*database, {});
+    EXPECT_TRUE(!report || !report->findings.empty());
+
+    for (const qsizetype size : {whole.size() / 2, qsizetype{4096}, qsizetype{100}}) { // cut off
+        ASSERT_TRUE(write(path, whole.left(size)));
+        auto cut = Database::open(path, OpenMode::ReadOnly);
+        const auto found = cut ? db::verify(*cut, {}) : Result<db::VerifyReport>(cut.error());
+        EXPECT_TRUE(!found || !found->findings.empty()) << size;
+        if (!found) {
+            EXPECT_THAT(found.error().code, testing::AnyOf(ErrorCode::Corrupt, ErrorCode::Format)) << describe(found.error());
+        }
     }
 }
 
@@ -173,24 +177,35 @@ TEST(Database, aFullDriveKeepsWhatWasThere)
     EXPECT_TRUE(db::verify(*database, {})->findings.empty());
 }
 
-TEST(Migration, thatFailsLeavesTheFileAsItWas)
+TEST(Database, oneThatIsHeldForItselfIsLockedAndSaysWhatToDo)
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath("a.db");
-    {
-        auto database = Database::open(path, OpenMode::ReadWriteCreate);
-        store(*database);
+    ASSERT_TRUE(Database::open(path, OpenMode::ReadWriteCreate));
+    RawDatabase greedy(path);
+    ASSERT_TRUE(greedy.run({"PRAGMA locking_mode = EXCLUSIVE", "BEGIN EXCLUSIVE"}));
+    const auto refused = Database::open(path, OpenMode::ReadWriteCreate);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Locked);
+    EXPECT_THAT(describe(refused.error()), testing::AllOf(testing::HasSubstr("a.db"), testing::HasSubstr("close the other program")));
+}
+
+TEST(Database, aNewOneMayBeOpenedByManyAtOnce)
+{
+    for (int round = 0; round < 10; ++round) {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.db");
+        std::array<std::string, 6> outcome;
+        {
+            std::vector<std::jthread> threads;
+            for (auto& text : outcome)
+                threads.emplace_back([&text, path] {
+                    const auto database = Database::open(path, OpenMode::ReadWriteCreate);
+                    text = database ? "" : describe(database.error());
+                });
+        }
+        EXPECT_THAT(outcome, testing::Each(""));
     }
-    auto steps = db::migrations();
-    steps.push_back({db::schemaVersion() + 1, "a step that breaks half-way", {"CREATE TABLE half (id INTEGER)", "CREATE TABLE half (id INTEGER)"}});
-    const auto broken = Database::open(path, OpenMode::ReadWriteCreate, steps);
-    ASSERT_FALSE(broken);
-    EXPECT_THAT(broken.error().message, testing::HasSubstr("a step that breaks half-way"));
-    auto again = Database::open(path, OpenMode::ReadWriteCreate);
-    ASSERT_TRUE(again);
-    EXPECT_EQ(pragma(*again, "user_version"), db::schemaVersion());
-    EXPECT_EQ(db::number(*again, "SELECT COUNT(*) FROM sqlite_master WHERE name = 'half'").value(), 0);
-    EXPECT_EQ(db::FleetRepository(*again).totals()->aircraft, 1);
 }
 
 TEST(Transaction, thatIsNotCommittedIsRolledBackWithAllInsideIt)
@@ -202,6 +217,36 @@ TEST(Transaction, thatIsNotCommittedIsRolledBackWithAllInsideIt)
         store(database);
     }
     EXPECT_EQ(db::FleetRepository(database).totals()->aircraft, 0);
+}
+
+TEST(Transaction, cannotBeCommittedWhenAPartOfItWasNot)
+{
+    auto database = inMemory();
+    {
+        auto outer = db::Transaction::begin(database);
+        store(database);
+        { const auto inner = db::Transaction::begin(database); }
+        ASSERT_TRUE(db::FleetRepository(database).save(AircraftType{{}, {}, "afterwards", "", ""}).error().code == ErrorCode::Conflict);
+        EXPECT_FALSE(outer->commit());
+    }
+    EXPECT_EQ(db::FleetRepository(database).totals()->types, 0);
+    EXPECT_TRUE(db::FleetRepository(database).save(AircraftType{{}, {}, "next", "", ""})); // the next one is not broken
+    EXPECT_EQ(db::FleetRepository(database).totals()->types, 1);
+}
+
+TEST(Transaction, forReadingSeesOneMoment)
+{
+    const QTemporaryDir folder;
+    auto writer = Database::open(folder.filePath("a.db"), OpenMode::ReadWriteCreate);
+    const Stored stored = store(*writer);
+    auto reader = Database::open(folder.filePath("a.db"), OpenMode::ReadWriteCreate);
+    {
+        const auto moment = db::Transaction::beginReading(*reader);
+        EXPECT_EQ(db::FleetRepository(*reader).totals()->swings, 0);
+        ASSERT_TRUE(db::SwingRepository(*writer).save(swingOf(stored)));
+        EXPECT_EQ(db::FleetRepository(*reader).totals()->swings, 0);
+    }
+    EXPECT_EQ(db::FleetRepository(*reader).totals()->swings, 1);
 }
 
 } // namespace lubberline::test

@@ -1,27 +1,59 @@
-// Writes readings into the swing of a database until it is killed, and says on standard output what is stored.
+// Writes into a database until it is killed, and says on standard output what is stored.
+//   reading_writer FILE SWING    readings, one a transaction; says their ids
+//   reading_writer FILE import   fleets of kSwingsAtOnce swings, one fleet a transaction; says how many swings there are
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include <QCoreApplication>
 
+#include "db/Transfer.h"
 #include "tests/db/TestFleet.h"
+
+namespace {
+
+using namespace lubberline;
+
+void say(std::int64_t number)
+{
+    std::printf("%lld\n", static_cast<long long>(number));
+    std::fflush(stdout);
+}
+
+int writeReadings(db::Database& database, SwingId swing)
+{
+    db::SwingRepository swings(database);
+    for (int i = 0;; ++i) {
+        const auto stored = swings.insertReading(swing, i, test::reading(i % 360, (i * 7) % 360));
+        if (!stored)
+            return 2;
+        say(stored->value);
+    }
+}
+
+int importFleets(db::Database& database)
+{
+    auto fleet = db::exportFleet(database, {}, {});
+    if (!fleet || fleet->swings.empty())
+        return 2;
+    fleet->swings = std::vector<Swing>(test::kSwingsAtOnce, fleet->swings.front());
+    for (;;) {
+        for (auto& swing : fleet->swings)
+            swing.record = newRecordId();
+        if (!db::importFleet(database, *fleet, {}))
+            return 2;
+        say(db::FleetRepository(database).totals()->swings);
+    }
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
-    using namespace lubberline;
     QCoreApplication application(argc, argv);
     auto database = db::Database::open(argv[1], db::OpenMode::ReadWriteCreate);
     if (!database)
         return 1;
-    db::SwingRepository swings(*database);
-    const SwingId swing{std::atoi(argv[2])};
-    for (int i = 0; i < 100000; ++i) {
-        const auto stored = swings.insertReading(swing, i, test::reading(i % 360, (i * 7) % 360));
-        if (!stored)
-            return 2;
-        std::printf("%lld\n", static_cast<long long>(stored->value));
-        std::fflush(stdout);
-    }
-    return 0;
+    return std::strcmp(argv[2], "import") == 0 ? importFleets(*database) : writeReadings(*database, SwingId{std::atoi(argv[2])});
 }

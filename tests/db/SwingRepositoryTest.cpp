@@ -16,6 +16,11 @@ protected:
     db::FleetRepository m_fleet{m_database};
 
     [[nodiscard]] Status compassStatus() { return m_fleet.compassesOf(m_stored.aircraft)->front().status; }
+    [[nodiscard]] std::string lastEntry()
+    {
+        db::Statement last(m_database, "SELECT what || ' ' || record || ' ' || detail FROM audit_entry ORDER BY id DESC LIMIT 1");
+        return last.run() && last.next() ? last.text(0) : "";
+    }
     bool raw(const char* sql) { return db::execute(m_database, sql).ok(); }
 };
 
@@ -143,6 +148,82 @@ TEST_F(Swings, whatIsSignedIsFrozenAlsoForRawSql)
     EXPECT_EQ(*m_swings.swing(*id), stored);
 }
 
+TEST_F(Swings, whatIsSignedIsNotReplacedEither)
+{
+    Swing swing = swingOf(m_stored);
+    swing.state = SwingState::Signed;
+    const auto id = *m_swings.save(swing);          // swing 1 with readings 1 … 8
+    const auto draft = *m_swings.save(swingOf(m_stored)); // swing 2 with readings 9 … 16
+    const auto stored = *m_swings.swing(id);
+    const auto trail = db::number(m_database, "SELECT COUNT(*) FROM audit_entry").value();
+    ASSERT_TRUE(raw("CREATE TABLE copy AS SELECT * FROM swing WHERE id = 2") && raw("UPDATE copy SET id = 1, record = 'x'"));
+    ASSERT_EQ(draft.value, 2);
+    for (const char* sql : {"INSERT OR REPLACE INTO swing SELECT * FROM copy",
+             "INSERT OR REPLACE INTO swing SELECT * FROM (SELECT * FROM swing WHERE id = 1)",
+             "INSERT OR REPLACE INTO reading (id, swing_id, position, note, extra_json) VALUES (1, 2, 0, '', '[]')",
+             "UPDATE OR REPLACE reading SET id = 1 WHERE id = 9", "UPDATE OR REPLACE reading SET rowid = 1 WHERE id = 9",
+             "UPDATE OR REPLACE swing SET id = 1 WHERE id = 2", "UPDATE OR REPLACE swing SET rowid = 1 WHERE id = 2",
+             "UPDATE OR REPLACE swing SET record = (SELECT record FROM swing WHERE id = 1) WHERE id = 2", "UPDATE swing SET rowid = 77 WHERE id = 1",
+             "UPDATE reading SET swing_id = 1 WHERE id = 9", "UPDATE reading SET swing_id = 2 WHERE id = 1",
+             "INSERT OR REPLACE INTO audit_entry VALUES (1, '', '', '', '')"})
+        EXPECT_FALSE(raw(sql)) << sql;
+    EXPECT_EQ(*m_swings.swing(id), stored);
+    EXPECT_EQ(m_swings.swing(draft)->readings.size(), 8u);
+    EXPECT_EQ(db::number(m_database, "SELECT COUNT(*) FROM audit_entry").value(), trail);
+}
+
+TEST_F(Swings, aDraftIsCompletedAndSigned)
+{
+    const auto id = *m_swings.save(swingOf(m_stored));
+    auto swing = *m_swings.swing(id);
+    for (const auto state : {SwingState::Complete, SwingState::Draft, SwingState::Signed}) {
+        swing.state = state;
+        ASSERT_TRUE(m_swings.save(swing));
+        EXPECT_EQ(m_swings.swing(id)->state, state);
+    }
+    swing.state = SwingState::Draft;
+    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::Frozen);
+}
+
+TEST_F(Swings, movedToAnotherCompassLeavesNoStatusBehind)
+{
+    const auto id = *m_swings.save(swingOf(m_stored));
+    CompassSystem other;
+    other.aircraft = m_stored.aircraft;
+    other.name = "remote compass";
+    auto swing = *m_swings.swing(id);
+    swing.compass = *m_fleet.save(other);
+    ASSERT_TRUE(m_swings.save(swing));
+    const auto rows = *m_fleet.compassesOf(m_stored.aircraft); // by name: remote, standby
+    EXPECT_EQ(rows[1].swings, 0);
+    EXPECT_EQ(rows[1].status, Status::NotKnown);
+    EXPECT_EQ(rows[0].status, Status::NotKnown); // no limits are set there
+}
+
+TEST_F(Swings, figuresOutsideTheirRangeAreRefused)
+{
+    Swing swing = swingOf(m_stored);
+    swing.readings[0].pitch_deg = 91.0;
+    const auto pitch = m_swings.save(swing);
+    EXPECT_EQ(pitch.error().code, ErrorCode::InvalidInput);
+    EXPECT_THAT(pitch.error().message, testing::HasSubstr("pitch_deg"));
+    swing.readings[0].pitch_deg.reset();
+    swing.readings[0].nominal_deg = 360.0;
+    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::InvalidInput);
+    swing.readings[0].nominal_deg = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::InvalidInput);
+    swing.readings[0].nominal_deg.reset();
+    swing.readings[0].exclusion = Exclusion{};
+    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::InvalidInput);
+    swing.readings[0].exclusion.reset();
+    swing.compass = {};
+    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::InvalidInput);
+    swing.compass = CompassId{99};
+    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::Conflict);
+    EXPECT_EQ(m_fleet.totals()->swings, 0);
+    EXPECT_EQ(db::number(m_database, "SELECT COUNT(*) FROM reading").value(), 0);
+}
+
 TEST_F(Swings, everyChangeIsInTheAuditTrailForEver)
 {
     const auto id = *m_swings.save(swingOf(m_stored));
@@ -153,6 +234,21 @@ TEST_F(Swings, everyChangeIsInTheAuditTrailForEver)
     ASSERT_TRUE(last.run() && last.next());
     EXPECT_EQ(last.text(0), "changed reading");
     EXPECT_THAT(last.text(1), testing::AllOf(testing::HasSubstr("compass 316"), testing::HasSubstr("compass 315.5")));
+    one.roll_deg = -1.5;
+    ASSERT_TRUE(m_swings.saveReading(id, one));
+    EXPECT_THAT(lastEntry(), testing::HasSubstr("roll -1.5"));
+    const auto entries = db::number(m_database, "SELECT COUNT(*) FROM audit_entry").value();
+    ASSERT_TRUE(m_swings.saveReading(id, one)); // nothing changed
+    EXPECT_EQ(db::number(m_database, "SELECT COUNT(*) FROM audit_entry").value(), entries);
+    auto swing = *m_swings.swing(id);
+    swing.people.inspector = "Dora";
+    swing.variation_deg = 6.25;
+    ASSERT_TRUE(m_swings.save(swing));
+    EXPECT_EQ(lastEntry(), "changed swing " + swing.record + " inspector: Dora; variation_deg: 6.25");
+    auto site = db::SiteRepository(m_database).sites()->front();
+    site.name = "Deblin North";
+    ASSERT_TRUE(db::SiteRepository(m_database).save(site));
+    EXPECT_EQ(lastEntry(), "changed site " + site.record + " name: Deblin -> Deblin North");
     EXPECT_FALSE(raw("DELETE FROM audit_entry"));
     EXPECT_FALSE(raw("UPDATE audit_entry SET what = ''"));
 }
@@ -179,15 +275,39 @@ TEST_F(Swings, areFoundByWordsAndByRecord)
     EXPECT_EQ(hits->front().swing, id);
     EXPECT_TRUE(m_fleet.search("100%", 10)->empty());
     EXPECT_EQ(m_fleet.search("su-22", 10)->size(), 3u); // aircraft, compass, swing
+    EXPECT_EQ(m_fleet.search("su-22", 2)->size(), 2u);
+    EXPECT_TRUE(m_fleet.search("  ", 10)->empty());
+    Swing second = swingOf(m_stored, "2027-01-02");
+    second.people = {"Ann", "Bob", "Cid", "Dora"};
+    second.note = "100% sure_";
+    const auto newer = *m_swings.save(second);
+    for (const char* words : {"ann", "bob 3713", "cid standby", "DORA", "100%", "sure_", "2027-01 deblin ann"}) {
+        const auto found = *m_fleet.search(words, 10);
+        ASSERT_EQ(found.size(), 1u) << words;
+        EXPECT_EQ(found.front().swing, newer) << words;
+        EXPECT_EQ(found.front().text, "Su-22 · 3713 · standby compass · 2027-01-02 · Deblin");
+    }
+    EXPECT_TRUE(m_fleet.search("ann nobody", 10)->empty());
+    EXPECT_TRUE(m_fleet.search("3_13", 10)->empty());
+    EXPECT_EQ(m_fleet.search("deblin", 10)->at(1).swing, id); // newest first
     const auto record = m_swings.swing(id)->record;
     EXPECT_EQ(*m_swings.named(record.substr(0, 6)), id);
     EXPECT_EQ(m_swings.named("zz").error().code, ErrorCode::InvalidInput);
-    EXPECT_EQ(m_swings.named(record[0] == '0' ? "1" : "0").error().code, ErrorCode::NotFound);
+    const std::string others = std::string{record[0], m_swings.swing(newer)->record[0]};
+    const auto unused = std::string("012").find_first_not_of(others);
+    EXPECT_EQ(m_swings.named(std::string(1, "012"[unused])).error().code, ErrorCode::NotFound);
 }
 
 TEST_F(Swings, twoRecordsOfOneNameAreAConflict)
 {
-    EXPECT_EQ(m_fleet.save(AircraftType{{}, {}, "Su-22", "", ""}).error().code, ErrorCode::Conflict);
+    const auto type = m_fleet.save(AircraftType{{}, {}, "Su-22", "", ""});
+    EXPECT_EQ(type.error().code, ErrorCode::Conflict);
+    EXPECT_EQ(type.error().message, "there is an aircraft type of this name already; expected another");
+    CompassSystem compass = *m_fleet.compass(m_stored.compass);
+    compass.id = {};
+    compass.record.clear();
+    EXPECT_EQ(m_fleet.save(compass).error().message, "there is a compass of this name on this aircraft already; expected another");
+    EXPECT_EQ(m_fleet.save(AircraftType{AircraftTypeId{99}, {}, "An-2", "", ""}).error().code, ErrorCode::NotFound);
     EXPECT_EQ(m_fleet.save(AircraftType{}).error().code, ErrorCode::InvalidInput);
 }
 

@@ -11,6 +11,8 @@
 
 namespace lubberline::test {
 
+inline constexpr int kSwingsAtOnce = 10; ///< in one transaction of the importing writer
+
 inline Reading reading(double magnetic_deg, double compass_deg)
 {
     Reading result;

@@ -1,10 +1,6 @@
 #include <gmock/gmock.h>
 
-#include <QDir>
-#include <QFile>
-
-#include "db/Maintenance.h"
-#include "db/Statement.h"
+#include "core/format/Exchange.h"
 #include "db/Transfer.h"
 #include "tests/db/TestFleet.h"
 
@@ -49,6 +45,51 @@ TEST(Transfer, aFleetComesBackWhole)
         EXPECT_EQ(round.swings[i].readings.size(), 8u);
     }
     EXPECT_EQ(round.events.front().kind, "lightning");
+}
+
+TEST(Transfer, exchangeFilesAreTheSameAfterARoundThroughADatabase)
+{
+    auto first = inMemory();
+    const Stored stored = store(first);
+    Swing swing = swingOf(stored);
+    swing.state = SwingState::Signed;
+    swing.readings[1].extra = {{"temperature", "12"}};
+    swing.readings[2].exclusion = Exclusion{"misread"};
+    swing.readings[3].magnetic = MagneticHeading::fromDegrees(0.1 + 0.2); // no digit is lost
+    swing.readings[4].trueHeading = TrueHeading::fromDegrees(100.0 / 3.0);
+    ASSERT_TRUE(db::SwingRepository(first).save(swing));
+    ASSERT_TRUE(db::SwingRepository(first).save(swingOf(stored, "2025-01-01")));
+    const std::string written = writeExchange(exported(first));
+    const auto read = readExchange(written, "a.lubberline.json");
+    ASSERT_TRUE(read) << describe(read.error());
+    auto second = inMemory();
+    ASSERT_TRUE(db::importFleet(second, *read, {}));
+    EXPECT_EQ(writeExchange(exported(second)), written);
+    const auto again = db::importFleet(first, *read, {}); // into the database that it came from
+    ASSERT_TRUE(again) << describe(again.error());
+    EXPECT_EQ(again->alreadyThere, 2);
+}
+
+TEST(Transfer, chosenAircraftTakeAlongWhatTheyReferToAndNoMore)
+{
+    auto database = inMemory();
+    const Stored stored = store(database);
+    ASSERT_TRUE(db::SwingRepository(database).save(swingOf(stored)));
+    Aircraft other;
+    other.type = *db::FleetRepository(database).save(AircraftType{{}, {}, "An-2", "", ""});
+    other.registration = "SP-ANT";
+    const auto bare = *db::FleetRepository(database).save(other);
+    const auto fleet = db::exportFleet(database, {stored.aircraft}, {});
+    ASSERT_TRUE(fleet);
+    EXPECT_EQ(fleet->aircraft.size(), 1u);
+    EXPECT_EQ(fleet->types.front().name, "Su-22");
+    EXPECT_EQ(fleet->sites.size(), 1u);
+    const auto nothing = db::exportFleet(database, {bare}, {});
+    ASSERT_TRUE(nothing);
+    EXPECT_EQ(nothing->aircraft.front().registration, "SP-ANT");
+    EXPECT_TRUE(nothing->swings.empty() && nothing->sites.empty() && nothing->limits.empty() && nothing->compasses.empty());
+    EXPECT_EQ(db::exportFleet(database, {AircraftId{99}}, {}).error().code, ErrorCode::NotFound);
+    EXPECT_EQ(db::exportFleet(database, {}, [](double) { return false; }).error().code, ErrorCode::Cancelled);
 }
 
 TEST(Transfer, anotherContentUnderTheSameRecordIsAConflictAndStoresNothing)
@@ -98,36 +139,6 @@ TEST(Transfer, canBeCancelledAndThenStoresNothing)
     ASSERT_FALSE(cancelled);
     EXPECT_EQ(cancelled.error().code, ErrorCode::Cancelled);
     EXPECT_EQ(db::FleetRepository(database).totals()->swings, 0);
-}
-
-TEST(Maintenance, aBackupIsWholeWhileOthersWrite)
-{
-    const QTemporaryDir folder;
-    auto database = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadWriteCreate);
-    const Stored stored = store(*database);
-    ASSERT_TRUE(db::SwingRepository(*database).save(swingOf(stored)));
-    auto other = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadOnly);
-    const QString copy = folder.filePath("copy.db");
-    ASSERT_TRUE(db::backup(*other, copy));
-    EXPECT_EQ(db::backup(*other, copy).error().code, ErrorCode::Conflict);
-    EXPECT_EQ(db::backup(*other, folder.filePath("no/copy.db")).error().code, ErrorCode::Io);
-    auto restored = db::Database::open(copy, db::OpenMode::ReadWriteCreate);
-    ASSERT_TRUE(restored) << describe(restored.error());
-    EXPECT_EQ(db::FleetRepository(*restored).totals()->swings, 1);
-    EXPECT_EQ(QDir(folder.path()).entryList({"*.partial"}).size(), 0);
-}
-
-TEST(Maintenance, verifyFindsResultsThatAreNotThoseOfTheReadings)
-{
-    auto database = inMemory();
-    const Stored stored = store(database);
-    ASSERT_TRUE(db::SwingRepository(database).save(swingOf(stored)));
-    EXPECT_TRUE(db::verify(database, {})->findings.empty());
-    EXPECT_EQ(db::verify(database, {})->readings, 8);
-    ASSERT_TRUE(db::execute(database, "UPDATE swing SET max_abs_deviation_deg = 1"));
-    const auto report = db::verify(database, {});
-    ASSERT_EQ(report->findings.size(), 1u);
-    EXPECT_THAT(report->findings.front(), testing::HasSubstr("2026-11-20"));
 }
 
 } // namespace lubberline::test

@@ -1,0 +1,113 @@
+#include <gmock/gmock.h>
+
+#include <QDir>
+#include <QFile>
+
+#include "db/Maintenance.h"
+#include "db/Statement.h"
+#include "db/Transaction.h"
+#include "tests/db/TestFleet.h"
+
+namespace lubberline::test {
+
+TEST(Maintenance, aBackupIsWholeWhileOthersWrite)
+{
+    const QTemporaryDir folder;
+    auto database = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadWriteCreate);
+    const Stored stored = store(*database);
+    ASSERT_TRUE(db::SwingRepository(*database).save(swingOf(stored)));
+    auto other = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadOnly);
+    const QString copy = folder.filePath("copy.db");
+    ASSERT_TRUE(db::backup(*other, copy));
+    EXPECT_EQ(db::backup(*other, copy).error().code, ErrorCode::Conflict);
+    EXPECT_EQ(db::backup(*other, folder.filePath("no/copy.db")).error().code, ErrorCode::Io);
+    auto restored = db::Database::open(copy, db::OpenMode::ReadWriteCreate);
+    ASSERT_TRUE(restored) << describe(restored.error());
+    EXPECT_EQ(db::FleetRepository(*restored).totals()->swings, 1);
+    EXPECT_EQ(QDir(folder.path()).entryList({"*.partial"}).size(), 0);
+}
+
+TEST(Maintenance, verifyFindsResultsThatAreNotThoseOfTheReadings)
+{
+    auto database = inMemory();
+    const Stored stored = store(database);
+    ASSERT_TRUE(db::SwingRepository(database).save(swingOf(stored)));
+    EXPECT_TRUE(db::verify(database, {})->findings.empty());
+    EXPECT_EQ(db::verify(database, {})->readings, 8);
+    ASSERT_TRUE(db::execute(database, "UPDATE swing SET max_abs_deviation_deg = 1"));
+    const auto report = db::verify(database, {});
+    ASSERT_EQ(report->findings.size(), 1u);
+    EXPECT_THAT(report->findings.front(), testing::HasSubstr("2026-11-20"));
+}
+
+TEST(Maintenance, verifyNamesEachKindOfDamage)
+{
+    const std::pair<const char*, const char*> damages[] = {
+        {"UPDATE compass SET status = 2", "3713, standby compass"},
+        {"UPDATE site SET latitude_deg = 'north'", "site.latitude_deg"},
+        {"UPDATE swing SET variation_deg = 9e999", "swing.variation_deg"},
+        {"UPDATE reading SET position = 3", "in one place"},
+        {"UPDATE reading SET compass_heading_deg = compass_heading_deg + 0.001 WHERE position = 2", "2026-11-20"},
+        {"DELETE FROM compass", "foreign key: a row of swing"},
+    };
+    for (const auto& [sql, words] : damages) {
+        auto database = inMemory();
+        ASSERT_TRUE(db::SwingRepository(database).save(swingOf(store(database))));
+        ASSERT_TRUE(db::execute(database, "PRAGMA foreign_keys = OFF"));
+        ASSERT_TRUE(db::execute(database, sql)) << sql;
+        const auto report = db::verify(database, {});
+        ASSERT_TRUE(report) << describe(report.error());
+        EXPECT_THAT(report->findings, testing::Contains(testing::HasSubstr(words))) << sql;
+    }
+}
+
+TEST(Maintenance, verifyIsNotMisledByAWriter)
+{
+    const QTemporaryDir folder;
+    auto writer = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadWriteCreate);
+    const Stored stored = store(*writer);
+    {
+        auto all = db::Transaction::begin(*writer);
+        for (int i = 0; i < 130; ++i)
+            ASSERT_TRUE(db::SwingRepository(*writer).save(swingOf(stored)));
+        ASSERT_TRUE(all->commit());
+    }
+    auto reader = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadOnly);
+    int written = 0;
+    const auto report = db::verify(*reader, [&](double fraction) {
+        Swing swing = swingOf(stored, "2027-01-01");
+        swing.readings[0].compass = CompassHeading::fromDegrees(300);
+        written += fraction < 1.0 && db::SwingRepository(*writer).save(swing);
+        return true;
+    });
+    ASSERT_TRUE(report);
+    EXPECT_GT(written, 0);
+    EXPECT_THAT(report->findings, testing::IsEmpty());
+    EXPECT_EQ(report->swings, 130);
+}
+
+TEST(Maintenance, verifyCanBeCancelled)
+{
+    auto database = inMemory();
+    const Stored stored = store(database);
+    for (int i = 0; i < 64; ++i)
+        ASSERT_TRUE(db::SwingRepository(database).save(swingOf(stored)));
+    EXPECT_EQ(db::verify(database, [](double) { return false; }).error().code, ErrorCode::Cancelled);
+}
+
+TEST(Maintenance, statusCounts)
+{
+    const QTemporaryDir folder;
+    auto database = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadWriteCreate);
+    ASSERT_TRUE(db::SwingRepository(*database).save(swingOf(store(*database))));
+    const auto status = db::status(*database);
+    ASSERT_TRUE(status);
+    EXPECT_EQ(status->schema, db::schemaVersion());
+    EXPECT_EQ(status->journal, "wal");
+    EXPECT_EQ(status->totals.swings, 1);
+    EXPECT_EQ(status->readings, 8);
+    EXPECT_EQ(status->auditEntries, 6); // type, aircraft, limits, site, compass, swing
+    EXPECT_GT(status->bytes, 0);
+}
+
+} // namespace lubberline::test

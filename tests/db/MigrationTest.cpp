@@ -1,0 +1,115 @@
+#include <gmock/gmock.h>
+
+#include "db/Maintenance.h"
+#include "db/Statement.h"
+#include "tests/db/RawDatabase.h"
+#include "tests/db/TestFleet.h"
+
+namespace lubberline::test {
+
+using db::Database;
+using db::OpenMode;
+
+namespace {
+
+/// A database of schema 1 as it was written then.
+bool restoreSchema1(const QString& path)
+{
+    QFile file(LUBBERLINE_DB_FIXTURES "/schema1.sql");
+    if (!file.open(QIODevice::ReadOnly))
+        return false;
+    const QStringList statements = QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts).filter(";"); // the comment has none
+    return statements.size() > 50 && RawDatabase(path).run(statements);
+}
+
+std::int64_t version(const Database& database)
+{
+    return db::number(database, "PRAGMA user_version").value();
+}
+
+} // namespace
+
+class OldDatabase : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_TRUE(restoreSchema1(m_path)); }
+
+    QTemporaryDir m_folder;
+    QString m_path = m_folder.filePath("old.db");
+};
+
+TEST_F(OldDatabase, isBroughtUpToDateWithAllThatIsInIt)
+{
+    auto database = Database::open(m_path, OpenMode::ReadWriteCreate);
+    ASSERT_TRUE(database) << describe(database.error());
+    EXPECT_EQ(version(*database), db::schemaVersion());
+    db::FleetRepository fleet(*database);
+    db::SwingRepository swings(*database);
+    EXPECT_EQ(fleet.types()->front().name, "Su-22");
+    EXPECT_EQ(fleet.types()->front().status, Status::OutOfLimits);
+    EXPECT_EQ(fleet.eventsOf(AircraftId{1})->front().kind, "lightning strike");
+    const auto rows = *swings.swingsOf(CompassId{1});
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].maxAbsDeviation_deg, 17.0);
+    EXPECT_EQ(rows[1].state, SwingState::Signed);
+    const auto draft = *swings.swing(rows[0].id);
+    EXPECT_EQ(draft.readings[1].extra.front().second, "12");
+    EXPECT_EQ(draft.readings[2].exclusion->reason, "misread");
+    const auto report = db::verify(*database, {});
+    ASSERT_TRUE(report);
+    EXPECT_THAT(report->findings, testing::IsEmpty());
+    EXPECT_EQ(report->readings, 16);
+    EXPECT_TRUE(swings.save(swingOf({{}, {}, {}, SiteId{1}, CompassId{1}})));
+}
+
+TEST_F(OldDatabase, thatMayOnlyBeReadIsLeftAlone)
+{
+    const QByteArray before = contents(m_path);
+    const auto database = Database::open(m_path, OpenMode::ReadOnly);
+    ASSERT_FALSE(database);
+    EXPECT_EQ(database.error().code, ErrorCode::ReadOnly);
+    EXPECT_THAT(describe(database.error()), testing::AllOf(testing::HasSubstr("old.db"), testing::HasSubstr("schema 1")));
+    EXPECT_EQ(contents(m_path), before);
+}
+
+TEST_F(OldDatabase, isLeftAsItWasWhenAStepFails)
+{
+    auto steps = db::migrations();
+    steps.push_back({db::schemaVersion() + 1, "a step that breaks half-way",
+        {"CREATE TABLE half (id INTEGER)", "DELETE FROM event", "CREATE TABLE half (id INTEGER)"}});
+    const auto broken = Database::open(m_path, OpenMode::ReadWriteCreate, steps);
+    ASSERT_FALSE(broken);
+    EXPECT_THAT(broken.error().message, testing::HasSubstr("a step that breaks half-way"));
+    auto again = Database::open(m_path, OpenMode::ReadWriteCreate);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(version(*again), db::schemaVersion()); // the steps before the broken one are whole
+    EXPECT_EQ(db::number(*again, "SELECT COUNT(*) FROM sqlite_master WHERE name = 'half'").value(), 0);
+    EXPECT_EQ(db::FleetRepository(*again).eventsOf(AircraftId{1})->size(), 1u);
+}
+
+TEST(Migration, ofANewerProgramIsRefusedByName)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("a.db");
+    ASSERT_TRUE(Database::open(path, OpenMode::ReadWriteCreate));
+    ASSERT_TRUE(RawDatabase(path).run({"PRAGMA user_version = 999"}));
+    for (const auto mode : {OpenMode::ReadWriteCreate, OpenMode::ReadOnly}) {
+        const auto database = Database::open(path, mode);
+        ASSERT_FALSE(database);
+        EXPECT_EQ(database.error().code, ErrorCode::NewerSchema);
+        EXPECT_THAT(describe(database.error()), testing::AllOf(testing::HasSubstr("a.db"), testing::HasSubstr("999"),
+            testing::HasSubstr("up to " + std::to_string(db::schemaVersion()))));
+    }
+}
+
+TEST(Migration, stepsAreNumberedAndDescribed)
+{
+    int expected = 1;
+    for (const auto& step : db::migrations()) {
+        EXPECT_EQ(step.version, expected++);
+        EXPECT_STRNE(step.description, "");
+        EXPECT_FALSE(step.statements.empty());
+    }
+    EXPECT_EQ(db::schemaVersion(), expected - 1);
+}
+
+} // namespace lubberline::test
