@@ -47,10 +47,10 @@ Result<void> checkFile(const QString& path, OpenMode mode)
 }
 
 /// SQLite writes its log beside the file, so the folder counts, too.
-bool mayOnlyBeRead(const QString& path, OpenMode mode)
+bool mayNotBeWritten(const QString& path)
 {
     const QFileInfo file(path);
-    return file.exists() && (mode == OpenMode::ReadOnly || !file.isWritable() || !QFileInfo(file.absolutePath()).isWritable());
+    return file.exists() && (!file.isWritable() || !QFileInfo(file.absolutePath()).isWritable());
 }
 
 /// SQLite does not wait by itself when two programs make the same new database: one turns on the log while the other wants to.
@@ -70,7 +70,7 @@ Result<void> configure(const Database& database)
     for (const char* pragma : {"PRAGMA foreign_keys = ON", "PRAGMA synchronous = FULL", "PRAGMA cache_size = -32768"})
         if (const auto done = execute(database, pragma); !done)
             return done;
-    return database.readOnly() ? Result<void>() : turnOnLog(database);
+    return database.readOnly() ? execute(database, "PRAGMA query_only = ON") : turnOnLog(database);
 }
 
 /// Ours, or empty and so about to become ours.
@@ -144,7 +144,8 @@ Result<void> migrate(Database& database, const std::vector<Migration>& steps)
 struct Database::State {
     QString path;
     QString connection = newConnectionName();
-    bool readOnly = false;
+    bool readOnly = false;      ///< we do not write
+    bool isProtected = false;   ///< we could not
     TransactionState transaction;
 
     Result<void> connect(bool immutable);
@@ -161,7 +162,8 @@ Result<void> Database::State::connect(bool immutable)
         handle = QSqlDatabase::addDatabase("QSQLITE", connection);
     // A reader may have to wait for a writer's commit; more than two seconds means that something holds the file.
     QString options = "QSQLITE_BUSY_TIMEOUT=2000";
-    if (readOnly)
+    // Only where it must be: a connection that cannot write leaves the files of the log behind when it is the last one.
+    if (isProtected)
         options += ";QSQLITE_OPEN_READONLY";
     if (immutable)
         options += ";QSQLITE_OPEN_URI";
@@ -198,7 +200,7 @@ Result<void> Database::connectToOurs(int newest)
     auto known = m_state->connect(false);
     if (known)
         known = checkIdentity(*this, newest);
-    if (known || !readOnly() || (known.error().code != ErrorCode::Io && known.error().code != ErrorCode::ReadOnly))
+    if (known || !m_state->isProtected || (known.error().code != ErrorCode::Io && known.error().code != ErrorCode::ReadOnly))
         return known;
     // The log needs an index file beside the database. Where that cannot be made the file is read as one that nobody changes, which
     // is so unless somebody with more rights opens it at the same time. A log with contents, however, would be left out.
@@ -219,7 +221,8 @@ Result<Database> Database::open(const QString& path, OpenMode mode, const std::v
 
     auto state = std::make_unique<State>();
     state->path = path;
-    state->readOnly = !inMemory && mayOnlyBeRead(path, mode);
+    state->isProtected = !inMemory && mayNotBeWritten(path);
+    state->readOnly = !inMemory && (state->isProtected || mode == OpenMode::ReadOnly);
     Database database(std::move(state));
     // Nothing is written before the file is known to be ours.
     if (const auto connected = database.connectToOurs(steps.back().version); !connected)

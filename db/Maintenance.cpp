@@ -149,6 +149,18 @@ bool reachesTheDrive(const QString& path)
     return done;
 }
 
+/// A connection for reading only refuses to write into the copy, too, so it is let write for this.
+Result<void> copyInto(Database& database, const QString& path)
+{
+    if (const auto allowed = execute(database, "PRAGMA query_only = OFF"); !allowed)
+        return allowed;
+    Statement statement(database, "VACUUM INTO ?");
+    statement << path.toStdString();
+    const auto copied = statement.run();
+    const auto restored = database.readOnly() ? execute(database, "PRAGMA query_only = ON") : Result<void>();
+    return copied ? restored : copied;
+}
+
 Error named(Error error, const std::string& file)
 {
     error.file = file;
@@ -168,9 +180,7 @@ Result<void> backup(Database& database, const QString& path)
     if (!folder.isWritable())
         return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " may not be written; expected one that may", file};
     const QString partial = path + "." + QString::fromStdString(newRecordId()).left(8) + ".partial";
-    Statement statement(database, "VACUUM INTO ?");
-    statement << partial.toStdString();
-    const auto copied = statement.run();
+    const auto copied = copyInto(database, partial);
     const bool kept = copied && reachesTheDrive(partial) && QFile::rename(partial, path) && reachesTheDrive(folder.filePath());
     if (kept)
         return {};

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <QDir>
+
 #include <thread>
 
 #include "db/Maintenance.h"
@@ -137,6 +139,13 @@ TEST(Database, readsWhatMayOnlyBeReadAndSaysSoOnWriting)
     const auto refused = db::SwingRepository(*database).save(swingOf(stored));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::ReadOnly);
+    EXPECT_FALSE(db::execute(*database, "DELETE FROM event"));
+    ASSERT_TRUE(db::backup(*database, folder.filePath("copy.db")));
+    EXPECT_FALSE(db::execute(*database, "DELETE FROM event")); // still
+    database = Database::open(folder.filePath("copy.db"), OpenMode::ReadOnly); // closes the first
+    ASSERT_TRUE(database);
+    database = Error{};
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), (QStringList{"a.db", "copy.db"})); // nothing is left beside them
 }
 
 TEST(Database, aWriterElsewhereIsWaitedForThenNamed)
