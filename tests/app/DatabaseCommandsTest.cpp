@@ -54,6 +54,15 @@ TEST(DatabaseCommands, aReportIsReadBackFromItsPdf)
     EXPECT_EQ(sandbox.run({"import", "archive.pdf", "--db", "b.db"}).status, 1);
 }
 
+TEST(DatabaseCommands, aReportOfANamelessFileReadsBackAsNotStated)
+{
+    const Sandbox sandbox;
+    ASSERT_EQ(sandbox.run({"report", sandbox.write("nga.csv", kNga501), "-o", "r.pdf"}).status, 0);
+    const auto imported = sandbox.run({"import", "r.pdf", "--db", "a.db"});
+    ASSERT_EQ(imported.status, 0) << imported.err;
+    EXPECT_EQ(sandbox.run({"swings", "--db", "a.db", "--json"}).json()["swings"][0]["aircraft"], "aircraft not stated");
+}
+
 TEST(DatabaseCommands, theSameFileTwiceIsThereOnce)
 {
     const Sandbox sandbox;
