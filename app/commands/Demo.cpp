@@ -32,7 +32,8 @@ Result<SwingId> swingToShow(DbStorage& storage)
         return swings.error();
     for (std::size_t i = 0; i + 1 < swings->size(); ++i) {
         const SwingRow& row = (*swings)[i].row;
-        if (row.maxAbsDeviation_deg && row.readings >= 8 && (*swings)[i + 1].row.compass == row.compass)
+        const bool usual = row.readings >= 8 && row.readings <= 12; // its report is the usual two pages
+        if (row.maxAbsDeviation_deg && usual && (*swings)[i + 1].row.compass == row.compass)
             return row.id;
     }
     return Error{ErrorCode::NotFound, "the demonstration database has no swing with a result", storage.location().toStdString()};
