@@ -42,8 +42,13 @@ Result<void> addShippedLimits(DbStorage& storage)
 
 DbStorage::DbStorage(db::Database database)
     : m_database(std::move(database))
+    , m_due(m_database)
+    , m_electrical(m_database)
     , m_fleet(m_database)
+    , m_instruments(m_database)
+    , m_jobs(m_database)
     , m_sensors(m_database)
+    , m_signing(m_database)
     , m_sites(m_database)
     , m_swings(m_database)
 {
@@ -146,6 +151,14 @@ Result<SwingId> DbStorage::saveParticulars(const Swing& swing)
     return id;
 }
 
+Result<void> DbStorage::changeParticulars(const Swing& before, const Swing& swing)
+{
+    const auto done = m_swings.changeFrom(before, swing);
+    if (done)
+        emit swingChanged(swing.id);
+    return done;
+}
+
 Result<SwingId> DbStorage::addSwing(Swing swing)
 {
     const auto site = m_sites.site(swing.site);
@@ -190,9 +203,9 @@ Result<ReadingId> DbStorage::insertReading(SwingId swing, int position, const Re
     return id;
 }
 
-Result<void> DbStorage::saveReading(SwingId swing, const Reading& reading)
+Result<void> DbStorage::saveReading(SwingId swing, const Reading& known, const Reading& reading)
 {
-    const auto done = m_swings.saveReading(swing, reading);
+    const auto done = m_swings.saveReading(swing, known, reading);
     if (done)
         emit swingChanged(swing);
     return done;

@@ -6,8 +6,13 @@
 #include <vector>
 
 #include "db/Database.h"
+#include "db/DueRepository.h"
+#include "db/ElectricalRepository.h"
 #include "db/FleetRepository.h"
+#include "db/InstrumentRepository.h"
+#include "db/JobRepository.h"
 #include "db/SensorRepository.h"
+#include "db/SigningRepository.h"
 #include "db/SiteRepository.h"
 #include "db/SwingRepository.h"
 #include "ui/storage/Storage.h"
@@ -56,23 +61,57 @@ public:
     Result<LimitsProfileId> save(const LimitsProfile& profile) override;
     Result<EventId> save(const Event& event) override;
     Result<SwingId> saveParticulars(const Swing& swing) override;
+    Result<void> changeParticulars(const Swing& before, const Swing& swing) override;
     Result<SensorModelId> save(const SensorRecord& sensor) override;
     Result<void> removeSensor(SensorModelId id) override;
 
     Result<void> removeSwing(SwingId id) override;
     Result<ReadingId> insertReading(SwingId swing, int position, const Reading& reading) override;
-    Result<void> saveReading(SwingId swing, const Reading& reading) override;
+    Result<void> saveReading(SwingId swing, const Reading& known, const Reading& reading) override;
     Result<void> removeReading(SwingId swing, ReadingId reading) override;
+
+    Result<void> complete(SwingId id) override { return announced(m_signing.complete(id), id); }
+    Result<void> reopen(SwingId id, const std::string& reason) override { return announced(m_signing.reopen(id, reason), id); }
+    Result<void> sign(SwingId id, Signature signature) override;
+    Result<std::vector<bool>> signaturesHold(SwingId id) override { return m_signing.hold(id); }
+    Result<SwingId> amend(SwingId id, const std::string& reason) override;
+    Result<std::vector<AuditRow>> auditOf(const RecordId& record) override { return m_signing.auditOf(record); }
+
+    Result<std::vector<JobRow>> openJobs() override { return m_jobs.open(); }
+    Result<std::optional<JobRecord>> jobOf(SwingId id) override { return m_jobs.jobOf(id); }
+    Result<SwingId> startJob(const Swing& particulars, const SwingJob& job) override;
+    Result<void> appendJobEvent(SwingId swing, std::size_t place, const JobEvent& event) override { return m_jobs.append(swing, place, event); }
+    Result<void> finishJob(SwingId swing, const Swing& asLeft, const std::vector<Swing>& others) override;
+    Result<void> abandonJob(SwingId swing) override;
+
+    Result<std::vector<DatumInstrument>> instruments() override { return m_instruments.instruments(); }
+    Result<void> save(const DatumInstrument& instrument) override;
+    Result<void> removeInstrument(const RecordId& record) override;
+    Result<std::vector<DueRule>> dueRules() override { return m_due.rules(); }
+    Result<void> save(const DueRule& rule) override;
+    Result<void> removeDueRule(const RecordId& record) override;
+    Result<std::vector<Waiver>> waiversOf(AircraftId aircraft) override { return m_due.waiversOf(aircraft); }
+    Result<void> save(const Waiver& waiver) override;
+    Result<std::vector<DueCompass>> dueCompasses() override { return m_due.compasses(); }
+    Result<std::vector<ElectricalSwing>> electricalSwingsOf(CompassId compass) override { return m_electrical.of(compass); }
+    Result<void> save(CompassId compass, const ElectricalSwing& swing) override;
 
     Result<Fleet> exportFleet(const std::vector<AircraftId>& aircraft, const Progress& progress) override;
     Result<Imported> importFleet(const Fleet& fleet, const Progress& progress) override;
 
 private:
     Result<SwingId> addSwing(Swing swing);
+    Result<void> announced(Result<void> done, SwingId id);
+    Result<void> announcedDue(Result<void> done);
 
     db::Database m_database;
+    db::DueRepository m_due;
+    db::ElectricalRepository m_electrical;
     db::FleetRepository m_fleet;
+    db::InstrumentRepository m_instruments;
+    db::JobRepository m_jobs;
     db::SensorRepository m_sensors;
+    db::SigningRepository m_signing;
     db::SiteRepository m_sites;
     db::SwingRepository m_swings;
 };

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "db/DueRepository.h"
+#include "db/ElectricalRepository.h"
 #include "db/FleetRepository.h"
+#include "db/InstrumentRepository.h"
+#include "db/JobRepository.h"
 #include "db/SensorRepository.h"
 #include "db/SiteRepository.h"
 #include "db/SwingRepository.h"
@@ -49,6 +53,10 @@ Result<void> append(Database& database, Fleet& fleet, std::set<AircraftTypeId>& 
     if (!events)
         return events.error();
     fleet.events.insert(fleet.events.end(), events->begin(), events->end());
+    const auto waivers = DueRepository(database).waiversOf(id);
+    if (!waivers)
+        return waivers.error();
+    fleet.waivers.insert(fleet.waivers.end(), waivers->begin(), waivers->end());
     const auto compasses = repository.compassesOf(id);
     if (!compasses)
         return compasses.error();
@@ -61,6 +69,11 @@ Result<void> append(Database& database, Fleet& fleet, std::set<AircraftTypeId>& 
         if (!sensors)
             return sensors.error();
         fleet.sensors.insert(fleet.sensors.end(), sensors->begin(), sensors->end());
+        const auto electrical = ElectricalRepository(database).of(row.id);
+        if (!electrical)
+            return electrical.error();
+        for (const auto& one : *electrical)
+            fleet.electrical.push_back({row.id, one});
         const auto rows = swings.swingsOf(row.id);
         if (!rows)
             return rows.error();
@@ -68,9 +81,34 @@ Result<void> append(Database& database, Fleet& fleet, std::set<AircraftTypeId>& 
             auto whole = swings.swing(swing.id);
             if (!whole)
                 return whole.error();
+            auto job = JobRepository(database).jobOf(swing.id);
+            if (!job)
+                return job.error();
+            if (*job && (*job)->swing == swing.id) {
+                (*job)->job.particulars = {};
+                fleet.jobs.push_back(std::move(**job));
+            }
             fleet.swings.push_back(std::move(whole.value()));
         }
     }
+    return {};
+}
+
+/// The due rules of its types (and those for all), and with a whole fleet the instruments.
+Result<void> appendRules(Database& database, Fleet& fleet, bool all)
+{
+    const auto rules = DueRepository(database).rules();
+    if (!rules)
+        return rules.error();
+    for (const auto& rule : *rules)
+        if (std::any_of(fleet.types.begin(), fleet.types.end(), [&](const AircraftType& type) { return type.record == rule.type; }) || (all && rule.type.empty()))
+            fleet.dueRules.push_back(rule);
+    if (!all)
+        return {};
+    const auto instruments = InstrumentRepository(database).instruments();
+    if (!instruments)
+        return instruments.error();
+    fleet.instruments = *instruments;
     return {};
 }
 
@@ -82,7 +120,8 @@ Result<void> appendReferences(Database& database, Fleet& fleet, bool all)
     if (!sites)
         return sites.error();
     for (const auto& site : *sites)
-        if (all || std::any_of(fleet.swings.begin(), fleet.swings.end(), [&](const Swing& swing) { return swing.site == site.id; }))
+        if (all || std::any_of(fleet.swings.begin(), fleet.swings.end(), [&](const Swing& swing) { return swing.site == site.id; })
+            || std::any_of(fleet.aircraft.begin(), fleet.aircraft.end(), [&](const Aircraft& one) { return one.base == site.id; }))
             fleet.sites.push_back(site);
     const auto limits = repository.limitsProfiles();
     if (!limits)
@@ -90,7 +129,7 @@ Result<void> appendReferences(Database& database, Fleet& fleet, bool all)
     for (const auto& profile : *limits)
         if (all || std::any_of(fleet.compasses.begin(), fleet.compasses.end(), [&](const CompassSystem& compass) { return compass.limits == profile.id; }))
             fleet.limits.push_back(profile);
-    return {};
+    return appendRules(database, fleet, all);
 }
 
 } // namespace

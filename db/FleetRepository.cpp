@@ -15,20 +15,20 @@ const Table& typeTable()
 
 const Table& aircraftTable()
 {
-    static const Table table{"aircraft", "aircraft", {"type_id", "registration", "serial_number", "operator_name", "built_year", "note", "demonstration"}};
+    static const Table table{"aircraft", "aircraft", {"type_id", "registration", "serial_number", "operator_name", "built_year", "note", "demonstration", "base_id"}};
     return table;
 }
 
 const Table& compassTable()
 {
     static const Table table{"compass", "compass",
-        {"aircraft_id", "name", "kind", "compensator", "maker", "part_number", "serial_number", "location", "resolution_deg", "limits_id"}};
+        {"aircraft_id", "name", "kind", "compensator", "maker", "part_number", "serial_number", "location", "resolution_deg", "limits_id", "installed"}};
     return table;
 }
 
 const Table& eventTable()
 {
-    static const Table table{"event", "event", {"aircraft_id", "date", "kind", "note"}};
+    static const Table table{"event", "event", {"aircraft_id", "date", "kind", "note", "cause"}};
     return table;
 }
 
@@ -95,7 +95,7 @@ Result<Aircraft> FleetRepository::aircraft(AircraftId id)
     statement << id;
     return oneOf<Aircraft>(statement, m_database, "aircraft", [](Statement& row) {
         return Aircraft{row.id<AircraftId>(0), row.text(1), row.id<AircraftTypeId>(2), row.text(3), row.text(4), row.text(5), row.optionalInteger(6),
-            row.text(7), row.integer(8) != 0};
+            row.text(7), row.integer(8) != 0, row.id<SiteId>(9)};
     });
 }
 
@@ -105,7 +105,7 @@ Result<CompassSystem> FleetRepository::compass(CompassId id)
     statement << id;
     return oneOf<CompassSystem>(statement, m_database, "compass", [](Statement& row) {
         return CompassSystem{row.id<CompassId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.as<CompassKind>(4), row.as<Compensator>(5), row.text(6),
-            row.text(7), row.text(8), row.text(9), row.real(10), row.id<LimitsProfileId>(11)};
+            row.text(7), row.text(8), row.text(9), row.real(10), row.id<LimitsProfileId>(11), row.text(12)};
     });
 }
 
@@ -114,7 +114,7 @@ Result<std::vector<Event>> FleetRepository::eventsOf(AircraftId id)
     Statement statement(m_database, select(eventTable()) + "WHERE aircraft_id = ? ORDER BY date DESC, id DESC");
     statement << id;
     return rowsOf<Event>(statement, [](Statement& row) {
-        return Event{row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.text(4), row.text(5)};
+        return Event{row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.text(4), row.as<DueCause>(6), row.text(5)};
     });
 }
 
@@ -139,7 +139,7 @@ Result<AircraftId> FleetRepository::save(const Aircraft& aircraft)
         return named.error();
     return saveRecord(m_database, aircraftTable(), aircraft.id, aircraft.record, [&](Statement& statement) {
         statement << aircraft.type << aircraft.registration << aircraft.serialNumber << aircraft.operatorName << aircraft.builtYear << aircraft.note
-                  << aircraft.demonstration;
+                  << aircraft.demonstration << aircraft.base;
     });
 }
 
@@ -152,7 +152,7 @@ Result<CompassId> FleetRepository::save(const CompassSystem& compass)
         return transaction.error();
     const auto saved = saveRecord(m_database, compassTable(), compass.id, compass.record, [&](Statement& statement) {
         statement << compass.aircraft << compass.name << static_cast<int>(compass.kind) << static_cast<int>(compass.compensator) << compass.maker
-                  << compass.partNumber << compass.serialNumber << compass.location << compass.resolution_deg << compass.limits;
+                  << compass.partNumber << compass.serialNumber << compass.location << compass.resolution_deg << compass.limits << compass.installed;
     });
     if (!saved)
         return saved.error();
@@ -167,7 +167,7 @@ Result<CompassId> FleetRepository::save(const CompassSystem& compass)
 Result<EventId> FleetRepository::save(const Event& event)
 {
     return saveRecord(m_database, eventTable(), event.id, event.record,
-        [&](Statement& statement) { statement << event.aircraft << event.date << event.kind << event.note; });
+        [&](Statement& statement) { statement << event.aircraft << event.date << event.kind << event.note << static_cast<int>(event.cause); });
 }
 
 } // namespace lubberline::db

@@ -1,8 +1,13 @@
 #include "db/Transfer.h"
 
+#include <algorithm>
 #include <map>
 
+#include "db/DueRepository.h"
+#include "db/ElectricalRepository.h"
 #include "db/FleetRepository.h"
+#include "db/InstrumentRepository.h"
+#include "db/JobRepository.h"
 #include "db/SensorRepository.h"
 #include "db/SiteRepository.h"
 #include "db/Statement.h"
@@ -20,6 +25,7 @@ struct Known {
     std::map<AircraftTypeId, AircraftTypeId> types;
     std::map<AircraftId, AircraftId> aircraft;
     std::map<CompassId, CompassId> compasses;
+    std::map<EventId, EventId> events;
 };
 
 template <class IdType>
@@ -35,7 +41,9 @@ public:
 
     Result<void> particulars()
     {
-        for (const auto& step : {&Importer::limits, &Importer::sites, &Importer::types, &Importer::aircraft, &Importer::compasses, &Importer::sensors, &Importer::events})
+        for (const auto& step : {&Importer::limits, &Importer::sites, &Importer::types, &Importer::aircraft, &Importer::compasses, &Importer::sensors,
+                 &Importer::events, &Importer::instruments, &Importer::dueRules, &Importer::waivers,
+                 &Importer::electrical})
             if (const auto done = (this->*step)(); !done)
                 return done;
         return {};
@@ -51,7 +59,13 @@ private:
     Result<void> compasses();
     Result<void> sensors();
     Result<void> events();
-    Result<SwingId> add(Swing swing);
+    Result<void> instruments();
+    Result<void> dueRules();
+    Result<void> waivers();
+    Result<void> electrical();
+    Result<SwingId> add(Swing swing, const JobRecord* job);
+    Result<void> goOn(const Swing& incoming, const JobRecord& job, const SwingRecord& stored);
+    [[nodiscard]] const JobRecord* jobOf(SwingId id) const;
 
     /// The id of the record with this RecordId, else of the one that `where` finds by name; not valid: none.
     template <class IdType, class... Values>
@@ -126,6 +140,7 @@ Result<void> Importer::aircraft()
         [this](Aircraft one) {
             one.id = {};
             one.type = translated(m_known.types, one.type);
+            one.base = translated(m_known.sites, one.base);
             return FleetRepository(m_database).save(one);
         },
         &imported.aircraft);
@@ -161,13 +176,79 @@ Result<void> Importer::sensors()
 
 Result<void> Importer::events()
 {
-    std::map<EventId, EventId> none;
-    return each(m_fleet.events, none, [this](const Event& one) { return find<EventId>("event", one.record, "1 = 0"); },
+    return each(m_fleet.events, m_known.events, [this](const Event& one) { return find<EventId>("event", one.record, "1 = 0"); },
         [this](Event one) {
             one.id = {};
             one.aircraft = translated(m_known.aircraft, one.aircraft);
             return FleetRepository(m_database).save(one);
         });
+}
+
+/// What is not known by its record or its name is added.
+Result<void> Importer::instruments()
+{
+    for (const auto& one : m_fleet.instruments) {
+        const auto found = find<Id<struct InstrumentRow>>("datum_instrument", one.record, "name = ?", one.name);
+        if (!found)
+            return found.error();
+        if (!found->valid())
+            if (const auto saved = InstrumentRepository(m_database).save(one); !saved)
+                return saved;
+    }
+    return {};
+}
+
+Result<void> Importer::dueRules()
+{
+    for (DueRule one : m_fleet.dueRules) {
+        const auto found = find<Id<struct RuleRow>>("due_rule", one.record, "name = ?", one.name);
+        if (!found)
+            return found.error();
+        if (found->valid())
+            continue;
+        if (const auto type = std::find_if(m_fleet.types.begin(), m_fleet.types.end(), [&](const AircraftType& each) { return each.record == one.type; });
+            type != m_fleet.types.end()) { // the type may be known here under another record, by its name
+            const auto here = FleetRepository(m_database).type(translated(m_known.types, type->id));
+            if (!here)
+                return here.error();
+            one.type = here->record;
+        }
+        if (const auto saved = DueRepository(m_database).save(one); !saved)
+            return saved;
+    }
+    return {};
+}
+
+Result<void> Importer::waivers()
+{
+    for (const auto& one : m_fleet.waivers) {
+        const auto found = find<Id<struct WaiverRow>>("waiver", one.record, "1 = 0");
+        if (!found)
+            return found.error();
+        if (!found->valid())
+            if (const auto saved = DueRepository(m_database).save(one); !saved)
+                return saved;
+    }
+    return {};
+}
+
+Result<void> Importer::electrical()
+{
+    for (const auto& one : m_fleet.electrical) {
+        const auto found = find<Id<struct ElectricalRow>>("electrical_swing", one.swing.record, "1 = 0");
+        if (!found)
+            return found.error();
+        if (!found->valid())
+            if (const auto saved = ElectricalRepository(m_database).save(translated(m_known.compasses, one.compass), one.swing); !saved)
+                return saved;
+    }
+    return {};
+}
+
+const JobRecord* Importer::jobOf(SwingId id) const
+{
+    const auto found = std::find_if(m_fleet.jobs.begin(), m_fleet.jobs.end(), [&](const JobRecord& one) { return one.swing == id; });
+    return found == m_fleet.jobs.end() ? nullptr : &*found;
 }
 
 /// Equal but for the ids of rows and the figures of a field stamp: those follow from its place and date by the model of the day.
@@ -182,7 +263,7 @@ bool sameContents(Swing incoming, const Swing& stored)
     return incoming == stored;
 }
 
-Result<SwingId> Importer::add(Swing swing)
+Result<SwingId> Importer::add(Swing swing, const JobRecord* job)
 {
     if (m_prepare) {
         const auto site = SiteRepository(m_database).site(swing.site);
@@ -190,7 +271,60 @@ Result<SwingId> Importer::add(Swing swing)
             return site.error();
         m_prepare(swing, *site);
     }
-    return SwingRepository(m_database).save(swing);
+    // A guided swing comes in before its swing is frozen.
+    const SwingState state = swing.state;
+    if (job && state == SwingState::Signed)
+        swing.state = SwingState::Complete;
+    SwingRepository swings(m_database);
+    const auto id = swings.save(swing);
+    if (!id || !job)
+        return id;
+    if (const auto added = JobRepository(m_database).add(*id, job->job, !swing.readings.empty()); !added)
+        return added.error();
+    if (swing.state == state)
+        return id;
+    auto whole = swings.swing(*id);
+    if (!whole)
+        return whole.error();
+    whole->state = state;
+    return swings.save(*whole);
+}
+
+bool isBeginningOf(const std::vector<JobEvent>& shorter, const std::vector<JobEvent>& longer)
+{
+    return shorter.size() <= longer.size() && std::equal(shorter.begin(), shorter.end(), longer.begin());
+}
+
+/// A guided swing that has gone on elsewhere: what was added there is added here; the readings that it made come with it.
+/// Errors: Conflict when both have gone on.
+Result<void> Importer::goOn(const Swing& incoming, const JobRecord& job, const SwingRecord& stored)
+{
+    JobRepository jobs(m_database);
+    const auto here = jobs.jobOf(stored.swing.id);
+    if (!here)
+        return here.error();
+    const bool same = *here && (*here)->job.record == job.job.record && stored.swing.state == SwingState::Draft;
+    if (!same || (!isBeginningOf((*here)->job.events, job.job.events) && !isBeginningOf(job.job.events, (*here)->job.events)))
+        return Error{ErrorCode::Conflict, "the guided swing of " + stored.aircraft.registration + ", " + stored.compass.name + ", " + stored.swing.date
+            + " has gone on here and elsewhere in different ways (record " + stored.swing.record + "); nothing was stored", m_database.path().toStdString()};
+    if (job.job.events.size() <= (*here)->job.events.size() && incoming.readings.empty())
+        return {}; // it is as far here, or farther
+    for (std::size_t place = (*here)->job.events.size(); place < job.job.events.size(); ++place)
+        if (const auto added = jobs.append(stored.swing.id, place, job.job.events[place]); !added)
+            return added;
+    SwingRepository swings(m_database);
+    Swing now = incoming;
+    now.id = stored.swing.id;
+    if (!now.field)
+        now.field = stored.swing.field;
+    if (!incoming.readings.empty()) {
+        if (const auto replaced = swings.replaceReadings(stored.swing.id, incoming.readings); !replaced)
+            return replaced;
+        if (const auto closed = jobs.close(stored.swing.id, true); !closed)
+            return closed;
+    }
+    const auto saved = swings.save(now);
+    return saved ? Result<void>() : saved.error();
 }
 
 Result<void> Importer::swing(const Swing& original)
@@ -199,12 +333,13 @@ Result<void> Importer::swing(const Swing& original)
     one.id = {};
     one.compass = translated(m_known.compasses, one.compass);
     one.site = translated(m_known.sites, one.site);
+    const JobRecord* job = jobOf(original.id);
     SwingRepository swings(m_database);
     const auto found = find<SwingId>("swing", one.record, "1 = 0");
     if (!found)
         return found.error();
     if (!found->valid()) {
-        const auto stored = add(std::move(one));
+        const auto stored = add(std::move(one), job);
         if (!stored)
             return stored.error();
         ++imported.swings;
@@ -214,9 +349,15 @@ Result<void> Importer::swing(const Swing& original)
     const auto record = swings.record(*found);
     if (!record)
         return record.error();
-    if (!sameContents(one, record->swing))
-        return Error{ErrorCode::Conflict, "the swing of " + record->aircraft.registration + ", " + record->compass.name + ", " + record->swing.date
+    if (!sameContents(one, record->swing)) {
+        const Error conflict{ErrorCode::Conflict, "the swing of " + record->aircraft.registration + ", " + record->compass.name + ", " + record->swing.date
             + " is in the database already with other contents (record " + one.record + "); nothing was stored", m_database.path().toStdString()};
+        if (!job || !record->swing.readings.empty())
+            return conflict;
+    }
+    if (job && record->swing.readings.empty())
+        if (const auto done = goOn(one, *job, *record); !done)
+            return done;
     ++imported.alreadyThere;
     imported.swingIds.push_back(*found);
     return {};

@@ -11,7 +11,9 @@
 
 #include "db/FleetRepository.h"
 #include "db/ResultCache.h"
+#include "db/JobRepository.h"
 #include "db/SensorRepository.h"
+#include "db/SigningRepository.h"
 #include "db/SiteRepository.h"
 #include "db/Statement.h"
 #include "db/SwingRepository.h"
@@ -64,7 +66,8 @@ Result<void> checkStructure(Database& database, VerifyReport& report)
         done = findings(database, report, "SELECT DISTINCT s.record FROM reading r JOIN swing s ON s.id = r.swing_id GROUP BY r.swing_id, r.position"
             " HAVING COUNT(*) > 1", [](Statement& row) { return "order: two readings of the swing " + row.text(0) + " are in one place"; });
     for (const char* column : {"swing.variation_deg", "swing.index_removed_deg", "swing.field_latitude_deg", "swing.field_longitude_deg", "swing.field_height_m",
-             "swing.field_north_nT", "swing.field_east_nT", "swing.field_down_nT", "site.latitude_deg", "site.longitude_deg", "site.elevation_m", "site.variation_deg", "compass.resolution_deg"})
+             "swing.field_north_nT", "swing.field_east_nT", "swing.field_down_nT", "site.latitude_deg", "site.longitude_deg", "site.elevation_m", "site.variation_deg", "site.painted_variation_deg", "compass.resolution_deg",
+             "datum_instrument.zero_deg"})
         if (done) { // a column takes text that is not a number as it is, and 9e999 as infinite
             const QStringList parts = QString(column).split('.');
             done = findings(database, report, QStringLiteral("SELECT record FROM %1 WHERE typeof(%2) IN ('text', 'blob') OR abs(%2) > 1e300").arg(parts[0], parts[1]),
@@ -80,6 +83,19 @@ Result<void> checkSensors(Database& database, VerifyReport& report)
         return faults.error();
     for (const auto& fault : *faults)
         report.findings.push_back("sensor model: " + fault);
+    return {};
+}
+
+/// Guided swings that do not read, and signed swings that are not what was signed.
+Result<void> checkRamp(Database& database, VerifyReport& report)
+{
+    if (const auto jobs = JobRepository(database).all(); !jobs)
+        report.findings.push_back(jobs.error().message);
+    const auto faults = SigningRepository(database).faults();
+    if (!faults)
+        return faults.error();
+    for (const auto& fault : *faults)
+        report.findings.push_back("signature: " + fault);
     return {};
 }
 
@@ -209,6 +225,8 @@ Result<VerifyReport> verify(Database& database, const Progress& progress)
     if (const auto done = checkStructure(database, report); !done)
         return done.error();
     if (const auto done = checkSensors(database, report); !done)
+        return done.error();
+    if (const auto done = checkRamp(database, report); !done)
         return done.error();
     if (const auto done = checkResults(database, report, progress); !done)
         return done.error();

@@ -100,11 +100,76 @@ const Migration kThird{3, "sensor models of compasses; the Earth's field that a 
         " field_north_nT, field_east_nT, field_down_nT, index_removed_deg ON swing WHEN OLD.state = 2 BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
     }};
 
+const Migration kFourth{4, "the ramp: guided swings, signatures, revisions, raw figures, instruments, due rules, waivers, bases, electrical swings",
+    {
+        "ALTER TABLE swing ADD COLUMN datum_read_out TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE swing ADD COLUMN start_utc TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE swing ADD COLUMN end_utc TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE swing ADD COLUMN site_override TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE swing ADD COLUMN weather TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE swing ADD COLUMN job_record TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE swing ADD COLUMN supersedes TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE swing ADD COLUMN amendment TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE swing ADD COLUMN revision INTEGER NOT NULL DEFAULT 1 CHECK (revision >= 1)",
+        "CREATE UNIQUE INDEX swing_by_superseded ON swing(supersedes) WHERE supersedes <> ''", // one amendment for each: the next amends that one
+        "CREATE INDEX swing_by_job ON swing(job_record) WHERE job_record <> ''",
+        "CREATE TRIGGER signed_swing_ramp_is_frozen BEFORE UPDATE OF datum_read_out, start_utc, end_utc, site_override, weather, job_record, supersedes,"
+        " amendment, revision ON swing WHEN OLD.state = 2 BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
+        "ALTER TABLE reading ADD COLUMN raw_json TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE reading ADD COLUMN time_utc TEXT NOT NULL DEFAULT ''",
+        "CREATE TABLE signature (id INTEGER PRIMARY KEY, swing_id INTEGER NOT NULL REFERENCES swing(id), role INTEGER NOT NULL CHECK (role BETWEEN 0 AND 2),"
+        " name TEXT NOT NULL CHECK (name <> ''), licence TEXT NOT NULL, time_utc TEXT NOT NULL, hash TEXT NOT NULL CHECK (length(hash) = 64))",
+        "CREATE INDEX signature_by_swing ON signature(swing_id)",
+        "CREATE TRIGGER signature_is_kept BEFORE DELETE ON signature BEGIN SELECT RAISE(ABORT, 'the record is append-only'); END",
+        "CREATE TRIGGER signature_is_not_changed BEFORE UPDATE ON signature BEGIN SELECT RAISE(ABORT, 'the record is append-only'); END",
+        "CREATE TRIGGER signature_is_not_replaced BEFORE INSERT ON signature WHEN EXISTS (SELECT 1 FROM signature WHERE id = NEW.id) BEGIN SELECT RAISE(ABORT, 'the record is append-only'); END",
+        // state: 0 open, 1 finished, 2 abandoned
+        "CREATE TABLE swing_job (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, swing_id INTEGER NOT NULL UNIQUE REFERENCES swing(id) ON DELETE CASCADE,"
+        " plan_json TEXT NOT NULL CHECK (plan_json <> ''), state INTEGER NOT NULL DEFAULT 0 CHECK (state BETWEEN 0 AND 2))",
+        "CREATE TABLE job_event (id INTEGER PRIMARY KEY, job_id INTEGER NOT NULL REFERENCES swing_job(id) ON DELETE CASCADE, place INTEGER NOT NULL,"
+        " event_json TEXT NOT NULL CHECK (event_json <> ''), UNIQUE (job_id, place))",
+        "CREATE TRIGGER job_event_is_not_changed BEFORE UPDATE ON job_event BEGIN SELECT RAISE(ABORT, 'the record is append-only'); END",
+        "CREATE TRIGGER job_event_is_not_replaced BEFORE INSERT ON job_event WHEN EXISTS (SELECT 1 FROM job_event WHERE id = NEW.id"
+        " OR (job_id = NEW.job_id AND place = NEW.place)) BEGIN SELECT RAISE(ABORT, 'the record is append-only'); END",
+        "CREATE TRIGGER signed_job_no_event BEFORE INSERT ON job_event WHEN (SELECT s.state FROM swing s JOIN swing_job j ON j.swing_id = s.id"
+        " WHERE j.id = NEW.job_id) = 2 BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
+        // Only with the draft that it belongs to; what has been completed keeps how it was made.
+        "CREATE TRIGGER job_is_kept BEFORE DELETE ON swing_job WHEN (SELECT state FROM swing WHERE id = OLD.swing_id) > 0 BEGIN SELECT RAISE(ABORT, 'the record is append-only'); END",
+        "ALTER TABLE site ADD COLUMN owner TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE site ADD COLUMN site_class INTEGER NOT NULL DEFAULT 0 CHECK (site_class BETWEEN 0 AND 2)",
+        "ALTER TABLE site ADD COLUMN certificate TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE site ADD COLUMN certificate_expiry TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE site ADD COLUMN painted_variation_deg REAL",
+        "ALTER TABLE site ADD COLUMN painted_date TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE site ADD COLUMN survey_date TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE site ADD COLUMN surveyor TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE site ADD COLUMN survey_instrument TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE site ADD COLUMN survey_json TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE aircraft ADD COLUMN base_id INTEGER REFERENCES site(id)",
+        "ALTER TABLE compass ADD COLUMN installed TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE event ADD COLUMN cause INTEGER NOT NULL DEFAULT 0 CHECK (cause BETWEEN 0 AND 11)",
+        "CREATE TABLE datum_instrument (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, name TEXT NOT NULL UNIQUE CHECK (name <> ''),"
+        " kind INTEGER NOT NULL CHECK (kind BETWEEN 0 AND 8), maker TEXT NOT NULL, serial_number TEXT NOT NULL, calibration_due TEXT NOT NULL,"
+        " ahead INTEGER NOT NULL CHECK (ahead BETWEEN 0 AND 1), gives_true INTEGER NOT NULL CHECK (gives_true IN (0, 1)), zero_deg REAL NOT NULL,"
+        " resolution_deg REAL NOT NULL CHECK (resolution_deg > 0), note TEXT NOT NULL)",
+        "CREATE TABLE due_rule (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, name TEXT NOT NULL UNIQUE CHECK (name <> ''),"
+        " months INTEGER NOT NULL CHECK (months > 0), grace_days INTEGER NOT NULL CHECK (grace_days >= 0), warn_days INTEGER NOT NULL CHECK (warn_days >= 0),"
+        " document TEXT NOT NULL, issue TEXT NOT NULL, type_record TEXT NOT NULL)",
+        "CREATE TABLE waiver (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, event_id INTEGER NOT NULL REFERENCES event(id), date TEXT NOT NULL,"
+        " reason TEXT NOT NULL CHECK (reason <> ''), signed_by TEXT NOT NULL CHECK (signed_by <> ''))",
+        "CREATE INDEX waiver_by_event ON waiver(event_id)",
+        "CREATE TRIGGER waiver_is_kept BEFORE DELETE ON waiver BEGIN SELECT RAISE(ABORT, 'the record is append-only'); END",
+        "CREATE TRIGGER waiver_is_not_changed BEFORE UPDATE ON waiver BEGIN SELECT RAISE(ABORT, 'the record is append-only'); END",
+        "CREATE TABLE electrical_swing (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, compass_id INTEGER NOT NULL REFERENCES compass(id),"
+        " date TEXT NOT NULL, electrical_json TEXT NOT NULL CHECK (electrical_json <> ''))",
+        "CREATE INDEX electrical_by_compass ON electrical_swing(compass_id, date)",
+    }};
+
 } // namespace
 
 const std::vector<Migration>& migrations()
 {
-    static const std::vector<Migration> steps{kFirst, kSecond, kThird};
+    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth};
     return steps;
 }
 

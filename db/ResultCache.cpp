@@ -91,7 +91,7 @@ Result<void> storeResult(Database& database, const Swing& swing)
 QString statusOfLatest(const QString& compass)
 {
     return "COALESCE((SELECT s.status FROM swing s WHERE s.compass_id = " + compass + ".id AND s.max_abs_deviation_deg IS NOT NULL"
-        " ORDER BY s.date DESC, s.id DESC LIMIT 1), 0)";
+        " ORDER BY s.date DESC, s.stage DESC, s.id DESC LIMIT 1), 0)";
 }
 
 Result<void> refreshCompass(Database& database, CompassId compass)

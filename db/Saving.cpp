@@ -42,6 +42,36 @@ QString placeholders(qsizetype count)
     return QStringList(count, "?").join(", ");
 }
 
+Result<RowId> rowWith(Database& database, const Table& table, const RecordId& record)
+{
+    Statement statement(database, "SELECT id FROM " + table.name + " WHERE record = ?");
+    statement << record;
+    const auto found = firstOf<RowId>(statement, [](Statement& row) { return row.id<RowId>(0); });
+    if (!found)
+        return found.error();
+    return found->value_or(RowId{});
+}
+
+Result<void> removeRecord(Database& database, const Table& table, const RecordId& record)
+{
+    auto transaction = Transaction::begin(database);
+    if (!transaction)
+        return transaction.error();
+    const auto id = rowWith(database, table, record);
+    if (!id)
+        return id.error();
+    const auto row = storedRow(database, table, id->value);
+    if (!row)
+        return row.error();
+    Statement statement(database, "DELETE FROM " + table.name + " WHERE id = ?");
+    statement << *id;
+    if (const auto done = statement.run(); !done)
+        return done;
+    if (const auto kept = audit(database, "removed " + std::string(table.what), record, changesBetween(table, {}, *row)); !kept)
+        return kept;
+    return transaction->commit();
+}
+
 Result<void> requireName(const std::string& name, const char* what)
 {
     if (name.empty())

@@ -65,6 +65,13 @@ Result<IdType> saveRecord(Database& database, const Table& table, IdType id, con
     return id;
 }
 
+/// A row of a record that the rest of the program knows by its RecordId alone.
+using RowId = Id<struct RowTag>;
+/// Not valid where there is no such record.
+Result<RowId> rowWith(Database& database, const Table& table, const RecordId& record);
+/// Takes a record out; what it said stays readable in the audit trail. Errors: NotFound.
+Result<void> removeRecord(Database& database, const Table& table, const RecordId& record);
+
 /// Errors: InvalidInput when the name is empty.
 Result<void> requireName(const std::string& name, const char* what);
 

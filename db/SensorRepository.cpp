@@ -34,28 +34,13 @@ Result<SensorRecord> sensorFrom(const Statement& row, const Database& database)
     return error;
 }
 
-/// The records, or the first fault.
-Result<std::vector<SensorRecord>> allOrFault(std::vector<Result<SensorRecord>> rows)
-{
-    std::vector<SensorRecord> sensors;
-    for (auto& row : rows) {
-        if (!row)
-            return row.error();
-        sensors.push_back(std::move(row.value()));
-    }
-    return sensors;
-}
-
 } // namespace
 
 Result<std::vector<SensorRecord>> SensorRepository::sensorsOf(CompassId compass)
 {
     Statement statement(m_database, selectSensor() + "WHERE compass_id = ? ORDER BY id DESC");
     statement << compass;
-    auto rows = rowsOf<Result<SensorRecord>>(statement, [this](Statement& row) { return sensorFrom(row, m_database); });
-    if (!rows)
-        return rows.error();
-    return allOrFault(std::move(rows.value()));
+    return wholeRows(rowsOf<Result<SensorRecord>>(statement, [this](Statement& row) { return sensorFrom(row, m_database); }));
 }
 
 Result<SensorRecord> SensorRepository::sensor(SensorModelId id)
@@ -99,19 +84,10 @@ Result<SensorModelId> SensorRepository::save(const SensorRecord& sensor)
 
 Result<void> SensorRepository::remove(SensorModelId id)
 {
-    auto transaction = Transaction::begin(m_database);
-    if (!transaction)
-        return transaction.error();
     const auto row = storedRow(m_database, sensorTable(), id.value);
     if (!row)
         return row.error();
-    Statement statement(m_database, "DELETE FROM sensor_model WHERE id = ?");
-    statement << id;
-    if (const auto done = statement.run(); !done)
-        return done;
-    if (const auto kept = audit(m_database, "removed sensor model", row->record, changesBetween(sensorTable(), {}, *row)); !kept)
-        return kept;
-    return transaction->commit();
+    return removeRecord(m_database, sensorTable(), row->record);
 }
 
 } // namespace lubberline::db

@@ -1,5 +1,6 @@
 #include "db/SiteRepository.h"
 
+#include "core/format/RampJson.h"
 #include "db/ResultCache.h"
 #include "db/Saving.h"
 
@@ -9,7 +10,9 @@ namespace {
 
 const Table& siteTable()
 {
-    static const Table table{"site", "site", {"name", "latitude_deg", "longitude_deg", "elevation_m", "variation_deg", "variation_source", "note"}};
+    static const Table table{"site", "site", {"name", "latitude_deg", "longitude_deg", "elevation_m", "variation_deg", "variation_source", "note",
+        "owner", "site_class", "certificate", "certificate_expiry", "painted_variation_deg", "painted_date", "survey_date", "surveyor",
+        "survey_instrument", "survey_json"}};
     return table;
 }
 
@@ -22,9 +25,28 @@ const Table& limitsTable()
 QString selectSite() { return "SELECT id, record, " + siteTable().fields.join(", ") + " FROM site "; }
 QString selectLimits() { return "SELECT id, record, " + limitsTable().fields.join(", ") + " FROM limits_profile "; }
 
-Site siteFrom(const Statement& row)
+/// Errors: Corrupt (a survey that does not read).
+Result<Site> siteFrom(const Statement& row, const Database& database)
 {
-    return {row.id<SiteId>(0), row.text(1), row.text(2), row.optionalReal(3), row.optionalReal(4), row.optionalReal(5), row.optionalReal(6), row.text(7), row.text(8)};
+    Site site{row.id<SiteId>(0), row.text(1), row.text(2), row.optionalReal(3), row.optionalReal(4), row.optionalReal(5), row.optionalReal(6), row.text(7),
+        row.text(8)};
+    site.owner = row.text(9);
+    site.siteClass = row.as<SiteClass>(10);
+    site.certificate = row.text(11);
+    site.certificateExpiry = row.text(12);
+    site.paintedVariation_deg = row.optionalReal(13);
+    site.paintedDate = row.text(14);
+    site.surveyDate = row.text(15);
+    site.surveyor = row.text(16);
+    site.surveyInstrument = row.text(17);
+    const std::string points = row.text(18);
+    if (points.empty())
+        return site;
+    auto survey = readSurvey(points, database.path().toStdString());
+    if (!survey)
+        return Error{ErrorCode::Corrupt, "the survey of the site " + site.name + " does not read: " + survey.error().message, database.path().toStdString()};
+    site.survey = std::move(*survey);
+    return site;
 }
 
 LimitsProfile limitsFrom(const Statement& row)
@@ -37,7 +59,7 @@ LimitsProfile limitsFrom(const Statement& row)
 Result<std::vector<Site>> SiteRepository::sites()
 {
     Statement statement(m_database, selectSite() + "ORDER BY name");
-    return rowsOf<Site>(statement, siteFrom);
+    return wholeRows(rowsOf<Result<Site>>(statement, [this](Statement& row) { return siteFrom(row, m_database); }));
 }
 
 Result<std::vector<LimitsProfile>> SiteRepository::limitsProfiles()
@@ -50,7 +72,14 @@ Result<std::optional<Site>> SiteRepository::site(SiteId id)
 {
     Statement statement(m_database, selectSite() + "WHERE id = ?");
     statement << id;
-    return firstOf<Site>(statement, siteFrom);
+    auto found = firstOf<Result<Site>>(statement, [this](Statement& row) { return siteFrom(row, m_database); });
+    if (!found)
+        return found.error();
+    if (!*found)
+        return std::optional<Site>{};
+    if (!**found)
+        return (*found)->error();
+    return std::optional(std::move((**found).value()));
 }
 
 Result<std::optional<LimitsProfile>> SiteRepository::limitsOf(CompassId compass)
@@ -65,7 +94,10 @@ Result<SiteId> SiteRepository::save(const Site& site)
     if (const auto named = requireName(site.name, "the name of the site"); !named)
         return named.error();
     return saveRecord(m_database, siteTable(), site.id, site.record, [&](Statement& statement) {
-        statement << site.name << site.latitude_deg << site.longitude_deg << site.elevation_m << site.variation_deg << site.variationSource << site.note;
+        statement << site.name << site.latitude_deg << site.longitude_deg << site.elevation_m << site.variation_deg << site.variationSource << site.note
+                  << site.owner << static_cast<int>(site.siteClass) << site.certificate << site.certificateExpiry << site.paintedVariation_deg
+                  << site.paintedDate << site.surveyDate << site.surveyor << site.surveyInstrument
+                  << (site.survey.empty() ? std::string() : writeSurvey(site.survey));
     });
 }
 

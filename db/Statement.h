@@ -72,6 +72,21 @@ Result<std::vector<Row>> rowsOf(Statement& statement, Make make)
     return rows;
 }
 
+/// Rows of which each may be damaged: all of them, or the first fault.
+template <class Row>
+Result<std::vector<Row>> wholeRows(Result<std::vector<Result<Row>>> rows)
+{
+    if (!rows)
+        return rows.error();
+    std::vector<Row> whole;
+    for (auto& row : *rows) {
+        if (!row)
+            return row.error();
+        whole.push_back(std::move(row.value()));
+    }
+    return whole;
+}
+
 /// The first row, if there is any.
 template <class Row, class Make>
 Result<std::optional<Row>> firstOf(Statement& statement, Make make)

@@ -6,6 +6,7 @@
 #include "db/FleetRepository.h"
 #include "db/ResultCache.h"
 #include "db/Saving.h"
+#include "db/Signatures.h"
 #include "db/SiteRepository.h"
 #include "db/SwingRows.h"
 
@@ -95,6 +96,10 @@ Result<Swing> SwingRepository::swing(SwingId id)
     if (!readings)
         return readings.error();
     swing->readings = std::move(*readings);
+    auto signatures = signaturesOf(m_database, id);
+    if (!signatures)
+        return signatures.error();
+    swing->signatures = std::move(*signatures);
     return swing;
 }
 
@@ -128,9 +133,10 @@ Result<SwingRecord> SwingRepository::record(SwingId id)
 
 Result<std::optional<Swing>> SwingRepository::previous(SwingId id)
 {
-    Statement statement(m_database, "SELECT p.id FROM swing s JOIN swing p ON p.compass_id = s.compass_id AND p.id <> s.id"
-                                    " AND (p.date < s.date OR (p.date = s.date AND p.id < s.id)) WHERE s.id = ?"
-                                    " ORDER BY p.date DESC, p.id DESC LIMIT 1");
+    Statement statement(m_database, "SELECT p.id FROM swing s JOIN swing p ON p.compass_id = s.compass_id AND p.id <> s.id AND p.record <> s.supersedes"
+                                    " AND (p.date < s.date OR (p.date = s.date AND (p.stage < s.stage OR (p.stage = s.stage AND p.id < s.id))))"
+                                    " WHERE s.id = ? AND NOT EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = p.record)"
+                                    " ORDER BY p.date < s.date DESC, p.date DESC, p.stage DESC, p.id DESC LIMIT 1");
     statement << id;
     const auto before = firstOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
     if (!before)
@@ -164,6 +170,9 @@ Result<void> SwingRepository::forEach(const std::function<bool(const Swing&)>& c
 {
     // Two statements in step, both in order of swing: a join would bring a swing's columns again with each of its readings.
     Statement swings(m_database, "SELECT " + swingColumns() + " FROM swing s ORDER BY s.id");
+    const auto signatures = allSignatures(m_database);
+    if (!signatures)
+        return signatures.error();
     Statement readings(m_database, "SELECT r.swing_id, " + readingColumns() + " FROM reading r ORDER BY r.swing_id, r.position");
     for (Statement* statement : {&swings, &readings})
         if (const auto done = statement->run(); !done)
@@ -174,6 +183,8 @@ Result<void> SwingRepository::forEach(const std::function<bool(const Swing&)>& c
         for (; more && readings.id<SwingId>(0) <= swing.id; more = readings.next())
             if (readings.id<SwingId>(0) == swing.id)
                 swing.readings.push_back(readingFrom(readings, 1));
+        if (const auto found = signatures->find(swing.id); found != signatures->end())
+            swing.signatures = found->second;
         if (!callback(swing))
             return {};
     }
@@ -205,6 +216,9 @@ Result<SwingId> SwingRepository::add(Swing swing)
         return id;
     if (const auto inserted = insertRows(m_database, *id, 0, swing.readings); !inserted)
         return inserted.error();
+    for (const auto& signature : swing.signatures)
+        if (const auto kept = addSignature(m_database, *id, signature); !kept)
+            return kept.error();
     swing.id = *id;
     if (const auto stored = storeResult(m_database, swing); !stored)
         return stored.error();
@@ -231,6 +245,45 @@ Result<SwingId> SwingRepository::change(const Swing& swing)
     return id;
 }
 
+Result<void> SwingRepository::changeFrom(const Swing& known, const Swing& swing)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    auto stored = openSwing(m_database, swing.id);
+    if (!stored)
+        return stored.error();
+    Swing before = known;
+    before.readings.clear();
+    before.signatures.clear();
+    if (*stored != before)
+        return Error{ErrorCode::Conflict, "the particulars of this swing have been changed elsewhere; nothing was overwritten, look at it again",
+            m_database.path().toStdString()};
+    if (const auto done = change(swing); !done)
+        return done.error();
+    return transaction->commit();
+}
+
+Result<void> SwingRepository::replaceReadings(SwingId id, const std::vector<Reading>& readings)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto open = openSwing(m_database, id);
+    if (!open)
+        return open.error();
+    Statement statement(m_database, "DELETE FROM reading WHERE swing_id = ?");
+    statement << id;
+    if (const auto done = statement.run(); !done)
+        return done;
+    if (const auto inserted = insertRows(m_database, id, 0, readings); !inserted)
+        return inserted.error();
+    std::string detail;
+    for (const auto& reading : readings)
+        detail += (detail.empty() ? "reading: " : "; reading: ") + auditText(reading);
+    return finish(m_database, *transaction, *open, "set readings", detail);
+}
+
 Result<void> SwingRepository::remove(SwingId id)
 {
     auto transaction = Transaction::begin(m_database);
@@ -241,6 +294,8 @@ Result<void> SwingRepository::remove(SwingId id)
         return found.error();
     if (found->state == SwingState::Signed)
         return isSigned(m_database);
+    if (!found->signatures.empty())
+        return Error{ErrorCode::Frozen, "somebody has signed this swing; it stays on record", m_database.path().toStdString()};
     if (found->state != SwingState::Draft)
         return Error{ErrorCode::Frozen, "only a draft can be removed; this swing is complete", m_database.path().toStdString()};
     const auto row = storedRow(m_database, swingTable(), id.value);
@@ -281,7 +336,7 @@ Result<ReadingId> SwingRepository::insertReading(SwingId swing, int position, co
     return *id;
 }
 
-Result<void> SwingRepository::saveReading(SwingId swing, const Reading& reading)
+Result<void> SwingRepository::saveReading(SwingId swing, const Reading& known, const Reading& reading)
 {
     auto transaction = Transaction::begin(m_database);
     if (!transaction)
@@ -294,6 +349,9 @@ Result<void> SwingRepository::saveReading(SwingId swing, const Reading& reading)
         return before.error();
     if (*before == reading)
         return transaction->commit();
+    if (*before != known)
+        return Error{ErrorCode::Conflict, "this reading has been changed elsewhere to: " + auditText(*before) + "; nothing was overwritten, look at it again",
+            m_database.path().toStdString()};
     static const QString kUpdate = "UPDATE reading SET " + readingFields().join(" = ?, ") + " = ? WHERE id = ?";
     Statement statement(m_database, kUpdate);
     bindReading(statement, reading);

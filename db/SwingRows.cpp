@@ -29,6 +29,34 @@ std::vector<std::pair<std::string, std::string>> extraFrom(const std::string& te
     return extra;
 }
 
+/// Three arrays: datum, astern, compass; nothing where no figures were kept apart.
+std::string rawText(const RawFigures& raw)
+{
+    if (raw.empty())
+        return {};
+    QJsonArray all;
+    for (const auto* figures : {&raw.datum_deg, &raw.astern_deg, &raw.compass_deg}) {
+        QJsonArray one;
+        for (const double figure : *figures)
+            one.append(figure);
+        all.append(one);
+    }
+    return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
+}
+
+RawFigures rawFrom(const std::string& text)
+{
+    RawFigures raw;
+    if (text.empty()) // nearly always
+        return raw;
+    const QJsonArray all = QJsonDocument::fromJson(QByteArray::fromStdString(text)).array();
+    qsizetype place = 0;
+    for (auto* figures : {&raw.datum_deg, &raw.astern_deg, &raw.compass_deg})
+        for (const auto& figure : all.at(place++).toArray())
+            figures->push_back(figure.toDouble());
+    return raw;
+}
+
 template <class HeadingType>
 std::optional<double> degreesOf(const std::optional<HeadingType>& heading)
 {
@@ -72,7 +100,8 @@ QStringList swingFields()
     return {"compass_id", "site_id", "date", "kind", "stage", "state", "radio", "engines", "electrics", "other_configuration", "datum_instrument",
         "datum_serial_number", "datum_calibration_due", "datum_reader", "cockpit_reader", "adjuster", "inspector", "variation_deg", "procedure_name",
         "work_order", "reason", "note", "field_model", "field_latitude_deg", "field_longitude_deg", "field_height_m", "field_date", "field_north_nT",
-        "field_east_nT", "field_down_nT", "index_removed_deg"};
+        "field_east_nT", "field_down_nT", "index_removed_deg", "datum_read_out", "start_utc", "end_utc", "site_override", "weather", "job_record",
+        "supersedes", "amendment", "revision"};
 }
 
 QString swingColumns()
@@ -82,7 +111,8 @@ QString swingColumns()
 
 QStringList readingFields()
 {
-    return {"nominal_deg", "magnetic_heading_deg", "compass_heading_deg", "true_heading_deg", "pitch_deg", "roll_deg", "note", "exclusion_reason", "extra_json"};
+    return {"nominal_deg", "magnetic_heading_deg", "compass_heading_deg", "true_heading_deg", "pitch_deg", "roll_deg", "note", "exclusion_reason", "extra_json", "raw_json",
+        "time_utc"};
 }
 
 QString readingColumns()
@@ -111,20 +141,27 @@ Swing swingFrom(const Statement& row, int first)
     for (std::string* field : {&swing.procedure, &swing.workOrder, &swing.reason, &swing.note})
         *field = row.text(column++);
     swing.field = stampFrom(row, column);
-    swing.indexRemoved_deg = row.optionalReal(column + kStampColumns);
+    column += kStampColumns;
+    swing.indexRemoved_deg = row.optionalReal(column++);
+    for (std::string* field : {&swing.datum.readOut, &swing.startUtc, &swing.endUtc, &swing.siteOverride, &swing.weather, &swing.job, &swing.supersedes,
+             &swing.amendment})
+        *field = row.text(column++);
+    swing.revision = static_cast<int>(row.integer(column));
     return swing;
 }
 
 QString swingRowColumns()
 {
-    return "id, compass_id, date, kind, stage, state, reading_count, max_abs_deviation_deg, a_deg, b_deg, c_deg, d_deg, e_deg, status";
+    return "id, compass_id, date, kind, stage, state, reading_count, max_abs_deviation_deg, a_deg, b_deg, c_deg, d_deg, e_deg, status, revision,"
+           " EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = swing.record), EXISTS (SELECT 1 FROM swing_job j WHERE j.swing_id = swing.id AND j.state = 0)";
 }
 
 SwingRow swingRowFrom(const Statement& row)
 {
     return {row.id<SwingId>(0), row.id<CompassId>(1), row.text(2), row.as<SwingKind>(3), row.as<SwingStage>(4), row.as<SwingState>(5),
         static_cast<int>(row.integer(6)), row.optionalReal(7),
-        {row.optionalReal(8), row.optionalReal(9), row.optionalReal(10), row.optionalReal(11), row.optionalReal(12)}, row.as<Status>(13)};
+        {row.optionalReal(8), row.optionalReal(9), row.optionalReal(10), row.optionalReal(11), row.optionalReal(12)}, row.as<Status>(13),
+        static_cast<int>(row.integer(14)), row.integer(15) != 0, row.integer(16) != 0};
 }
 
 void bindParticulars(Statement& statement, const Swing& swing)
@@ -134,7 +171,8 @@ void bindParticulars(Statement& statement, const Swing& swing)
               << swing.datum.instrument << swing.datum.serialNumber << swing.datum.calibrationDue << swing.people.datumReader << swing.people.cockpitReader
               << swing.people.adjuster << swing.people.inspector << swing.variation_deg << swing.procedure << swing.workOrder << swing.reason << swing.note;
     bindStamp(statement, swing.field);
-    statement << swing.indexRemoved_deg;
+    statement << swing.indexRemoved_deg << swing.datum.readOut << swing.startUtc << swing.endUtc << swing.siteOverride << swing.weather << swing.job
+              << swing.supersedes << swing.amendment << swing.revision;
 }
 
 Reading readingFrom(const Statement& row, int first)
@@ -152,6 +190,8 @@ Reading readingFrom(const Statement& row, int first)
     if (const std::string reason = row.text(column++); !reason.empty())
         reading.exclusion = Exclusion{reason};
     reading.extra = extraFrom(row.text(column++));
+    reading.raw = rawFrom(row.text(column++));
+    reading.timeUtc = row.text(column++);
     return reading;
 }
 
@@ -163,7 +203,7 @@ void bindReading(Statement& statement, const Reading& reading)
         statement << reading.exclusion->reason;
     else
         statement.null();
-    statement << extraText(reading);
+    statement << extraText(reading) << rawText(reading.raw) << reading.timeUtc;
 }
 
 std::string auditText(const Reading& reading)
@@ -186,6 +226,8 @@ std::string auditText(const Reading& reading)
         add("note:", reading.note);
     if (!reading.extra.empty())
         add("extra", extraText(reading));
+    if (!reading.raw.empty())
+        add("figures", rawText(reading.raw));
     return text.empty() ? "empty" : text;
 }
 

@@ -9,51 +9,13 @@
 #include <vector>
 
 #include "core/record/Aircraft.h"
+#include "core/record/DueRule.h"
 
 namespace lubberline {
-
-/// A calendar rule: data with a named source, never a constant. An aircraft type's own rule goes before one for all.
-struct DueRule {
-    RecordId record;
-    std::string name;         ///< unique
-    int months = 24;          ///< after the last signed swing
-    int graceDays = 0;        ///< overdue only after these
-    int warnDays = 30;        ///< "due soon" before
-    std::string document, issue;
-    RecordId type;            ///< of the aircraft type it is for; empty: all
-    friend bool operator==(const DueRule&, const DueRule&) = default;
-};
-
-/// The events of the digest.
-enum class DueCause {
-    Other, ///< opens nothing
-    PartsReplaced,     ///< ferrous part, flux valve, compass, compensator installed, removed or repaired
-    EngineChange,
-    Modification,      ///< cockpit or avionics
-    ElectricalChange,
-    Lightning,
-    ElectricalStorm,
-    HardLanding,       ///< shock, turbulence, accident
-    MagneticCargo,
-    Moved,             ///< to a place of a very different field
-    ParkedOverAYear,   ///< on one heading
-    AccuracySuspected,
-};
-inline constexpr int kDueCauses = 12;
 
 /// Stable name for files: "lightning", "hard_landing"; none for an unknown name.
 [[nodiscard]] std::string_view nameOf(DueCause cause);
 [[nodiscard]] std::optional<DueCause> dueCauseNamed(std::string_view name);
-
-/// Somebody answers for not swinging after an event (after lightning: two headings 90° apart show no change [CASA]).
-struct Waiver {
-    RecordId record;
-    RecordId event;           ///< that it answers
-    std::string date;         ///< ISO 8601
-    std::string reason;       ///< never empty
-    std::string by;           ///< never empty
-    friend bool operator==(const Waiver&, const Waiver&) = default;
-};
 
 struct DueEvent {
     RecordId record;

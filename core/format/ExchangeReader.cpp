@@ -3,10 +3,12 @@
 
 #include "core/format/Exchange.h"
 #include "core/format/ExchangeParts.h"
-#include "core/format/FileText.h"
+#include "core/due/DueRules.h"
+#include "core/format/ElectricalJson.h"
+#include "core/format/JobJson.h"
 #include "core/format/JsonDocument.h"
-#include "core/format/JsonObject.h"
-#include "core/format/RecordWords.h"
+#include "core/format/RampJson.h"
+#include "core/format/RecordChoice.h"
 #include "core/format/SwingCsv.h"
 
 namespace lubberline {
@@ -19,17 +21,6 @@ constexpr NumberRange kSignedAngle{-180, 180};
 constexpr NumberRange kHeading{0, 360}; // 360 is 0
 /// More than nothing; what else is sensible is for the user to know.
 constexpr NumberRange kPositive{std::numeric_limits<double>::min(), 1e9};
-
-template <class Choice>
-Choice choice(JsonObject& object, std::string_view key)
-{
-    const std::string allowed = allowedWords<Choice>();
-    const std::string word = object.requiredText(key, allowed.c_str());
-    const auto found = choiceOf<Choice>(word);
-    if (!found)
-        object.fault(key, inQuotes(word) + " is not allowed; expected " + allowed);
-    return found.value_or(Choice{});
-}
 
 template <class Angle>
 std::optional<Angle> heading(JsonObject& object, std::string_view key)
@@ -69,15 +60,24 @@ private:
     void readSwing(const Json& value, const JsonPath& path, CompassId compass);
     void readConfiguration(JsonObject& object, Swing& swing);
     Reading readReading(const Json& value, const JsonPath& path);
+    void readInstrumentOf(JsonObject& object);
+    void readRule(JsonObject& object);
+    /// The keys of a swing that came with version 3, and its guided swing.
+    void readRamp(JsonObject& object, Swing& swing);
+    void readCause(JsonObject& object, Event& event);
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> readExtra(JsonObject& object);
 
     /// The identity of a new record, which no other of the file may have.
     RecordId identity(JsonObject& object)
     {
         RecordId record = object.recordId("record");
+        own(object, record);
+        return record;
+    }
+    void own(JsonObject& object, const RecordId& record)
+    {
         if (!m_records.insert(record).second)
             object.fault("record", inQuotes(record) + " is the identity of another record, too; expected one of its own");
-        return record;
     }
     template <class IdType>
     IdType reference(JsonObject& object, std::string_view key, const std::map<RecordId, IdType>& known, const char* what)
@@ -112,7 +112,11 @@ void FleetReader::readRecords(JsonObject& file)
 {
     file.array("limits", [this](const Json& value, const JsonPath& path) { readLimits(value, path); });
     file.array("sites", [this](const Json& value, const JsonPath& path) { readSite(value, path); });
+    if (m_version >= 3)
+        file.objects("instruments", [this](JsonObject& one) { readInstrumentOf(one); });
     file.array("types", [this](const Json& value, const JsonPath& path) { readType(value, path); });
+    if (m_version >= 3)
+        file.objects("due_rules", [this](JsonObject& one) { readRule(one); });
     file.array("aircraft", [this](const Json& value, const JsonPath& path) { readAircraft(value, path); });
     file.finish();
 }
@@ -154,6 +158,8 @@ void FleetReader::readSite(const Json& value, const JsonPath& path)
     site.variation_deg = object.number("variation_deg", kSignedAngle);
     site.variationSource = object.text("variation_source");
     site.note = object.text("note");
+    if (m_version >= 3)
+        readBase(object, site);
     object.finish();
     m_sites[site.record] = site.id;
     m_fleet.sites.push_back(std::move(site));
@@ -188,6 +194,8 @@ void FleetReader::readAircraft(const Json& value, const JsonPath& path)
     aircraft.builtYear = object.integer("built_year", {1, 9999});
     aircraft.note = object.text("note");
     aircraft.demonstration = object.boolean("demonstration");
+    if (m_version >= 3)
+        aircraft.base = reference(object, "base", m_sites, "a site");
     const AircraftId id = aircraft.id;
     m_fleet.aircraft.push_back(std::move(aircraft));
     object.array("compasses", [&](const Json& one, const JsonPath& place) { readCompass(one, place, id); });
@@ -205,6 +213,8 @@ void FleetReader::readEvent(const Json& value, const JsonPath& path, AircraftId 
     event.date = object.date("date");
     event.kind = object.text("kind");
     event.note = object.text("note");
+    if (m_version >= 3)
+        readCause(object, event);
     object.finish();
     m_fleet.events.push_back(std::move(event));
 }
@@ -225,11 +235,21 @@ void FleetReader::readCompass(const Json& value, const JsonPath& path, AircraftI
     compass.location = object.text("location");
     compass.resolution_deg = object.requiredNumber("resolution_deg", kPositive);
     compass.limits = reference(object, "limits", m_limits, "a limits profile");
+    if (m_version >= 3)
+        compass.installed = object.date("installed");
     const CompassId id = compass.id;
     m_fleet.compasses.push_back(std::move(compass));
     if (m_version >= 2)
         object.array("sensors", [&](const Json& one, const JsonPath& place) { readSensor(one, place, id); });
     object.array("swings", [&](const Json& one, const JsonPath& place) { readSwing(one, place, id); });
+    if (m_version >= 3)
+        object.objects("electrical_swings", [&](JsonObject& one) {
+            ElectricalSwing swing = readElectrical(one);
+            if (swing.record.empty())
+                one.missing("record", "a record id");
+            own(one, swing.record);
+            m_fleet.electrical.push_back({id, std::move(swing)});
+        });
     object.finish();
 }
 
@@ -273,6 +293,8 @@ void FleetReader::readSwing(const Json& value, const JsonPath& path, CompassId c
     swing.workOrder = object.text("work_order");
     swing.reason = object.text("reason");
     swing.note = object.text("note");
+    if (m_version >= 3)
+        readRamp(object, swing);
     object.array("readings", [&](const Json& one, const JsonPath& place) { swing.readings.push_back(readReading(one, place)); });
     if (swing.readings.size() > kMaxReadings)
         object.fault("readings", "are more than " + std::to_string(kMaxReadings) + "; expected a compass swing");
@@ -306,6 +328,10 @@ Reading FleetReader::readReading(const Json& value, const JsonPath& path)
     reading.trueHeading = heading<TrueHeading>(object, "true_heading_deg");
     reading.pitch_deg = object.number("pitch_deg", {-90, 90});
     reading.roll_deg = object.number("roll_deg", kSignedAngle);
+    if (m_version >= 3) {
+        reading.raw = readRaw(object);
+        reading.timeUtc = object.text("time_utc");
+    }
     reading.note = object.text("note");
     if (auto reason = object.optionalText("excluded"))
         reading.exclusion = Exclusion{std::move(*reason)};
@@ -325,6 +351,51 @@ std::vector<std::pair<std::string, std::string>> FleetReader::readExtra(JsonObje
         extra.emplace_back(std::move(name), std::move(value));
     });
     return extra;
+}
+
+void FleetReader::readInstrumentOf(JsonObject& object)
+{
+    DatumInstrument instrument = readInstrument(object);
+    if (instrument.record.empty())
+        object.missing("record", "a record id");
+    if (instrument.name.empty())
+        object.missing("name", "the instrument's name");
+    own(object, instrument.record);
+    m_fleet.instruments.push_back(std::move(instrument));
+}
+
+void FleetReader::readRule(JsonObject& object)
+{
+    DueRule rule = readDueRule(object);
+    own(object, rule.record);
+    if (!rule.type.empty() && !m_types.contains(rule.type))
+        object.fault("type", "refers to a record that is not there; expected a type of this file");
+    m_fleet.dueRules.push_back(std::move(rule));
+}
+
+void FleetReader::readCause(JsonObject& object, Event& event)
+{
+    if (const std::string word = object.text("cause"); !word.empty()) {
+        const auto cause = dueCauseNamed(word);
+        if (!cause)
+            object.fault("cause", inQuotes(word) + " is not known; expected a cause such as lightning, engine_change or parts_replaced");
+        event.cause = cause.value_or(DueCause::Other);
+    }
+    object.objects("waivers", [&](JsonObject& one) {
+        Waiver waiver = readWaiver(one, event.record);
+        own(one, waiver.record);
+        m_fleet.waivers.push_back(std::move(waiver));
+    });
+}
+
+void FleetReader::readRamp(JsonObject& object, Swing& swing)
+{
+    readRampParticulars(object, swing);
+    object.object("job", [&](JsonObject& one) {
+        SwingJob job = readJob(one);
+        own(one, job.record);
+        m_fleet.jobs.push_back({swing.id, std::move(job)});
+    });
 }
 
 } // namespace

@@ -4,25 +4,16 @@
 #include "core/base/Contract.h"
 #include "core/format/Exchange.h"
 #include "core/format/ExchangeParts.h"
+#include "core/due/DueRules.h"
+#include "core/format/ElectricalJson.h"
+#include "core/format/JobJson.h"
 #include "core/format/JsonWriter.h"
+#include "core/format/RampJson.h"
 #include "core/format/RecordWords.h"
 
 namespace lubberline {
 
 namespace {
-
-/// What is not stated is left out.
-void text(JsonWriter& json, std::string_view key, const std::string& value)
-{
-    if (!value.empty())
-        json.text(key, value);
-}
-
-void number(JsonWriter& json, std::string_view key, std::optional<double> value)
-{
-    if (value)
-        json.number(key, *value);
-}
 
 template <class Angle>
 void angle(JsonWriter& json, std::string_view key, const std::optional<Angle>& value)
@@ -72,7 +63,11 @@ public:
         m_json.integer("version", exchangeVersionOf(m_fleet));
         all("limits", m_fleet.limits);
         all("sites", m_fleet.sites);
+        if (!m_fleet.instruments.empty())
+            all("instruments", m_fleet.instruments);
         all("types", m_fleet.types);
+        if (!m_fleet.dueRules.empty())
+            all("due_rules", m_fleet.dueRules);
         all("aircraft", m_fleet.aircraft);
         m_json.end();
         return m_json.take();
@@ -112,6 +107,10 @@ private:
         m_json.text(key, found->record);
     }
 
+    void write(const DatumInstrument& instrument) { writeInstrument(m_json, instrument); }
+    void write(const DueRule& rule) { writeDueRule(m_json, rule); }
+    void write(const Waiver& waiver) { writeWaiver(m_json, waiver); }
+    void write(const ElectricalSwing& swing) { writeElectrical(m_json, swing); }
     void write(const LimitsProfile& limits);
     void write(const Site& site);
     void write(const AircraftType& type);
@@ -134,31 +133,32 @@ void FleetWriter::write(const LimitsProfile& limits)
 {
     record(m_json, limits.record);
     m_json.text("name", limits.name);
-    text(m_json, "document", limits.document);
-    text(m_json, "issue", limits.issue);
-    text(m_json, "scope", limits.scope);
-    number(m_json, "max_deviation_deg", limits.maxDeviation_deg);
-    number(m_json, "max_spread_deg", limits.maxSpread_deg);
+    textIfAny(m_json, "document", limits.document);
+    textIfAny(m_json, "issue", limits.issue);
+    textIfAny(m_json, "scope", limits.scope);
+    numberIfAny(m_json, "max_deviation_deg", limits.maxDeviation_deg);
+    numberIfAny(m_json, "max_spread_deg", limits.maxSpread_deg);
 }
 
 void FleetWriter::write(const Site& site)
 {
     record(m_json, site.record);
     m_json.text("name", site.name);
-    number(m_json, "latitude_deg", site.latitude_deg);
-    number(m_json, "longitude_deg", site.longitude_deg);
-    number(m_json, "elevation_m", site.elevation_m);
-    number(m_json, "variation_deg", site.variation_deg);
-    text(m_json, "variation_source", site.variationSource);
-    text(m_json, "note", site.note);
+    numberIfAny(m_json, "latitude_deg", site.latitude_deg);
+    numberIfAny(m_json, "longitude_deg", site.longitude_deg);
+    numberIfAny(m_json, "elevation_m", site.elevation_m);
+    numberIfAny(m_json, "variation_deg", site.variation_deg);
+    textIfAny(m_json, "variation_source", site.variationSource);
+    textIfAny(m_json, "note", site.note);
+    writeBase(m_json, site);
 }
 
 void FleetWriter::write(const AircraftType& type)
 {
     record(m_json, type.record);
     m_json.text("name", type.name);
-    text(m_json, "maker", type.maker);
-    text(m_json, "note", type.note);
+    textIfAny(m_json, "maker", type.maker);
+    textIfAny(m_json, "note", type.note);
 }
 
 void FleetWriter::write(const Aircraft& aircraft)
@@ -167,11 +167,12 @@ void FleetWriter::write(const Aircraft& aircraft)
     LUBBERLINE_EXPECT(aircraft.type.valid(), "an aircraft has a type");
     reference("type", m_fleet.types, aircraft.type);
     m_json.text("registration", aircraft.registration);
-    text(m_json, "serial_number", aircraft.serialNumber);
-    text(m_json, "operator", aircraft.operatorName);
+    textIfAny(m_json, "serial_number", aircraft.serialNumber);
+    textIfAny(m_json, "operator", aircraft.operatorName);
     if (aircraft.builtYear)
         m_json.integer("built_year", *aircraft.builtYear);
-    text(m_json, "note", aircraft.note);
+    textIfAny(m_json, "note", aircraft.note);
+    reference("base", m_fleet.sites, aircraft.base);
     m_json.boolean("demonstration", aircraft.demonstration);
     children("compasses", m_compasses, aircraft.id);
     children("events", m_events, aircraft.id);
@@ -180,9 +181,14 @@ void FleetWriter::write(const Aircraft& aircraft)
 void FleetWriter::write(const Event& event)
 {
     record(m_json, event.record);
-    text(m_json, "date", event.date);
-    text(m_json, "kind", event.kind);
-    text(m_json, "note", event.note);
+    textIfAny(m_json, "date", event.date);
+    textIfAny(m_json, "kind", event.kind);
+    textIfAny(m_json, "note", event.note);
+    if (event.cause != DueCause::Other)
+        m_json.text("cause", nameOf(event.cause));
+    const auto waivers = sorted(m_fleet.waivers, [&](const Waiver& one) { return one.event == event.record; });
+    if (!waivers.empty())
+        each("waivers", waivers);
 }
 
 void FleetWriter::write(const CompassSystem& compass)
@@ -191,15 +197,23 @@ void FleetWriter::write(const CompassSystem& compass)
     m_json.text("name", compass.name);
     m_json.text("kind", fileWord(compass.kind));
     m_json.text("compensator", fileWord(compass.compensator));
-    text(m_json, "maker", compass.maker);
-    text(m_json, "part_number", compass.partNumber);
-    text(m_json, "serial_number", compass.serialNumber);
-    text(m_json, "location", compass.location);
+    textIfAny(m_json, "maker", compass.maker);
+    textIfAny(m_json, "part_number", compass.partNumber);
+    textIfAny(m_json, "serial_number", compass.serialNumber);
+    textIfAny(m_json, "location", compass.location);
     m_json.number("resolution_deg", compass.resolution_deg);
     reference("limits", m_fleet.limits, compass.limits);
+    textIfAny(m_json, "installed", compass.installed);
     if (m_sensors.contains(compass.id))
         children("sensors", m_sensors, compass.id);
     children("swings", m_swings, compass.id);
+    std::vector<const ElectricalSwing*> electrical;
+    for (const auto& one : m_fleet.electrical)
+        if (one.compass == compass.id)
+            electrical.push_back(&one.swing);
+    std::sort(electrical.begin(), electrical.end(), [](const auto* a, const auto* b) { return a->record < b->record; });
+    if (!electrical.empty())
+        each("electrical_swings", electrical);
 }
 
 void FleetWriter::write(const SensorRecord& sensor)
@@ -207,7 +221,7 @@ void FleetWriter::write(const SensorRecord& sensor)
     record(m_json, sensor.record);
     m_json.text("name", sensor.name);
     m_json.text("origin", fileWord(sensor.origin));
-    text(m_json, "note", sensor.note);
+    textIfAny(m_json, "note", sensor.note);
     exchange::writeSensorParts(m_json, sensor);
 }
 
@@ -215,29 +229,36 @@ void FleetWriter::write(const Swing& swing)
 {
     record(m_json, swing.record);
     reference("site", m_fleet.sites, swing.site);
-    text(m_json, "date", swing.date);
+    textIfAny(m_json, "date", swing.date);
     m_json.text("kind", fileWord(swing.kind));
     m_json.text("stage", fileWord(swing.stage));
     m_json.text("state", fileWord(swing.state));
     m_json.text("radio", fileWord(swing.configuration.radio));
-    text(m_json, "engines", swing.configuration.engines);
-    text(m_json, "electrics", swing.configuration.electrics);
-    text(m_json, "configuration", swing.configuration.other);
-    text(m_json, "datum", swing.datum.instrument);
-    text(m_json, "datum_serial_number", swing.datum.serialNumber);
-    text(m_json, "datum_calibration_due", swing.datum.calibrationDue);
-    text(m_json, "datum_reader", swing.people.datumReader);
-    text(m_json, "cockpit_reader", swing.people.cockpitReader);
-    text(m_json, "adjuster", swing.people.adjuster);
-    text(m_json, "inspector", swing.people.inspector);
-    number(m_json, "variation_deg", swing.variation_deg);
-    number(m_json, "index_removed_deg", swing.indexRemoved_deg);
+    textIfAny(m_json, "engines", swing.configuration.engines);
+    textIfAny(m_json, "electrics", swing.configuration.electrics);
+    textIfAny(m_json, "configuration", swing.configuration.other);
+    textIfAny(m_json, "datum", swing.datum.instrument);
+    textIfAny(m_json, "datum_serial_number", swing.datum.serialNumber);
+    textIfAny(m_json, "datum_calibration_due", swing.datum.calibrationDue);
+    textIfAny(m_json, "datum_reader", swing.people.datumReader);
+    textIfAny(m_json, "cockpit_reader", swing.people.cockpitReader);
+    textIfAny(m_json, "adjuster", swing.people.adjuster);
+    textIfAny(m_json, "inspector", swing.people.inspector);
+    numberIfAny(m_json, "variation_deg", swing.variation_deg);
+    numberIfAny(m_json, "index_removed_deg", swing.indexRemoved_deg);
     if (swing.field)
         exchange::writeStamp(m_json, "field", *swing.field);
-    text(m_json, "procedure", swing.procedure);
-    text(m_json, "work_order", swing.workOrder);
-    text(m_json, "reason", swing.reason);
-    text(m_json, "note", swing.note);
+    textIfAny(m_json, "procedure", swing.procedure);
+    textIfAny(m_json, "work_order", swing.workOrder);
+    textIfAny(m_json, "reason", swing.reason);
+    textIfAny(m_json, "note", swing.note);
+    writeRampParticulars(m_json, swing);
+    const auto job = std::find_if(m_fleet.jobs.begin(), m_fleet.jobs.end(), [&](const JobRecord& one) { return one.swing == swing.id; });
+    if (job != m_fleet.jobs.end()) {
+        m_json.beginObject("job");
+        writeJob(m_json, job->job);
+        m_json.end();
+    }
     m_json.beginArray("readings");
     for (const auto& reading : swing.readings)
         write(reading);
@@ -247,13 +268,15 @@ void FleetWriter::write(const Swing& swing)
 void FleetWriter::write(const Reading& reading)
 {
     m_json.beginObject({}, true);
-    number(m_json, "nominal_deg", reading.nominal_deg);
+    numberIfAny(m_json, "nominal_deg", reading.nominal_deg);
     angle(m_json, "magnetic_heading_deg", reading.magnetic);
     angle(m_json, "compass_heading_deg", reading.compass);
     angle(m_json, "true_heading_deg", reading.trueHeading);
-    number(m_json, "pitch_deg", reading.pitch_deg);
-    number(m_json, "roll_deg", reading.roll_deg);
-    text(m_json, "note", reading.note);
+    numberIfAny(m_json, "pitch_deg", reading.pitch_deg);
+    numberIfAny(m_json, "roll_deg", reading.roll_deg);
+    writeRaw(m_json, reading.raw);
+    textIfAny(m_json, "time_utc", reading.timeUtc);
+    textIfAny(m_json, "note", reading.note);
     if (reading.exclusion)
         m_json.text("excluded", reading.exclusion->reason);
     if (!reading.extra.empty()) {
@@ -273,9 +296,15 @@ void FleetWriter::write(const Reading& reading)
 
 int exchangeVersionOf(const Fleet& fleet)
 {
-    const bool newer = !fleet.sensors.empty()
-        || std::any_of(fleet.swings.begin(), fleet.swings.end(), [](const Swing& swing) { return swing.field || swing.indexRemoved_deg; });
-    return newer ? 2 : 1;
+    const auto any = [](const auto& records, auto holds) { return std::any_of(records.begin(), records.end(), holds); };
+    const bool third = !fleet.jobs.empty() || !fleet.electrical.empty() || !fleet.waivers.empty() || !fleet.instruments.empty() || !fleet.dueRules.empty()
+        || any(fleet.sites, hasBase) || any(fleet.aircraft, [](const Aircraft& one) { return one.base.valid(); })
+        || any(fleet.compasses, [](const CompassSystem& one) { return !one.installed.empty(); })
+        || any(fleet.events, [](const Event& one) { return one.cause != DueCause::Other; }) || any(fleet.swings, [&](const Swing& swing) {
+               return hasRampParticulars(swing) || any(swing.readings, [](const Reading& one) { return !one.raw.empty() || !one.timeUtc.empty(); });
+           });
+    const bool second = !fleet.sensors.empty() || any(fleet.swings, [](const Swing& swing) { return swing.field || swing.indexRemoved_deg; });
+    return third ? 3 : second ? 2 : 1;
 }
 
 std::string writeExchange(const Fleet& fleet)

@@ -8,6 +8,7 @@
 #include "core/format/JsonDocument.h"
 #include "core/format/JsonObject.h"
 #include "core/format/JsonWriter.h"
+#include "core/format/RampJson.h"
 
 namespace lubberline {
 
@@ -34,30 +35,6 @@ Choice choose(JsonObject& object, std::string_view key, const std::array<std::st
     return {};
 }
 
-void textIfAny(JsonWriter& json, std::string_view key, const std::string& value)
-{
-    if (!value.empty())
-        json.text(key, value);
-}
-
-void figures(JsonWriter& json, std::string_view key, const std::vector<double>& values)
-{
-    if (!values.empty())
-        json.numbers(key, values);
-}
-
-std::vector<double> figures(JsonObject& object, std::string_view key)
-{
-    std::vector<double> values;
-    object.array(key, [&](const nlohmann::json& value, const JsonPath&) {
-        if (value.is_number())
-            values.push_back(value.get<double>());
-        else
-            object.fault(key, "holds what is no number");
-    });
-    return values;
-}
-
 /// Every event writes its keys and reads them again; `what` tells which it is.
 struct Writer {
     JsonWriter& json;
@@ -70,9 +47,7 @@ struct Writer {
     void operator()(const job::ReadingTaken& event) const
     {
         json.integer("station", event.station);
-        figures(json, "datum_deg", event.raw.datum_deg);
-        figures(json, "astern_deg", event.raw.astern_deg);
-        figures(json, "compass_deg", event.raw.compass_deg);
+        writeRaw(json, event.raw);
         json.number("magnetic_heading_deg", event.magnetic_deg);
         json.number("compass_heading_deg", event.compass_deg);
         textIfAny(json, "note", event.note);
@@ -128,7 +103,7 @@ job::What readWhat(JsonObject& object, std::size_t kind)
     case 3: {
         job::ReadingTaken taken;
         taken.station = station(object);
-        taken.raw = {figures(object, "datum_deg"), figures(object, "astern_deg"), figures(object, "compass_deg")};
+        taken.raw = readRaw(object);
         taken.magnetic_deg = object.requiredNumber("magnetic_heading_deg", kHeading);
         taken.compass_deg = object.requiredNumber("compass_heading_deg", kHeading);
         taken.note = object.text("note");
@@ -188,6 +163,9 @@ void writePlanKeys(JsonWriter& json, const SwingJob& job)
     json.text("procedure", fileWord(job.plan.kind));
     json.integer("check_points", job.plan.checkPoints);
     json.number("resolution_deg", job.resolution_deg);
+    json.beginObject("datum");
+    writeInstrument(json, job.datum);
+    json.end();
     json.beginArray("configurations", true);
     for (const auto& configuration : job.plan.configurations)
         json.text({}, configuration);
@@ -217,6 +195,7 @@ void readPlanKeys(JsonObject& object, SwingJob& job)
     if (job.plan.checkPoints != 8 && job.plan.checkPoints != 12 && job.plan.checkPoints != 24)
         object.fault("check_points", "is " + std::to_string(job.plan.checkPoints) + "; expected 8, 12 or 24"), job.plan.checkPoints = 8;
     job.resolution_deg = object.requiredNumber("resolution_deg", {1e-6, 90});
+    object.object("datum", [&](JsonObject& datum) { job.datum = readInstrument(datum); });
     job.plan.configurations = texts(object, "configurations");
     job.checklist = texts(object, "checklist");
 }

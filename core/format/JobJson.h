@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/base/Result.h"
-#include "core/procedure/SwingJob.h"
+#include "core/record/SwingJob.h"
 
 namespace lubberline {
 
@@ -18,7 +18,7 @@ class JsonWriter;
 /// Errors: Format, InvalidInput, naming the key. `name` is named in errors.
 Result<JobEvent> readJobEvent(std::string_view text, const std::string& name);
 
-/// Plan, checklist and resolution, without the events.
+/// Plan, datum instrument, checklist and resolution, without the events.
 [[nodiscard]] std::string writeJobPlan(const SwingJob& job);
 Result<SwingJob> readJobPlan(std::string_view text, const std::string& name);
 

@@ -38,6 +38,23 @@ template <>
 struct Words<ModelOrigin> {
     static constexpr std::array<std::string_view, 4> list{"entered", "loaded", "estimated_from_swings", "iron_bench"};
 };
+template <>
+struct Words<SignatureRole> {
+    static constexpr std::array<std::string_view, 3> list{"performer", "inspector", "authority"};
+};
+template <>
+struct Words<DatumKind> {
+    static constexpr std::array<std::string_view, 9> list{"rose_line", "sighting_compass", "theodolite", "digital_compass", "transfer_gyro", "astrocompass",
+        "runway", "inertial", "electrical_calibrator"};
+};
+template <>
+struct Words<SightingDirection> {
+    static constexpr std::array<std::string_view, 2> list{"direct", "reciprocal"};
+};
+template <>
+struct Words<SiteClass> {
+    static constexpr std::array<std::string_view, 3> list{"none", "class_1", "class_2"};
+};
 
 template <class Choice>
 std::string_view wordOf(Choice choice)
@@ -61,6 +78,10 @@ std::string_view fileWord(RadioState radio) { return wordOf(radio); }
 std::string_view fileWord(CompassKind kind) { return wordOf(kind); }
 std::string_view fileWord(Compensator compensator) { return wordOf(compensator); }
 std::string_view fileWord(ModelOrigin origin) { return wordOf(origin); }
+std::string_view fileWord(SignatureRole role) { return wordOf(role); }
+std::string_view fileWord(DatumKind kind) { return wordOf(kind); }
+std::string_view fileWord(SightingDirection direction) { return wordOf(direction); }
+std::string_view fileWord(SiteClass siteClass) { return wordOf(siteClass); }
 
 template <class Choice>
 std::optional<Choice> choiceOf(std::string_view word)
@@ -89,6 +110,10 @@ template std::optional<RadioState> choiceOf(std::string_view);
 template std::optional<CompassKind> choiceOf(std::string_view);
 template std::optional<Compensator> choiceOf(std::string_view);
 template std::optional<ModelOrigin> choiceOf(std::string_view);
+template std::optional<SignatureRole> choiceOf(std::string_view);
+template std::optional<DatumKind> choiceOf(std::string_view);
+template std::optional<SightingDirection> choiceOf(std::string_view);
+template std::optional<SiteClass> choiceOf(std::string_view);
 template std::string allowedWords<SwingKind>();
 template std::string allowedWords<SwingStage>();
 template std::string allowedWords<SwingState>();
@@ -96,5 +121,9 @@ template std::string allowedWords<RadioState>();
 template std::string allowedWords<CompassKind>();
 template std::string allowedWords<Compensator>();
 template std::string allowedWords<ModelOrigin>();
+template std::string allowedWords<SignatureRole>();
+template std::string allowedWords<DatumKind>();
+template std::string allowedWords<SightingDirection>();
+template std::string allowedWords<SiteClass>();
 
 } // namespace lubberline

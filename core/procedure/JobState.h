@@ -8,7 +8,8 @@
 
 #include "core/base/Result.h"
 #include "core/deviation/Smith.h"
-#include "core/procedure/SwingJob.h"
+#include "core/procedure/Plan.h"
+#include "core/record/SwingJob.h"
 
 namespace lubberline {
 

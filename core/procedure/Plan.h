@@ -6,29 +6,11 @@
 ///   flux valve [Duncan Aviation, MIL-STD-765A practice]: N, E, S, W untouched; the valve is turned by the mean; N: C, E: B; check swing
 ///   check only: the check swing alone; nothing is touched
 
-#include <optional>
-#include <string>
 #include <vector>
 
+#include "core/record/SwingPlan.h"
+
 namespace lubberline {
-
-enum class ProcedureKind { Coefficient, HalfError, IndexFirst, FluxValve, CheckOnly };
-
-/// Which control is turned.
-enum class Control {
-    NorthSouth, ///< the N–S screw or magnets: removes C
-    EastWest,   ///< the E–W screw or magnets: removes B
-    Index,      ///< the compass or detector in its mount: removes A
-};
-
-/// How much of what is read is taken out.
-enum class HowMuch { CoefficientPart, All, Half };
-
-struct Turn {
-    Control control = Control::NorthSouth;
-    HowMuch removal = HowMuch::CoefficientPart;
-    friend bool operator==(const Turn&, const Turn&) = default;
-};
 
 enum class StationPhase { AsFound, Correct, Check, Configuration };
 
@@ -39,13 +21,6 @@ struct Station {
     std::vector<Turn> corrections;   ///< in the order in which they are made here
     int configuration = 0;                  ///< 0: the main one; else of PlanOptions::configurations
     friend bool operator==(const Station&, const Station&) = default;
-};
-
-struct PlanOptions {
-    ProcedureKind kind = ProcedureKind::Coefficient;
-    int checkPoints = 8;                       ///< 8, 12 or 24
-    std::vector<std::string> configurations;   ///< further ones to be read, in words: "radio on"
-    friend bool operator==(const PlanOptions&, const PlanOptions&) = default;
 };
 
 /// The stations in their order. After the last correction the check swing begins one step clockwise of it, so that no leg is towed twice.

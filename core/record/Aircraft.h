@@ -27,6 +27,7 @@ struct Aircraft {
     std::optional<int> builtYear;
     std::string note;
     bool demonstration = false; ///< invented data, marked as such wherever it is shown
+    SiteId base = {}; ///< where it is based now; not valid: not stated
     friend bool operator==(const Aircraft&, const Aircraft&) = default;
 };
 
@@ -48,8 +49,26 @@ struct CompassSystem {
     std::string location;
     double resolution_deg = 1.0; ///< smallest division that is read [deg]; drawn as the readings' bars
     LimitsProfileId limits;      ///< not valid: no limits are set
+    std::string installed = {};      ///< ISO 8601 date since when it is on this aircraft; empty: not stated
     friend bool operator==(const CompassSystem&, const CompassSystem&) = default;
 };
+
+/// The occasions after which sources want a new swing (procedures.md, section 5).
+enum class DueCause {
+    Other, ///< opens nothing
+    PartsReplaced,     ///< ferrous part, flux valve, compass, compensator installed, removed or repaired
+    EngineChange,
+    Modification,      ///< cockpit or avionics
+    ElectricalChange,
+    Lightning,
+    ElectricalStorm,
+    HardLanding,       ///< shock, turbulence, accident
+    MagneticCargo,
+    Moved,             ///< to a place of a very different field
+    ParkedOverAYear,   ///< on one heading
+    AccuracySuspected,
+};
+inline constexpr int kDueCauses = 12;
 
 /// Something that may have changed the magnetism of an aircraft (lightning, engine change, hard landing, …).
 struct Event {
@@ -58,6 +77,7 @@ struct Event {
     AircraftId aircraft;
     std::string date; ///< ISO 8601 date, UTC
     std::string kind; ///< in the crew's words
+    DueCause cause = DueCause::Other; ///< what it is to the rules on when a swing is due
     std::string note;
     friend bool operator==(const Event&, const Event&) = default;
 };

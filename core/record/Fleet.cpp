@@ -40,6 +40,7 @@ Fleet toFleet(const SwingRecord& record)
     fleet.types.front().id = AircraftTypeId{1};
     fleet.aircraft.front().id = AircraftId{1};
     fleet.aircraft.front().type = AircraftTypeId{1};
+    fleet.aircraft.front().base = {};
     fleet.compasses.front().id = CompassId{1};
     fleet.compasses.front().aircraft = AircraftId{1};
     fleet.compasses.front().limits = {};

@@ -6,11 +6,28 @@
 #include <vector>
 
 #include "core/record/Aircraft.h"
+#include "core/record/DueRule.h"
+#include "core/record/ElectricalSwing.h"
 #include "core/record/SensorRecord.h"
 #include "core/record/Site.h"
 #include "core/record/Swing.h"
+#include "core/record/SwingJob.h"
 
 namespace lubberline {
+
+/// A guided swing with the swing that it belongs to; its particulars are those of that swing.
+struct JobRecord {
+    SwingId swing;
+    SwingJob job;
+    friend bool operator==(const JobRecord&, const JobRecord&) = default;
+};
+
+/// An electrical swing of a compass.
+struct ElectricalRecord {
+    CompassId compass;
+    ElectricalSwing swing;
+    friend bool operator==(const ElectricalRecord&, const ElectricalRecord&) = default;
+};
 
 /// A self-contained part of a fleet. References between records are by the ids inside this struct, which are its own
 /// (1, 2, 3 …): they say nothing about any database. Records are told apart across machines by their RecordId.
@@ -23,6 +40,11 @@ struct Fleet {
     std::vector<SensorRecord> sensors;
     std::vector<Event> events;
     std::vector<Swing> swings;
+    std::vector<JobRecord> jobs;
+    std::vector<ElectricalRecord> electrical;
+    std::vector<Waiver> waivers;             ///< each answers an event of this fleet
+    std::vector<DatumInstrument> instruments;
+    std::vector<DueRule> dueRules;
     friend bool operator==(const Fleet&, const Fleet&) = default;
 };
 

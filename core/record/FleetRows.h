@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/record/Aircraft.h"
+#include "core/record/DueRule.h"
 #include "core/record/Id.h"
 #include "core/record/Status.h"
 #include "core/record/Swing.h"
@@ -47,6 +50,37 @@ struct SwingRow {
     std::optional<double> maxAbsDeviation_deg;                 ///< none while the readings do not allow a result
     std::array<std::optional<double>, 5> coefficient_deg = {}; ///< approximate A…E
     Status status = Status::NotKnown;
+    int revision = 1;
+    bool superseded = false; ///< a later revision amends it
+    bool guided = false;     ///< its guided swing is not finished
+};
+
+/// A guided swing that can be taken up.
+struct JobRow {
+    SwingId swing;
+    RecordId job;
+    std::string registration, compass, date;
+    int events = 0;
+};
+
+struct AuditRow {
+    std::string timeUtc;
+    std::string what;   ///< "changed reading"
+    std::string detail;
+};
+
+/// What the due rules look at, for one compass system.
+struct DueCompass {
+    AircraftTypeId type;
+    AircraftId aircraft;
+    CompassId compass;
+    RecordId typeRecord, compassRecord;
+    std::string typeName, registration, compassName;
+    std::string installed;                 ///< ISO 8601; empty: not stated
+    SiteId base;                           ///< of the aircraft
+    std::vector<std::string> signedSwings; ///< dates of signed swings, newest first
+    std::vector<Event> events;             ///< of the aircraft
+    std::vector<Waiver> waivers;           ///< that answer those
 };
 
 struct SearchHit {

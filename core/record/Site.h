@@ -9,6 +9,18 @@
 
 namespace lubberline {
 
+/// A point of the grid. What was not measured is not there.
+struct SurveyPoint {
+    double east_m = 0, north_m = 0;         ///< from the centre of the base, true north up
+    double height_m = 0;                    ///< of the sensor above ground
+    std::optional<double> declination_deg;  ///< east positive, reduced to the survey's epoch
+    std::optional<double> total_nT;
+    friend bool operator==(const SurveyPoint&, const SurveyPoint&) = default;
+};
+
+/// Classes by what a compass base may turn a needle; data with their source (procedures.md, section 9).
+enum class SiteClass { None, Class1, Class2 };
+
 /// A compass base (rose, pad) where aircraft are swung.
 struct Site {
     SiteId id;
@@ -20,6 +32,15 @@ struct Site {
     std::optional<double> variation_deg;  ///< true − magnetic, east positive
     std::string variationSource;          ///< model or certificate, with its epoch
     std::string note;
+    std::string owner = {};
+    SiteClass siteClass = SiteClass::None;      ///< as certified
+    std::string certificate = {};               ///< its number or document
+    std::string certificateExpiry = {};            ///< ISO 8601 date; empty: none stated
+    std::optional<double> paintedVariation_deg = {};///< the variation that the painted lines were laid out with; east positive
+    std::string paintedDate = {};                    ///< ISO 8601 date of that
+    std::string surveyDate = {};                     ///< ISO 8601
+    std::string surveyor = {}, surveyInstrument = {};
+    std::vector<SurveyPoint> survey = {};        ///< in the order of the sheet; may be empty
     friend bool operator==(const Site&, const Site&) = default;
 };
 

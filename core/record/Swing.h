@@ -9,6 +9,8 @@
 #include "core/angle/Heading.h"
 #include "core/earth/FieldStamp.h"
 #include "core/record/Id.h"
+#include "core/record/RawFigures.h"
+#include "core/record/Signature.h"
 
 namespace lubberline {
 
@@ -32,6 +34,8 @@ struct Reading {
     std::optional<TrueHeading> trueHeading;  ///< as read, where the datum was true; magnetic is then computed from it
     std::optional<double> pitch_deg;         ///< nose up positive
     std::optional<double> roll_deg;          ///< starboard wing down positive
+    RawFigures raw;                          ///< what the headings are the means of, where more than one figure was read
+    std::string timeUtc;                     ///< ISO 8601; empty: not stated
     std::string note;
     std::optional<Exclusion> exclusion;
     std::vector<std::pair<std::string, std::string>> extra; ///< unknown columns of the file it came from, kept
@@ -58,6 +62,7 @@ struct Datum {
     std::string instrument;
     std::string serialNumber;
     std::string calibrationDue; ///< ISO 8601 date
+    std::string readOut = {};        ///< how its figures were taken, in words: "from ahead, reciprocal; zero +0.3°"
     friend bool operator==(const Datum&, const Datum&) = default;
 };
 
@@ -84,10 +89,18 @@ struct Swing {
     std::optional<double> variation_deg; ///< used to make magnetic of true headings; east positive
     std::optional<double> indexRemoved_deg; ///< A taken out by turning the compass in its mount after these readings; east positive
     std::string procedure;
+    std::string startUtc, endUtc; ///< ISO 8601; empty: not stated
+    std::string siteOverride;     ///< why it was swung there although the site or the datum was out of date; empty: it was not
+    std::string weather;          ///< wind, temperature, magnetic activity
+    RecordId job;                 ///< the guided swing that made it (core/record/SwingJob.h); empty: none
+    RecordId supersedes;          ///< the signed swing that this one amends; empty: none
+    std::string amendment;        ///< why; never empty where it supersedes
+    int revision = 1;
     std::string workOrder;
     std::string reason;
     std::string note;
     std::optional<FieldStamp> field; ///< the Earth's field that it was computed with; none: not stated
+    std::vector<Signature> signatures; ///< in the order in which they were given
     std::vector<Reading> readings; ///< in the order in which they were entered
     friend bool operator==(const Swing&, const Swing&) = default;
 };

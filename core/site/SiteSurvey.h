@@ -8,20 +8,9 @@
 
 #include "core/angle/Heading.h"
 #include "core/base/Result.h"
+#include "core/record/Site.h"
 
 namespace lubberline {
-
-/// A point of the grid. What was not measured is not there.
-struct SurveyPoint {
-    double east_m = 0, north_m = 0;         ///< from the centre of the base, true north up
-    double height_m = 0;                    ///< of the sensor above ground
-    std::optional<double> declination_deg;  ///< east positive, reduced to the survey's epoch
-    std::optional<double> total_nT;
-    friend bool operator==(const SurveyPoint&, const SurveyPoint&) = default;
-};
-
-/// Classes by what a compass base may turn a needle; data with their source (procedures.md, section 9).
-enum class SiteClass { None, Class1, Class2 };
 
 struct ClassRule {
     SiteClass siteClass = SiteClass::None;

@@ -1,8 +1,11 @@
 #include <gmock/gmock.h>
 
+#include "db/JobRepository.h"
 #include "db/Maintenance.h"
 #include "db/SensorRepository.h"
+#include "db/SigningRepository.h"
 #include "db/Statement.h"
+#include "db/SwingRepository.h"
 #include "tests/db/RawDatabase.h"
 #include "tests/db/TestFleet.h"
 
@@ -94,12 +97,34 @@ TEST_P(OldDatabase, keepsItsSwingsWithoutAFieldAndTakesOneForTheDraft)
     db::SwingRepository swings(*database);
     Swing draft = *swings.swing(SwingId{2});
     const Swing signedOne = *swings.swing(SwingId{1});
-    EXPECT_FALSE(draft.field || draft.indexRemoved_deg || signedOne.field || signedOne.indexRemoved_deg);
+    EXPECT_FALSE(draft.indexRemoved_deg || signedOne.field || signedOne.indexRemoved_deg);
+    EXPECT_EQ(draft.field.has_value(), GetParam() >= 3); // the fixture of schema 3 has one
     draft.field = FieldStamp{"WMM2025", {51.55, 21.89, 117}, "2026-11-20", {18900, 2300, 46500}};
     ASSERT_TRUE(swings.save(draft));
     EXPECT_EQ(swings.swing(SwingId{2})->field, draft.field);
     EXPECT_EQ(db::execute(*database, "UPDATE swing SET index_removed_deg = 1 WHERE id = 1").error().code, ErrorCode::Frozen);
-    EXPECT_TRUE(db::SensorRepository(*database).sensorsOf(CompassId{1})->empty());
+    EXPECT_EQ(db::SensorRepository(*database).sensorsOf(CompassId{1})->empty(), GetParam() < 3);
+    EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
+}
+
+TEST_P(OldDatabase, hasNothingOfTheRampAndTakesAllOfIt)
+{
+    auto database = Database::open(m_path, OpenMode::ReadWriteCreate);
+    ASSERT_TRUE(database) << describe(database.error());
+    db::SwingRepository swings(*database);
+    const Swing signedOne = *swings.swing(SwingId{1});
+    EXPECT_EQ(signedOne.revision, 1);
+    EXPECT_TRUE(signedOne.signatures.empty()); // signed before signatures were kept: it stays frozen all the same
+    EXPECT_FALSE(*db::JobRepository(*database).jobOf(SwingId{1}));
+    db::SigningRepository signing(*database);
+    const auto made = signing.amend(SwingId{1}, "wrong site");
+    ASSERT_TRUE(made) << describe(made.error());
+    EXPECT_EQ(swings.swing(*made)->supersedes, signedOne.record);
+    ASSERT_TRUE(signing.complete(*made));
+    ASSERT_TRUE(signing.sign(*made, {SignatureRole::Performer, "Ada", "", "", ""}));
+    ASSERT_TRUE(signing.sign(*made, {SignatureRole::Inspector, "Ben", "PL 1", "", ""}));
+    EXPECT_EQ(swings.swing(*made)->state, SwingState::Signed);
+    EXPECT_EQ(db::execute(*database, "UPDATE swing SET amendment = 'x' WHERE id = " + QString::number(made->value)).error().code, ErrorCode::Frozen);
     EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
 }
 

@@ -70,12 +70,14 @@ TEST_F(Swings, keepTheirResultsBesideThem)
     EXPECT_EQ(compassStatus(), Status::InLimits);
 
     auto swing = m_swings.swing(*id);
+    auto before = swing->readings[0];
     swing->readings[0].compass = CompassHeading::fromDegrees(300); // 17° of deviation
-    ASSERT_TRUE(m_swings.saveReading(*id, swing->readings[0]));
+    ASSERT_TRUE(m_swings.saveReading(*id, before, swing->readings[0]));
     EXPECT_EQ(compassStatus(), Status::OutOfLimits);
     EXPECT_EQ(m_fleet.types()->front().status, Status::OutOfLimits);
+    before = swing->readings[0];
     swing->readings[0].exclusion = Exclusion{"misread"};
-    ASSERT_TRUE(m_swings.saveReading(*id, swing->readings[0]));
+    ASSERT_TRUE(m_swings.saveReading(*id, before, swing->readings[0]));
     EXPECT_EQ(compassStatus(), Status::InLimits);
 }
 
@@ -138,7 +140,7 @@ TEST_F(Swings, whatIsSignedIsFrozenAlsoForRawSql)
     Swing changed = stored;
     changed.date = "2020-01-01";
     EXPECT_EQ(m_swings.save(changed).error().code, ErrorCode::Frozen);
-    EXPECT_EQ(m_swings.saveReading(*id, stored.readings[0]).error().code, ErrorCode::Frozen);
+    EXPECT_EQ(m_swings.saveReading(*id, stored.readings[0], stored.readings[0]).error().code, ErrorCode::Frozen);
     EXPECT_EQ(m_swings.insertReading(*id, 0, {}).error().code, ErrorCode::Frozen);
     EXPECT_EQ(m_swings.removeReading(*id, stored.readings[0].id).error().code, ErrorCode::Frozen);
     EXPECT_EQ(m_swings.remove(*id).error().code, ErrorCode::Frozen);
@@ -228,17 +230,19 @@ TEST_F(Swings, everyChangeIsInTheAuditTrailForEver)
 {
     const auto id = *m_swings.save(swingOf(m_stored));
     auto one = m_swings.swing(id)->readings[0];
+    auto before = one;
     one.compass = CompassHeading::fromDegrees(315.5);
-    ASSERT_TRUE(m_swings.saveReading(id, one));
+    ASSERT_TRUE(m_swings.saveReading(id, before, one));
     db::Statement last(m_database, "SELECT what, detail FROM audit_entry ORDER BY id DESC LIMIT 1");
     ASSERT_TRUE(last.run() && last.next());
     EXPECT_EQ(last.text(0), "changed reading");
     EXPECT_THAT(last.text(1), testing::AllOf(testing::HasSubstr("compass 316"), testing::HasSubstr("compass 315.5")));
+    before = one;
     one.roll_deg = -1.5;
-    ASSERT_TRUE(m_swings.saveReading(id, one));
+    ASSERT_TRUE(m_swings.saveReading(id, before, one));
     EXPECT_THAT(lastEntry(), testing::HasSubstr("roll -1.5"));
     const auto entries = db::number(m_database, "SELECT COUNT(*) FROM audit_entry").value();
-    ASSERT_TRUE(m_swings.saveReading(id, one)); // nothing changed
+    ASSERT_TRUE(m_swings.saveReading(id, one, one)); // nothing changed
     EXPECT_EQ(db::number(m_database, "SELECT COUNT(*) FROM audit_entry").value(), entries);
     auto swing = *m_swings.swing(id);
     swing.people.inspector = "Dora";

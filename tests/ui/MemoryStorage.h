@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "core/deviation/Analysis.h"
+#include "core/format/SignedContent.h"
 #include "core/format/SwingCsv.h"
+#include "core/record/Completeness.h"
 #include "core/record/SwingField.h"
 #include "ui/storage/Storage.h"
 
@@ -23,6 +26,16 @@ struct MemoryFleet {
     std::vector<Site> sites;
     std::vector<LimitsProfile> limits;
     std::vector<Swing> swings;
+    struct Job {
+        JobRecord record;
+        bool open = true;
+    };
+    std::vector<Job> jobs;
+    std::vector<DatumInstrument> instruments;
+    std::vector<DueRule> dueRules;
+    std::vector<Waiver> waivers;
+    std::vector<ElectricalRecord> electrical;
+    std::map<RecordId, std::vector<AuditRow>> audit;
     std::int64_t lastId = 0;
 };
 
@@ -161,7 +174,13 @@ public:
             emit aircraftChanged(compass.aircraft);
         return id;
     }
-    Result<SiteId> save(const Site& site) override { return put(m_fleet->sites, site); }
+    Result<SiteId> save(const Site& site) override
+    {
+        const auto id = put(m_fleet->sites, site);
+        if (id)
+            emit sitesChanged();
+        return id;
+    }
     Result<LimitsProfileId> save(const LimitsProfile& profile) override { return told(put(m_fleet->limits, profile)); }
     Result<EventId> save(const Event& event) override
     {
@@ -188,6 +207,227 @@ public:
             emit fleetChanged();
         emit swingChanged(*id);
         return id;
+    }
+
+    Result<void> changeParticulars(const Swing& before, const Swing& swing) override
+    {
+        Swing known = before, stored = *swingAt(swing.id);
+        known.readings = stored.readings = {};
+        known.signatures = stored.signatures = {};
+        if (known != stored)
+            return Error{ErrorCode::Conflict, "the particulars of this swing have been changed elsewhere; nothing was overwritten"};
+        const auto done = saveParticulars(swing);
+        return done ? Result<void>() : done.error();
+    }
+
+    Result<void> complete(SwingId id) override
+    {
+        Swing& swing = *swingAt(id);
+        if (const std::string missing = missingIn(swing); !missing.empty())
+            return Error{ErrorCode::InvalidInput, "the swing is not complete: " + missing};
+        return setState(swing, SwingState::Complete, "completed swing", {});
+    }
+    Result<void> reopen(SwingId id, const std::string& reason) override
+    {
+        Swing& swing = *swingAt(id);
+        if (swing.state == SwingState::Signed)
+            return Error{ErrorCode::Frozen, "the swing is signed and frozen"};
+        if (reason.empty())
+            return Error{ErrorCode::InvalidInput, "the reason is empty; expected why a complete swing is opened again"};
+        return setState(swing, SwingState::Draft, "reopened swing", reason);
+    }
+    /// The hash is a stand-in: as many digits, and another one when the contents are others.
+    Result<void> sign(SwingId id, Signature signature) override
+    {
+        Swing& swing = *swingAt(id);
+        if (const auto refused = refusal())
+            return *refused;
+        if (swing.state == SwingState::Draft)
+            return Error{ErrorCode::InvalidInput, "the swing is a draft; expected a complete one"};
+        if (signature.name.empty())
+            return Error{ErrorCode::InvalidInput, "the name is empty; expected who signs"};
+        signature.timeUtc = "2026-11-23T12:00:00Z";
+        signature.hash = standIn(id);
+        swing.signatures.push_back(signature);
+        const auto given = [&](SignatureRole role) {
+            return std::any_of(swing.signatures.begin(), swing.signatures.end(), [&](const Signature& one) { return one.role == role && one.hash == signature.hash; });
+        };
+        const bool decided = given(SignatureRole::Performer) && (given(SignatureRole::Inspector) || given(SignatureRole::Authority));
+        const auto done = setState(swing, decided ? SwingState::Signed : swing.state, "signed swing", signature.name);
+        emit dueChanged();
+        return done;
+    }
+    Result<std::vector<bool>> signaturesHold(SwingId id) override
+    {
+        std::vector<bool> hold;
+        for (const auto& one : swingAt(id)->signatures)
+            hold.push_back(one.hash == standIn(id));
+        return hold;
+    }
+    Result<SwingId> amend(SwingId id, const std::string& reason) override
+    {
+        Swing swing = *swingAt(id);
+        if (swing.state != SwingState::Signed)
+            return Error{ErrorCode::InvalidInput, "the swing is not signed; expected a signed one"};
+        if (reason.empty())
+            return Error{ErrorCode::InvalidInput, "the reason is empty; expected why the signed swing is amended"};
+        for (const Swing& other : m_fleet->swings)
+            if (other.supersedes == swing.record)
+                return Error{ErrorCode::Conflict, "the swing is amended already"};
+        swing.supersedes = std::exchange(swing.record, {});
+        swing.id = {};
+        swing.state = SwingState::Draft;
+        swing.amendment = reason;
+        ++swing.revision;
+        swing.signatures.clear();
+        return told(saveParticulars(swing));
+    }
+    Result<std::vector<AuditRow>> auditOf(const RecordId& record) override { return m_fleet->audit[record]; }
+
+    Result<std::vector<JobRow>> openJobs() override
+    {
+        std::vector<JobRow> rows;
+        for (auto job = m_fleet->jobs.rbegin(); job != m_fleet->jobs.rend(); ++job)
+            if (job->open) {
+                const auto record = *swingRecord(job->record.swing);
+                rows.push_back({job->record.swing, job->record.job.record, record.aircraft.registration, record.compass.name, record.swing.date,
+                    int(job->record.job.events.size())});
+            }
+        return rows;
+    }
+    Result<std::optional<JobRecord>> jobOf(SwingId id) override
+    {
+        const Swing& swing = *swingAt(id);
+        for (const auto& job : m_fleet->jobs)
+            if (job.record.swing == id || (!swing.job.empty() && job.record.job.record == swing.job)) {
+                JobRecord found = job.record;
+                found.job.particulars = *swingAt(found.swing);
+                found.job.particulars.readings.clear();
+                return std::optional(found);
+            }
+        return std::optional<JobRecord>();
+    }
+    Result<SwingId> startJob(const Swing& particulars, const SwingJob& job) override
+    {
+        Swing swing = particulars;
+        swing.job = job.record.empty() ? newRecordId() : job.record;
+        const auto id = saveParticulars(swing);
+        if (!id)
+            return id;
+        SwingJob stored = job;
+        stored.record = swing.job;
+        m_fleet->jobs.push_back({{*id, stored}, true});
+        emit fleetChanged();
+        return id;
+    }
+    Result<void> appendJobEvent(SwingId swing, std::size_t place, const JobEvent& event) override
+    {
+        if (const auto refused = refusal())
+            return *refused;
+        auto& job = jobAt(swing);
+        if (!job.open)
+            return Error{ErrorCode::Frozen, "the guided swing is finished"};
+        if (job.record.job.events.size() != place)
+            return Error{ErrorCode::Conflict, "this guided swing has gone on in another window"};
+        job.record.job.events.push_back(event);
+        return {};
+    }
+    Result<void> finishJob(SwingId swing, const Swing& asLeft, const std::vector<Swing>& others) override
+    {
+        if (const auto refused = refusal())
+            return *refused;
+        Swing& own = *swingAt(swing);
+        const Swing before = own;
+        own = asLeft;
+        own.id = swing;
+        own.record = before.record;
+        own.compass = before.compass;
+        own.job = before.job;
+        for (Reading& reading : own.readings)
+            reading.id = {++m_fleet->lastId};
+        jobAt(swing).open = false;
+        for (Swing other : others) {
+            other.id = {};
+            other.compass = before.compass;
+            other.job = before.job;
+            static_cast<void>(saveParticulars(other));
+        }
+        emit swingChanged(swing);
+        emit fleetChanged();
+        return {};
+    }
+    Result<void> abandonJob(SwingId swing) override
+    {
+        jobAt(swing).open = false;
+        emit fleetChanged();
+        return {};
+    }
+
+    Result<std::vector<DatumInstrument>> instruments() override { return m_fleet->instruments; }
+    Result<void> save(const DatumInstrument& instrument) override { return keep(m_fleet->instruments, instrument, [this] { emit sitesChanged(); }); }
+    Result<void> removeInstrument(const RecordId& record) override
+    {
+        std::erase_if(m_fleet->instruments, [&](const DatumInstrument& one) { return one.record == record; });
+        emit sitesChanged();
+        return {};
+    }
+    Result<std::vector<DueRule>> dueRules() override { return m_fleet->dueRules; }
+    Result<void> save(const DueRule& rule) override { return keep(m_fleet->dueRules, rule, [this] { emit dueChanged(); }); }
+    Result<void> removeDueRule(const RecordId& record) override
+    {
+        std::erase_if(m_fleet->dueRules, [&](const DueRule& one) { return one.record == record; });
+        emit dueChanged();
+        return {};
+    }
+    Result<std::vector<Waiver>> waiversOf(AircraftId aircraft) override
+    {
+        std::vector<Waiver> waivers;
+        for (const auto& one : m_fleet->waivers)
+            for (const auto& event : m_fleet->events)
+                if (event.record == one.event && event.aircraft == aircraft)
+                    waivers.push_back(one);
+        return waivers;
+    }
+    Result<void> save(const Waiver& waiver) override { return keep(m_fleet->waivers, waiver, [this] { emit dueChanged(); }); }
+    Result<std::vector<DueCompass>> dueCompasses() override
+    {
+        ++asked["due"];
+        std::vector<DueCompass> rows;
+        for (const auto& compass : m_fleet->compasses) {
+            const auto owner = *aircraft(compass.aircraft);
+            const auto type = *find(m_fleet->types, owner.type, "type");
+            DueCompass row{type.id, owner.id, compass.id, type.record, compass.record, type.name, owner.registration, compass.name, compass.installed, owner.base,
+                {}, *eventsOf(owner.id), *waiversOf(owner.id)};
+            for (const Swing* swing : of(compass.id))
+                if (swing->state == SwingState::Signed)
+                    row.signedSwings.push_back(swing->date);
+            rows.push_back(row);
+        }
+        return rows;
+    }
+    Result<std::vector<ElectricalSwing>> electricalSwingsOf(CompassId compass) override
+    {
+        std::vector<ElectricalSwing> swings;
+        for (auto one = m_fleet->electrical.rbegin(); one != m_fleet->electrical.rend(); ++one)
+            if (one->compass == compass)
+                swings.push_back(one->swing);
+        return swings;
+    }
+    Result<void> save(CompassId compass, const ElectricalSwing& swing) override
+    {
+        if (const auto refused = refusal())
+            return *refused;
+        for (auto& one : m_fleet->electrical)
+            if (one.swing.record == swing.record) {
+                one.swing = swing;
+                emit electricalChanged(compass);
+                return {};
+            }
+        m_fleet->electrical.push_back({compass, swing});
+        if (swing.record.empty())
+            m_fleet->electrical.back().swing.record = newRecordId();
+        emit electricalChanged(compass);
+        return {};
     }
 
     Result<SensorModelId> save(const SensorRecord& sensor) override
@@ -228,12 +468,14 @@ public:
         emit swingChanged(swing);
         return stored.id;
     }
-    Result<void> saveReading(SwingId swing, const Reading& reading) override
+    Result<void> saveReading(SwingId swing, const Reading& before, const Reading& reading) override
     {
         if (const auto refused = refusal())
             return *refused;
         for (Reading& one : swingAt(swing)->readings)
             if (one.id == reading.id) {
+                if (one != before && one != reading)
+                    return Error{ErrorCode::Conflict, "this reading has been changed elsewhere; nothing was overwritten"};
                 one = reading;
                 emit swingChanged(swing);
                 return {};
@@ -265,6 +507,43 @@ public:
     }
 
 private:
+    /// Known by its RecordId.
+    template <class Record, class Tell>
+    Result<void> keep(std::vector<Record>& records, Record record, Tell tell)
+    {
+        if (const auto refused = refusal())
+            return *refused;
+        if (record.record.empty())
+            record.record = newRecordId();
+        const auto found = std::find_if(records.begin(), records.end(), [&](const Record& one) { return one.record == record.record; });
+        if (found == records.end())
+            records.push_back(record);
+        else
+            *found = record;
+        tell();
+        return {};
+    }
+    Result<void> setState(Swing& swing, SwingState state, const char* what, const std::string& detail)
+    {
+        if (const auto refused = refusal())
+            return *refused;
+        swing.state = state;
+        m_fleet->audit[swing.record].push_back({"2026-11-23T12:00:00Z", what, detail});
+        emit swingChanged(swing.id);
+        emit fleetChanged();
+        return {};
+    }
+    std::string standIn(SwingId id)
+    {
+        const auto record = *swingRecord(id);
+        std::string digits = std::to_string(std::hash<std::string>{}(signedContent(record, std::nullopt)));
+        digits.resize(64, '0');
+        return digits;
+    }
+    MemoryFleet::Job& jobAt(SwingId swing)
+    {
+        return *std::find_if(m_fleet->jobs.begin(), m_fleet->jobs.end(), [&](const MemoryFleet::Job& one) { return one.record.swing == swing; });
+    }
     std::optional<Error> refusal() const
     {
         if (isReadOnly)

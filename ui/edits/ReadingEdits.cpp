@@ -40,10 +40,10 @@ ChangeReading::ChangeReading(EditContext& context, SwingId swing, Reading before
 {
 }
 
-Result<void> ChangeReading::store(Reading reading) const
+Result<void> ChangeReading::store(Reading from, Reading to) const
 {
-    reading.id = context().readings.current(reading.id);
-    return storage().saveReading(swing(), reading);
+    from.id = to.id = context().readings.current(to.id);
+    return storage().saveReading(swing(), from, to);
 }
 
 InsertReadings::InsertReadings(EditContext& context, SwingId swing, std::vector<PlacedReading> rows, const QString& text)

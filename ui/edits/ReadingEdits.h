@@ -22,11 +22,11 @@ public:
     ChangeReading(EditContext& context, SwingId swing, Reading before, Reading after, const QString& text);
 
 protected:
-    Result<void> apply() override { return store(m_after); }
-    Result<void> revert() override { return store(m_before); }
+    Result<void> apply() override { return store(m_before, m_after); }
+    Result<void> revert() override { return store(m_after, m_before); }
 
 private:
-    Result<void> store(Reading reading) const;
+    Result<void> store(Reading from, Reading to) const;
     Reading m_before, m_after;
 };
 

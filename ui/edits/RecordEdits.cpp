@@ -14,16 +14,16 @@ ChangeSwing::ChangeSwing(EditContext& context, Swing before, Swing after, const 
 
 Result<void> ChangeSwing::store(const Swing& from, const Swing& to) const
 {
-    Swing particulars = to;
-    particulars.id = swing();
-    if (const auto stored = storage().saveParticulars(particulars); !stored)
-        return stored.error();
+    Swing known = from, particulars = to;
+    known.id = particulars.id = swing();
+    if (auto stored = storage().changeParticulars(known, particulars); !stored)
+        return stored;
     for (std::size_t row = 0; row < to.readings.size(); ++row) {
         if (to.readings[row] == from.readings[row])
             continue;
-        Reading reading = to.readings[row];
-        reading.id = context().readings.current(reading.id);
-        if (auto stored = storage().saveReading(particulars.id, reading); !stored)
+        Reading before = from.readings[row], reading = to.readings[row];
+        before.id = reading.id = context().readings.current(reading.id);
+        if (auto stored = storage().saveReading(particulars.id, before, reading); !stored)
             return stored;
     }
     return {};

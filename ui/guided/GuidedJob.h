@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/deviation/SlipCheck.h"
-#include "core/procedure/DatumInstrument.h"
+#include "core/procedure/DatumHeading.h"
 #include "core/procedure/JobState.h"
 #include "core/record/Fleet.h"
 #include "ui/plots/SwingPicture.h"

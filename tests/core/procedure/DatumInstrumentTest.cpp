@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/procedure/DatumInstrument.h"
+#include "core/procedure/DatumHeading.h"
 
 namespace lubberline {
 namespace {

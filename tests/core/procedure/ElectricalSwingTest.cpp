@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/procedure/ElectricalSwing.h"
+#include "core/procedure/ElectricalChecks.h"
 
 namespace lubberline {
 namespace {

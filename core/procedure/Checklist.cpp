@@ -1,4 +1,4 @@
-#include "core/procedure/SwingJob.h"
+#include "core/procedure/Checklist.h"
 
 namespace lubberline {
 

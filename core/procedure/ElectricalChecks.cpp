@@ -1,4 +1,4 @@
-#include "core/procedure/ElectricalSwing.h"
+#include "core/procedure/ElectricalChecks.h"
 
 #include <algorithm>
 #include <cmath>

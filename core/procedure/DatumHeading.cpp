@@ -1,4 +1,4 @@
-#include "core/procedure/DatumInstrument.h"
+#include "core/procedure/DatumHeading.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,19 +7,12 @@
 #include <variant>
 #include <vector>
 
-#include "core/deviation/Smith.h"
-#include "core/procedure/Plan.h"
+#include "core/record/DatumInstrument.h"
+#include "core/record/RawFigures.h"
 #include "core/record/Swing.h"
+#include "core/record/SwingPlan.h"
 
 namespace lubberline {
-
-/// Figures as they were read, up to three of each: they are kept as they are, and the mean counts.
-struct RawFigures {
-    std::vector<double> datum_deg;   ///< as the instrument shows; what it means is for core/procedure/DatumInstrument.h
-    std::vector<double> astern_deg;  ///< the same from astern, where it was sighted both ways
-    std::vector<double> compass_deg; ///< as the compass shows
-    friend bool operator==(const RawFigures&, const RawFigures&) = default;
-};
 
 namespace job {
 
@@ -70,13 +63,11 @@ struct SwingJob {
     RecordId record;
     PlanOptions plan;
     std::vector<std::string> checklist; ///< what has to be ticked before the first reading
-    Swing particulars;                  ///< site, date, datum, people, configuration; no readings
+    Swing particulars;                  ///< of the swing that it belongs to: site, date, datum, people, configuration; no readings
+    DatumInstrument datum;              ///< as it was set when the job began
     double resolution_deg = 1.0;        ///< of the compass
     std::vector<JobEvent> events;
     friend bool operator==(const SwingJob&, const SwingJob&) = default;
 };
-
-/// Procedures 3.1, as far as sources say it: what a crew ticks off.
-[[nodiscard]] std::vector<std::string> usualChecklist();
 
 } // namespace lubberline

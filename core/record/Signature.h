@@ -1,0 +1,23 @@
+#pragma once
+/// Who answers for a swing. Signatures are only ever added.
+
+#include <string>
+
+namespace lubberline {
+
+enum class SignatureRole {
+    Performer, ///< swung and adjusted the compass
+    Inspector, ///< checked the work independently
+    Authority, ///< released the card (an airworthiness or plant authority, where one asks for it)
+};
+
+struct Signature {
+    SignatureRole role = SignatureRole::Performer;
+    std::string name;    ///< never empty
+    std::string licence; ///< licence, stamp or service number
+    std::string timeUtc; ///< ISO 8601
+    std::string hash;    ///< SHA-256 of what was signed (core/format/SignedContent.h), 64 hexadecimal digits
+    friend bool operator==(const Signature&, const Signature&) = default;
+};
+
+} // namespace lubberline
