@@ -9,13 +9,27 @@ namespace lubberline {
 
 namespace {
 
-Reading toReading(const StationState& station)
+/// The reading that counts is the last one that was taken there: with its figures as they were read, and when.
+void addRaw(Reading& reading, const SwingJob& job, std::size_t station)
 {
+    for (auto event = job.events.rbegin(); event != job.events.rend(); ++event)
+        if (const auto* taken = std::get_if<job::ReadingTaken>(&event->what); taken && taken->station == static_cast<int>(station)) {
+            reading.raw = taken->raw;
+            reading.timeUtc = event->timeUtc;
+            reading.note = taken->note;
+            return;
+        }
+}
+
+Reading toReading(const SwingJob& job, const JobState& state, std::size_t place)
+{
+    const StationState& station = state.stations[place];
     Reading reading;
     reading.nominal_deg = station.station.nominal_deg;
     if (station.reading) {
         reading.magnetic = station.reading->magnetic;
         reading.compass = station.reading->compass;
+        addRaw(reading, job, place);
     }
     if (!station.skipped.empty())
         reading.note = "skipped: " + station.skipped;
@@ -39,12 +53,13 @@ Swing asFoundSwing(const SwingJob& job, const JobState& state)
     swing.kind = SwingKind::Correction;
     swing.stage = SwingStage::AsFound;
     std::vector<Control> turned; // at the stations before this one
-    for (const auto& station : state.stations) {
+    for (std::size_t place = 0; place < state.stations.size(); ++place) {
+        const auto& station = state.stations[place];
         if (station.station.phase != StationPhase::AsFound)
             break;
         const auto acts = [&](Control control) { return actsOn(control, station.station.nominal_deg); };
         if (std::none_of(turned.begin(), turned.end(), acts))
-            swing.readings.push_back(toReading(station));
+            swing.readings.push_back(toReading(job, state, place));
         for (const auto& correction : station.station.corrections)
             turned.push_back(correction.control);
     }
@@ -60,11 +75,12 @@ Swing asLeftSwing(const SwingJob& job, const JobState& state, int configuration)
         swing.configuration.other = job.plan.configurations[configuration - 1];
     else
         swing.indexRemoved_deg = state.indexRemoved_deg;
-    for (const auto& station : state.stations) {
+    for (std::size_t place = 0; place < state.stations.size(); ++place) {
+        const auto& station = state.stations[place];
         const bool wanted = station.station.phase == (configuration > 0 ? StationPhase::Configuration : StationPhase::Check)
             && station.station.configuration == configuration;
         if (wanted)
-            swing.readings.push_back(toReading(station));
+            swing.readings.push_back(toReading(job, state, place));
     }
     return swing;
 }

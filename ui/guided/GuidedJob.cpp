@@ -34,8 +34,7 @@ Result<std::vector<double>> parseFigures(const QString& text)
 
 GuidedJob::GuidedJob(GuidedServices services, QObject* parent) : QObject(parent), m_services(std::move(services)) {}
 
-Result<void> GuidedJob::open(SwingJob job, const SwingRecord& record, const DatumInstrument& datum, std::shared_ptr<const Analysis> previous,
-    const QString& previousLabel)
+Result<void> GuidedJob::open(SwingJob job, const SwingRecord& record, std::shared_ptr<const Analysis> previous, const QString& previousLabel)
 {
     auto state = stateOf(job);
     if (!state)
@@ -43,7 +42,6 @@ Result<void> GuidedJob::open(SwingJob job, const SwingRecord& record, const Datu
     m_job = std::move(job);
     m_state = std::move(state.value());
     m_record = record;
-    m_datum = datum;
     m_previous = std::move(previous);
     m_previousLabel = previousLabel;
     m_open = true;
@@ -80,7 +78,7 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     LUBBERLINE_EXPECT(here, "a reading is made at a station");
     const RawFigures raw{entry.datum_deg, entry.astern_deg, entry.compass_deg};
     const auto& stated = m_job.particulars.variation_deg;
-    const auto heading = datumHeading(m_datum, raw, stated ? std::optional(Variation::fromDegrees(*stated)) : std::nullopt);
+    const auto heading = datumHeading(m_job.datum, raw, stated ? std::optional(Variation::fromDegrees(*stated)) : std::nullopt);
     if (!heading)
         return heading.error();
     const auto compass = compassFigure(raw, m_job.resolution_deg);
@@ -113,6 +111,17 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     context.otherNominals_deg = nominals;
     prepared.judgement = judgeReading({heading->magnetic, compass->compass}, context);
     return prepared;
+}
+
+int GuidedJob::lastRead() const
+{
+    for (auto event = m_job.events.rbegin(); event != m_job.events.rend(); ++event)
+        if (const auto* taken = std::get_if<job::ReadingTaken>(&event->what)) {
+            const auto& station = m_state.stations[static_cast<std::size_t>(taken->station)];
+            if (station.reading && station.correctionsDone == 0)
+                return taken->station;
+        }
+    return -1;
 }
 
 SwingPicture GuidedJob::picture() const

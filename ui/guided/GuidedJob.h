@@ -37,13 +37,14 @@ public:
 
     /// Takes up a job where it stands. @param record the swing that it belongs to, with aircraft, compass and limits.
     /// Errors: those of stateOf(): nothing is changed then.
-    Result<void> open(SwingJob job, const SwingRecord& record, const DatumInstrument& datum, std::shared_ptr<const Analysis> previous, const QString& previousLabel);
+    Result<void> open(SwingJob job, const SwingRecord& record, std::shared_ptr<const Analysis> previous, const QString& previousLabel);
+    void close() { m_open = false; }
 
     [[nodiscard]] bool isOpen() const { return m_open; }
     [[nodiscard]] const SwingJob& job() const { return m_job; }
     [[nodiscard]] const JobState& state() const { return m_state; }
     [[nodiscard]] const SwingRecord& record() const { return m_record; }
-    [[nodiscard]] const DatumInstrument& datum() const { return m_datum; }
+    [[nodiscard]] const DatumInstrument& datum() const { return m_job.datum; }
     /// The station to be worked on; null in other phases.
     [[nodiscard]] const StationState* station() const;
 
@@ -59,6 +60,9 @@ public:
     };
     Result<Prepared> prepare(const Entry& entry) const;
 
+    /// The station that was read last and can be read again; −1: none.
+    [[nodiscard]] int lastRead() const;
+
     /// The swing as it is so far, for the live plot: the check swing once it has begun, as found before.
     [[nodiscard]] SwingPicture picture() const;
 
@@ -70,7 +74,6 @@ private:
     SwingJob m_job;
     JobState m_state;
     SwingRecord m_record;
-    DatumInstrument m_datum;
     std::shared_ptr<const Analysis> m_previous;
     QString m_previousLabel;
     bool m_open = false;

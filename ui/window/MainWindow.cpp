@@ -171,6 +171,10 @@ void MainWindow::go(const FleetItem& item)
 
 void MainWindow::showSwing(SwingId id)
 {
+    if (guidedOpen(id)) {
+        takeUpGuided(id);
+        return;
+    }
     if (const auto shown = swingPage().showSwing(id); !shown) {
         fail(messageOf(shown.error()));
         return;

@@ -26,6 +26,7 @@ namespace lubberline::ui {
 class AircraftPage;
 class EarthFieldPage;
 class FleetPanel;
+class GuidedPage;
 class MessagePanel;
 class NamingStrip;
 class NewSwingPage;
@@ -43,6 +44,7 @@ struct WindowServices {
     QSettings& settings;
     std::function<void()> openDemonstration;                    ///< the first of the three choices of an empty database
     std::function<Result<void>(const QString& path)> backup;    ///< may be empty: then there is no Backup
+    std::function<std::string()> nowUtc = {};                   ///< ISO 8601; empty: the machine's clock
 };
 
 class MainWindow : public QMainWindow {
@@ -106,6 +108,14 @@ private:
     [[nodiscard]] AircraftId aircraftShown() const;
     [[nodiscard]] CompassId compassShown() const;
 
+    // MainWindowRamp.cpp: the work on the ramp
+    void showGuided();
+    void beginGuided(CompassId compass);
+    void takeUpGuided(SwingId swing);
+    GuidedPage& guidedPage();
+    [[nodiscard]] bool guidedOpen(SwingId id);
+    [[nodiscard]] std::string nowUtc() const;
+
     // MainWindowActions.cpp: menus, toolbar
     QAction* addCommand(QMenu& menu, const QString& text, const QKeySequence& keys, const std::function<void()>& act, const QString& name);
     void buildActions();
@@ -157,6 +167,7 @@ private:
     IronBenchPage* m_ironBenchPage = nullptr;
     EarthFieldPage* m_earthFieldPage = nullptr;
     PredictionPage* m_predictionPage = nullptr;
+    GuidedPage* m_guidedPage = nullptr;
     QLabel* m_saved = nullptr;
     QLabel* m_readOut = nullptr;
 

@@ -78,6 +78,8 @@ void MainWindow::buildEditMenu()
 void MainWindow::buildSwingMenu()
 {
     auto& menu = *menuBar()->addMenu(tr("&Swing"));
+    m_writingActions += addCommand(menu, tr("&Guided swing on the ramp"), tr("Ctrl+Shift+G"), [this] { showGuided(); }, "guidedSwing");
+    menu.addSeparator();
     auto& layouts = *menu.addMenu(tr("&Lay out nominal headings"));
     for (const int points : kLayoutPoints)
         m_draftActions += addCommand(layouts, tr("%1 points, every %2°").arg(points).arg(360.0 / points), {}, [this, points] { m_swingPage->layOut(points); },
@@ -157,13 +159,14 @@ void MainWindow::buildToolBar()
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->setIconSize({18, 18});
     bar->setMovable(false);
-    const std::pair<const char*, const char*> tools[] = {{"newSwing", "swing"}, {"import", "import"}, {"report", "report"}, {"card30", "card"}, {"undo", "undo"}, {"redo", "redo"}};
+    const std::pair<const char*, const char*> tools[] = {{"newSwing", "swing"}, {"guidedSwing", "guided"}, {"import", "import"}, {"report", "report"}, {"card30", "card"}, {"undo", "undo"}, {"redo", "redo"}};
     for (const auto& [name, picture] : tools) {
         auto* action = findChild<QAction*>(QString::fromLatin1(name));
         action->setIcon(icon(QString::fromLatin1(picture)));
         bar->addAction(action);
     }
     findChild<QAction*>(QStringLiteral("newSwing"))->setIconText(tr("New swing"));
+    findChild<QAction*>(QStringLiteral("guidedSwing"))->setIconText(tr("Guided swing"));
     findChild<QAction*>(QStringLiteral("import"))->setIconText(tr("Import"));
     findChild<QAction*>(QStringLiteral("report"))->setIconText(tr("Report"));
     findChild<QAction*>(QStringLiteral("card30"))->setIconText(tr("Card"));

@@ -1,0 +1,49 @@
+#pragma once
+/// Figures and words large enough for cold hands and bright sun.
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace lubberline::ui {
+
+inline constexpr int kFigure_px = 52, kSentence_px = 24, kTitle_px = 20, kTarget_px = 96;
+
+inline QFont bigFont(QFont font, int pixels, bool bold = false)
+{
+    font.setPixelSize(pixels);
+    font.setBold(bold);
+    return font;
+}
+
+inline QLabel* bigLabel(const char* name, int pixels, bool bold = false)
+{
+    auto* label = new QLabel;
+    label->setObjectName(QString::fromLatin1(name));
+    label->setFont(bigFont(label->font(), pixels, bold));
+    label->setWordWrap(pixels < kFigure_px);
+    return label;
+}
+
+/// A line for up to three figures.
+inline QLineEdit* bigLine(const char* name, int width_px)
+{
+    auto* line = new QLineEdit;
+    line->setObjectName(QString::fromLatin1(name));
+    line->setFont(bigFont(line->font(), kFigure_px));
+    line->setMinimumWidth(width_px);
+    line->setMaximumWidth(width_px * 2);
+    return line;
+}
+
+inline QPushButton* bigButton(const QString& text, const char* name)
+{
+    auto* button = new QPushButton(text);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setFont(bigFont(button->font(), kTitle_px));
+    button->setMinimumHeight(48);
+    button->setAutoDefault(false);
+    return button;
+}
+
+} // namespace lubberline::ui

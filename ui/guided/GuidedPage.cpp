@@ -1,0 +1,311 @@
+#include "ui/guided/GuidedPage.h"
+
+#include <QResizeEvent>
+#include <QShortcut>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "core/format/SwingCsv.h"
+#include "ui/guided/BigWidgets.h"
+#include "ui/guided/CrewDisplay.h"
+#include "ui/guided/GuidedPrepare.h"
+#include "ui/guided/GuidedReview.h"
+#include "ui/guided/GuidedStart.h"
+#include "ui/guided/GuidedStation.h"
+#include "ui/guided/GuidedWords.h"
+#include "ui/guided/StationStrip.h"
+#include "ui/plots/SwingPlot.h"
+#include "ui/style/Words.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+/// Beneath this the plot would take the room of the figures.
+constexpr int kWide_px = 900;
+
+/// As found where something is corrected, and every further configuration: the swings besides the main one.
+std::vector<Swing> otherSwings(const SwingJob& job, const JobState& state, const Swing& main)
+{
+    std::vector<Swing> others;
+    const auto add = [&](Swing swing) {
+        swing.id = {};
+        swing.record.clear();
+        swing.startUtc = main.startUtc;
+        swing.endUtc = main.endUtc;
+        others.push_back(std::move(swing));
+    };
+    if (job.plan.kind != ProcedureKind::CheckOnly)
+        add(asFoundSwing(job, state));
+    for (int configuration = 1; configuration <= static_cast<int>(job.plan.configurations.size()); ++configuration)
+        add(asLeftSwing(job, state, configuration));
+    return others;
+}
+
+} // namespace
+
+GuidedPage::GuidedPage(Storage& storage, std::function<std::string()> nowUtc, QWidget* parent)
+    : QWidget(parent)
+    , m_storage(storage)
+    , m_nowUtc(std::move(nowUtc))
+    , m_work(new QWidget)
+    , m_pages(new QStackedWidget)
+    , m_steps(new QStackedWidget)
+    , m_fault(new QWidget)
+    , m_faultText(bigLabel("faultText", kSentence_px, true))
+    , m_faultLine(new QLineEdit)
+    , m_title(bigLabel("guidedTitle", kTitle_px, true))
+    , m_whose(bigLabel("guidedWhose", kTitle_px))
+    , m_strip(new StationStrip)
+    , m_plot(makePolarPlot())
+{
+    GuidedServices services;
+    services.nowUtc = m_nowUtc;
+    services.store = [this](const SwingJob& job, const JobEvent& event) {
+        auto stored = m_storage.appendJobEvent(m_swing, job.events.size(), event);
+        if (!stored && stored.error().code != ErrorCode::Conflict && stored.error().code != ErrorCode::Frozen)
+            emit notStored(m_swing, job.events.size(), event);
+        return stored;
+    };
+    m_job = new GuidedJob(std::move(services), this);
+    m_start = new GuidedStart(storage);
+    m_prepare = new GuidedPrepare(*m_job);
+    m_station = new GuidedStation(*m_job);
+    m_review = new GuidedReview(*m_job);
+    build();
+}
+
+GuidedPage::~GuidedPage() = default;
+
+void GuidedPage::build()
+{
+    buildFault();
+    for (QWidget* step : {static_cast<QWidget*>(m_prepare), static_cast<QWidget*>(m_station), static_cast<QWidget*>(m_review), m_fault})
+        m_steps->addWidget(step);
+    m_whose->setAlignment(Qt::AlignRight);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_title, 1);
+    head->addWidget(m_whose, 1);
+    auto* middle = new QSplitter;
+    middle->addWidget(m_steps);
+    middle->addWidget(m_plot);
+    middle->setStretchFactor(0, 3);
+    middle->setStretchFactor(1, 2);
+    auto* foot = new QHBoxLayout;
+    auto* crew = bigButton(tr("Crew display (F11)"), "crewDisplayButton");
+    auto* fault = bigButton(tr("Fault… (F8)"), "reportFault");
+    foot->addWidget(m_strip, 1);
+    foot->addWidget(crew);
+    foot->addWidget(fault);
+    auto* column = new QVBoxLayout(m_work);
+    column->addLayout(head);
+    column->addWidget(middle, 1);
+    column->addLayout(foot);
+    m_pages->addWidget(m_start);
+    m_pages->addWidget(m_work);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_pages);
+
+    connect(m_start, &GuidedStart::started, this, [this](SwingId swing) {
+        if (const auto taken = takeUp(swing); !taken)
+            emit failed(messageOf(taken.error()));
+    });
+    connect(m_start, &GuidedStart::cancelled, this, &GuidedPage::cancelled);
+    connect(m_job, &GuidedJob::changed, this, &GuidedPage::refresh);
+    connect(m_prepare, &GuidedPrepare::failed, this, &GuidedPage::failed);
+    connect(m_station, &GuidedStation::failed, this, &GuidedPage::failed);
+    connect(m_review, &GuidedReview::failed, this, &GuidedPage::failed);
+    connect(m_review, &GuidedReview::finish, this, &GuidedPage::finish);
+    connect(crew, &QPushButton::clicked, this, &GuidedPage::openCrewDisplay);
+    connect(fault, &QPushButton::clicked, this, &GuidedPage::reportFault);
+    const auto key = [this](Qt::Key code, void (GuidedPage::*act)()) {
+        auto* shortcut = new QShortcut(QKeySequence(code), this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, this, act);
+    };
+    key(Qt::Key_F11, &GuidedPage::openCrewDisplay);
+    key(Qt::Key_F8, &GuidedPage::reportFault);
+}
+
+void GuidedPage::buildFault()
+{
+    m_faultLine->setObjectName(QStringLiteral("faultLine"));
+    m_faultLine->setFont(bigFont(m_faultLine->font(), kSentence_px));
+    auto* mended = bigButton(tr("Go on (Enter)"), "faultMended");
+    auto* abandon = bigButton(tr("Abandon this swing"), "abandonSwing");
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(mended);
+    buttons->addWidget(abandon);
+    buttons->addStretch();
+    auto* column = new QVBoxLayout(m_fault);
+    column->addWidget(m_faultText);
+    column->addWidget(m_faultLine);
+    column->addLayout(buttons);
+    column->addStretch();
+    const auto goOn = [this] {
+        const std::string words = m_faultLine->text().trimmed().toStdString();
+        if (words.empty())
+            emit failed(m_job->state().phase == JobPhase::Fault ? tr("What was done about the fault? Some words are expected.") : tr("What is the fault? Some words are expected."));
+        else if (m_job->state().phase == JobPhase::Fault)
+            tell(job::Mended{words});
+        else
+            tell(job::Faulted{words});
+    };
+    connect(m_faultLine, &QLineEdit::returnPressed, this, goOn);
+    connect(mended, &QPushButton::clicked, this, goOn);
+    connect(abandon, &QPushButton::clicked, this, &GuidedPage::abandon);
+}
+
+Result<void> GuidedPage::begin(CompassId compass)
+{
+    if (auto begun = m_start->begin(compass, m_nowUtc().substr(0, 10)); !begun)
+        return begun;
+    m_swing = {};
+    m_job->close();
+    m_pages->setCurrentWidget(m_start);
+    m_start->setFocus();
+    return {};
+}
+
+Result<void> GuidedPage::takeUp(SwingId swing)
+{
+    auto found = m_storage.jobOf(swing);
+    if (!found)
+        return found.error();
+    if (!*found || (*found)->swing != swing)
+        return Error{ErrorCode::NotFound, tr("this swing is not a guided one").toStdString()};
+    const auto record = m_storage.swingRecord(swing);
+    if (!record)
+        return record.error();
+    std::shared_ptr<const Analysis> analysis;
+    QString label;
+    if (const auto previous = m_storage.previousSwing(swing); previous && *previous)
+        if (auto made = analyse(observationsOf(**previous))) {
+            analysis = std::make_shared<const Analysis>(std::move(made.value()));
+            label = toText((*previous)->date);
+        }
+    m_swing = swing;
+    if (auto opened = m_job->open((*found)->job, *record, std::move(analysis), label); !opened)
+        return opened;
+    m_pages->setCurrentWidget(m_work);
+    m_station->focusField();
+    return {};
+}
+
+void GuidedPage::refresh()
+{
+    const auto& state = m_job->state();
+    m_title->setText(stepTitle(*m_job));
+    m_whose->setText(QStringLiteral("%1 · %2").arg(toText(m_job->record().aircraft.registration), toText(m_job->record().compass.name)));
+    m_strip->show(state);
+    switch (state.phase) {
+    case JobPhase::Prepare:
+        m_prepare->refresh();
+        m_steps->setCurrentWidget(m_prepare);
+        break;
+    case JobPhase::Stations:
+    case JobPhase::Index:
+        m_station->refresh();
+        m_steps->setCurrentWidget(m_station);
+        m_station->focusField();
+        break;
+    case JobPhase::Review:
+    case JobPhase::Card:
+        m_review->refresh();
+        m_steps->setCurrentWidget(m_review);
+        m_review->focusField();
+        break;
+    case JobPhase::Fault:
+    case JobPhase::Abandoned:
+        m_faultText->setText(state.phase == JobPhase::Fault ? tr("Fault: %1. What was done about it?").arg(toText(state.fault)) : tr("This swing was abandoned."));
+        m_faultLine->clear();
+        m_steps->setCurrentWidget(m_fault);
+        m_faultLine->setFocus();
+        break;
+    }
+    m_plot->setPicture(m_job->picture());
+    if (state.current >= 0)
+        m_plot->setSelectedRow(-1);
+}
+
+void GuidedPage::reportFault()
+{
+    if (!m_job->isOpen() || m_steps->currentWidget() == m_fault) {
+        if (m_job->isOpen())
+            refresh(); // back to the step
+        return;
+    }
+    m_faultText->setText(tr("What is the fault? F8 goes back."));
+    m_faultLine->clear();
+    m_steps->setCurrentWidget(m_fault);
+    m_faultLine->setFocus();
+}
+
+void GuidedPage::abandon()
+{
+    const std::string reason = m_faultLine->text().trimmed().toStdString();
+    if (reason.empty()) {
+        emit failed(tr("Why is the swing abandoned? Some words are expected; its readings stay on record."));
+        m_faultLine->setFocus();
+        return;
+    }
+    const auto told = m_job->tell(job::Abandoned{reason});
+    if (!told) {
+        emit failed(messageOf(told.error()));
+        return;
+    }
+    if (const auto done = m_storage.abandonJob(m_swing); !done)
+        emit failed(messageOf(done.error()));
+    else
+        emit cancelled();
+}
+
+void GuidedPage::tell(job::What what)
+{
+    if (const auto told = m_job->tell(std::move(what)); !told)
+        emit failed(messageOf(told.error()));
+}
+
+void GuidedPage::finish()
+{
+    const auto& job = m_job->job();
+    const auto& state = m_job->state();
+    Swing main = asLeftSwing(job, state);
+    main.startUtc = job.events.empty() ? std::string() : job.events.front().timeUtc;
+    main.endUtc = job.events.empty() ? std::string() : job.events.back().timeUtc;
+    if (const auto done = m_storage.finishJob(m_swing, main, otherSwings(job, state, main)); !done) {
+        emit failed(messageOf(done.error()));
+        return;
+    }
+    const SwingId made = m_swing;
+    m_job->close();
+    if (m_crew)
+        m_crew->close();
+    emit finished(made);
+}
+
+void GuidedPage::openCrewDisplay()
+{
+    if (!m_job->isOpen())
+        return;
+    if (!m_crew)
+        m_crew = std::make_unique<CrewDisplay>(*m_job);
+    m_crew->open();
+}
+
+void GuidedPage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_plot->setVisible(width() >= kWide_px);
+}
+
+void GuidedPage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (m_pages->currentWidget() == m_work && m_job->isOpen())
+        refresh();
+}
+
+} // namespace lubberline::ui

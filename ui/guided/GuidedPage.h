@@ -1,0 +1,82 @@
+#pragma once
+/// A swing on the ramp, one step a page, for cold hands: everything by keyboard, everything stored before it counts.
+
+#include <QWidget>
+
+#include <functional>
+
+#include "ui/guided/GuidedJob.h"
+#include "ui/storage/Storage.h"
+
+class QLabel;
+class QLineEdit;
+class QStackedWidget;
+
+namespace lubberline::ui {
+
+class CrewDisplay;
+class GuidedPrepare;
+class GuidedReview;
+class GuidedStart;
+class GuidedStation;
+class StationStrip;
+class SwingPlot;
+
+class GuidedPage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// @param nowUtc ISO 8601 date and time.
+    GuidedPage(Storage& storage, std::function<std::string()> nowUtc, QWidget* parent = nullptr);
+    ~GuidedPage() override;
+
+    /// Asks what a new guided swing of this compass is to be.
+    Result<void> begin(CompassId compass);
+    /// Goes on with one that was begun. Errors: NotFound (it has none), those of the job.
+    Result<void> takeUp(SwingId swing);
+    [[nodiscard]] SwingId swing() const { return m_swing; }
+    [[nodiscard]] GuidedJob& job() { return *m_job; }
+    [[nodiscard]] GuidedStation& station() { return *m_station; }
+    void openCrewDisplay(); ///< F11
+
+signals:
+    void finished(lubberline::SwingId swing); ///< the records are made
+    void cancelled();
+    void failed(const QString& message);
+    /// A step that could not be stored: (swing, how many were known, step): to be kept elsewhere.
+    void notStored(lubberline::SwingId swing, std::size_t place, const lubberline::JobEvent& event);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void build();
+    void buildFault();
+    void refresh();
+    void finish();
+    void reportFault();
+    void abandon();
+    void tell(job::What what);
+
+    Storage& m_storage;
+    std::function<std::string()> m_nowUtc;
+    GuidedJob* m_job;
+    SwingId m_swing;
+    QWidget* m_work; ///< all but the start form
+    QStackedWidget* m_pages;
+    QStackedWidget* m_steps;
+    GuidedStart* m_start;
+    GuidedPrepare* m_prepare;
+    GuidedStation* m_station;
+    GuidedReview* m_review;
+    QWidget* m_fault;
+    QLabel* m_faultText;
+    QLineEdit* m_faultLine;
+    QLabel *m_title, *m_whose;
+    StationStrip* m_strip;
+    SwingPlot* m_plot;
+    std::unique_ptr<CrewDisplay> m_crew;
+};
+
+} // namespace lubberline::ui

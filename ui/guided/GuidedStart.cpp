@@ -1,0 +1,265 @@
+#include "ui/guided/GuidedStart.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+#include "core/procedure/Checklist.h"
+#include "core/procedure/DatumHeading.h"
+#include "core/record/SwingField.h"
+#include "core/site/SiteSurvey.h"
+#include "ui/guided/BigWidgets.h"
+#include "ui/guided/GuidedWords.h"
+#include "ui/pages/FieldText.h"
+#include "ui/style/Words.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr int kForm_px = 17;
+constexpr int kPoints[] = {8, 12, 24};
+
+/// A datum that reads magnetic headings, where no instrument was entered.
+DatumInstrument plainDatum()
+{
+    DatumInstrument plain;
+    plain.name = GuidedStart::tr("magnetic heading, as read").toStdString();
+    plain.kind = DatumKind::DigitalCompass;
+    return plain;
+}
+
+std::string typed(const QLineEdit& line) { return line.text().trimmed().toStdString(); }
+
+/// East positive: stated for the site, else of the Earth's field there.
+std::optional<double> variationOf(const Swing& swing, const Site* site)
+{
+    if (!site)
+        return {};
+    if (site->variation_deg)
+        return site->variation_deg;
+    const auto stamp = stampFor(swing, *site);
+    if (!stamp)
+        return {};
+    return toDegrees(std::atan2(stamp->field.east_nT, stamp->field.north_nT));
+}
+
+} // namespace
+
+GuidedStart::GuidedStart(Storage& storage, QWidget* parent)
+    : QWidget(parent), m_storage(storage), m_title(bigLabel("guidedStartTitle", kSentence_px, true)), m_meaning(new QLabel), m_checklist(new QPlainTextEdit),
+      m_complaint(bigLabel("guidedComplaint", kForm_px, true)), m_start(bigButton(tr("Begin"), "beginGuided"))
+{
+    build();
+}
+
+QLineEdit* GuidedStart::addLine(QFormLayout& form, const QString& title, const char* name, const QString& placeholder)
+{
+    auto* line = new QLineEdit;
+    line->setObjectName(QString::fromLatin1(name));
+    line->setPlaceholderText(placeholder);
+    form.addRow(title, line);
+    connect(line, &QLineEdit::returnPressed, this, [this] { focusNextChild(); });
+    return line;
+}
+
+QComboBox* GuidedStart::addBox(QFormLayout& form, const QString& title, const char* name, const QStringList& words)
+{
+    auto* box = new QComboBox;
+    box->setObjectName(QString::fromLatin1(name));
+    box->addItems(words);
+    form.addRow(title, box);
+    return box;
+}
+
+void GuidedStart::build()
+{
+    auto* inner = new QWidget;
+    inner->setFont(bigFont(font(), kForm_px));
+    auto* form = new QFormLayout;
+    m_procedure = addBox(*form, tr("&Procedure:"), "guidedProcedure", procedureWords());
+    m_meaning->setWordWrap(true);
+    form->addRow(QString(), m_meaning);
+    m_points = addBox(*form, tr("&Check swing:"), "guidedPoints", {tr("8 headings"), tr("12 headings"), tr("24 headings")});
+    m_datum = addBox(*form, tr("&Datum:"), "guidedDatumBox");
+    m_site = addBox(*form, tr("&Site:"), "guidedSite");
+    m_date = addLine(*form, tr("Da&te (UTC):"), "guidedDate");
+    m_radio = addBox(*form, tr("&Radio:"), "guidedRadio", radioStateWords());
+    m_engines = addLine(*form, tr("&Engines:"), "guidedEngines", tr("as running, 1500 rpm"));
+    m_electrics = addLine(*form, tr("E&lectrics:"), "guidedElectrics", tr("loads on and off"));
+    m_further = addLine(*form, tr("&Further configurations:"), "guidedFurther", tr("each read once more, as radio on; pitot heat on"));
+    m_datumReader = addLine(*form, tr("Datum read &by:"), "guidedDatumReader");
+    m_cockpitReader = addLine(*form, tr("Compass read b&y:"), "guidedCockpitReader");
+    m_adjuster = addLine(*form, tr("&Adjusted by:"), "guidedAdjuster");
+    m_reason = addLine(*form, tr("Reaso&n:"), "guidedWhy", tr("as yearly, compass replaced"));
+    m_workOrder = addLine(*form, tr("&Work order:"), "guidedWorkOrder");
+    m_checklist->setObjectName(QStringLiteral("guidedChecklist"));
+    m_checklist->setTabChangesFocus(true);
+    m_checklist->setMaximumHeight(150);
+    form->addRow(tr("Chec&klist, a line each:"), m_checklist);
+    m_override = addLine(*form, tr("&In spite of that, because:"), "guidedOverride");
+    auto* buttons = new QHBoxLayout;
+    auto* cancel = bigButton(tr("Cancel"), "cancelGuided");
+    buttons->addWidget(m_start);
+    buttons->addWidget(cancel);
+    buttons->addStretch();
+    auto* column = new QVBoxLayout(inner);
+    column->addWidget(m_title);
+    column->addLayout(form);
+    column->addWidget(m_complaint);
+    column->addLayout(buttons);
+    column->addStretch();
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(inner);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll);
+    setFocusProxy(m_procedure);
+
+    connect(m_procedure, &QComboBox::currentIndexChanged, this, [this](int kind) { m_meaning->setText(procedureMeaning(static_cast<ProcedureKind>(kind))); });
+    for (QComboBox* box : {m_datum, m_site})
+        connect(box, &QComboBox::currentIndexChanged, this, &GuidedStart::check);
+    connect(m_date, &QLineEdit::editingFinished, this, &GuidedStart::check);
+    connect(m_start, &QPushButton::clicked, this, &GuidedStart::start);
+    connect(cancel, &QPushButton::clicked, this, &GuidedStart::cancelled);
+}
+
+Result<void> GuidedStart::begin(CompassId compass, const std::string& today)
+{
+    const auto system = m_storage.compass(compass);
+    if (!system)
+        return system.error();
+    const auto aircraft = m_storage.aircraft(system->aircraft);
+    if (!aircraft)
+        return aircraft.error();
+    auto sites = m_storage.sites();
+    auto instruments = m_storage.instruments();
+    if (!sites || !instruments)
+        return sites ? instruments.error() : sites.error();
+    m_compassSystem = *system;
+    m_sites = std::move(sites.value());
+    m_instruments = std::move(instruments.value());
+    m_title->setText(tr("Guided swing · %1 · %2").arg(toText(aircraft->registration), toText(system->name)));
+    m_site->clear();
+    m_site->addItem(tr("not stated"));
+    for (const auto& one : m_sites)
+        m_site->addItem(toText(one.name));
+    m_datum->clear();
+    for (const auto& one : m_instruments)
+        m_datum->addItem(toText(one.name));
+    m_datum->addItem(toText(plainDatum().name));
+    m_procedure->setCurrentIndex(static_cast<int>(system->compensator == Compensator::None       ? ProcedureKind::CheckOnly
+            : system->kind == CompassKind::DirectReading ? ProcedureKind::Coefficient
+                                                         : ProcedureKind::FluxValve));
+    m_meaning->setText(procedureMeaning(static_cast<ProcedureKind>(m_procedure->currentIndex())));
+    m_date->setText(toText(today));
+    QStringList items;
+    for (const auto& item : usualChecklist())
+        items += toText(item);
+    m_checklist->setPlainText(items.join('\n'));
+    m_override->clear();
+    check();
+    m_start->setEnabled(!m_storage.readOnly());
+    return {};
+}
+
+const Site* GuidedStart::site() const
+{
+    const int row = m_site->currentIndex() - 1;
+    return row < 0 ? nullptr : &m_sites[static_cast<std::size_t>(row)];
+}
+
+DatumInstrument GuidedStart::datum() const
+{
+    const auto row = static_cast<std::size_t>(std::max(m_datum->currentIndex(), 0));
+    return row < m_instruments.size() ? m_instruments[row] : plainDatum();
+}
+
+std::string GuidedStart::whyNot() const
+{
+    const std::string date = typed(*m_date);
+    std::string why;
+    if (!parseDate(m_date->text(), false))
+        return why;
+    if (site())
+        why = whyUnfit({site()->certificateExpiry, site()->siteClass, SiteClass::None}, date);
+    if (calibrationOver(datum(), date))
+        why += (why.empty() ? "" : "; ") + tr("the calibration of %1 was due on %2").arg(toText(datum().name), toText(datum().calibrationDue)).toStdString();
+    return why;
+}
+
+void GuidedStart::check()
+{
+    const std::string why = whyNot();
+    m_complaint->setText(why.empty() ? QString() : tr("Not to be used on that day: %1").arg(toText(why)));
+    m_override->setEnabled(!why.empty());
+}
+
+Result<Swing> GuidedStart::particulars() const
+{
+    auto date = parseDate(m_date->text(), false);
+    if (!date)
+        return date.error();
+    Swing swing;
+    swing.compass = m_compassSystem.id;
+    swing.date = *date;
+    swing.site = site() ? site()->id : SiteId();
+    swing.stage = static_cast<ProcedureKind>(m_procedure->currentIndex()) == ProcedureKind::CheckOnly ? SwingStage::AsFound : SwingStage::AsLeft;
+    swing.configuration = {static_cast<RadioState>(m_radio->currentIndex()), typed(*m_engines), typed(*m_electrics), {}};
+    const DatumInstrument instrument = datum();
+    swing.datum = {instrument.name, instrument.serialNumber, instrument.calibrationDue, readOutWords(instrument).toStdString()};
+    swing.people = {typed(*m_datumReader), typed(*m_cockpitReader), typed(*m_adjuster), {}};
+    swing.procedure = m_procedure->currentText().toStdString();
+    swing.reason = typed(*m_reason);
+    swing.workOrder = typed(*m_workOrder);
+    if (instrument.givesTrue) {
+        swing.variation_deg = variationOf(swing, site());
+        if (!swing.variation_deg)
+            return Error{ErrorCode::InvalidInput, tr("%1 gives true headings; expected a site with its variation or its position").arg(toText(instrument.name)).toStdString()};
+    }
+    if (!whyNot().empty()) {
+        if (typed(*m_override).empty())
+            return Error{ErrorCode::InvalidInput, tr("Not to be used on that day: %1. A reason is expected to swing in spite of that.").arg(toText(whyNot())).toStdString()};
+        swing.siteOverride = whyNot() + ": " + typed(*m_override);
+    }
+    return swing;
+}
+
+SwingJob GuidedStart::job() const
+{
+    SwingJob job;
+    job.plan.kind = static_cast<ProcedureKind>(m_procedure->currentIndex());
+    job.plan.checkPoints = kPoints[std::max(m_points->currentIndex(), 0)];
+    for (const QString& words : m_further->text().split(';', Qt::SkipEmptyParts))
+        if (!words.trimmed().isEmpty())
+            job.plan.configurations.push_back(words.trimmed().toStdString());
+    for (const QString& line : m_checklist->toPlainText().split('\n', Qt::SkipEmptyParts))
+        if (!line.trimmed().isEmpty())
+            job.checklist.push_back(line.trimmed().toStdString());
+    job.datum = datum();
+    job.resolution_deg = m_compassSystem.resolution_deg;
+    return job;
+}
+
+void GuidedStart::start()
+{
+    const auto swing = particulars();
+    if (!swing) {
+        m_complaint->setText(messageOf(swing.error()));
+        return;
+    }
+    const auto started = m_storage.startJob(*swing, job());
+    if (!started) {
+        m_complaint->setText(messageOf(started.error()));
+        return;
+    }
+    emit this->started(*started);
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,56 @@
+#pragma once
+/// What a guided swing is to be: procedure, points, datum instrument, site, configurations, people.
+
+#include <QWidget>
+
+#include "core/record/SwingJob.h"
+#include "ui/storage/Storage.h"
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace lubberline::ui {
+
+class GuidedStart : public QWidget {
+    Q_OBJECT
+
+public:
+    GuidedStart(Storage& storage, QWidget* parent = nullptr);
+
+    /// For a compass, on a day (ISO 8601, UTC). Errors: those of the storage.
+    Result<void> begin(CompassId compass, const std::string& today);
+
+signals:
+    void started(lubberline::SwingId swing);
+    void cancelled();
+
+private:
+    QLineEdit* addLine(QFormLayout& form, const QString& title, const char* name, const QString& placeholder = {});
+    QComboBox* addBox(QFormLayout& form, const QString& title, const char* name, const QStringList& words = {});
+    void build();
+    void check(); ///< is the site, is the datum fit for that day?
+    void start();
+    [[nodiscard]] std::string whyNot() const;
+    [[nodiscard]] Result<Swing> particulars() const;
+    [[nodiscard]] SwingJob job() const;
+    [[nodiscard]] DatumInstrument datum() const;
+    [[nodiscard]] const Site* site() const;
+
+    Storage& m_storage;
+    CompassSystem m_compassSystem;
+    std::vector<Site> m_sites;
+    std::vector<DatumInstrument> m_instruments;
+    QLabel* m_title;
+    QComboBox *m_procedure, *m_points, *m_datum, *m_site, *m_radio;
+    QLabel* m_meaning;
+    QLineEdit *m_date, *m_engines, *m_electrics, *m_further, *m_datumReader, *m_cockpitReader, *m_adjuster, *m_reason, *m_workOrder, *m_override;
+    QPlainTextEdit* m_checklist;
+    QLabel* m_complaint;
+    QPushButton* m_start;
+};
+
+} // namespace lubberline::ui

@@ -1,0 +1,393 @@
+#include "ui/guided/GuidedStation.h"
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+#include "core/angle/AngleText.h"
+#include "ui/guided/BigWidgets.h"
+#include "ui/guided/GuidedWords.h"
+#include "ui/pages/SlipWords.h"
+#include "ui/style/Words.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr int kFieldWidth_px = 200;
+
+QHBoxLayout* titled(const QString& title, QLineEdit& field)
+{
+    auto* row = new QHBoxLayout;
+    auto* label = bigLabel("", kSentence_px);
+    label->setText(title);
+    label->setBuddy(&field);
+    row->addWidget(label);
+    row->addWidget(&field);
+    row->addStretch();
+    return row;
+}
+
+/// Sighted from both sides only where the instrument can be.
+bool sighted(const DatumInstrument& datum)
+{
+    return datum.kind == DatumKind::SightingCompass || datum.kind == DatumKind::Theodolite;
+}
+
+} // namespace
+
+GuidedStation::GuidedStation(GuidedJob& job, QWidget* parent)
+    : QWidget(parent)
+    , m_job(job)
+    , m_turnTo(bigLabel("turnTo", 72, true))
+    , m_reading(new QWidget)
+    , m_datum(bigLine("guidedDatum", kFieldWidth_px))
+    , m_asternTitle(bigLabel("asternTitle", kSentence_px))
+    , m_astern(bigLine("guidedAstern", kFieldWidth_px))
+    , m_compass(bigLine("guidedCompass", kFieldWidth_px))
+    , m_turn(new QWidget)
+    , m_sentence(bigLabel("turnSentence", kSentence_px))
+    , m_target(bigLabel("turnTarget", kTarget_px, true))
+    , m_after(bigLine("guidedAfter", kFieldWidth_px))
+    , m_turnNote(new QLineEdit)
+    , m_message(bigLabel("guidedMessage", kTitle_px))
+    , m_reasonRow(new QWidget)
+    , m_question(bigLabel("guidedQuestion", kTitle_px))
+    , m_reason(new QLineEdit)
+    , m_next(bigButton(tr("Next (Enter)"), "guidedNext"))
+    , m_again(bigButton(tr("Read again (F2)"), "guidedAgain"))
+    , m_skip(bigButton(tr("Skip (F4)"), "guidedSkip"))
+    , m_leave(bigButton(tr("Leave as it is (F5)"), "guidedLeave"))
+{
+    build();
+}
+
+void GuidedStation::build()
+{
+    auto* grid = new QGridLayout(m_reading);
+    grid->setContentsMargins(0, 0, 0, 0);
+    auto* datumTitle = bigLabel("datumTitle", kSentence_px);
+    datumTitle->setText(tr("datum reads"));
+    auto* compassTitle = bigLabel("compassTitle", kSentence_px);
+    compassTitle->setText(tr("compass"));
+    m_asternTitle->setText(tr("from astern"));
+    grid->addWidget(datumTitle, 0, 0);
+    grid->addWidget(m_datum, 0, 1);
+    grid->addWidget(m_asternTitle, 0, 2);
+    grid->addWidget(m_astern, 0, 3);
+    grid->addWidget(compassTitle, 1, 0);
+    grid->addWidget(m_compass, 1, 1);
+    grid->setColumnStretch(4, 1);
+    m_datum->setToolTip(tr("As the instrument shows it; up to three figures with spaces between, as 178 178.5 178"));
+    m_compass->setToolTip(tr("As the compass shows it; up to three figures with spaces between"));
+
+    auto* turn = new QVBoxLayout(m_turn);
+    turn->setContentsMargins(0, 0, 0, 0);
+    turn->addWidget(m_sentence);
+    turn->addWidget(m_target);
+    turn->addLayout(titled(tr("it now reads"), *m_after));
+    m_turnNote->setObjectName(QStringLiteral("guidedTurnNote"));
+    m_turnNote->setPlaceholderText(tr("turns of the screw, magnets (may stay empty)"));
+    m_turnNote->setMaximumWidth(2 * kFieldWidth_px);
+    turn->addWidget(m_turnNote);
+
+    auto* reason = new QHBoxLayout(m_reasonRow);
+    reason->setContentsMargins(0, 0, 0, 0);
+    m_reason->setObjectName(QStringLiteral("guidedReason"));
+    m_reason->setFont(bigFont(m_reason->font(), kSentence_px));
+    reason->addWidget(m_question);
+    reason->addWidget(m_reason, 1);
+
+    auto* buttons = new QHBoxLayout;
+    for (QPushButton* button : {m_next, m_again, m_skip, m_leave})
+        buttons->addWidget(button);
+    buttons->addStretch();
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(m_turnTo);
+    column->addWidget(m_reading);
+    column->addWidget(m_turn);
+    column->addWidget(m_message);
+    column->addWidget(m_reasonRow);
+    column->addStretch();
+    column->addLayout(buttons);
+    m_reasonRow->hide();
+
+    for (QLineEdit* line : {m_datum, m_astern, m_compass, m_after, m_turnNote, m_reason})
+        connect(line, &QLineEdit::returnPressed, this, &GuidedStation::next);
+    connect(m_next, &QPushButton::clicked, this, &GuidedStation::next);
+    connect(m_again, &QPushButton::clicked, this, &GuidedStation::readAgain);
+    connect(m_skip, &QPushButton::clicked, this, &GuidedStation::skip);
+    connect(m_leave, &QPushButton::clicked, this, &GuidedStation::leaveAsIs);
+    const auto key = [this](Qt::Key code, void (GuidedStation::*act)()) {
+        auto* shortcut = new QShortcut(QKeySequence(code), this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, this, act);
+    };
+    key(Qt::Key_F2, &GuidedStation::readAgain);
+    key(Qt::Key_F4, &GuidedStation::skip);
+    key(Qt::Key_F5, &GuidedStation::leaveAsIs);
+    key(Qt::Key_Escape, &GuidedStation::refresh);
+}
+
+bool GuidedStation::turning() const
+{
+    const auto& state = m_job.state();
+    if (state.phase == JobPhase::Index)
+        return true;
+    const StationState* here = m_job.station();
+    return here && here->reading && !here->voided && here->correctionsDone < here->station.corrections.size();
+}
+
+void GuidedStation::refresh()
+{
+    m_asks = Asks::Nothing;
+    m_reasonRow->hide();
+    const auto& state = m_job.state();
+    const StationState* here = m_job.station();
+    const std::pair shown{state.phase == JobPhase::Index ? -1 : state.current, here && turning() ? static_cast<int>(here->correctionsDone) : -1};
+    if (shown != m_shown) {
+        for (QLineEdit* line : {m_datum, m_astern, m_compass, m_after, m_turnNote})
+            line->clear();
+        say({});
+        m_kept.clear();
+    }
+    m_shown = shown;
+    const bool turn = turning();
+    m_reading->setVisible(!turn);
+    m_turn->setVisible(turn);
+    m_skip->setVisible(!turn);
+    m_leave->setVisible(turn);
+    m_again->setEnabled(!turn || m_job.lastRead() >= 0);
+    if (here)
+        showReading(*here);
+    if (turn && state.turn)
+        showTurn(*state.turn);
+    else if (turn)
+        showNoTurn();
+}
+
+void GuidedStation::showReading(const StationState& station)
+{
+    const QString heading = stationHeading(station.station.nominal_deg);
+    m_turnTo->setText(turning() ? tr("On %1").arg(heading) : tr("Turn to %1").arg(heading));
+    const bool both = sighted(m_job.datum());
+    m_astern->setVisible(both);
+    m_asternTitle->setVisible(both);
+    if (m_job.datum().kind == DatumKind::RoseLine && m_datum->text().isEmpty())
+        m_datum->setText(figureText(station.station.nominal_deg)); // the aircraft is set on the line
+    if (station.voided)
+        say(tr("The reading of before is void: a control was turned since. Read it again."), true);
+}
+
+void GuidedStation::showTurn(const MakeCompassRead& turn)
+{
+    if (m_job.state().phase == JobPhase::Index)
+        m_turnTo->setText(tr("Index: the aircraft stays where it is"));
+    m_sentence->setText(turnSentence(turn));
+    m_target->setText(figureText(turn.makeCompassRead_deg) + QStringLiteral("°"));
+    m_target->setVisible(true);
+    m_after->setEnabled(true);
+}
+
+void GuidedStation::showNoTurn()
+{
+    m_sentence->setText(tr("Nothing can be turned here: %1. F5 leaves it as it is, with a reason.").arg(toText(m_job.state().whyNoTurn)));
+    m_target->setVisible(false);
+    m_after->setEnabled(false);
+}
+
+QWidget* GuidedStation::firstEmpty() const
+{
+    if (m_asks != Asks::Nothing)
+        return m_reason;
+    if (turning())
+        return m_after;
+    return m_datum->text().trimmed().isEmpty() ? m_datum : m_compass;
+}
+
+void GuidedStation::focusField()
+{
+    firstEmpty()->setFocus(Qt::OtherFocusReason);
+}
+
+void GuidedStation::setDatum(double heading_deg)
+{
+    if (!turning())
+        m_datum->setText(QString::number(heading_deg, 'f', 1));
+}
+
+void GuidedStation::setCompass(double heading_deg)
+{
+    (turning() ? m_after : m_compass)->setText(QString::number(heading_deg, 'f', 1));
+}
+
+void GuidedStation::say(const QString& message, bool urgent)
+{
+    m_message->setText(message);
+    QPalette colours = palette();
+    if (urgent)
+        colours.setColor(QPalette::WindowText, QColor(0xD5, 0x5E, 0x00));
+    m_message->setPalette(colours);
+    m_message->setFont(bigFont(m_message->font(), kTitle_px, urgent));
+}
+
+/// When it is stored the page shows the next step.
+void GuidedStation::tell(job::What what)
+{
+    if (const auto told = m_job.tell(std::move(what)); !told) {
+        say(messageOf(told.error()), true);
+        emit failed(messageOf(told.error()));
+    }
+}
+
+void GuidedStation::next()
+{
+    if (m_asks != Asks::Nothing)
+        takeReason();
+    else if (turning())
+        takeTurn();
+    else if (m_datum->text().trimmed().isEmpty())
+        m_datum->setFocus();
+    else if (m_compass->text().trimmed().isEmpty())
+        m_compass->setFocus();
+    else
+        takeReading();
+}
+
+Result<Entry> GuidedStation::entry() const
+{
+    Entry entry;
+    const auto read = [](const QLineEdit& line, std::vector<double>& into) -> Result<void> {
+        auto figures = parseFigures(line.text());
+        if (!figures)
+            return figures.error();
+        into = std::move(figures.value());
+        return {};
+    };
+    if (const auto done = read(*m_datum, entry.datum_deg); !done)
+        return done.error();
+    if (const auto done = read(*m_astern, entry.astern_deg); !done)
+        return done.error();
+    if (const auto done = read(*m_compass, entry.compass_deg); !done)
+        return done.error();
+    return entry;
+}
+
+/// What is more likely wrong than right is taken only when Enter comes again with the same figures.
+void GuidedStation::takeReading()
+{
+    const auto typed = entry();
+    if (!typed) {
+        say(messageOf(typed.error()), true);
+        return;
+    }
+    auto prepared = m_job.prepare(*typed);
+    if (!prepared) {
+        say(messageOf(prepared.error()), true);
+        return;
+    }
+    const QString figures = m_datum->text() + '|' + m_astern->text() + '|' + m_compass->text();
+    QStringList doubts;
+    if (prepared->judgement.lookAgain()) {
+        Reading reading;
+        reading.magnetic = MagneticHeading::fromDegrees(prepared->reading.magnetic_deg);
+        reading.compass = CompassHeading::fromDegrees(prepared->reading.compass_deg);
+        doubts += slipSentence(prepared->judgement, reading, AngleStyle::DecimalDegrees);
+    }
+    if (!prepared->note.isEmpty())
+        doubts += prepared->note;
+    if (!doubts.isEmpty() && figures != m_kept) {
+        m_kept = figures;
+        say(doubts.join(QStringLiteral(". ")) + tr(". Enter keeps it as it is read."), true);
+        m_compass->setFocus();
+        m_compass->selectAll();
+        return;
+    }
+    if (!doubts.isEmpty())
+        prepared->reading.note = tr("kept as read: %1").arg(doubts.join(QStringLiteral(". "))).toStdString();
+    tell(std::move(prepared->reading));
+}
+
+void GuidedStation::takeTurn()
+{
+    const auto& turn = m_job.state().turn;
+    if (!turn) {
+        leaveAsIs();
+        return;
+    }
+    const auto figures = parseFigures(m_after->text());
+    if (!figures || figures->size() != 1) {
+        say(figures ? tr("What does the compass read now? One figure is expected.") : messageOf(figures.error()), true);
+        m_after->setFocus();
+        return;
+    }
+    const double after = figures->front(), off = std::abs(wrap180(after - turn->makeCompassRead_deg));
+    if (off > m_job.job().resolution_deg + 1e-9 && m_after->text() != m_kept) {
+        m_kept = m_after->text();
+        say(tr("%1° is wanted, it reads %2°: turn again and type what it reads, or Enter keeps it.").arg(figureText(turn->makeCompassRead_deg), figureText(after)), true);
+        m_after->selectAll();
+        return;
+    }
+    if (m_job.state().phase == JobPhase::Index)
+        tell(job::IndexRemoved{turn->compassReads_deg, turn->makeCompassRead_deg, after});
+    else
+        tell(job::Adjusted{m_job.state().current, turn->control, turn->compassReads_deg, turn->makeCompassRead_deg, after, m_turnNote->text().trimmed().toStdString()});
+}
+
+void GuidedStation::readAgain()
+{
+    const StationState* here = m_job.station();
+    const int last = here && here->reading && here->correctionsDone == 0 ? m_job.state().current : m_job.lastRead();
+    if (last < 0) {
+        say(tr("There is no reading that can be read again: a control was turned on it."), true);
+        return;
+    }
+    m_shown = {-2, -1};
+    tell(job::ReadingRejected{last, tr("read again").toStdString()});
+}
+
+void GuidedStation::ask(Asks what, const QString& question)
+{
+    m_asks = what;
+    m_question->setText(question);
+    m_reason->clear();
+    m_reasonRow->show();
+    m_reason->setFocus();
+}
+
+void GuidedStation::skip()
+{
+    if (!turning())
+        ask(Asks::SkipReason, tr("Why can this heading not be read?"));
+}
+
+void GuidedStation::leaveAsIs()
+{
+    if (turning())
+        ask(Asks::LeaveReason, tr("Why is it left as it is?"));
+}
+
+void GuidedStation::takeReason()
+{
+    const std::string reason = m_reason->text().trimmed().toStdString();
+    if (reason.empty()) {
+        say(tr("A reason is expected; Escape goes back."), true);
+        return;
+    }
+    const Asks asked = m_asks;
+    m_asks = Asks::Nothing;
+    m_reasonRow->hide();
+    if (asked == Asks::SkipReason) {
+        tell(job::StationSkipped{m_job.state().current, reason});
+    } else if (m_job.state().phase == JobPhase::Index) {
+        tell(job::IndexLeft{reason});
+    } else {
+        const StationState& here = *m_job.station();
+        tell(job::NotAdjusted{m_job.state().current, here.station.corrections[here.correctionsDone].control, reason});
+    }
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,154 @@
+#include "ui/guided/GuidedWords.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+
+#include "core/procedure/SkipCost.h"
+#include "ui/guided/GuidedJob.h"
+#include "ui/style/Words.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(lubberline::ui::GuidedWords)
+};
+
+QString phaseWord(const GuidedJob& job)
+{
+    switch (job.state().phase) {
+    case JobPhase::Prepare: return Words::tr("Preparation");
+    case JobPhase::Index: return Words::tr("Index");
+    case JobPhase::Review: return Words::tr("Review");
+    case JobPhase::Card: return Words::tr("Finished");
+    case JobPhase::Fault: return Words::tr("Fault");
+    case JobPhase::Abandoned: return Words::tr("Abandoned");
+    case JobPhase::Stations: break;
+    }
+    const Station& station = job.station()->station;
+    switch (station.phase) {
+    case StationPhase::AsFound: return station.corrections.empty() ? Words::tr("As found") : Words::tr("Correction");
+    case StationPhase::Correct: return Words::tr("Correction");
+    case StationPhase::Check: return Words::tr("Check swing");
+    case StationPhase::Configuration: break;
+    }
+    return toText(job.job().plan.configurations[static_cast<std::size_t>(station.configuration - 1)]);
+}
+
+QString letterOf(Control control)
+{
+    return control == Control::NorthSouth ? QStringLiteral("C") : control == Control::EastWest ? QStringLiteral("B") : QStringLiteral("A");
+}
+
+} // namespace
+
+QStringList procedureWords()
+{
+    return {Words::tr("Coefficient method"), Words::tr("Half-error method"), Words::tr("Index first"), Words::tr("Flux valve"), Words::tr("Check only")};
+}
+
+QString procedureMeaning(ProcedureKind kind)
+{
+    switch (kind) {
+    case ProcedureKind::Coefficient:
+        return Words::tr("Read N, E, S and W; on S the N–S screw takes out C, on W the E–W screw takes out B; check swing; A by turning the compass "
+                         "in its mount (worksheet to CAP 562).");
+    case ProcedureKind::HalfError:
+        return Words::tr("On N and E all of the error is taken out, on S and W half of what is left; check swing; A by turning the compass in its mount "
+                         "(Barfield 56-101-01200).");
+    case ProcedureKind::IndexFirst:
+        return Words::tr("Read N, E, S and W; the mount is turned by their mean, then B on W and C on N; check swing.");
+    case ProcedureKind::FluxValve:
+        return Words::tr("Read N, E, S and W untouched; the flux valve is turned by their mean, then C on N and B on E; check swing "
+                         "(Duncan Aviation, after MIL-STD-765A practice).");
+    case ProcedureKind::CheckOnly:
+        return Words::tr("Nothing is touched: the check swing alone.");
+    }
+    return {};
+}
+
+QString controlWord(Control control)
+{
+    switch (control) {
+    case Control::NorthSouth: return Words::tr("N–S screw");
+    case Control::EastWest: return Words::tr("E–W screw");
+    case Control::Index: return Words::tr("compass in its mount");
+    }
+    return {};
+}
+
+QString stationHeading(double nominal_deg)
+{
+    static const std::array<QString, 8> kNames{Words::tr("N"), Words::tr("NE"), Words::tr("E"), Words::tr("SE"), Words::tr("S"), Words::tr("SW"), Words::tr("W"),
+        Words::tr("NW")};
+    const QString figure = QStringLiteral("%1°").arg(nominal_deg, 3, 'f', 0, QChar('0'));
+    const double eighth = nominal_deg / 45.0;
+    return eighth == std::floor(eighth) ? figure + ' ' + kNames[static_cast<std::size_t>(eighth) % 8] : figure;
+}
+
+QString figureText(double heading_deg)
+{
+    const double tenth = std::round(wrap360(heading_deg) * 10.0) / 10.0;
+    const double shown = tenth >= 360.0 ? 0.0 : tenth;
+    const bool whole = shown == std::round(shown);
+    return QStringLiteral("%1").arg(shown, whole ? 3 : 5, 'f', whole ? 0 : 1, QChar('0'));
+}
+
+QString turnSentence(const MakeCompassRead& turn)
+{
+    const QString control = controlWord(turn.control);
+    if (turn.removal == HowMuch::All)
+        return Words::tr("Error %1°: turn the %2 until all of it is gone, and the compass reads").arg(signedNumber(turn.coefficient_deg, 1), control);
+    if (turn.removal == HowMuch::Half)
+        return Words::tr("Half of the error is %1°: turn the %2 until the compass reads").arg(signedNumber(turn.coefficient_deg, 1), control);
+    return Words::tr("%1 = %2°: turn the %3 until the compass reads").arg(letterOf(turn.control), signedNumber(turn.coefficient_deg, 1), control);
+}
+
+QString stepTitle(const GuidedJob& job)
+{
+    const auto& state = job.state();
+    if (state.phase != JobPhase::Stations)
+        return phaseWord(job);
+    return Words::tr("%1 · step %2 of %3").arg(phaseWord(job)).arg(state.current + 1).arg(state.stations.size());
+}
+
+QString readOutWords(const DatumInstrument& instrument)
+{
+    QStringList words;
+    if (instrument.kind == DatumKind::SightingCompass || instrument.kind == DatumKind::Theodolite)
+        words += instrument.ahead == SightingDirection::Direct ? Words::tr("from ahead: direct") : Words::tr("from ahead: reciprocal");
+    if (instrument.zero_deg != 0)
+        words += Words::tr("zero %1°").arg(signedNumber(instrument.zero_deg, 2));
+    if (instrument.givesTrue)
+        words += Words::tr("true, less variation");
+    return words.join(QStringLiteral("; "));
+}
+
+QString skipWords(const JobState& state)
+{
+    std::vector<double> planned, read;
+    QStringList skipped;
+    for (const auto& station : state.stations) {
+        if (station.station.phase != StationPhase::Check)
+            continue;
+        planned.push_back(station.station.nominal_deg);
+        if (station.reading)
+            read.push_back(station.station.nominal_deg);
+        if (!station.skipped.empty())
+            skipped += Words::tr("%1 (%2)").arg(stationHeading(station.station.nominal_deg), toText(station.skipped));
+    }
+    if (skipped.isEmpty())
+        return {};
+    const SkipCost cost = skipCost(planned, read);
+    const QString list = Words::tr("Skipped: %1. ").arg(skipped.join(QStringLiteral(", ")));
+    if (!std::isfinite(cost.remaining))
+        return list + Words::tr("What was read does not tell a curve.");
+    const QString price = Words::tr("The curve is known to ±%1 of a reading's error at %2 instead of ±%3.")
+                              .arg(cost.remaining, 0, 'f', 2).arg(stationHeading(cost.at_deg)).arg(cost.planned, 0, 'f', 2);
+    return list + price + (cost.withoutSecondHarmonic ? Words::tr(" D and E are not told any more.") : QString());
+}
+
+} // namespace lubberline::ui
