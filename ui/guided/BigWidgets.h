@@ -42,7 +42,7 @@ inline QPushButton* bigButton(const QString& text, const char* name)
     button->setObjectName(QString::fromLatin1(name));
     button->setFont(bigFont(button->font(), kTitle_px));
     button->setMinimumHeight(48);
-    button->setAutoDefault(false);
+    button->setAutoDefault(true); // Enter presses the one that has the focus
     return button;
 }
 

@@ -190,7 +190,7 @@ Result<void> GuidedPage::takeUp(SwingId swing)
     if (auto opened = m_job->open((*found)->job, *record, std::move(analysis), label); !opened)
         return opened;
     m_pages->setCurrentWidget(m_work);
-    m_station->focusField();
+    refresh();
     return {};
 }
 
@@ -204,6 +204,8 @@ void GuidedPage::refresh()
     case JobPhase::Prepare:
         m_prepare->refresh();
         m_steps->setCurrentWidget(m_prepare);
+        if (!m_prepare->isAncestorOf(focusWidget())) // who ticks goes on from where he is
+            m_prepare->focusField();
         break;
     case JobPhase::Stations:
     case JobPhase::Index:

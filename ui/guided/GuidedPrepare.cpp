@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array kHeadings_deg{0.0, 90.0, 180.0, 270.0};
 enum Column { Off, On, Change };
-constexpr int kRowHeight_px = 40;
+constexpr int kRowHeight_px = 31, kList_px = 18;
 
 } // namespace
 
@@ -39,17 +39,21 @@ GuidedPrepare::GuidedPrepare(GuidedJob& job, QWidget* parent)
     for (const double heading : kHeadings_deg)
         rows += stationHeading(heading);
     m_table->setVerticalHeaderLabels(rows);
-    m_table->setFont(bigFont(font(), kTitle_px));
+    m_table->setFont(bigFont(font(), kList_px));
     m_table->verticalHeader()->setDefaultSectionSize(kRowHeight_px);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_table->setFixedHeight(kRowHeight_px * 5);
+    m_table->setFixedHeight(kRowHeight_px * 5 + 4);
     m_table->setTabKeyNavigation(true);
     auto* title = bigLabel("interferenceTitle", kTitle_px, true);
-    title->setText(tr("Interference check (where it is made)"));
+    title->setText(tr("Interference check, with"));
+    m_list->setSpacing(0);
     auto* column = new QVBoxLayout(this);
     column->addLayout(m_list);
-    column->addWidget(title);
-    column->addWidget(m_load);
+    auto* head = new QHBoxLayout;
+    head->addWidget(title);
+    head->addWidget(m_load, 1);
+    title->setWordWrap(false);
+    column->addLayout(head);
     column->addWidget(m_table);
     column->addWidget(m_message);
     column->addStretch();
@@ -83,12 +87,12 @@ void GuidedPrepare::rebuildList()
     for (const auto& item : m_listed) {
         auto* box = new QCheckBox(toText(item));
         box->setObjectName(QStringLiteral("check%1").arg(m_list->count()));
-        box->setFont(bigFont(box->font(), kTitle_px));
-        box->setMinimumHeight(36);
+        box->setFont(bigFont(box->font(), kList_px));
+        box->setMinimumHeight(32);
         connect(box, &QCheckBox::toggled, this, [this, item, box](bool done) {
             tell(job::Ticked{item, done});
             if (done)
-                box->nextInFocusChain()->setFocus(); // Space goes down the list
+                focusField(); // Space goes down the list
         });
         m_list->addWidget(box);
     }

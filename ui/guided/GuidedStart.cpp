@@ -52,7 +52,7 @@ std::optional<double> variationOf(const Swing& swing, const Site* site)
 
 GuidedStart::GuidedStart(Storage& storage, QWidget* parent)
     : QWidget(parent), m_storage(storage), m_title(bigLabel("guidedStartTitle", kSentence_px, true)), m_meaning(new QLabel), m_checklist(new QPlainTextEdit),
-      m_complaint(bigLabel("guidedComplaint", kForm_px, true)), m_start(bigButton(tr("Begin"), "beginGuided"))
+      m_complaint(bigLabel("guidedComplaint", kForm_px, true)), m_start(bigButton(tr("Begin (Ctrl+Enter)"), "beginGuided"))
 {
     build();
 }
@@ -83,6 +83,9 @@ void GuidedStart::build()
     auto* form = new QFormLayout;
     m_procedure = addBox(*form, tr("&Procedure:"), "guidedProcedure", procedureWords());
     m_meaning->setWordWrap(true);
+    m_meaning->setFont(font());
+    m_meaning->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_start->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Return));
     form->addRow(QString(), m_meaning);
     m_points = addBox(*form, tr("&Check swing:"), "guidedPoints", {tr("8 headings"), tr("12 headings"), tr("24 headings")});
     m_datum = addBox(*form, tr("&Datum:"), "guidedDatumBox");

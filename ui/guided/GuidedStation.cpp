@@ -114,6 +114,7 @@ void GuidedStation::build()
     column->addStretch();
     column->addLayout(buttons);
     m_reasonRow->hide();
+    m_turn->hide(); // it would ask for room beside the reading
 
     for (QLineEdit* line : {m_datum, m_astern, m_compass, m_after, m_turnNote, m_reason})
         connect(line, &QLineEdit::returnPressed, this, &GuidedStation::next);

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "ui/guided/GuidedPage.h"
-#include "ui/guided/GuidedStation.h"
 #include "ui/pages/SwingPage.h"
 #include "ui/readings/SwingEditor.h"
 #include "ui/style/Words.h"
@@ -59,7 +58,6 @@ void MainWindow::takeUpGuided(SwingId swing)
         return;
     }
     turnTo(guidedPage());
-    guidedPage().station().focusField();
 }
 
 GuidedPage& MainWindow::guidedPage()
