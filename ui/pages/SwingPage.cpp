@@ -8,10 +8,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/record/Completeness.h"
 #include "ui/pages/CoefficientsPanel.h"
 #include "ui/pages/ExclusionPanel.h"
 #include "ui/pages/FieldStampPanel.h"
 #include "ui/pages/PlotTabs.h"
+#include "ui/pages/SigningPanel.h"
 #include "ui/pages/SlipWords.h"
 #include "ui/pages/SwingParticulars.h"
 #include "ui/pages/SwingWords.h"
@@ -25,6 +27,7 @@ namespace lubberline::ui {
 
 SwingPage::SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
     : QWidget(parent)
+    , m_context(context)
     , m_editor(new SwingEditor(context, stack, this))
     , m_model(new ReadingsModel(*m_editor, this))
     , m_table(new ReadingsTable(*m_model))
@@ -37,6 +40,7 @@ SwingPage::SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
     , m_meaning(new QLabel)
     , m_readOnly(new QLabel)
     , m_showParticulars(new QToolButton)
+    , m_showSigning(new QToolButton)
     , m_complete(new QPushButton)
 {
     build();
@@ -61,7 +65,8 @@ void SwingPage::build()
     layout->addWidget(new FieldStampPanel(*m_editor));
     layout->addWidget(splitter, 1);
     setTabOrder(m_showParticulars, m_complete);
-    setTabOrder(m_complete, m_table);
+    setTabOrder(m_complete, m_showSigning);
+    setTabOrder(m_showSigning, m_table);
     setFocusProxy(m_table);
 }
 
@@ -82,6 +87,12 @@ QWidget* SwingPage::buildHeader()
     m_showParticulars->setArrowType(Qt::RightArrow);
     m_showParticulars->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_showParticulars->setFocusPolicy(Qt::StrongFocus);
+    m_showSigning->setObjectName(QStringLiteral("showSigning"));
+    m_showSigning->setText(tr("Si&gn"));
+    m_showSigning->setCheckable(true);
+    m_showSigning->setArrowType(Qt::RightArrow);
+    m_showSigning->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_showSigning->setFocusPolicy(Qt::StrongFocus);
     m_complete->setObjectName(QStringLiteral("completeButton"));
     m_readOnly->setObjectName(QStringLiteral("readOnlyReason"));
     m_readOnly->setWordWrap(true);
@@ -92,6 +103,7 @@ QWidget* SwingPage::buildHeader()
     layout->addWidget(m_state);
     layout->addWidget(m_showParticulars);
     layout->addWidget(m_complete);
+    layout->addWidget(m_showSigning);
     return header;
 }
 
@@ -152,6 +164,7 @@ void SwingPage::connectParts()
     connect(m_exclusion, &ExclusionPanel::closed, m_table, qOverload<>(&QWidget::setFocus));
     connect(m_complete, &QPushButton::clicked, this, &SwingPage::toggleComplete);
     connect(m_showParticulars, &QToolButton::toggled, this, &SwingPage::showParticulars);
+    connect(m_showSigning, &QToolButton::toggled, this, &SwingPage::showSigning);
 }
 
 Result<void> SwingPage::showSwing(SwingId id)
@@ -172,6 +185,28 @@ void SwingPage::showParticulars(bool visible)
     m_particulars->setVisible(visible);
 }
 
+void SwingPage::showSigning(bool visible)
+{
+    m_table->leaveCell();
+    m_showSigning->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
+    if (!m_signing) {
+        m_signing = new SigningPanel(m_context);
+        static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_signing);
+        setTabOrder(m_showSigning, m_signing);
+        connect(m_signing, &SigningPanel::failed, this, &SwingPage::failed);
+        connect(m_signing, &SigningPanel::openSwing, this, &SwingPage::openSwing);
+    }
+    m_signing->setVisible(visible);
+    if (visible && m_editor->id().valid())
+        m_signing->show(m_editor->record(), m_meaning->text());
+}
+
+void SwingPage::openSigning()
+{
+    m_showSigning->setChecked(true);
+    m_signing->focusField();
+}
+
 void SwingPage::showRecord()
 {
     const SwingRecord& record = m_editor->record();
@@ -184,6 +219,8 @@ void SwingPage::showRecord()
     m_complete->setText(record.swing.state == SwingState::Draft ? tr("Mark &complete") : tr("Back to &draft"));
     m_complete->setEnabled(m_editor->particularsEditable());
     showResults();
+    if (m_signing && m_signing->isVisible())
+        m_signing->show(record, m_meaning->text());
     emit stateChanged();
 }
 
@@ -302,7 +339,13 @@ void SwingPage::layOut(int points)
 void SwingPage::toggleComplete()
 {
     m_table->leaveCell();
-    if (m_editor->particularsEditable())
+    if (!m_editor->particularsEditable())
+        return;
+    const Swing& swing = m_editor->record().swing;
+    const std::string missing = swing.state == SwingState::Draft ? missingIn(swing) : std::string();
+    if (!missing.empty())
+        emit failed(tr("The swing is not complete: %1").arg(toText(missing)));
+    else
         m_editor->setState(m_editor->record().swing.state == SwingState::Draft ? SwingState::Complete : SwingState::Draft);
 }
 

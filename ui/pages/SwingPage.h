@@ -19,6 +19,7 @@ class ExclusionPanel;
 class PlotTabs;
 class ReadingsModel;
 class ReadingsTable;
+class SigningPanel;
 class SwingEditor;
 class SwingParticulars;
 
@@ -45,10 +46,12 @@ public slots:
     void acceptNominal();
     void layOut(int points);
     void toggleComplete();
+    void openSigning(); ///< the panel, with the cursor in it
 
 signals:
     void readOut(const QString& text);
     void failed(const QString& message);
+    void openSwing(lubberline::SwingId id); ///< another one is to be shown
     void closed();        ///< the swing that was shown is no more
     void stateChanged();  ///< another swing, record or row: actions may be enabled otherwise now
 
@@ -64,8 +67,10 @@ private:
     [[nodiscard]] QString suspicion() const;
     void onRowChanged();
     void showParticulars(bool visible);
+    void showSigning(bool visible);
     [[nodiscard]] int currentRow() const; ///< −1: none, or the empty row
 
+    EditContext& m_context;
     SwingEditor* m_editor;
     ReadingsModel* m_model;
     ReadingsTable* m_table;
@@ -73,12 +78,14 @@ private:
     CoefficientsPanel* m_coefficients;
     ExclusionPanel* m_exclusion;
     SwingParticulars* m_particulars = nullptr; ///< made when first opened
+    SigningPanel* m_signing = nullptr;         ///< likewise
     QLabel* m_title;
     QLabel* m_state;
     QLabel* m_message;
     QLabel* m_meaning;
     QLabel* m_readOnly;
     QToolButton* m_showParticulars;
+    QToolButton* m_showSigning;
     QPushButton* m_complete;
     AngleStyle m_style = AngleStyle::DecimalDegrees;
 };

@@ -242,6 +242,7 @@ SwingPage& MainWindow::swingPage()
     connect(m_swingPage, &SwingPage::readOut, m_readOut, &QLabel::setText);
     connect(m_swingPage, &SwingPage::failed, this, &MainWindow::fail);
     connect(m_swingPage, &SwingPage::stateChanged, this, &MainWindow::updateActions);
+    connect(m_swingPage, &SwingPage::openSwing, this, [this](SwingId id) { showSwing(id); });
     connect(m_swingPage, &SwingPage::closed, this, [this] {
         if (m_pages->currentWidget() == m_swingPage)
             leaveRemovedSwing();

@@ -90,6 +90,7 @@ void MainWindow::buildSwingMenu()
     m_exclude = addCommand(menu, tr("&Exclude the reading…"), tr("Ctrl+E"), [this] { m_swingPage->toggleExcluded(); }, "exclude");
     menu.addSeparator();
     m_swingActions += addCommand(menu, tr("Mark &complete, or back to draft"), tr("Ctrl+Return"), [this] { m_swingPage->toggleComplete(); }, "complete");
+    m_swingActions += addCommand(menu, tr("&Sign or amend"), tr("Ctrl+Shift+S"), [this] { m_swingPage->openSigning(); }, "signSwing");
     m_draftActions += addCommand(menu, tr("&Remove this draft swing"), {}, [this] { removeDraft(); }, "removeSwing");
 }
 
