@@ -49,6 +49,8 @@ int runCommandLine(int argc, char** argv)
     addImport(app, invocation);
     addExport(app, invocation);
     addSwings(app, invocation);
+    addSign(app, invocation);
+    addDue(app, invocation);
     addDb(app, invocation);
     addDemo(app, invocation);
 

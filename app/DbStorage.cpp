@@ -121,7 +121,10 @@ Result<CompassId> DbStorage::save(const CompassSystem& compass)
 
 Result<SiteId> DbStorage::save(const Site& site)
 {
-    return m_sites.save(site);
+    const auto id = m_sites.save(site);
+    if (id)
+        emit sitesChanged();
+    return id;
 }
 
 Result<LimitsProfileId> DbStorage::save(const LimitsProfile& profile)
@@ -135,8 +138,10 @@ Result<LimitsProfileId> DbStorage::save(const LimitsProfile& profile)
 Result<EventId> DbStorage::save(const Event& event)
 {
     const auto id = m_fleet.save(event);
-    if (id)
+    if (id) {
         emit aircraftChanged(event.aircraft);
+        emit dueChanged();
+    }
     return id;
 }
 

@@ -32,6 +32,8 @@ void addSimulate(CLI::App& app, Invocation& invocation);
 void addReport(CLI::App& app, Invocation& invocation);
 void addImport(CLI::App& app, Invocation& invocation);
 void addExport(CLI::App& app, Invocation& invocation);
+void addDue(CLI::App& app, Invocation& invocation);  ///< due, event, waive
+void addSign(CLI::App& app, Invocation& invocation); ///< complete, reopen, sign, amend, audit
 void addSwings(CLI::App& app, Invocation& invocation);
 void addDb(CLI::App& app, Invocation& invocation);
 void addDemo(CLI::App& app, Invocation& invocation);

@@ -185,8 +185,10 @@ public:
     Result<EventId> save(const Event& event) override
     {
         const auto id = put(m_fleet->events, event);
-        if (id)
+        if (id) {
             emit aircraftChanged(event.aircraft);
+            emit dueChanged();
+        }
         return id;
     }
     Result<SwingId> saveParticulars(const Swing& swing) override

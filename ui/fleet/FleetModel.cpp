@@ -1,8 +1,10 @@
 #include "ui/fleet/FleetModel.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "ui/style/Badge.h"
+#include "ui/style/DueBadge.h"
 #include "ui/style/Words.h"
 
 namespace lubberline::ui {
@@ -24,7 +26,12 @@ namespace {
 
 QString swingName(const SwingRow& row)
 {
-    return FleetModel::tr("%1 %2").arg(toText(row.date), wordFor(row.stage));
+    QString name = FleetModel::tr("%1 %2").arg(toText(row.date), wordFor(row.stage));
+    if (row.revision > 1)
+        name += FleetModel::tr(", rev. %1").arg(row.revision);
+    if (row.superseded)
+        name += FleetModel::tr(", amended");
+    return row.guided ? name + FleetModel::tr(", guided, in work") : name;
 }
 
 QString swingDetail(const SwingRow& row)
@@ -33,6 +40,12 @@ QString swingDetail(const SwingRow& row)
     if (!row.maxAbsDeviation_deg)
         return what;
     return what + FleetModel::tr(" · largest deviation %1°").arg(*row.maxAbsDeviation_deg, 0, 'f', 1);
+}
+
+/// "in limits · due": what is not due needs no word.
+QString badgeText(const QString& state, DueState due)
+{
+    return due == DueState::NotDue ? state : FleetModel::tr("%1 · %2").arg(state, dueWord(due));
 }
 
 } // namespace
@@ -206,6 +219,45 @@ void FleetModel::merge(Node& parent, std::vector<std::unique_ptr<Node>> fresh)
     }
 }
 
+void FleetModel::setDue(const std::vector<DueLine>& lines)
+{
+    m_dueTypes.clear();
+    m_dueAircraft.clear();
+    m_dueCompasses.clear();
+    const auto raise = [](auto& states, auto id, DueState state) {
+        auto& kept = states.emplace(id, DueState::NotDue).first->second;
+        kept = std::max(kept, state);
+    };
+    for (const DueLine& line : lines) {
+        raise(m_dueTypes, line.compass.type, line.answer.state);
+        raise(m_dueAircraft, line.compass.aircraft, line.answer.state);
+        raise(m_dueCompasses, line.compass.compass, line.answer.state);
+    }
+    const std::function<void(const Node&)> tell = [&](const Node& node) {
+        if (node.children.empty())
+            return;
+        emit dataChanged(indexOf(node.children.front().get(), Badge), indexOf(node.children.back().get(), Badge));
+        for (const auto& child : node.children)
+            tell(*child);
+    };
+    tell(*m_root);
+}
+
+DueState FleetModel::dueOf(const FleetItem& item) const
+{
+    const auto in = [](const auto& states, auto id) {
+        const auto found = states.find(id);
+        return found == states.end() ? DueState::NotDue : found->second;
+    };
+    if (const auto* type = std::get_if<AircraftTypeId>(&item))
+        return in(m_dueTypes, *type);
+    if (const auto* aircraft = std::get_if<AircraftId>(&item))
+        return in(m_dueAircraft, *aircraft);
+    if (const auto* compass = std::get_if<CompassId>(&item))
+        return in(m_dueCompasses, *compass);
+    return DueState::NotDue;
+}
+
 void FleetModel::refresh()
 {
     if (m_root->loaded)
@@ -221,7 +273,7 @@ QVariant FleetModel::data(const QModelIndex& index, int role) const
     switch (role) {
     case Qt::DisplayRole:
         if (badge)
-            return node.draft ? tr("draft") : badgeWord(node.status);
+            return badgeText(node.draft ? tr("draft") : badgeWord(node.status), dueOf(node.item));
         return node.name;
     case Qt::DecorationRole:
         return badge ? QVariant(badgeIcon(node.status)) : QVariant();

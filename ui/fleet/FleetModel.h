@@ -4,10 +4,12 @@
 
 #include <QAbstractItemModel>
 
+#include <map>
 #include <memory>
 #include <variant>
 #include <vector>
 
+#include "core/due/DueList.h"
 #include "ui/storage/Storage.h"
 
 namespace lubberline::ui {
@@ -38,6 +40,9 @@ public:
     /// The place of an item, opening what is above it: `path` is type, aircraft, compass, swing, as far as known.
     [[nodiscard]] QModelIndex find(const std::vector<FleetItem>& path);
 
+    /// What is due: shown besides the state, at parents the most urgent of their children.
+    void setDue(const std::vector<DueLine>& lines);
+
 public slots:
     /// Asks storage again for what was opened, and tells views only what differs.
     void refresh();
@@ -55,7 +60,11 @@ private:
     void merge(Node& parent, std::vector<std::unique_ptr<Node>> fresh);
 
     Storage& m_storage;
+    [[nodiscard]] DueState dueOf(const FleetItem& item) const;
     std::unique_ptr<Node> m_root;
+    std::map<AircraftTypeId, DueState> m_dueTypes;
+    std::map<AircraftId, DueState> m_dueAircraft;
+    std::map<CompassId, DueState> m_dueCompasses;
 };
 
 } // namespace lubberline::ui

@@ -3,12 +3,14 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QListWidget>
 #include <QStackedWidget>
 #include <QTimer>
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include "ui/style/DueBadge.h"
 #include "ui/style/Words.h"
 
 namespace lubberline::ui {
@@ -38,6 +40,7 @@ FleetPanel::FleetPanel(Storage& storage, QWidget* parent)
     , m_stack(new QStackedWidget)
     , m_tree(new QTreeView)
     , m_hits(new QListWidget)
+    , m_due(new QPushButton)
     , m_searchSoon(new QTimer(this))
     , m_refreshSoon(new QTimer(this))
 {
@@ -45,6 +48,12 @@ FleetPanel::FleetPanel(Storage& storage, QWidget* parent)
     layout->setContentsMargins(4, 4, 0, 4);
     layout->addWidget(m_words);
     layout->addWidget(m_stack);
+    layout->addWidget(m_due);
+    m_due->setObjectName(QStringLiteral("dueButton"));
+    m_due->setFlat(true);
+    m_due->setText(tr("Due"));
+    m_due->setStyleSheet(QStringLiteral("text-align: left; padding: 3px"));
+    connect(m_due, &QPushButton::clicked, this, &FleetPanel::dueWanted);
     buildTree();
     buildSearch();
     m_refreshSoon->setSingleShot(true);
@@ -55,6 +64,13 @@ FleetPanel::FleetPanel(Storage& storage, QWidget* parent)
     connect(&storage, &Storage::aircraftChanged, this, refreshSoon);
     connect(&storage, &Storage::fleetChanged, m_model, &FleetModel::refresh);
     connect(m_model, &FleetModel::failed, this, &FleetPanel::failed);
+}
+
+void FleetPanel::showDue(const std::vector<DueLine>& lines, int due)
+{
+    m_model->setDue(lines);
+    m_due->setText(tr("Due (%1)").arg(due));
+    m_due->setIcon(dueIcon(due > 0 ? lines.front().answer.state : DueState::NotDue));
 }
 
 void FleetPanel::buildTree()

@@ -8,6 +8,7 @@
 class QLineEdit;
 class QListWidget;
 class QStackedWidget;
+class QPushButton;
 class QTimer;
 class QTreeView;
 
@@ -25,10 +26,12 @@ public:
     void select(const std::vector<FleetItem>& path);
     void focusSearch();
     void focusTree();
+    void showDue(const std::vector<DueLine>& lines, int due);
 
 signals:
     void itemChosen(const lubberline::ui::FleetItem& item);
     void itemOpened(); ///< Enter or double click on the chosen item: the page is wanted
+    void dueWanted(); ///< the list of what is due
     void failed(const QString& message);
 
 protected:
@@ -46,6 +49,7 @@ private:
     QStackedWidget* m_stack;
     QTreeView* m_tree;
     QListWidget* m_hits;
+    QPushButton* m_due;
     QTimer* m_searchSoon;
     QTimer* m_refreshSoon;
     std::vector<FleetItem> m_hitItems;

@@ -117,6 +117,14 @@ QWidget* AircraftPage::buildAircraftForm()
     addText(m_aircraft, *form, tr("Operator:"), QStringLiteral("aircraftOperator"), &Aircraft::operatorName);
     m_aircraft.addLine(*form, tr("Built:"), QStringLiteral("aircraftBuilt"),
         [](const Aircraft& record) { return record.builtYear ? QString::number(*record.builtYear) : QString(); }, takeBuiltYear);
+    m_aircraft.addLine(*form, tr("Based at:"), QStringLiteral("aircraftBase"), [this](const Aircraft& record) { return siteName(record.base); },
+        [this](Aircraft& record, const QString& text) -> Result<void> {
+            const auto site = siteNamed(text.trimmed());
+            if (!site)
+                return site.error();
+            record.base = *site;
+            return {};
+        })->setToolTip(tr("A compass base of this database: where another is, the swing is due when the compass is predicted to leave its limits there"));
     addText(m_aircraft, *form, tr("Note:"), QStringLiteral("aircraftNote"), &Aircraft::note);
     return page;
 }
@@ -151,6 +159,14 @@ QWidget* AircraftPage::buildCompassForm()
     addText(m_compass, *form, tr("Maker:"), QStringLiteral("compassMaker"), &CompassSystem::maker);
     addText(m_compass, *form, tr("Part number:"), QStringLiteral("compassPart"), &CompassSystem::partNumber);
     addText(m_compass, *form, tr("Serial number:"), QStringLiteral("compassSerial"), &CompassSystem::serialNumber);
+    m_compass.addLine(*form, tr("Installed on:"), QStringLiteral("compassInstalled"), [](const CompassSystem& record) { return toText(record.installed); },
+        [](CompassSystem& record, const QString& text) -> Result<void> {
+            const auto date = parseDate(text, true);
+            if (!date)
+                return date.error();
+            record.installed = *date;
+            return {};
+        });
     addText(m_compass, *form, tr("Location:"), QStringLiteral("compassLocation"), &CompassSystem::location);
     for (QComboBox* box : page->findChildren<QComboBox*>())
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -226,6 +242,32 @@ Result<void> AircraftPage::load(AircraftId id, CompassId compass)
     m_compass.show({}, false);
     showSwings({}, {});
     return {};
+}
+
+QString AircraftPage::siteName(SiteId id) const
+{
+    const auto sites = m_context.storage.sites();
+    for (const Site& site : sites ? *sites : std::vector<Site>())
+        if (site.id == id)
+            return toText(site.name);
+    return {};
+}
+
+/// Not valid for no name at all.
+Result<SiteId> AircraftPage::siteNamed(const QString& name) const
+{
+    if (name.isEmpty())
+        return SiteId();
+    const auto sites = m_context.storage.sites();
+    if (!sites)
+        return sites.error();
+    QStringList known;
+    for (const Site& site : *sites) {
+        if (toText(site.name) == name)
+            return site.id;
+        known += toText(site.name);
+    }
+    return Error{ErrorCode::InvalidInput, tr("there is no compass base %1; expected one of: %2").arg(name, known.join(QStringLiteral(", "))).toStdString()};
 }
 
 void AircraftPage::loadLimits()

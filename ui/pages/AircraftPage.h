@@ -46,6 +46,8 @@ private:
     void showSwings(const std::vector<SwingRow>& swings, const CompassSystem& compass);
     void showHistory(const std::vector<SwingRow>& swings, const CompassSystem& compass);
     void loadLimits();
+    [[nodiscard]] QString siteName(SiteId id) const;
+    [[nodiscard]] Result<SiteId> siteNamed(const QString& name) const;
     [[nodiscard]] QString typeName(AircraftTypeId id) const; ///< with the separator after it
 
     EditContext& m_context;

@@ -1,5 +1,6 @@
 #include "ui/pages/EventsPanel.h"
 
+#include <QComboBox>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -9,15 +10,17 @@
 #include <QUndoStack>
 #include <QVBoxLayout>
 
+#include "core/due/DueList.h"
 #include "ui/edits/RecordEdits.h"
 #include "ui/pages/FieldText.h"
+#include "ui/style/DueBadge.h"
 #include "ui/style/Words.h"
 
 namespace lubberline::ui {
 
 namespace {
 
-enum Column { Date, Kind, Note, kColumns };
+enum Column { Date, Kind, Cause, Note, kColumns };
 
 }
 
@@ -28,13 +31,14 @@ EventsPanel::EventsPanel(EditContext& context, QUndoStack& stack, QWidget* paren
     , m_table(new QTableWidget(0, kColumns))
     , m_date(new QLineEdit)
     , m_kind(new QLineEdit)
+    , m_cause(new QComboBox)
     , m_note(new QLineEdit)
     , m_add(new QPushButton(tr("Add event")))
     , m_message(new QLabel)
 {
     m_table->setObjectName(QStringLiteral("events"));
     m_table->setAccessibleName(tr("Events"));
-    m_table->setHorizontalHeaderLabels({tr("Date"), tr("Event"), tr("Note")});
+    m_table->setHorizontalHeaderLabels({tr("Date"), tr("Event"), tr("Makes a swing due"), tr("Note")});
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->verticalHeader()->hide();
     m_table->setTabKeyNavigation(false);
@@ -42,18 +46,24 @@ EventsPanel::EventsPanel(EditContext& context, QUndoStack& stack, QWidget* paren
     m_date->setPlaceholderText(tr("year-month-day"));
     m_kind->setObjectName(QStringLiteral("eventKind"));
     m_kind->setPlaceholderText(tr("lightning strike, engine change, hard landing …"));
+    m_cause->setObjectName(QStringLiteral("eventCause"));
+    m_cause->addItems(dueCauseWords());
+    m_cause->setItemText(0, tr("no"));
+    m_cause->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_note->setObjectName(QStringLiteral("eventNote"));
     m_add->setObjectName(QStringLiteral("addEvent"));
     m_message->setWordWrap(true);
     auto* form = new QFormLayout;
     form->addRow(tr("Date:"), m_date);
     form->addRow(tr("Event:"), m_kind);
+    form->addRow(tr("Makes due:"), m_cause);
     form->addRow(tr("Note:"), m_note);
     form->addRow(QString(), m_add);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_table, 1);
     layout->addWidget(m_message);
     layout->addLayout(form);
+    connect(m_kind, &QLineEdit::textEdited, this, [this](const QString& words) { m_cause->setCurrentIndex(static_cast<int>(causeInWords(words.toStdString()))); });
     connect(m_add, &QPushButton::clicked, this, &EventsPanel::add);
     // Queued: storing shows the events anew, which would delete the item that is just being changed.
     connect(m_table, &QTableWidget::cellChanged, this, &EventsPanel::changeCell, Qt::QueuedConnection);
@@ -82,6 +92,14 @@ void EventsPanel::showEvents()
         const Event& event = m_events[static_cast<std::size_t>(row)];
         m_table->setItem(row, Date, new QTableWidgetItem(toText(event.date)));
         m_table->setItem(row, Kind, new QTableWidgetItem(toText(event.kind)));
+        auto* cause = new QComboBox;
+        cause->addItems(dueCauseWords());
+        cause->setItemText(0, tr("no"));
+        cause->setCurrentIndex(static_cast<int>(event.cause));
+        cause->setEnabled(!m_context.storage.readOnly());
+        cause->setToolTip(cause->currentText());
+        connect(cause, &QComboBox::activated, this, [this, row](int choice) { changeCause(row, choice); }, Qt::QueuedConnection);
+        m_table->setCellWidget(row, Cause, cause);
         m_table->setItem(row, Note, new QTableWidgetItem(toText(event.note)));
     }
 }
@@ -109,6 +127,7 @@ void EventsPanel::add()
 {
     Event event;
     event.aircraft = m_aircraft;
+    event.cause = static_cast<DueCause>(m_cause->currentIndex());
     if (!apply(event, Date, m_date->text()) || !apply(event, Kind, m_kind->text()) || !apply(event, Note, m_note->text()))
         return;
     if (const auto stored = m_context.storage.save(event); !stored) {
@@ -117,12 +136,24 @@ void EventsPanel::add()
     }
     for (QLineEdit* line : {m_date, m_kind, m_note})
         line->clear();
+    m_cause->setCurrentIndex(0);
     showEvents();
+}
+
+void EventsPanel::changeCause(int row, int cause)
+{
+    if (row >= static_cast<int>(m_events.size()))
+        return;
+    const Event before = m_events.at(static_cast<std::size_t>(row));
+    Event after = before;
+    after.cause = static_cast<DueCause>(cause);
+    if (!(after == before))
+        m_stack.push(new ChangeRecord<Event>(m_context, m_aircraft, before, after, tr("event of %1").arg(toText(before.date))));
 }
 
 void EventsPanel::changeCell(int row, int column)
 {
-    if (row >= static_cast<int>(m_events.size()))
+    if (row >= static_cast<int>(m_events.size()) || column == Cause)
         return;
     const Event before = m_events.at(static_cast<std::size_t>(row));
     Event after = before;

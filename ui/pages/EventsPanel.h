@@ -4,6 +4,7 @@
 
 #include "ui/edits/EditContext.h"
 
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -24,6 +25,7 @@ private:
     void showEvents();
     void add();
     void changeCell(int row, int column);
+    void changeCause(int row, int cause);
     /// Takes one cell over; says what is wrong beneath the table.
     bool apply(Event& event, int column, const QString& text);
 
@@ -34,6 +36,7 @@ private:
     QTableWidget* m_table;
     QLineEdit* m_date;
     QLineEdit* m_kind;
+    QComboBox* m_cause; ///< follows the words until it is chosen by hand
     QLineEdit* m_note;
     QPushButton* m_add;
     QLabel* m_message;

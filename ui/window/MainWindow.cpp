@@ -122,6 +122,7 @@ void MainWindow::populate()
     m_fleet->populate();
     m_fleet->focusTree();
     showHome();
+    watchDue();
     if (m_storage.readOnly())
         m_messages->add(MessagePanel::Kind::Information, tr("This database can only be read: nothing can be changed here."));
 }

@@ -24,6 +24,8 @@ class QStackedWidget;
 namespace lubberline::ui {
 
 class AircraftPage;
+class DueJob;
+class DuePage;
 class EarthFieldPage;
 class FleetPanel;
 class GuidedPage;
@@ -113,6 +115,9 @@ private:
     void beginGuided(CompassId compass);
     void takeUpGuided(SwingId swing);
     GuidedPage& guidedPage();
+    void watchDue();
+    void showDue();
+    DuePage& duePage();
     [[nodiscard]] bool guidedOpen(SwingId id);
     [[nodiscard]] std::string nowUtc() const;
 
@@ -168,6 +173,8 @@ private:
     EarthFieldPage* m_earthFieldPage = nullptr;
     PredictionPage* m_predictionPage = nullptr;
     GuidedPage* m_guidedPage = nullptr;
+    DuePage* m_duePage = nullptr;
+    DueJob* m_dueJob = nullptr;
     QLabel* m_saved = nullptr;
     QLabel* m_readOut = nullptr;
 

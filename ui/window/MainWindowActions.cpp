@@ -98,6 +98,7 @@ void MainWindow::buildFleetMenu()
 {
     auto& menu = *menuBar()->addMenu(tr("F&leet"));
     addCommand(menu, tr("&Overview"), tr("Alt+Home"), [this] { showHome(); }, "overview");
+    addCommand(menu, tr("What is &due"), tr("Ctrl+Shift+D"), [this] { showDue(); }, "showDue");
     addCommand(menu, tr("&Search everything"), QKeySequence::Find, [this] { m_fleet->focusSearch(); }, "search");
     addCommand(menu, tr("Go to the &tree"), tr("Ctrl+T"), [this] { m_fleet->focusTree(); }, "focusTree");
     m_swingActions += addCommand(menu, tr("Go to the &readings"), tr("Ctrl+G"), [this] { m_swingPage->focusReadings(); }, "focusReadings");

@@ -4,16 +4,26 @@
 #include <QDateTime>
 #include <QMenu>
 #include <QStackedWidget>
+#include <QTimer>
 
 #include <algorithm>
 
+#include "ui/fleet/FleetPanel.h"
 #include "ui/guided/GuidedPage.h"
+#include "ui/pages/DuePage.h"
 #include "ui/pages/SwingPage.h"
 #include "ui/readings/SwingEditor.h"
+#include "ui/storage/DueJob.h"
 #include "ui/style/Words.h"
 #include "ui/window/MainWindow.h"
 
 namespace lubberline::ui {
+
+namespace {
+
+constexpr int kDueDelay_ms = 300; // many changes at once are looked at once
+
+}
 
 std::string MainWindow::nowUtc() const
 {
@@ -70,6 +80,47 @@ GuidedPage& MainWindow::guidedPage()
     connect(m_guidedPage, &GuidedPage::cancelled, this, &MainWindow::showHome);
     connect(m_guidedPage, &GuidedPage::finished, this, [this](SwingId id) { showSwing(id); });
     return *m_guidedPage;
+}
+
+/// Found on a worker after the first paint, and whenever something changed.
+void MainWindow::watchDue()
+{
+    m_dueJob = new DueJob(m_storage, [this] { return nowUtc().substr(0, 10); }, this);
+    auto* soon = new QTimer(this);
+    soon->setSingleShot(true);
+    soon->setInterval(kDueDelay_ms);
+    connect(soon, &QTimer::timeout, m_dueJob, &DueJob::start);
+    for (const auto signal : {&Storage::fleetChanged, &Storage::dueChanged, &Storage::sitesChanged})
+        connect(&m_storage, signal, soon, qOverload<>(&QTimer::start));
+    connect(m_dueJob, &DueJob::failed, this, &MainWindow::fail);
+    connect(m_dueJob, &DueJob::ready, this, [this] {
+        m_fleet->showDue(m_dueJob->news()->lines, m_dueJob->news()->due());
+        if (m_duePage)
+            m_duePage->show(m_dueJob->news());
+    });
+    connect(m_fleet, &FleetPanel::dueWanted, this, &MainWindow::showDue);
+    soon->start();
+}
+
+void MainWindow::showDue()
+{
+    leaveField();
+    if (m_dueJob->news())
+        duePage().show(m_dueJob->news());
+    turnTo(duePage());
+    duePage().setFocus();
+}
+
+DuePage& MainWindow::duePage()
+{
+    if (m_duePage)
+        return *m_duePage;
+    m_duePage = new DuePage(m_storage, [this] { return nowUtc().substr(0, 10); }, fileQuestions());
+    m_pages->addWidget(m_duePage);
+    connect(m_duePage, &DuePage::failed, this, &MainWindow::fail);
+    connect(m_duePage, &DuePage::done, this, [this](const QString& message) { report({}, message); });
+    connect(m_duePage, &DuePage::openCompass, this, &MainWindow::showAircraft);
+    return *m_duePage;
 }
 
 } // namespace lubberline::ui

@@ -1,0 +1,103 @@
+#include "core/due/DueList.h"
+
+#include <algorithm>
+#include <array>
+
+namespace lubberline {
+
+namespace {
+
+/// The first that is found decides: the longer words stand before those that are part of others.
+struct Word {
+    std::string_view word;
+    DueCause cause;
+};
+constexpr std::array kWords{Word{"lightning", DueCause::Lightning}, Word{"electrical storm", DueCause::ElectricalStorm}, Word{"thunderstorm", DueCause::ElectricalStorm},
+    Word{"hard landing", DueCause::HardLanding}, Word{"heavy landing", DueCause::HardLanding}, Word{"accident", DueCause::HardLanding},
+    Word{"turbulence", DueCause::HardLanding}, Word{"engine", DueCause::EngineChange}, Word{"avionic", DueCause::Modification}, Word{"modif", DueCause::Modification},
+    Word{"electric", DueCause::ElectricalChange}, Word{"wiring", DueCause::ElectricalChange}, Word{"cargo", DueCause::MagneticCargo},
+    Word{"magnet", DueCause::MagneticCargo}, Word{"moved", DueCause::Moved}, Word{"relocat", DueCause::Moved}, Word{"parked", DueCause::ParkedOverAYear},
+    Word{"stor", DueCause::ParkedOverAYear}, Word{"suspect", DueCause::AccuracySuspected}, Word{"compass replaced", DueCause::PartsReplaced},
+    Word{"replac", DueCause::PartsReplaced}, Word{"repair", DueCause::PartsReplaced}, Word{"install", DueCause::PartsReplaced}, Word{"overhaul", DueCause::PartsReplaced}};
+
+std::string lowerCase(std::string_view words)
+{
+    std::string lower(words);
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return lower;
+}
+
+std::string dayOf(const DueLine& line)
+{
+    return line.answer.flags.empty() ? line.answer.nextByCalendar : line.answer.flags.front().since;
+}
+
+} // namespace
+
+DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today)
+{
+    DueInput input;
+    input.today = today;
+    input.signedSwings = compass.signedSwings;
+    for (const auto& event : compass.events)
+        input.events.push_back({event.record, event.date, event.cause, event.kind});
+    input.waivers = compass.waivers;
+    input.rule = ruleFor(rules, compass.typeRecord);
+    input.installed = compass.installed;
+    const auto move = std::find_if(moves.begin(), moves.end(), [&](const MovePrediction& one) { return one.compass == compass.compass && !one.reason.empty(); });
+    if (move != moves.end()) {
+        input.predictedOutOfLimits = true;
+        input.predictedReason = move->reason;
+    }
+    return input;
+}
+
+std::vector<DueLine> dueList(std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today)
+{
+    std::vector<DueLine> lines;
+    lines.reserve(compasses.size());
+    for (const auto& compass : compasses)
+        lines.push_back({compass, dueOf(inputFor(compass, rules, moves, today))});
+    std::stable_sort(lines.begin(), lines.end(), [](const DueLine& a, const DueLine& b) {
+        if (a.answer.state != b.answer.state)
+            return a.answer.state > b.answer.state;
+        return dayOf(a) < dayOf(b);
+    });
+    return lines;
+}
+
+std::vector<CalendarEntry> calendarOf(std::span<const DueLine> lines)
+{
+    std::vector<CalendarEntry> entries;
+    for (const auto& line : lines) {
+        const std::string whose = line.compass.registration + ", " + line.compass.compassName;
+        if (!line.answer.nextByCalendar.empty())
+            entries.push_back({"swing-" + line.compass.compassRecord + "@lubberline", line.answer.nextByCalendar, "Compass swing of " + whose + " falls due",
+                "last signed swing " + line.answer.lastSigned});
+        for (const auto& flag : line.answer.flags)
+            if (!flag.event.empty())
+                entries.push_back({"event-" + flag.event + "-" + line.compass.compassRecord + "@lubberline", flag.since, "Compass swing of " + whose + " is due", flag.reason});
+    }
+    return entries;
+}
+
+std::string_view nameOf(DueState state)
+{
+    static constexpr std::array<std::string_view, 4> kNames{"not_due", "due_soon", "due", "overdue"};
+    return kNames[static_cast<std::size_t>(state)];
+}
+
+std::vector<DueRule> knownRules()
+{
+    return {{{}, "CASA, 24 months", 24, 0, 60, "CASA AWB 34-008, as reported in \"Staying true\"", "Issue 3", {}},
+        {{}, "South Africa, 12 months", 12, 0, 60, "CATS 43.02.18, as quoted", {}, {}}};
+}
+
+DueCause causeInWords(std::string_view words)
+{
+    const std::string lower = lowerCase(words);
+    const auto found = std::find_if(kWords.begin(), kWords.end(), [&](const Word& one) { return lower.find(one.word) != std::string::npos; });
+    return found == kWords.end() ? DueCause::Other : found->cause;
+}
+
+} // namespace lubberline

@@ -1,0 +1,44 @@
+#pragma once
+/// What is due in a fleet, the most urgent first.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/due/CalendarFile.h"
+#include "core/due/DueRules.h"
+#include "core/record/FleetRows.h"
+
+namespace lubberline {
+
+/// An aircraft that is based elsewhere than where its compass was last swung, and what is predicted for it there.
+struct MovePrediction {
+    CompassId compass;
+    std::string reason; ///< in words; empty: it stays within its limits
+};
+
+struct DueLine {
+    DueCompass compass;
+    DueAnswer answer;
+};
+
+/// Events and waivers of the compass's aircraft as the rules take them. @param moves of any compasses; its own is looked for.
+[[nodiscard]] DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today);
+
+/// Every compass, overdue first, then due, due soon, not due; in each by the day since which it is, then by name.
+[[nodiscard]] std::vector<DueLine> dueList(std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves,
+    const std::string& today);
+
+/// One whole-day entry for each line that is due or falls due, on the last day of the calendar rule, or on the day since which a flag is open.
+[[nodiscard]] std::vector<CalendarEntry> calendarOf(std::span<const DueLine> lines);
+
+[[nodiscard]] std::string_view nameOf(DueState state); ///< "not_due", "due_soon", "due", "overdue"
+
+/// Calendar rules whose source was read; none applies before the user takes it over: 24 months (CASA AWB 34-008, as reported by the trade
+/// press), 12 months (South Africa, CATS 43.02.18, as quoted).
+[[nodiscard]] std::vector<DueRule> knownRules();
+
+/// The cause that the crew's words speak of ("struck by lightning" → Lightning); Other where they speak of none.
+[[nodiscard]] DueCause causeInWords(std::string_view words);
+
+} // namespace lubberline

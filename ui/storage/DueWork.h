@@ -1,0 +1,22 @@
+#pragma once
+/// What is due, from storage: on a worker thread, with a connection of its own, or straight from the command line.
+
+#include <string>
+#include <vector>
+
+#include "core/due/DueList.h"
+#include "ui/storage/Storage.h"
+
+namespace lubberline::ui {
+
+struct DueNews {
+    std::vector<DueLine> lines;
+    std::vector<DueRule> rules;
+    std::vector<std::string> warnings; ///< moves that could not be predicted
+    [[nodiscard]] int due() const;     ///< lines that are due or overdue
+};
+
+/// @param today ISO 8601. Errors: those of the storage; Cancelled.
+Result<DueNews> dueNews(Storage& storage, const std::string& today, const Progress& progress);
+
+} // namespace lubberline::ui

@@ -1,0 +1,69 @@
+#include "ui/style/DueBadge.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPixmap>
+#include <QStringList>
+
+namespace lubberline::ui {
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(lubberline::ui::DueBadge)
+};
+
+constexpr int kSize = 32;
+
+QColor colourOf(DueState state)
+{
+    switch (state) { // Okabe and Ito's vermilion, orange and blue
+    case DueState::Overdue: return QColor(0xD5, 0x5E, 0x00);
+    case DueState::Due: return QColor(0xE6, 0x9F, 0x00);
+    case DueState::DueSoon: return QColor(0x00, 0x72, 0xB2);
+    case DueState::NotDue: break;
+    }
+    return QColor(0x80, 0x80, 0x80);
+}
+
+} // namespace
+
+QString dueWord(DueState state)
+{
+    switch (state) {
+    case DueState::Overdue: return Words::tr("overdue");
+    case DueState::Due: return Words::tr("due");
+    case DueState::DueSoon: return Words::tr("due soon");
+    case DueState::NotDue: break;
+    }
+    return Words::tr("not due");
+}
+
+QIcon dueIcon(DueState state)
+{
+    QPixmap pixmap(kSize, kSize);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor colour = colourOf(state);
+    painter.setPen(QPen(colour, 4));
+    const QRectF frame(6, 6, kSize - 12, kSize - 12);
+    if (state == DueState::Overdue)
+        painter.fillRect(frame, colour);
+    else if (state == DueState::Due)
+        painter.drawRect(frame);
+    else if (state == DueState::DueSoon)
+        painter.fillRect(QRectF(6, 13, kSize - 12, 6), colour);
+    else
+        painter.drawEllipse(QPointF(kSize / 2.0, kSize / 2.0), 2, 2);
+    return QIcon(pixmap);
+}
+
+QStringList dueCauseWords()
+{
+    return {Words::tr("something else"), Words::tr("ferrous parts or compass replaced"), Words::tr("engine change"), Words::tr("cockpit or avionics modified"),
+        Words::tr("electrical system changed"), Words::tr("lightning strike"), Words::tr("severe electrical storm"), Words::tr("hard landing or shock"),
+        Words::tr("magnetic cargo"), Words::tr("moved to a very different field"), Words::tr("parked on one heading over a year"), Words::tr("accuracy suspected")};
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,19 @@
+#pragma once
+/// How urgent a swing is, as a badge: a shape and a word besides the colour.
+
+#include <QIcon>
+#include <QString>
+
+#include "core/due/DueRules.h"
+
+namespace lubberline::ui {
+
+/// "overdue", "due", "due soon", "not due".
+[[nodiscard]] QString dueWord(DueState state);
+/// A full square (overdue), an empty one (due), a bar (due soon), a dot (not due).
+[[nodiscard]] QIcon dueIcon(DueState state);
+
+/// The causes in words, in the order of DueCause.
+[[nodiscard]] QStringList dueCauseWords();
+
+} // namespace lubberline::ui
