@@ -1,5 +1,7 @@
 #include "db/ResultCache.h"
 
+#include "core/format/SwingCsv.h"
+
 #include "core/deviation/Analysis.h"
 #include "db/SiteRepository.h"
 #include "db/Statement.h"
@@ -53,13 +55,9 @@ Status statusOf(Verdict verdict)
 CachedResult resultOf(const Swing& swing, const std::optional<LimitsProfile>& limits)
 {
     CachedResult result;
-    std::vector<Observation> observations;
-    for (const auto& reading : swing.readings) {
+    for (const auto& reading : swing.readings)
         result.readings += reading.complete() ? 1 : 0;
-        if (reading.used())
-            observations.push_back({*reading.magnetic, *reading.compass});
-    }
-    const auto analysis = analyse(observations, {0}); // no harmonics are kept
+    const auto analysis = analyse(observationsOf(swing), {0}); // no harmonics are kept
     if (!analysis)
         return result;
     result.maxAbsDeviation_deg = toDegrees(analysis->summary.maxAbsDeviation_rad);

@@ -9,14 +9,15 @@
 #include "app/Tables.h"
 #include "app/commands/Command.h"
 #include "core/format/AnalysisJson.h"
-#include "ui/report/CardDocument.h"
+#include "app/DbStorage.h"
+#include "ui/storage/RecordDocuments.h"
 
 namespace lubberline::app {
 
 namespace {
 
 struct Options {
-    std::string file, second, output, from = "fit";
+    std::string file, second, swing, output, from = "fit", form = "placard";
     CardOptions card;
     bool json = false;
 };
@@ -43,14 +44,51 @@ int writeCardFile(const Options& options, ui::CardInput input)
     return kDone;
 }
 
-int cardCommand(Options options)
+/// The forms that are made of a record of the database alone.
+int writeForm(const Options& options, DbStorage& storage, SwingId swing)
+{
+    const QString path = QString::fromStdString(options.output);
+    Result<void> written;
+    if (options.form == "job") {
+        const auto input = ui::jobCardOf(storage, swing, nowUtc());
+        written = input ? ui::writeJobCard(*input, path) : Result<void>(input.error());
+    } else {
+        const auto sheet = ui::sheet1613Of(storage, swing, nowUtc());
+        written = sheet ? ui::write1613(*sheet, path) : Result<void>(sheet.error());
+    }
+    if (!written)
+        return fail(written.error());
+    say("wrote " + options.output);
+    return kDone;
+}
+
+int cardCommand(Options options, const std::string& database)
 {
     options.card.source = options.from == "fit" ? CardSource::Fit : CardSource::Readings;
-
-    std::vector<std::string> files{options.file};
-    if (!options.second.empty())
-        files.push_back(options.second);
-    auto sheet = cardFromFiles(files, options.card);
+    const bool placard = options.form == "placard";
+    if (options.file.empty() == options.swing.empty() || (!placard && (options.swing.empty() || options.output.empty()))) {
+        say(placard ? "card: expected a Swing CSV or --swing ID, and not both" : "card: --form " + options.form + " expects --swing ID and --output FILE.pdf");
+        return kUsage;
+    }
+    Result<CardSheet> sheet = CardSheet{};
+    if (options.swing.empty()) {
+        std::vector<std::string> files{options.file};
+        if (!options.second.empty())
+            files.push_back(options.second);
+        sheet = cardFromFiles(files, options.card);
+    } else {
+        const auto session = makeDrawingSession();
+        auto storage = openStorage(database, db::OpenMode::ReadOnly);
+        if (!storage)
+            return fail(storage.error());
+        const auto id = (*storage)->swingNamed(options.swing);
+        if (!id)
+            return fail(id.error());
+        if (!placard)
+            return writeForm(options, **storage, *id);
+        auto input = ui::cardOf(**storage, *id, options.card, nowUtc(), true);
+        sheet = input ? Result<CardSheet>(CardSheet{std::move(input.value()), {}}) : Result<CardSheet>(input.error());
+    }
     if (!sheet)
         return fail(sheet.error());
     warn(sheet->warnings);
@@ -73,7 +111,11 @@ void addCard(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
     auto* command = app.add_subcommand("card", "the correction card: what to steer by compass");
-    command->add_option("SWING.csv", options->file, "a Swing CSV")->required();
+    command->add_option("SWING.csv", options->file, "a Swing CSV");
+    command->add_option("--swing", options->swing, "a swing of the database, to print its card again: its record id or the beginning of it");
+    command->add_option("--form", options->form, "placard; dd1613: a sheet in the style of DD 1613; job: a blank job card to carry out")
+        ->check(CLI::IsMember({"placard", "dd1613", "job"}))->capture_default_str();
+    addDatabaseOption(*command, invocation);
     command->add_option("--second", options->second, "a second swing of the same compass for a second STEER column (radio off)");
     command->add_option("--step", options->card.step_deg, "degrees between headings: 30 or 45")
         ->check(CLI::IsMember({30, 45}))->capture_default_str();
@@ -82,7 +124,7 @@ void addCard(CLI::App& app, Invocation& invocation)
     addRemoveOption(*command, options->card.removed, "coefficients taken out mechanically after the swing, as in A,B,C");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->add_option("-o,--output", options->output, "write the card as a PDF, at the size of a cockpit placard");
-    command->callback([options, &invocation] { invocation.action = [options] { return cardCommand(*options); }; });
+    command->callback([options, &invocation] { invocation.action = [options, &invocation] { return cardCommand(*options, invocation.database); }; });
 }
 
 } // namespace lubberline::app

@@ -4,7 +4,7 @@
 #include "app/QtSession.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
-#include "ui/report/Report.h"
+#include "ui/storage/RecordDocuments.h"
 
 namespace lubberline::app {
 
@@ -15,24 +15,30 @@ struct Options {
     bool archive = false;
 };
 
-int writeReportOf(const Options& options, const SourcedSwing& swing, std::optional<Swing> previous, std::vector<SensorRecord> sensors)
+int writeInput(const Options& options, ui::ReportInput input, const std::vector<std::string>& warnings)
 {
-    const auto analysis = analyseSwing(swing);
-    if (!analysis)
-        return fail(analysis.error());
-    warn(swing.warnings);
-    warn(analysis->warnings);
-    ui::ReportInput input;
-    input.record = swing.record;
-    input.analysis = *analysis;
-    input.previous = std::move(previous);
-    input.sensors = std::move(sensors);
-    input.madeAtUtc = nowUtc();
+    warn(warnings);
+    warn(input.analysis.warnings);
     input.archive = options.archive;
     if (const auto written = ui::writeReport(input, QString::fromStdString(options.output)); !written)
         return fail(written.error());
     say("wrote " + options.output);
     return kDone;
+}
+
+int reportFromFile(const Options& options)
+{
+    const auto swing = swingFromCsv(options.file);
+    if (!swing)
+        return fail(swing.error());
+    const auto analysis = analyseSwing(*swing);
+    if (!analysis)
+        return fail(analysis.error());
+    ui::ReportInput input;
+    input.record = swing->record;
+    input.analysis = *analysis;
+    input.madeAtUtc = nowUtc();
+    return writeInput(options, std::move(input), swing->warnings);
 }
 
 int reportFromDatabase(const Options& options, const std::string& database)
@@ -43,16 +49,14 @@ int reportFromDatabase(const Options& options, const std::string& database)
     const auto id = (*storage)->swingNamed(options.swing);
     if (!id)
         return fail(id.error());
-    auto record = (*storage)->swingRecord(*id);
-    if (!record)
-        return fail(record.error());
-    auto previous = (*storage)->previousSwing(*id);
-    if (!previous)
-        return fail(previous.error());
-    auto sensors = (*storage)->sensorsOf(record->compass.id);
-    if (!sensors)
-        return fail(sensors.error());
-    return writeReportOf(options, {*record, {}, "swing " + options.swing}, *previous, std::move(*sensors));
+    auto input = ui::reportOf(**storage, *id, nowUtc());
+    if (!input) {
+        Error error = input.error();
+        if (error.file.empty())
+            error.file = "swing " + options.swing;
+        return fail(error);
+    }
+    return writeInput(options, std::move(input.value()), {});
 }
 
 int reportCommand(const Options& options, const std::string& database)
@@ -64,8 +68,7 @@ int reportCommand(const Options& options, const std::string& database)
     const auto session = makeDrawingSession();
     if (!options.swing.empty())
         return reportFromDatabase(options, database);
-    const auto swing = swingFromCsv(options.file);
-    return swing ? writeReportOf(options, *swing, {}, {}) : fail(swing.error());
+    return reportFromFile(options);
 }
 
 } // namespace

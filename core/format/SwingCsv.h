@@ -47,7 +47,10 @@ Result<SwingFile> readSwingCsv(std::istream& input, const std::string& name, con
 /// Opens and reads; a directory or a missing file is an Io error.
 Result<SwingFile> readSwingCsvFile(const std::string& path, const Progress& progress = {});
 
-/// What the fits take: the complete readings that are not excluded.
+/// A complete reading as the compass stands since: where the compass was turned in its mount after the swing by the index A that is
+/// kept in Swing::indexRemoved_deg, it reads A more, so that the deviation is the one that was read − A.
+[[nodiscard]] Observation observationOf(const Swing& swing, const Reading& reading);
+/// What the fits take: the complete readings that are not excluded, as the compass stands since.
 [[nodiscard]] std::vector<Observation> observationsOf(const Swing& swing);
 
 /// The compass base that the file names, with what it states of its place; none when it names none.

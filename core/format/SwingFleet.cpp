@@ -1,4 +1,6 @@
 #include "core/format/SwingCsv.h"
+
+#include "core/base/Contract.h"
 #include "core/record/DerivedId.h"
 
 namespace lubberline {
@@ -32,13 +34,21 @@ std::optional<Site> siteOf(const SwingFile& file)
     return site;
 }
 
+Observation observationOf(const Swing& swing, const Reading& reading)
+{
+    LUBBERLINE_EXPECT(reading.complete(), "a reading of two headings is asked for");
+    if (!swing.indexRemoved_deg)
+        return {*reading.magnetic, *reading.compass};
+    return {*reading.magnetic, CompassHeading::fromDegrees(wrap360(reading.compass->degrees() + *swing.indexRemoved_deg))};
+}
+
 std::vector<Observation> observationsOf(const Swing& swing)
 {
     std::vector<Observation> observations;
     observations.reserve(swing.readings.size());
     for (const auto& reading : swing.readings)
         if (reading.used())
-            observations.push_back({*reading.magnetic, *reading.compass});
+            observations.push_back(observationOf(swing, reading));
     return observations;
 }
 

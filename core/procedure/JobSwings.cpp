@@ -45,6 +45,15 @@ bool actsOn(Control control, double nominal_deg)
     return std::abs(control == Control::NorthSouth ? std::cos(heading) : std::sin(heading)) > 0.01;
 }
 
+/// "radio on", "Radio off, lights on": the card has a column for each state.
+RadioState radioIn(std::string words, RadioState otherwise)
+{
+    std::transform(words.begin(), words.end(), words.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    if (words.find("radio on") != std::string::npos || words.find("radios on") != std::string::npos)
+        return RadioState::On;
+    return words.find("radio off") != std::string::npos || words.find("radios off") != std::string::npos ? RadioState::Off : otherwise;
+}
+
 } // namespace
 
 Swing asFoundSwing(const SwingJob& job, const JobState& state)
@@ -71,9 +80,11 @@ Swing asLeftSwing(const SwingJob& job, const JobState& state, int configuration)
     Swing swing = job.particulars;
     swing.kind = SwingKind::Check;
     swing.stage = job.plan.kind == ProcedureKind::CheckOnly ? SwingStage::AsFound : SwingStage::AsLeft;
-    if (configuration > 0)
-        swing.configuration.other = job.plan.configurations[configuration - 1];
-    else
+    if (configuration > 0) {
+        swing.configuration.other = job.plan.configurations[static_cast<std::size_t>(configuration) - 1];
+        swing.configuration.radio = radioIn(swing.configuration.other, swing.configuration.radio);
+    }
+    if (configuration == 0)
         swing.indexRemoved_deg = state.indexRemoved_deg;
     for (std::size_t place = 0; place < state.stations.size(); ++place) {
         const auto& station = state.stations[place];

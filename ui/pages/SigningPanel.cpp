@@ -137,8 +137,6 @@ void SigningPanel::show(const SwingRecord& record, const QString& meaning)
     const auto used = usedReadings(swing).size();
     QString statement = tr("%1 · %2 · %3: %n readings that count. ", nullptr, static_cast<int>(used))
                             .arg(toText(record.aircraft.registration), toText(record.compass.name), toText(swing.date)) + meaning;
-    if (swing.indexRemoved_deg)
-        statement += tr(" After these readings A = %1° was taken out.").arg(signedNumber(*swing.indexRemoved_deg, 1));
     m_statement->setText(statement);
     showState();
     showSignatures();

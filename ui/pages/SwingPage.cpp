@@ -230,7 +230,10 @@ void SwingPage::showResults()
     const QString previousLabel = m_editor->previous() ? toText(m_editor->previous()->date) : QString();
     m_plots->setPicture(pictureOf(m_editor->record(), analysis, m_editor->whyNoAnalysis(), m_editor->previousAnalysis(), previousLabel, m_style));
     m_coefficients->show(analysis, m_editor->whyNoAnalysis());
-    m_meaning->setText(analysis ? meaningOf(*analysis, m_editor->record().limits, m_style) : tr("No result yet: %1.").arg(m_editor->whyNoAnalysis()));
+    QString after;
+    if (const auto& index_deg = m_editor->record().swing.indexRemoved_deg)
+        after = tr("After these readings A = %1° was taken out by turning the compass: plots, coefficients and card are as it stands since. ").arg(signedNumber(*index_deg, 1));
+    m_meaning->setText(analysis ? after + meaningOf(*analysis, m_editor->record().limits, m_style) : tr("No result yet: %1.").arg(m_editor->whyNoAnalysis()));
     showMessageLine();
 }
 

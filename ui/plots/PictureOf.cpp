@@ -3,6 +3,7 @@
 #include <QStringList>
 
 #include "core/base/Contract.h"
+#include "core/format/SwingCsv.h"
 
 namespace lubberline::ui {
 
@@ -17,13 +18,14 @@ QString titleOf(const SwingRecord& record)
     return parts.join(QStringLiteral(" · "));
 }
 
-PlottedReading plotted(int row, const Reading& reading)
+PlottedReading plotted(int row, const Swing& swing, const Reading& reading)
 {
+    const Observation seen = observationOf(swing, reading);
     PlottedReading plotted;
     plotted.row = row;
-    plotted.magnetic = *reading.magnetic;
-    plotted.compass = *reading.compass;
-    plotted.deviation = deviationOf(*reading.magnetic, *reading.compass);
+    plotted.magnetic = seen.magnetic;
+    plotted.compass = seen.compass;
+    plotted.deviation = deviationOf(seen.magnetic, seen.compass);
     plotted.excluded = reading.exclusion.has_value();
     return plotted;
 }
@@ -36,7 +38,7 @@ std::vector<PlottedReading> plottedReadings(const Swing& swing, const Analysis* 
         const Reading& reading = swing.readings[row];
         if (!reading.complete())
             continue;
-        PlottedReading point = plotted(static_cast<int>(row), reading);
+        PlottedReading point = plotted(static_cast<int>(row), swing, reading);
         if (analysis && reading.used()) {
             LUBBERLINE_EXPECT(used < analysis->readings.size(), "the analysis is of this swing's used readings");
             point.suspect = analysis->readings[used].suspect;

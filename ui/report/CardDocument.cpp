@@ -1,20 +1,18 @@
 #include "ui/report/CardDocument.h"
 
-#include <QFileInfo>
 #include <QPainter>
 #include <QPagedPaintDevice>
 
 #include <iterator>
 
 #include "ui/report/CardPlacard.h"
-#include "ui/report/DocumentFile.h"
 #include "ui/report/DocumentFont.h"
 #include "ui/report/Figures.h"
 #include "ui/report/Ink.h"
 #include "ui/report/PageFrame.h"
 #include "ui/report/ReportBlocks.h"
 #include "ui/report/ReportContent.h"
-#include "ui/report/ReportPdf.h"
+#include "ui/report/SheetDocument.h"
 #include "ui/report/TableBlocks.h"
 #include "ui/report/Words.h"
 
@@ -66,6 +64,11 @@ std::vector<Fact> cardFacts(const CardInput& input)
     std::vector<Fact> facts = factsOf(input.record);
     if (input.options)
         facts.push_back({Words::tr("Figures"), figuresWords(*input.options)});
+    facts.push_back({Words::tr("After"), input.record.swing.stage == SwingStage::AsLeft ? Words::tr("adjustment: the figures are what remains") : Words::tr("a check only: nothing was adjusted")});
+    if (!input.nextDue.isEmpty())
+        facts.push_back({Words::tr("Next swing"), Words::tr("due on %1 by the calendar; earlier after an event that makes one due").arg(input.nextDue)});
+    if (!input.reprintOf.isEmpty())
+        facts.push_back({Words::tr("Reprint"), Words::tr("of the card of %1, from the record").arg(input.reprintOf)});
     facts.push_back({Words::tr("Use"),
         Words::tr("Print at 100 %, check the line of 50 mm, cut along the marks, fix it on or near the compass and take the old card away. It "
                   "holds for level flight in the configuration that it names. Between two headings, interpolate.")});
@@ -120,43 +123,28 @@ std::vector<Block> cardBlocks(const CardInput& input, const QString& family, dou
     return blocks;
 }
 
+PageFrame frameOf(const CardInput& input)
+{
+    return frameFor(input.record, Words::tr("Compass correction card"), input.madeAtUtc);
+}
+
 } // namespace
 
 Result<void> printCard(const CardInput& input, QPagedPaintDevice& device)
 {
     if (const auto checked = checkColumns(input.columns); !checked)
         return checked;
-    const auto family = documentFamily();
-    if (!family)
-        return family.error();
-    const QSizeF sheet = sheetSize(device);
-    const PageFrame frame = frameFor(input.record, Words::tr("Compass correction card"), input.madeAtUtc);
-    const QRectF room = bodyOf(frame, sheet);
-    const std::vector<Block> blocks = cardBlocks(input, *family, room.width());
-    const auto pages = paginate(blocks, room.height());
-    const int count = static_cast<int>(pages.size());
-    return paintSheets(device, count, [&](QPainter& painter, int page) {
-        paintFrame(painter, frame, *family, sheet, page, count);
-        paintBlocks(painter, pages[static_cast<std::size_t>(page)], room);
-    });
+    return printSheet(frameOf(input), [&input](const QString& family, QSizeF room) { return cardBlocks(input, family, room.width()); }, device);
 }
 
 Result<void> writeCard(const CardInput& input, const QString& path)
 {
-    if (QFileInfo(path).suffix().toLower() != "pdf") {
-        Error error = inputError(Words::tr("a card cannot be written under this name; expected one that ends in .pdf"));
+    if (const auto checked = checkColumns(input.columns); !checked) {
+        Error error = checked.error();
         error.file = path.toStdString();
         return error;
     }
-    PdfKind kind;
-    kind.title = joined({Words::tr("Compass correction card"), printable(input.record.aircraft.registration), printable(input.record.compass.name)});
-    const auto bytes = makePdf(kind, [&input](QPagedPaintDevice& device) { return printCard(input, device); });
-    if (!bytes) {
-        Error error = bytes.error();
-        error.file = path.toStdString();
-        return error;
-    }
-    return writeDocument(path, *bytes);
+    return writeSheet(frameOf(input), [&input](const QString& family, QSizeF room) { return cardBlocks(input, family, room.width()); }, path);
 }
 
 } // namespace lubberline::ui

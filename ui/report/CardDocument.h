@@ -24,6 +24,8 @@ struct CardInput {
     std::vector<CardColumn> columns; ///< one or two, with the same FOR headings
     QString madeAtUtc;               ///< ISO 8601; printed beside the card
     std::optional<CardOptions> options; ///< how the figures were made: printed beside the card when given
+    QString nextDue = {};       ///< ISO 8601; empty: not known
+    QString reprintOf = {};     ///< the date of the signature, where a lost card is printed again; empty: it is the first
 };
 
 /// A PDF of one A4 page; the card is cut out along the crop marks. Errors: InvalidInput (ending not .pdf, columns that do not

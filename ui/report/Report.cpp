@@ -33,8 +33,12 @@ Result<QByteArray> reportAs(const QString& ending, const ReportInput& input, con
 
 QString dataHash(const SwingRecord& record)
 {
-    const QByteArray exchange = QByteArray::fromStdString(writeExchange(toFleet(record)));
-    return QString::fromLatin1(QCryptographicHash::hash(exchange, QCryptographicHash::Sha256).toHex());
+    return hashOfText(writeExchange(toFleet(record)));
+}
+
+QString hashOfText(const std::string& text)
+{
+    return QString::fromLatin1(QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256).toHex());
 }
 
 Result<void> writeReport(const ReportInput& input, const QString& path)

@@ -20,6 +20,8 @@ struct ReportInput {
     Analysis analysis;             ///< of the record's used readings in their order
     std::optional<Swing> previous; ///< last swing of the same compass: drawn behind the curve
     std::vector<SensorRecord> sensors = {}; ///< of the compass, newest first: the first is reported, with the swing's field if it keeps one
+    std::optional<JobRecord> job = {};      ///< the guided swing that made it
+    std::optional<Swing> superseded = {};   ///< the revision that it amends
     AngleStyle angleStyle = AngleStyle::DecimalDegrees;
     QString madeAtUtc;             ///< ISO 8601; printed
     bool archive = false;          ///< PDF/A-1b, which may carry no attachment; else PDF 1.6 with the exchange JSON attached
@@ -28,6 +30,8 @@ struct ReportInput {
 /// SHA-256, lower-case hexadecimal, of the record's exchange JSON: what is printed on every page. It is that of the attached
 /// file, byte for byte.
 [[nodiscard]] QString dataHash(const SwingRecord& record);
+/// SHA-256 of a text, lower-case hexadecimal.
+[[nodiscard]] QString hashOfText(const std::string& text);
 
 /// Writes a report; the ending says which: .pdf, .html, .csv or .json. Written beside and renamed: no half file is left.
 /// Errors: InvalidInput (another ending), Io (folder missing or not writable: named), Unsupported (no font for a PDF).

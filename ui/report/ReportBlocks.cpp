@@ -123,11 +123,13 @@ Block signatureBlock(const ReportContent& content, const QString& family, double
                 for (const auto& [at, text] : {std::pair{nameLeft, Words::tr("name")}, {dateLeft, Words::tr("date")}, {signLeft, Words::tr("signature")}})
                     paintLine(painter, small, {at, rect.top() + mm(4.2)}, Qt::AlignLeft, text);
                 double y = rect.top() + mm(5.5) + line - mm(1);
-                for (const Signature& signature : content.signatures) {
+                for (const SignatureLine& signature : content.signatures) {
                     painter.setPen(Ink::text());
                     paintLine(painter, font, {rect.left(), y - mm(0.8)}, Qt::AlignLeft, signature.role);
                     paintLine(painter, fitted(family, 8, false, dateLeft - nameLeft - mm(3), signature.name), {nameLeft, y - mm(0.8)},
                         Qt::AlignLeft, signature.name);
+                    paintLine(painter, font, {dateLeft, y - mm(0.8)}, Qt::AlignLeft, signature.date);
+                    paintLine(painter, fitted(family, 8, false, rect.right() - signLeft, signature.sign), {signLeft, y - mm(0.8)}, Qt::AlignLeft, signature.sign);
                     painter.setPen(QPen(Ink::strong(), mm(0.15)));
                     painter.drawLine(QPointF(nameLeft, y), QPointF(dateLeft - mm(2), y));
                     painter.drawLine(QPointF(dateLeft, y), QPointF(signLeft - mm(2), y));
@@ -209,6 +211,11 @@ std::vector<Block> reportBlocks(const ReportContent& content, const QString& fam
 {
     std::vector<Block> blocks = recordBlocks(content, family, body);
     appendPlots(blocks, content, family, body);
+    for (std::size_t i = 0; i < content.ramp.size(); ++i) {
+        auto table = tableBlocks(content.ramp[i], body.width(), family, kDenseTableRow);
+        table.front().newPage = i == 0;
+        append(blocks, std::move(table));
+    }
     if (content.field)
         append(blocks, fieldBlocks(*content.field, family, body));
     return blocks;

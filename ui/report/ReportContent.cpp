@@ -2,9 +2,11 @@
 
 #include <memory>
 
+#include "core/format/SignedContent.h"
 #include "core/format/SwingCsv.h"
 #include "ui/plots/PictureOf.h"
 #include "ui/report/Figures.h"
+#include "ui/report/RampTables.h"
 #include "ui/report/Words.h"
 
 namespace lubberline::ui {
@@ -71,10 +73,35 @@ QStringList warningsOf(const Analysis& analysis)
     return warnings;
 }
 
-std::vector<Signature> signaturesOf(const People& people)
+QString roleWord(SignatureRole role)
 {
-    return {{Words::tr("Datum reader"), printable(people.datumReader)}, {Words::tr("Cockpit reader"), printable(people.cockpitReader)},
-        {Words::tr("Adjuster"), printable(people.adjuster)}, {Words::tr("Inspector"), printable(people.inspector)}};
+    switch (role) {
+    case SignatureRole::Performer: return Words::tr("Performed");
+    case SignatureRole::Inspector: return Words::tr("Inspected");
+    case SignatureRole::Authority: return Words::tr("Released");
+    }
+    return {};
+}
+
+/// Those that were given; where none is, lines for the people of the swing to sign by hand.
+std::vector<SignatureLine> signatureLines(const ReportInput& input)
+{
+    const Swing& swing = input.record.swing;
+    std::vector<SignatureLine> lines;
+    std::optional<SwingJob> own;
+    if (input.job && input.job->job.record == swing.job && input.job->swing == swing.id)
+        own = input.job->job;
+    const QString now = swing.signatures.empty() ? QString() : hashOfText(signedContent(input.record, own));
+    for (const auto& one : swing.signatures) {
+        const QString hash = printable(one.hash);
+        lines.push_back({roleWord(one.role), joined({printable(one.name), printable(one.licence)}), printable(one.timeUtc).left(10),
+            hash == now ? Words::tr("signed %1 · hash %2").arg(printable(one.timeUtc).mid(11, 5), hash.left(12)) : Words::tr("no longer holds: changed after it")});
+    }
+    if (!lines.empty())
+        return lines;
+    const People& people = swing.people;
+    return {{Words::tr("Datum reader"), printable(people.datumReader), {}, {}}, {Words::tr("Cockpit reader"), printable(people.cockpitReader), {}, {}},
+        {Words::tr("Adjuster"), printable(people.adjuster), {}, {}}, {Words::tr("Inspector"), printable(people.inspector), {}, {}}};
 }
 
 } // namespace
@@ -111,7 +138,8 @@ ReportContent contentOf(const ReportInput& input)
     content.warnings = warningsOf(input.analysis);
     content.picture = pictureFor(input);
     content.method = methodWords(input.analysis);
-    content.signatures = signaturesOf(record.swing.people);
+    content.signatures = signatureLines(input);
+    content.ramp = rampTables(input);
     content.field = fieldPageOf(input);
     return content;
 }

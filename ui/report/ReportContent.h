@@ -15,9 +15,11 @@
 
 namespace lubberline::ui {
 
-struct Signature {
+struct SignatureLine {
     QString role;
-    QString name; ///< as recorded; may be empty
+    QString name; ///< with the licence; as recorded, may be empty
+    QString date; ///< empty: not signed yet
+    QString sign; ///< what the signature stands for; empty: to be signed by hand
 };
 
 struct ReportContent {
@@ -32,7 +34,8 @@ struct ReportContent {
     QStringList warnings; ///< what the readings cannot tell
     SwingPicture picture;
     std::vector<Fact> method; ///< sign convention and methods in words
-    std::vector<Signature> signatures;
+    std::vector<SignatureLine> signatures;
+    std::vector<Table> ramp; ///< of the guided swing and the revision; may be empty
     std::optional<FieldPage> field; ///< none: the swing keeps no field and the compass no sensor model
 };
 

@@ -33,7 +33,9 @@ QString compassWords(const CompassSystem& compass)
 QString swingWords(const Swing& swing)
 {
     const QString date = swing.date.empty() ? Words::tr("date not stated") : Words::tr("%1 (UTC)").arg(printable(swing.date));
-    return joined({date, wordsFor(swing.kind), wordsFor(swing.stage), wordsFor(swing.state)});
+    const QString times = swing.startUtc.empty() ? QString() : Words::tr("%1 to %2 UTC").arg(printable(swing.startUtc).mid(11, 5), printable(swing.endUtc).mid(11, 5));
+    const QString revision = swing.revision > 1 ? Words::tr("revision %1").arg(swing.revision) : QString();
+    return joined({date, times, wordsFor(swing.kind), wordsFor(swing.stage), wordsFor(swing.state), revision, printable(swing.weather)});
 }
 
 QString workWords(const Swing& swing)
@@ -57,6 +59,12 @@ QString variationWords(std::optional<double> variation_deg, const QString& sourc
     return source.isEmpty() ? value : Words::tr("%1 by %2").arg(value, source);
 }
 
+QString classWords(const Site& site)
+{
+    const QString rule = site.siteClass == SiteClass::Class1 ? Words::tr("class 1 (0.1°)") : site.siteClass == SiteClass::Class2 ? Words::tr("class 2 (0.25°)") : QString();
+    return joined({rule, labelled(Words::tr("certificate"), printable(site.certificate)), labelled(Words::tr("valid to"), printable(site.certificateExpiry))});
+}
+
 QString siteWords(const std::optional<Site>& site, const Swing& swing)
 {
     const QString used = swing.variation_deg
@@ -66,13 +74,14 @@ QString siteWords(const std::optional<Site>& site, const Swing& swing)
     const QString elevation = site->elevation_m ? Words::tr("elevation %1 m").arg(figure(site->elevation_m, 0)) : QString();
     return joined({printable(site->name), coordinate(site->latitude_deg, Words::tr("N"), Words::tr("S")),
         coordinate(site->longitude_deg, Words::tr("E"), Words::tr("W")), elevation,
-        variationWords(site->variation_deg, printable(site->variationSource)), used});
+        variationWords(site->variation_deg, printable(site->variationSource)), classWords(*site), used});
 }
 
 QString datumWords(const Datum& datum)
 {
     return joined({printable(datum.instrument), labelled(Words::tr("serial no."), printable(datum.serialNumber)),
-        labelled(Words::tr("calibration due"), printable(datum.calibrationDue))});
+        labelled(Words::tr("calibration due"), printable(datum.calibrationDue)),
+        printable(datum.readOut)});
 }
 
 QString peopleWords(const People& people)
@@ -100,6 +109,13 @@ std::vector<Fact> factsOf(const SwingRecord& record)
         {Words::tr("Configuration"), orNotStated(configurationWords(swing.configuration))},
         {Words::tr("Datum"), orNotStated(datumWords(swing.datum))}, {Words::tr("People"), orNotStated(peopleWords(swing.people))},
         {Words::tr("Limits"), limitsFact(record.limits)}};
+    if (swing.indexRemoved_deg)
+        facts.push_back({Words::tr("Index"), Words::tr("after these readings A = %1° was taken out by turning the compass; the deviations of the table are as read, results, "
+            "plots and card as it stands since").arg(signedFigure(swing.indexRemoved_deg, 1))});
+    if (!swing.siteOverride.empty())
+        facts.push_back({Words::tr("In spite of"), printable(swing.siteOverride)});
+    if (!swing.amendment.empty())
+        facts.push_back({Words::tr("Amends"), joined({labelled(Words::tr("record"), printable(swing.supersedes)), printable(swing.amendment)})});
     if (const QString note = printable(swing.note); !note.isEmpty())
         facts.push_back({Words::tr("Note"), note});
     return facts;

@@ -112,11 +112,11 @@ QString plotsHtml(const SwingPicture& picture)
     return element("div", element("div", pair, "pair") + curve, "plots");
 }
 
-QString signaturesHtml(const std::vector<Signature>& signatures)
+QString signaturesHtml(const std::vector<SignatureLine>& signatures)
 {
     QString rows;
-    for (const Signature& signature : signatures) {
-        rows += element("tr", element("td", escaped(signature.role)) + element("td", escaped(signature.name)) + element("td", {}) + element("td", {}));
+    for (const SignatureLine& signature : signatures) {
+        rows += element("tr", element("td", escaped(signature.role)) + element("td", escaped(signature.name)) + element("td", escaped(signature.date)) + element("td", escaped(signature.sign)));
     }
     const QString head = element("tr", element("th", {}, "words") + element("th", escaped(Words::tr("name")), "words")
         + element("th", escaped(Words::tr("date")), "words") + element("th", escaped(Words::tr("signature")), "words"));
@@ -160,6 +160,14 @@ QString fieldHtml(const FieldPage& page)
     return html;
 }
 
+QString rampHtml(const std::vector<Table>& tables)
+{
+    QString html;
+    for (const Table& table : tables)
+        html += tableHtml(table);
+    return html;
+}
+
 QString footerHtml(const ReportContent& content)
 {
     QString lines;
@@ -176,7 +184,7 @@ QString bodyHtml(const ReportContent& content)
         + element("div", element("b", escaped(content.verdictWord)) + escaped(content.verdictSentence), "verdict " + verdictClass(content.verdict))
         + factsHtml(content.facts) + tableHtml(content.readings) + tableHtml(content.coefficients) + tableHtml(content.fits)
         + listHtml(Words::tr("What the readings cannot tell"), content.warnings) + plotsHtml(content.picture) + element("h2", escaped(Words::tr("Signs and methods")))
-        + factsHtml(content.method) + (content.field ? fieldHtml(*content.field) : QString()) + signaturesHtml(content.signatures) + banner + footerHtml(content);
+        + factsHtml(content.method) + rampHtml(content.ramp) + (content.field ? fieldHtml(*content.field) : QString()) + signaturesHtml(content.signatures) + banner + footerHtml(content);
 }
 
 } // namespace

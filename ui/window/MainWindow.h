@@ -24,6 +24,7 @@ class QStackedWidget;
 namespace lubberline::ui {
 
 class AircraftPage;
+struct CardInput;
 class DueJob;
 class DuePage;
 class EarthFieldPage;
@@ -143,7 +144,10 @@ private:
     void exportExchange(bool wholeFleet);
     void writeReportFile();
     void previewReport();
+    [[nodiscard]] Result<CardInput> cardShown(int step_deg);
     void writeCardFile(int step_deg);
+    void writeJobCardFile();
+    void write1613File();
     void previewCard();
     void backUp();
     void removeDraft();

@@ -58,6 +58,8 @@ void MainWindow::buildFileMenu()
     m_swingActions += addCommand(menu, tr("Correction &card, every 30°…"), tr("Ctrl+K"), [this] { writeCardFile(30); }, "card30");
     m_swingActions += addCommand(menu, tr("Correction card, every &45°…"), tr("Ctrl+Shift+K"), [this] { writeCardFile(45); }, "card45");
     m_swingActions += addCommand(menu, tr("Print preview of the car&d…"), tr("Ctrl+Shift+P"), [this] { previewCard(); }, "printCard");
+    m_swingActions += addCommand(menu, tr("&Job card to carry out…"), tr("Ctrl+Alt+J"), [this] { writeJobCardFile(); }, "jobCard");
+    m_swingActions += addCommand(menu, tr("Sheet in DD &1613 style…"), {}, [this] { write1613File(); }, "sheet1613");
     menu.addSeparator();
     addCommand(menu, tr("&Quit"), QKeySequence::Quit, [this] { close(); }, "quit");
 }
@@ -98,7 +100,7 @@ void MainWindow::buildFleetMenu()
 {
     auto& menu = *menuBar()->addMenu(tr("F&leet"));
     addCommand(menu, tr("&Overview"), tr("Alt+Home"), [this] { showHome(); }, "overview");
-    addCommand(menu, tr("What is &due"), tr("Ctrl+Shift+D"), [this] { showDue(); }, "showDue");
+    addCommand(menu, tr("What is &due"), tr("Ctrl+J"), [this] { showDue(); }, "showDue");
     addCommand(menu, tr("&Search everything"), QKeySequence::Find, [this] { m_fleet->focusSearch(); }, "search");
     addCommand(menu, tr("Go to the &tree"), tr("Ctrl+T"), [this] { m_fleet->focusTree(); }, "focusTree");
     m_swingActions += addCommand(menu, tr("Go to the &readings"), tr("Ctrl+G"), [this] { m_swingPage->focusReadings(); }, "focusReadings");

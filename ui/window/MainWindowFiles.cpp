@@ -7,6 +7,7 @@
 #include "ui/edits/RecordEdits.h"
 #include "ui/pages/SwingPage.h"
 #include "ui/readings/SwingEditor.h"
+#include "ui/storage/RecordDocuments.h"
 #include "ui/style/Words.h"
 #include "ui/window/Documents.h"
 #include "ui/window/ImportPanels.h"
@@ -100,11 +101,12 @@ void MainWindow::report(const Result<void>& done, const QString& success)
 
 void MainWindow::writeReportFile()
 {
-    const auto input = reportOf(m_swingPage->editor(), m_style);
+    auto input = reportOf(m_storage, m_swingPage->editor().id(), toText(nowUtc()));
     if (!input) {
         fail(tr("No report: %1").arg(messageOf(input.error())));
         return;
     }
+    input->angleStyle = m_style;
     const QString path = m_services.dialogs.saveFile(this, tr("Write report"), fileStem(input->record) + ".pdf",
         tr("PDF with the data attached (*.pdf);;HTML (*.html);;Readings (*.csv);;Results (*.json)"));
     if (!path.isEmpty())
@@ -113,20 +115,29 @@ void MainWindow::writeReportFile()
 
 void MainWindow::previewReport()
 {
-    const auto input = reportOf(m_swingPage->editor(), m_style);
+    auto input = reportOf(m_storage, m_swingPage->editor().id(), toText(nowUtc()));
     if (!input) {
         fail(tr("No report: %1").arg(messageOf(input.error())));
         return;
     }
+    input->angleStyle = m_style;
     m_services.dialogs.printPreview(this, [this, &input](QPrinter& printer) {
         if (const auto printed = printReport(*input, printer); !printed)
             fail(messageOf(printed.error()));
     });
 }
 
+Result<CardInput> MainWindow::cardShown(int step_deg)
+{
+    CardOptions options;
+    options.step_deg = step_deg;
+    const bool again = m_swingPage->editor().record().swing.state == SwingState::Signed;
+    return cardOf(m_storage, m_swingPage->editor().id(), options, toText(nowUtc()), again);
+}
+
 void MainWindow::writeCardFile(int step_deg)
 {
-    const auto input = cardOf(m_swingPage->editor(), step_deg);
+    const auto input = cardShown(step_deg);
     if (!input) {
         fail(tr("No card: %1").arg(messageOf(input.error())));
         return;
@@ -138,7 +149,7 @@ void MainWindow::writeCardFile(int step_deg)
 
 void MainWindow::previewCard()
 {
-    const auto input = cardOf(m_swingPage->editor(), 30);
+    const auto input = cardShown(30);
     if (!input) {
         fail(tr("No card: %1").arg(messageOf(input.error())));
         return;
@@ -147,6 +158,30 @@ void MainWindow::previewCard()
         if (const auto printed = printCard(*input, printer); !printed)
             fail(messageOf(printed.error()));
     });
+}
+
+void MainWindow::writeJobCardFile()
+{
+    const auto input = jobCardOf(m_storage, m_swingPage->editor().id(), toText(nowUtc()));
+    if (!input) {
+        fail(messageOf(input.error()));
+        return;
+    }
+    const QString path = m_services.dialogs.saveFile(this, tr("Write a blank job card"), fileStem(input->record) + " job card.pdf", tr("PDF (*.pdf)"));
+    if (!path.isEmpty())
+        report(writeJobCard(*input, path), tr("Job card written: %1").arg(path));
+}
+
+void MainWindow::write1613File()
+{
+    const auto sheet = sheet1613Of(m_storage, m_swingPage->editor().id(), toText(nowUtc()));
+    if (!sheet) {
+        fail(messageOf(sheet.error()));
+        return;
+    }
+    const QString path = m_services.dialogs.saveFile(this, tr("Write a sheet in DD 1613 style"), fileStem(sheet->record) + " DD 1613.pdf", tr("PDF (*.pdf)"));
+    if (!path.isEmpty())
+        report(write1613(*sheet, path), tr("Sheet written: %1").arg(path));
 }
 
 void MainWindow::backUp()

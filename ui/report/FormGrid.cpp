@@ -1,0 +1,72 @@
+#include "ui/report/FormGrid.h"
+
+#include <QPainter>
+
+#include "ui/report/DocumentFont.h"
+#include "ui/report/Ink.h"
+#include "ui/report/TableBlocks.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr double kHead = mm(6), kInset = mm(1);
+
+std::vector<double> widthsOf(const std::vector<FormColumn>& columns, double width)
+{
+    double all = 0;
+    for (const auto& column : columns)
+        all += column.width_mm;
+    std::vector<double> widths;
+    for (const auto& column : columns)
+        widths.push_back(width * column.width_mm / all);
+    return widths;
+}
+
+Block rowBlock(const QStringList& cells, const std::vector<double>& widths, const QFont& font, double height, bool head)
+{
+    return {height, [=](QPainter& painter, const QRectF& rect) {
+                double left = rect.left();
+                for (std::size_t i = 0; i < widths.size(); ++i) {
+                    const QRectF cell(left, rect.top(), widths[i], height);
+                    if (head)
+                        painter.fillRect(cell, Ink::shaded());
+                    painter.setBrush(Qt::NoBrush);
+                    painter.setPen(QPen(Ink::strong(), mm(0.15)));
+                    painter.drawRect(cell);
+                    painter.setPen(Ink::text());
+                    const QString text = cells.value(static_cast<qsizetype>(i));
+                    const QRectF room = cell.adjusted(kInset, mm(0.4), -kInset, 0);
+                    if (wrappedHeight(font, room.width(), text) <= room.height())
+                        paintWrapped(painter, font, room, text);
+                    else
+                        paintLine(painter, fitted(font.family(), font.pointSizeF(), font.bold(), room.width(), text), {room.left(), cell.bottom() - mm(1.6)}, Qt::AlignLeft, text);
+                    left += widths[i];
+                }
+            }};
+}
+
+} // namespace
+
+std::vector<Block> formGrid(const QString& title, const std::vector<FormColumn>& columns, const std::vector<QStringList>& rows, double width,
+    const QString& family, double rowHeight)
+{
+    const std::vector<double> widths = widthsOf(columns, width);
+    QStringList heads;
+    for (const auto& column : columns)
+        heads += column.head;
+    auto head = std::make_shared<Block>(rowBlock(heads, widths, documentFont(family, 7, true), kHead, true));
+    Block titled = titleBlock(title, family);
+    titled.keepWithNext = true;
+    Block first = *head;
+    first.keepWithNext = true;
+    std::vector<Block> blocks{titled, first};
+    for (const auto& row : rows) {
+        Block block = rowBlock(row, widths, documentFont(family, 7.5), rowHeight, false);
+        block.repeatedHead = head;
+        blocks.push_back(std::move(block));
+    }
+    return blocks;
+}
+
+} // namespace lubberline::ui
