@@ -54,11 +54,21 @@ RadioState radioIn(std::string words, RadioState otherwise)
     return words.find("radio off") != std::string::npos || words.find("radios off") != std::string::npos ? RadioState::Off : otherwise;
 }
 
+/// The particulars without what the job itself made of them: those of a finished swing state the index that was taken out at its end.
+Swing bare(const SwingJob& job)
+{
+    Swing swing = job.particulars;
+    swing.indexRemoved_deg.reset();
+    swing.readings.clear();
+    swing.signatures.clear();
+    return swing;
+}
+
 } // namespace
 
 Swing asFoundSwing(const SwingJob& job, const JobState& state)
 {
-    Swing swing = job.particulars;
+    Swing swing = bare(job);
     swing.kind = SwingKind::Correction;
     swing.stage = SwingStage::AsFound;
     std::vector<Control> turned; // at the stations before this one
@@ -77,7 +87,7 @@ Swing asFoundSwing(const SwingJob& job, const JobState& state)
 
 Swing asLeftSwing(const SwingJob& job, const JobState& state, int configuration)
 {
-    Swing swing = job.particulars;
+    Swing swing = bare(job);
     swing.kind = SwingKind::Check;
     swing.stage = job.plan.kind == ProcedureKind::CheckOnly ? SwingStage::AsFound : SwingStage::AsLeft;
     if (configuration > 0) {

@@ -36,10 +36,10 @@ GuidedReview::GuidedReview(GuidedJob& job, QWidget* parent)
     , m_notes(bigLabel("reviewNotes", kTitle_px))
     , m_by(new QLineEdit)
     , m_accept(bigButton(tr("Accept and make the record"), "acceptSwing"))
-    , m_again(bigButton(tr("Read this one again (F2)"), "reviewAgain"))
+    , m_again(new QPushButton(tr("Read this one again")))
     , m_control(new QComboBox)
     , m_after(new QLineEdit)
-    , m_turn(bigButton(tr("A control was turned again"), "turnedAgain"))
+    , m_turn(new QPushButton(tr("A control was turned again")))
 {
     build();
 }
@@ -56,12 +56,18 @@ void GuidedReview::build()
     m_by->setObjectName(QStringLiteral("acceptedBy"));
     m_by->setPlaceholderText(tr("who accepts the swing"));
     m_by->setFont(bigFont(m_by->font(), kTitle_px));
+    m_again->setObjectName(QStringLiteral("reviewAgain"));
+    m_turn->setObjectName(QStringLiteral("turnedAgain"));
+    for (QPushButton* button : {m_again, m_turn}) {
+        button->setAutoDefault(true);
+        button->setMinimumHeight(36);
+    }
     m_control->setObjectName(QStringLiteral("turnedControl"));
     for (const Control control : {Control::NorthSouth, Control::EastWest, Control::Index})
         m_control->addItem(controlWord(control));
     m_after->setObjectName(QStringLiteral("turnedAfter"));
     m_after->setPlaceholderText(tr("the compass now reads"));
-    m_after->setMaximumWidth(240);
+    m_after->setMaximumWidth(180);
     auto* actions = new QHBoxLayout;
     actions->addWidget(m_by, 1);
     actions->addWidget(m_accept);

@@ -50,6 +50,15 @@ QString configurationLine(const CardInput& input)
     return words.isEmpty() ? Words::tr("CONFIGURATION NOT STATED") : words.toUpper();
 }
 
+/// Who signed last, or a line to sign on.
+QString signedLine(const Swing& swing)
+{
+    if (swing.signatures.empty())
+        return Words::tr("Signed");
+    const auto& last = swing.signatures.back();
+    return Words::tr("Signed %1").arg(joined({printable(last.name), printable(last.licence), printable(last.timeUtc).left(10)}));
+}
+
 QString residualLine(const CardInput& input)
 {
     const CardRow* largest = nullptr;
@@ -185,10 +194,12 @@ void paintFoot(QPainter& painter, const QRectF& room, const CardInput& input, co
     const QString record = printable(input.record.swing.record).left(8), data = dataHash(input.record).left(8);
     SmallLines lines(painter, room, family);
     lines.add(residualLine(input), 6, mm(3.2));
-    lines.add(Words::tr("Record %1 · data %2").arg(record.isEmpty() ? dash() : record, data), 6, mm(2.9));
-    lines.add(Words::tr("Signed"), 6, mm(5));
+    const QString revision = input.record.swing.revision > 1 ? Words::tr(" rev. %1").arg(input.record.swing.revision) : QString();
+    lines.add(Words::tr("Record %1%2 · data %3").arg(record.isEmpty() ? dash() : record, revision, data), 6, mm(2.9));
+    lines.add(signedLine(input.record.swing), 6, mm(5));
     painter.setPen(QPen(Ink::strong(), mm(0.15)));
-    painter.drawLine(QPointF(room.left() + mm(9), lines.y()), QPointF(room.right(), lines.y()));
+    if (input.record.swing.signatures.empty())
+        painter.drawLine(QPointF(room.left() + mm(9), lines.y()), QPointF(room.right(), lines.y()));
     painter.setPen(Ink::text());
     lines.add(Words::tr("Steer this by compass to make good FOR (magnetic)."), 5.5, mm(3.1));
     lines.add(Words::tr("Deviation = magnetic − compass, E +"), 5.5, mm(2.5));

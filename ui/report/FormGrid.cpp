@@ -10,7 +10,7 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr double kHead = mm(6), kInset = mm(1);
+constexpr double kHead = mm(6), kInset = mm(1), kSmallest_pt = 4.5;
 
 std::vector<double> widthsOf(const std::vector<FormColumn>& columns, double width)
 {
@@ -23,7 +23,7 @@ std::vector<double> widthsOf(const std::vector<FormColumn>& columns, double widt
     return widths;
 }
 
-Block rowBlock(const QStringList& cells, const std::vector<double>& widths, const QFont& font, double height, bool head)
+Block rowBlock(const QStringList& cells, const std::vector<double>& widths, const QString& family, double size_pt, double height, bool head)
 {
     return {height, [=](QPainter& painter, const QRectF& rect) {
                 double left = rect.left();
@@ -37,10 +37,10 @@ Block rowBlock(const QStringList& cells, const std::vector<double>& widths, cons
                     painter.setPen(Ink::text());
                     const QString text = cells.value(static_cast<qsizetype>(i));
                     const QRectF room = cell.adjusted(kInset, mm(0.4), -kInset, 0);
-                    if (wrappedHeight(font, room.width(), text) <= room.height())
-                        paintWrapped(painter, font, room, text);
-                    else
-                        paintLine(painter, fitted(font.family(), font.pointSizeF(), font.bold(), room.width(), text), {room.left(), cell.bottom() - mm(1.6)}, Qt::AlignLeft, text);
+                    double size = size_pt;
+                    while (size > kSmallest_pt && wrappedHeight(documentFont(family, size, head), room.width(), text) > room.height())
+                        size -= 0.25;
+                    paintWrapped(painter, documentFont(family, size, head), room, text);
                     left += widths[i];
                 }
             }};
@@ -55,14 +55,14 @@ std::vector<Block> formGrid(const QString& title, const std::vector<FormColumn>&
     QStringList heads;
     for (const auto& column : columns)
         heads += column.head;
-    auto head = std::make_shared<Block>(rowBlock(heads, widths, documentFont(family, 7, true), kHead, true));
+    auto head = std::make_shared<Block>(rowBlock(heads, widths, family, 7, kHead, true));
     Block titled = titleBlock(title, family);
     titled.keepWithNext = true;
     Block first = *head;
     first.keepWithNext = true;
     std::vector<Block> blocks{titled, first};
     for (const auto& row : rows) {
-        Block block = rowBlock(row, widths, documentFont(family, 7.5), rowHeight, false);
+        Block block = rowBlock(row, widths, family, 7.5, rowHeight, false);
         block.repeatedHead = head;
         blocks.push_back(std::move(block));
     }

@@ -162,6 +162,7 @@ Result<JobCardInput> jobCardOf(Storage& storage, SwingId id, const QString& made
         input.job.datum.name = input.record.swing.datum.instrument;
     }
     input.job.events.clear();
+    input.record.swing.indexRemoved_deg.reset(); // the form is of a swing that is to be made
     return input;
 }
 
