@@ -7,24 +7,50 @@ namespace lubberline {
 
 namespace {
 
-/// The first that is found decides: the longer words stand before those that are part of others.
+/// The first that is found decides: the longer words stand before those that are part of others. A word stands for all that begin
+/// with it, so that "removed" does not speak of moving, nor "restored" of storage.
 struct Word {
     std::string_view word;
     DueCause cause;
 };
-constexpr std::array kWords{Word{"lightning", DueCause::Lightning}, Word{"electrical storm", DueCause::ElectricalStorm}, Word{"thunderstorm", DueCause::ElectricalStorm},
-    Word{"hard landing", DueCause::HardLanding}, Word{"heavy landing", DueCause::HardLanding}, Word{"accident", DueCause::HardLanding},
-    Word{"turbulence", DueCause::HardLanding}, Word{"engine", DueCause::EngineChange}, Word{"avionic", DueCause::Modification}, Word{"modif", DueCause::Modification},
-    Word{"electric", DueCause::ElectricalChange}, Word{"wiring", DueCause::ElectricalChange}, Word{"cargo", DueCause::MagneticCargo},
-    Word{"magnet", DueCause::MagneticCargo}, Word{"moved", DueCause::Moved}, Word{"relocat", DueCause::Moved}, Word{"parked", DueCause::ParkedOverAYear},
-    Word{"stor", DueCause::ParkedOverAYear}, Word{"suspect", DueCause::AccuracySuspected}, Word{"compass replaced", DueCause::PartsReplaced},
-    Word{"replac", DueCause::PartsReplaced}, Word{"repair", DueCause::PartsReplaced}, Word{"install", DueCause::PartsReplaced}, Word{"overhaul", DueCause::PartsReplaced}};
+constexpr std::array kWords{Word{"lightning", DueCause::Lightning}, Word{"thunder", DueCause::ElectricalStorm}, Word{"electrical storm", DueCause::ElectricalStorm},
+    Word{"storm", DueCause::ElectricalStorm}, Word{"hard landing", DueCause::HardLanding}, Word{"heavy landing", DueCause::HardLanding},
+    Word{"accident", DueCause::HardLanding}, Word{"turbulence", DueCause::HardLanding}, Word{"shock", DueCause::HardLanding},
+    Word{"suspect", DueCause::AccuracySuspected}, Word{"inaccura", DueCause::AccuracySuspected}, Word{"doubt", DueCause::AccuracySuspected},
+    Word{"magneto", DueCause::EngineChange}, Word{"engine", DueCause::EngineChange}, Word{"avionic", DueCause::Modification}, Word{"modif", DueCause::Modification},
+    Word{"electric", DueCause::ElectricalChange}, Word{"wiring", DueCause::ElectricalChange}, Word{"rewir", DueCause::ElectricalChange},
+    Word{"cargo", DueCause::MagneticCargo}, Word{"magnet", DueCause::MagneticCargo}, Word{"moved", DueCause::Moved}, Word{"relocat", DueCause::Moved},
+    Word{"parked", DueCause::ParkedOverAYear}, Word{"stored", DueCause::ParkedOverAYear}, Word{"storage", DueCause::ParkedOverAYear},
+    Word{"new compass", DueCause::PartsReplaced}, Word{"replac", DueCause::PartsReplaced}, Word{"repair", DueCause::PartsReplaced},
+    Word{"removed", DueCause::PartsReplaced}, Word{"fitted", DueCause::PartsReplaced}, Word{"install", DueCause::PartsReplaced},
+    Word{"reinstall", DueCause::PartsReplaced}, Word{"overhaul", DueCause::PartsReplaced}};
 
 std::string lowerCase(std::string_view words)
 {
     std::string lower(words);
     std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return lower;
+}
+
+bool isLetter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (static_cast<unsigned char>(c) & 0x80) != 0;
+}
+
+bool speaksOf(std::string_view text, std::string_view word)
+{
+    for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))
+        if (at == 0 || !isLetter(text[at - 1]))
+            return true;
+    return false;
+}
+
+/// The crew's words, with the cause where they do not tell it.
+std::string reasonOf(const Event& event)
+{
+    if (event.kind.empty())
+        return inWords(event.cause);
+    return causeInWords(event.kind) == event.cause ? event.kind : event.kind + " (" + inWords(event.cause) + ")";
 }
 
 std::string dayOf(const DueLine& line)
@@ -40,7 +66,7 @@ DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std
     input.today = today;
     input.signedSwings = compass.signedSwings;
     for (const auto& event : compass.events)
-        input.events.push_back({event.record, event.date, event.cause, event.kind});
+        input.events.push_back({event.record, event.date, event.cause, reasonOf(event)});
     input.waivers = compass.waivers;
     input.rule = ruleFor(rules, compass.typeRecord);
     input.installed = compass.installed;
@@ -74,9 +100,12 @@ std::vector<CalendarEntry> calendarOf(std::span<const DueLine> lines)
         if (!line.answer.nextByCalendar.empty())
             entries.push_back({"swing-" + line.compass.compassRecord + "@lubberline", line.answer.nextByCalendar, "Compass swing of " + whose + " falls due",
                 "last signed swing " + line.answer.lastSigned});
-        for (const auto& flag : line.answer.flags)
-            if (!flag.event.empty())
-                entries.push_back({"event-" + flag.event + "-" + line.compass.compassRecord + "@lubberline", flag.since, "Compass swing of " + whose + " is due", flag.reason});
+        for (const auto& flag : line.answer.flags) {
+            if (flag.since.empty() || flag.since == line.answer.nextByCalendar)
+                continue; // no day to stand on; or the calendar's own
+            const std::string what = flag.event.empty() ? "place-" : "event-" + flag.event + "-";
+            entries.push_back({what + line.compass.compassRecord + "@lubberline", flag.since, "Compass swing of " + whose + " is due", flag.reason});
+        }
     }
     return entries;
 }
@@ -85,6 +114,13 @@ std::string_view nameOf(DueState state)
 {
     static constexpr std::array<std::string_view, 4> kNames{"not_due", "due_soon", "due", "overdue"};
     return kNames[static_cast<std::size_t>(state)];
+}
+
+std::string inWords(DueCause cause)
+{
+    std::string words(nameOf(cause));
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
 }
 
 std::vector<DueRule> knownRules()
@@ -96,7 +132,7 @@ std::vector<DueRule> knownRules()
 DueCause causeInWords(std::string_view words)
 {
     const std::string lower = lowerCase(words);
-    const auto found = std::find_if(kWords.begin(), kWords.end(), [&](const Word& one) { return lower.find(one.word) != std::string::npos; });
+    const auto found = std::find_if(kWords.begin(), kWords.end(), [&](const Word& one) { return speaksOf(lower, one.word); });
     return found == kWords.end() ? DueCause::Other : found->cause;
 }
 

@@ -29,7 +29,8 @@ struct DueLine {
 [[nodiscard]] std::vector<DueLine> dueList(std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves,
     const std::string& today);
 
-/// One whole-day entry for each line that is due or falls due, on the last day of the calendar rule, or on the day since which a flag is open.
+/// Whole-day entries: for each compass with a calendar rule its last day, and for each other open flag the day since which it is open.
+/// A compass that was never swung has no such day: the list tells it, the calendar cannot.
 [[nodiscard]] std::vector<CalendarEntry> calendarOf(std::span<const DueLine> lines);
 
 [[nodiscard]] std::string_view nameOf(DueState state); ///< "not_due", "due_soon", "due", "overdue"
@@ -37,6 +38,9 @@ struct DueLine {
 /// Calendar rules whose source was read; none applies before the user takes it over: 24 months (CASA AWB 34-008, as reported by the trade
 /// press), 12 months (South Africa, CATS 43.02.18, as quoted).
 [[nodiscard]] std::vector<DueRule> knownRules();
+
+/// "hard landing".
+[[nodiscard]] std::string inWords(DueCause cause);
 
 /// The cause that the crew's words speak of ("struck by lightning" → Lightning); Other where they speak of none.
 [[nodiscard]] DueCause causeInWords(std::string_view words);

@@ -30,6 +30,14 @@ std::optional<DueFlag> calendarFlag(const DueInput& input, const std::string& la
     return {};
 }
 
+/// Every source wants a swing after the installation. One on the day itself is of the compass as installed: before, there was none to swing.
+std::optional<DueFlag> installationFlag(const DueInput& input, const std::string& lastSigned)
+{
+    if (input.installed.empty() || input.installed > input.today || lastSigned >= input.installed)
+        return {};
+    return DueFlag{DueState::Due, input.installed, "installed on " + input.installed + ", and no swing signed since", {}};
+}
+
 bool answered(const DueEvent& event, const DueInput& input, const std::string& lastSigned)
 {
     const bool swung = !lastSigned.empty() && lastSigned > event.date;
@@ -59,6 +67,8 @@ DueAnswer dueOf(const DueInput& input)
     if (input.rule && !answer.lastSigned.empty())
         answer.nextByCalendar = addMonths(answer.lastSigned, input.rule->months);
     if (auto flag = calendarFlag(input, answer.lastSigned))
+        answer.flags.push_back(std::move(*flag));
+    if (auto flag = installationFlag(input, answer.lastSigned))
         answer.flags.push_back(std::move(*flag));
     for (const auto& event : input.events) {
         if (event.cause == DueCause::Other || event.date > input.today || answered(event, input, answer.lastSigned))

@@ -40,9 +40,9 @@ enum class DueState { NotDue, DueSoon, Due, Overdue };
 
 struct DueFlag {
     DueState state = DueState::Due;
-    std::string since;        ///< date of the event, or the day on which it falls due; empty: never swung
+    std::string since;        ///< date of the event or installation, or the calendar's last day; empty: never swung
     std::string reason;       ///< in words
-    RecordId event;           ///< that opened it; empty: calendar or prediction
+    RecordId event;           ///< that opened it; empty: calendar, installation or prediction
 };
 
 struct DueAnswer {
@@ -54,7 +54,7 @@ struct DueAnswer {
 
 /// Calendar: a swing of 23 November 2024 with 24 months is good through 23 November 2026, due from the day after, overdue when the
 /// grace has passed, too. Never signed: due. Events: open while no signed swing is dated after the event's day, and no waiver answers
-/// them; a swing of the same day does not tell whether it came after, so it does not clear (a waiver does).
+/// them; a swing of the same day does not tell whether it came after, so it does not clear (a waiver does). Installed after the last signed swing: due, until one of that day or later is signed.
 [[nodiscard]] DueAnswer dueOf(const DueInput& input);
 
 /// The rule for an aircraft type: its own, else one for all, else none. The first of several.

@@ -71,9 +71,68 @@ TEST(DueRules, eventsBeforeTheCompassWasInstalledAreNotItsOwn)
     auto made = input("2026-11-23", {"2026-01-01"});
     made.events = {{"e1", "2026-02-10", DueCause::HardLanding, "hard landing"}};
     made.installed = "2026-02-11";
-    EXPECT_EQ(dueOf(made).state, DueState::NotDue);
+    auto due = dueOf(made);
+    ASSERT_EQ(due.flags.size(), 1u);
+    EXPECT_TRUE(due.flags[0].event.empty()); // the installation's own
     made.installed = "2026-02-10";
+    due = dueOf(made);
+    ASSERT_EQ(due.flags.size(), 2u);
+    made.installed = "2025-06-01"; // before the swing: only the landing is open
+    due = dueOf(made);
+    ASSERT_EQ(due.flags.size(), 1u);
+    EXPECT_EQ(due.flags[0].event, "e1");
+}
+
+TEST(DueRules, anInstallationWantsASwing)
+{
+    auto made = input("2026-11-23", {"2026-01-01"});
+    made.rule.reset();
+    made.installed = "2026-03-01";
+    ASSERT_EQ(dueOf(made).flags.size(), 1u);
+    EXPECT_EQ(dueOf(made).flags[0].since, "2026-03-01");
     EXPECT_EQ(dueOf(made).state, DueState::Due);
+    made.signedSwings.push_back("2026-03-01"); // on the day: there was no compass to swing before
+    EXPECT_EQ(dueOf(made).state, DueState::NotDue);
+    made.signedSwings.clear();
+    EXPECT_EQ(dueOf(made).state, DueState::Due);
+    made.installed = "2026-11-24"; // tomorrow
+    EXPECT_EQ(dueOf(made).state, DueState::NotDue);
+}
+
+TEST(DueRules, eachOfTwoEventsWantsItsOwnWaiver)
+{
+    auto made = input("2026-11-23", {"2026-05-01"});
+    made.events = {{"e1", "2026-06-10", DueCause::Lightning, "lightning"}, {"e2", "2026-06-10", DueCause::EngineChange, "engine change"}};
+    made.waivers = {{"w1", "e1", "2026-06-12", "two headings agree", "inspector"}};
+    const auto due = dueOf(made);
+    ASSERT_EQ(due.flags.size(), 1u);
+    EXPECT_EQ(due.flags[0].event, "e2");
+    made.waivers.push_back({"w2", "e2", "2026-06-13", "the maker says so", "inspector"});
+    EXPECT_EQ(dueOf(made).state, DueState::NotDue);
+}
+
+TEST(DueRules, anEventOfTodayIsOpenToday)
+{
+    auto made = input("2028-02-29", {"2028-02-28"});
+    made.events = {{"e1", "2028-02-29", DueCause::HardLanding, "hard landing"}};
+    EXPECT_EQ(dueOf(made).state, DueState::Due);
+    made.today = "2028-02-28";
+    EXPECT_EQ(dueOf(made).state, DueState::NotDue);
+}
+
+TEST(DueRules, graceEndsAcrossTheLeapDay)
+{
+    auto made = input("2028-02-29", {"2026-02-20"}); // good through 20 February 2028, ten days of grace
+    EXPECT_EQ(dueOf(made).state, DueState::Due);
+    made.today = "2028-03-01";
+    EXPECT_EQ(dueOf(made).state, DueState::Due);
+    made.today = "2028-03-02";
+    EXPECT_EQ(dueOf(made).state, DueState::Overdue);
+    made.rule->graceDays = 0;
+    made.today = "2028-02-21";
+    EXPECT_EQ(dueOf(made).state, DueState::Overdue);
+    made.today = "2028-02-20";
+    EXPECT_EQ(dueOf(made).state, DueState::DueSoon);
 }
 
 TEST(DueRules, theMostUrgentFlagIsFirst)
