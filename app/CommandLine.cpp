@@ -46,6 +46,7 @@ int runCommandLine(int argc, char** argv)
     addPredict(app, invocation);
     addSeparate(app, invocation);
     addIron(app, invocation);
+    addElectrical(app, invocation);
     addImport(app, invocation);
     addExport(app, invocation);
     addSwings(app, invocation);

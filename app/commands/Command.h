@@ -21,6 +21,7 @@ struct Invocation {
 void addAnalyse(CLI::App& app, Invocation& invocation);
 void addCard(CLI::App& app, Invocation& invocation);
 void addCorrect(CLI::App& app, Invocation& invocation);
+void addElectrical(CLI::App& app, Invocation& invocation);
 void addIron(CLI::App& app, Invocation& invocation);
 void addNmea(CLI::App& app, Invocation& invocation);
 void addField(CLI::App& app, Invocation& invocation);

@@ -15,6 +15,7 @@
 #include "ui/guided/GuidedStation.h"
 #include "ui/guided/GuidedWords.h"
 #include "ui/guided/StationStrip.h"
+#include "ui/live/LivePanel.h"
 #include "ui/plots/SwingPlot.h"
 #include "ui/style/Words.h"
 
@@ -59,6 +60,7 @@ GuidedPage::GuidedPage(Storage& storage, std::function<std::string()> nowUtc, QW
     , m_whose(bigLabel("guidedWhose", kTitle_px))
     , m_strip(new StationStrip)
     , m_plot(makePolarPlot())
+    , m_live(new LivePanel)
 {
     GuidedServices services;
     services.nowUtc = m_nowUtc;
@@ -96,11 +98,16 @@ void GuidedPage::build()
     auto* crew = bigButton(tr("Crew display (F11)"), "crewDisplayButton");
     auto* fault = bigButton(tr("Fault… (F8)"), "reportFault");
     foot->addWidget(m_strip, 1);
+    auto* live = bigButton(tr("Live (F9)"), "showLive");
+    live->setCheckable(true);
+    foot->addWidget(live);
     foot->addWidget(crew);
     foot->addWidget(fault);
     auto* column = new QVBoxLayout(m_work);
     column->addLayout(head);
     column->addWidget(middle, 1);
+    column->addWidget(m_live);
+    m_live->hide();
     column->addLayout(foot);
     m_pages->addWidget(m_start);
     m_pages->addWidget(m_work);
@@ -120,6 +127,18 @@ void GuidedPage::build()
     connect(m_review, &GuidedReview::finish, this, &GuidedPage::finish);
     connect(crew, &QPushButton::clicked, this, &GuidedPage::openCrewDisplay);
     connect(fault, &QPushButton::clicked, this, &GuidedPage::reportFault);
+    connect(live, &QPushButton::toggled, this, &GuidedPage::showLive);
+    connect(m_live, &LivePanel::failed, this, &GuidedPage::failed);
+    connect(m_live, &LivePanel::datumSettled, this, &GuidedPage::takeLiveDatum);
+    connect(m_live, &LivePanel::compassSettled, m_station, &GuidedStation::setCompass);
+    auto* toggle = new QShortcut(QKeySequence(Qt::Key_F9), this);
+    toggle->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(toggle, &QShortcut::activated, live, &QPushButton::toggle);
+    for (const auto& [code, take] : {std::pair{Qt::Key_F6, &LivePanel::takeDatum}, {Qt::Key_F7, &LivePanel::takeCompass}}) {
+        auto* shortcut = new QShortcut(QKeySequence(code), this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, m_live, take);
+    }
     const auto key = [this](Qt::Key code, void (GuidedPage::*act)()) {
         auto* shortcut = new QShortcut(QKeySequence(code), this);
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);
@@ -286,6 +305,26 @@ void GuidedPage::finish()
     if (m_crew)
         m_crew->close();
     emit finished(made);
+}
+
+void GuidedPage::showLive(bool shown)
+{
+    m_live->setVisible(shown);
+}
+
+/// The field takes what the job's instrument shows; a heading of the other north is turned into it by the variation.
+void GuidedPage::takeLiveDatum(double heading_deg, bool isTrue)
+{
+    const DatumInstrument& datum = m_job->datum();
+    std::optional<double> variation_deg = m_job->job().particulars.variation_deg;
+    if (!variation_deg && m_live->heading().variation())
+        variation_deg = m_live->heading().variation()->degrees();
+    if (isTrue == datum.givesTrue)
+        m_station->setDatum(heading_deg);
+    else if (!variation_deg)
+        emit failed(tr("The live heading is true and the datum magnetic, or the other way round: a variation is expected, of the site or in the sentences."));
+    else
+        m_station->setDatum(wrap360(isTrue ? heading_deg - *variation_deg : heading_deg + *variation_deg));
 }
 
 void GuidedPage::openCrewDisplay()

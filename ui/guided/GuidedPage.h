@@ -19,6 +19,7 @@ class GuidedPrepare;
 class GuidedReview;
 class GuidedStart;
 class GuidedStation;
+class LivePanel;
 class StationStrip;
 class SwingPlot;
 
@@ -38,6 +39,8 @@ public:
     [[nodiscard]] GuidedJob& job() { return *m_job; }
     [[nodiscard]] GuidedStation& station() { return *m_station; }
     void openCrewDisplay(); ///< F11
+    void showLive(bool shown);
+    [[nodiscard]] LivePanel& live() { return *m_live; }
 
 signals:
     void finished(lubberline::SwingId swing); ///< the records are made
@@ -57,6 +60,7 @@ private:
     void finish();
     void reportFault();
     void abandon();
+    void takeLiveDatum(double heading_deg, bool isTrue);
     void tell(job::What what);
 
     Storage& m_storage;
@@ -76,6 +80,7 @@ private:
     QLabel *m_title, *m_whose;
     StationStrip* m_strip;
     SwingPlot* m_plot;
+    LivePanel* m_live;
     std::unique_ptr<CrewDisplay> m_crew;
 };
 

@@ -28,16 +28,20 @@ struct CardInput;
 class DueJob;
 class DuePage;
 class EarthFieldPage;
+class ElectricalPage;
 class FleetPanel;
 class GuidedPage;
 class MessagePanel;
 class NamingStrip;
 class NewSwingPage;
+class NmeaImportPage;
 class OverviewPage;
+class InstrumentsPage;
 class IronBenchPage;
 class PredictionPage;
 class ProgressStrip;
 class SensorPage;
+class SitesPage;
 class StartPage;
 class SwingPage;
 
@@ -119,6 +123,14 @@ private:
     void watchDue();
     void showDue();
     DuePage& duePage();
+    void showSites();
+    void showInstruments();
+    void showElectrical();
+    void showNmeaImport();
+    void makeSwing(Swing swing); ///< of readings that a page has made
+    /// Made on first use, with its messages and read-out wired.
+    template <class Page, class Make>
+    Page& pageOf(Page*& place, Make make);
     [[nodiscard]] bool guidedOpen(SwingId id);
     [[nodiscard]] std::string nowUtc() const;
 
@@ -178,6 +190,10 @@ private:
     PredictionPage* m_predictionPage = nullptr;
     GuidedPage* m_guidedPage = nullptr;
     DuePage* m_duePage = nullptr;
+    SitesPage* m_sitesPage = nullptr;
+    InstrumentsPage* m_instrumentsPage = nullptr;
+    ElectricalPage* m_electricalPage = nullptr;
+    NmeaImportPage* m_nmeaPage = nullptr;
     DueJob* m_dueJob = nullptr;
     QLabel* m_saved = nullptr;
     QLabel* m_readOut = nullptr;

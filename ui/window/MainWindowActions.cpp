@@ -82,6 +82,9 @@ void MainWindow::buildSwingMenu()
     auto& menu = *menuBar()->addMenu(tr("&Swing"));
     m_writingActions += addCommand(menu, tr("&Guided swing on the ramp"), tr("Ctrl+Shift+G"), [this] { showGuided(); }, "guidedSwing");
     menu.addSeparator();
+    m_compassActions += addCommand(menu, tr("Swing from an &NMEA log…"), tr("Ctrl+Shift+I"), [this] { showNmeaImport(); }, "nmeaImport");
+    m_compassActions += addCommand(menu, tr("&Electrical swings of this compass"), tr("Ctrl+Shift+E"), [this] { showElectrical(); }, "electricalSwings");
+    menu.addSeparator();
     auto& layouts = *menu.addMenu(tr("&Lay out nominal headings"));
     for (const int points : kLayoutPoints)
         m_draftActions += addCommand(layouts, tr("%1 points, every %2°").arg(points).arg(360.0 / points), {}, [this, points] { m_swingPage->layOut(points); },
@@ -101,6 +104,8 @@ void MainWindow::buildFleetMenu()
     auto& menu = *menuBar()->addMenu(tr("F&leet"));
     addCommand(menu, tr("&Overview"), tr("Alt+Home"), [this] { showHome(); }, "overview");
     addCommand(menu, tr("What is &due"), tr("Ctrl+J"), [this] { showDue(); }, "showDue");
+    addCommand(menu, tr("Compass &bases"), tr("Ctrl+Shift+C"), [this] { showSites(); }, "showSites");
+    addCommand(menu, tr("&Datum instruments"), tr("Ctrl+Shift+M"), [this] { showInstruments(); }, "showInstruments");
     addCommand(menu, tr("&Search everything"), QKeySequence::Find, [this] { m_fleet->focusSearch(); }, "search");
     addCommand(menu, tr("Go to the &tree"), tr("Ctrl+T"), [this] { m_fleet->focusTree(); }, "focusTree");
     m_swingActions += addCommand(menu, tr("Go to the &readings"), tr("Ctrl+G"), [this] { m_swingPage->focusReadings(); }, "focusReadings");

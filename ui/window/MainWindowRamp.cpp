@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDateTime>
+#include <QLabel>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QTimer>
@@ -10,7 +11,12 @@
 
 #include "ui/fleet/FleetPanel.h"
 #include "ui/guided/GuidedPage.h"
+#include "ui/edits/RecordEdits.h"
 #include "ui/pages/DuePage.h"
+#include "ui/pages/ElectricalPage.h"
+#include "ui/pages/InstrumentsPage.h"
+#include "ui/pages/NmeaImportPage.h"
+#include "ui/pages/SitesPage.h"
 #include "ui/pages/SwingPage.h"
 #include "ui/readings/SwingEditor.h"
 #include "ui/storage/DueJob.h"
@@ -121,6 +127,68 @@ DuePage& MainWindow::duePage()
     connect(m_duePage, &DuePage::done, this, [this](const QString& message) { report({}, message); });
     connect(m_duePage, &DuePage::openCompass, this, &MainWindow::showAircraft);
     return *m_duePage;
+}
+
+template <class Page, class Make>
+Page& MainWindow::pageOf(Page*& place, Make make)
+{
+    if (!place) {
+        place = make();
+        m_pages->addWidget(place);
+        connect(place, &Page::failed, this, &MainWindow::fail);
+        if constexpr (requires { &Page::readOut; })
+            connect(place, &Page::readOut, m_readOut, &QLabel::setText);
+        if constexpr (requires { &Page::makeSwing; })
+            connect(place, &Page::makeSwing, this, &MainWindow::makeSwing);
+    }
+    return *place;
+}
+
+void MainWindow::showSites()
+{
+    leaveField();
+    auto& page = pageOf(m_sitesPage, [this] { return new SitesPage(m_context, m_stack, [this] { return nowUtc().substr(0, 10); }); });
+    page.reload();
+    turnTo(page);
+}
+
+void MainWindow::showInstruments()
+{
+    leaveField();
+    auto& page = pageOf(m_instrumentsPage, [this] { return new InstrumentsPage(m_storage, [this] { return nowUtc().substr(0, 10); }); });
+    page.reload();
+    turnTo(page);
+}
+
+void MainWindow::showElectrical()
+{
+    const CompassId compass = compassShown();
+    leaveField();
+    auto& page = pageOf(m_electricalPage, [this] { return new ElectricalPage(m_storage, [this] { return nowUtc().substr(0, 10); }); });
+    if (const auto shown = page.showCompass(compass); !shown)
+        fail(messageOf(shown.error()));
+    else
+        turnTo(page);
+}
+
+void MainWindow::showNmeaImport()
+{
+    const CompassId compass = compassShown();
+    leaveField();
+    auto& page = pageOf(m_nmeaPage, [this] { return new NmeaImportPage(m_storage, fileQuestions()); });
+    if (const auto shown = page.showCompass(compass); !shown)
+        fail(messageOf(shown.error()));
+    else
+        turnTo(page);
+}
+
+void MainWindow::makeSwing(Swing swing)
+{
+    auto* edit = new MakeSwing(m_context, std::move(swing), MakeSwing::Direction::Make, tr("new swing"));
+    const int command = m_stack.index();
+    m_stack.push(edit);
+    if (m_stack.index() > command) // storage has not refused it
+        showEdited(command);
 }
 
 } // namespace lubberline::ui
