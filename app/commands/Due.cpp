@@ -1,8 +1,8 @@
 #include <QDateTime>
 
+#include <array>
 #include <cstdio>
-
-#include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/Console.h"
 #include "app/DbStorage.h"
@@ -10,7 +10,10 @@
 #include "app/TextFile.h"
 #include "app/commands/Command.h"
 #include "core/due/Calendar.h"
+#include "core/format/DueJson.h"
 #include "core/format/FileText.h"
+#include "core/format/JsonWriter.h"
+#include "core/format/NearWord.h"
 #include "ui/storage/DueWork.h"
 
 namespace lubberline::app {
@@ -25,10 +28,12 @@ struct Options {
 
 struct EventOptions {
     std::string aircraft, cause, date, note, words;
+    bool json = false;
 };
 
 struct WaiverOptions {
     std::string event, date, reason, by;
+    bool json = false;
 };
 
 std::string todayUtc()
@@ -59,17 +64,23 @@ bool wanted(const DueLine& line, const Options& options, const std::string& toda
     return options.within > 0 ? !next.empty() && daysBetween(today, next) <= options.within : line.answer.state == DueState::DueSoon;
 }
 
-std::string jsonOf(const std::vector<DueLine>& lines, const std::string& today)
+/// With the event by which `waive` answers it.
+std::string reasonOf(const DueLine& line)
 {
-    nlohmann::ordered_json array = nlohmann::ordered_json::array();
-    for (const auto& line : lines) {
-        nlohmann::ordered_json flags = nlohmann::ordered_json::array();
-        for (const auto& flag : line.answer.flags)
-            flags.push_back({{"state", nameOf(flag.state)}, {"since", flag.since}, {"reason", flag.reason}, {"event", flag.event}});
-        array.push_back({{"type", line.compass.typeName}, {"aircraft", line.compass.registration}, {"compass", line.compass.compassName},
-            {"state", nameOf(line.answer.state)}, {"last_signed", line.answer.lastSigned}, {"next_by_calendar", line.answer.nextByCalendar}, {"flags", flags}});
-    }
-    return nlohmann::ordered_json{{"today", today}, {"compasses", array}}.dump(2);
+    constexpr std::size_t kEnough = 8;
+    if (line.answer.flags.empty())
+        return {};
+    const DueFlag& flag = line.answer.flags.front();
+    const std::string more = line.answer.flags.size() > 1 ? text(", and %zu more", line.answer.flags.size() - 1) : std::string();
+    return flag.reason + (flag.event.empty() ? "" : " [event " + flag.event.substr(0, kEnough) + "]") + more;
+}
+
+void print(const std::vector<DueLine>& lines)
+{
+    std::printf("%-9s %-10s %-10s %-18s %-10s  %s\n", "state", "type", "aircraft", "compass", "since", "reason");
+    for (const auto& line : lines)
+        std::printf("%-9s %-10s %-10s %-18s %-10s  %s\n", std::string(nameOf(line.answer.state)).c_str(), line.compass.typeName.c_str(),
+            line.compass.registration.c_str(), line.compass.compassName.c_str(), dayOf(line).c_str(), reasonOf(line).c_str());
 }
 
 int dueCommand(const Options& options, const std::string& database)
@@ -89,34 +100,52 @@ int dueCommand(const Options& options, const std::string& database)
         if (wanted(line, options, *today))
             lines.push_back(line);
     for (const auto& warning : news->warnings)
-        std::fprintf(stderr, "lubberline: not predicted after a move: %s\n", warning.c_str());
+        say("not predicted after a move: " + warning);
     if (!options.calendar.empty())
         if (const auto written = writeTextFile(options.calendar, writeCalendar(calendarOf(news->lines), *today + "T00:00:00Z")); !written)
             return fail(written.error());
-    if (options.json) {
-        std::printf("%s\n", jsonOf(lines, *today).c_str());
-        return kDone;
-    }
-    std::printf("%-9s %-10s %-10s %-18s %-10s  %s\n", "state", "type", "aircraft", "compass", "since", "reason");
-    for (const auto& line : lines)
-        std::printf("%-9s %-10s %-10s %-18s %-10s  %s\n", std::string(nameOf(line.answer.state)).c_str(), line.compass.typeName.c_str(),
-            line.compass.registration.c_str(), line.compass.compassName.c_str(), dayOf(line).c_str(),
-            line.answer.flags.empty() ? "" : line.answer.flags.front().reason.c_str());
+    if (options.json)
+        std::fputs(toJson(lines, news->warnings, *today).c_str(), stdout);
+    else
+        print(lines);
     if (news->rules.empty())
-        std::fprintf(stderr, "lubberline: no calendar rule is set; only events are looked at\n");
+        say("no calendar rule is set; only events are looked at");
     return kDone;
+}
+
+/// For writing. A database that is not there is an error, not made: what is recorded is of an aircraft that is known.
+Result<std::unique_ptr<DbStorage>> openKnown(const std::string& database)
+{
+    if (const auto there = openStorage(database, db::OpenMode::ReadOnly); !there && there.error().code == ErrorCode::NotFound)
+        return there.error();
+    return openStorage(database, db::OpenMode::ReadWriteCreate);
+}
+
+Result<DueCause> causeOf(const EventOptions& options)
+{
+    if (options.cause.empty())
+        return causeInWords(options.words);
+    if (const auto cause = dueCauseNamed(options.cause))
+        return *cause;
+    std::array<std::string_view, kDueCauses> names;
+    std::string known;
+    for (int i = 0; i < kDueCauses; ++i) {
+        names[static_cast<std::size_t>(i)] = nameOf(static_cast<DueCause>(i));
+        known += (i > 0 ? ", " : "") + std::string(nameOf(static_cast<DueCause>(i)));
+    }
+    const auto near = nearWord(options.cause, names);
+    return Error{ErrorCode::InvalidInput, "--cause: '" + options.cause + "' is not known; expected one of " + known
+        + (near.empty() ? "" : " (did you mean " + std::string(near) + "?)")};
 }
 
 int eventCommand(const EventOptions& options, const std::string& database)
 {
     const auto session = makeDrawingSession();
     const auto date = dayOr(options.date, "--date");
-    if (!date)
-        return fail(date.error());
-    const auto cause = options.cause.empty() ? std::optional(causeInWords(options.words)) : dueCauseNamed(options.cause);
-    if (!cause)
-        return fail(Error{ErrorCode::InvalidInput, "--cause: '" + options.cause + "' is not known; expected one as lightning, hard_landing, engine_change, parts_replaced"});
-    auto storage = openStorage(database, db::OpenMode::ReadWriteCreate);
+    const auto cause = causeOf(options);
+    if (!date || !cause)
+        return fail(date ? cause.error() : date.error());
+    auto storage = openKnown(database);
     if (!storage)
         return fail(storage.error());
     const auto aircraft = (*storage)->aircraftNamed(options.aircraft);
@@ -126,14 +155,42 @@ int eventCommand(const EventOptions& options, const std::string& database)
     event.record = newRecordId();
     event.aircraft = *aircraft;
     event.date = *date;
-    event.kind = options.words;
+    event.kind = options.words.empty() ? inWords(*cause) : options.words;
     event.cause = *cause;
     event.note = options.note;
     if (const auto saved = (*storage)->save(event); !saved)
         return fail(saved.error());
+    if (options.json) {
+        JsonWriter json;
+        json.beginObject();
+        json.text("event", event.record);
+        json.text("cause", nameOf(event.cause));
+        json.text("date", event.date);
+        json.end();
+        std::fputs(json.take().c_str(), stdout);
+        return kDone;
+    }
     std::printf("%s  %s: %s\n", event.record.c_str(), std::string(nameOf(event.cause)).c_str(),
         event.cause == DueCause::Other ? "opens no due flag" : "a swing is due until a later one is signed, or a waiver answers");
     return kDone;
+}
+
+/// By its record id, or as much of its beginning as tells it apart.
+Result<RecordId> eventNamed(DbStorage& storage, const std::string& id)
+{
+    const auto compasses = storage.dueCompasses();
+    if (!compasses)
+        return compasses.error();
+    std::set<RecordId> found;
+    for (const auto& compass : *compasses)
+        for (const auto& event : compass.events)
+            if (!id.empty() && event.record.starts_with(id))
+                found.insert(event.record);
+    if (found.empty())
+        return Error{ErrorCode::NotFound, "there is no event '" + id + "'; expected a record id as `lubberline due` tells it"};
+    if (found.size() > 1)
+        return Error{ErrorCode::InvalidInput, "'" + id + "' begins " + std::to_string(found.size()) + " events; expected more of the record id"};
+    return *found.begin();
 }
 
 int waiveCommand(const WaiverOptions& options, const std::string& database)
@@ -142,11 +199,25 @@ int waiveCommand(const WaiverOptions& options, const std::string& database)
     const auto date = dayOr(options.date, "--date");
     if (!date)
         return fail(date.error());
-    auto storage = openStorage(database, db::OpenMode::ReadWriteCreate);
+    auto storage = openKnown(database);
     if (!storage)
         return fail(storage.error());
-    if (const auto saved = (*storage)->save(Waiver{{}, options.event, *date, options.reason, options.by}); !saved)
+    const auto event = eventNamed(**storage, options.event);
+    if (!event)
+        return fail(event.error());
+    const Waiver waiver{newRecordId(), *event, *date, options.reason, options.by};
+    if (const auto saved = (*storage)->save(waiver); !saved)
         return fail(saved.error());
+    if (options.json) {
+        JsonWriter json;
+        json.beginObject();
+        json.text("waiver", waiver.record);
+        json.text("event", waiver.event);
+        json.end();
+        std::fputs(json.take().c_str(), stdout);
+    } else {
+        std::printf("%s  answers event %s; kept for ever\n", waiver.record.c_str(), waiver.event.c_str());
+    }
     return kDone;
 }
 
@@ -167,19 +238,25 @@ void addDue(CLI::App& app, Invocation& invocation)
     auto event = std::make_shared<EventOptions>();
     auto* record = app.add_subcommand("event", "record what happened to an aircraft; some events make a swing due");
     record->add_option("AIRCRAFT", event->aircraft, "its registration")->required();
-    record->add_option("WORDS", event->words, "what happened, as \"lightning strike\"")->required();
-    record->add_option("--cause", event->cause, "what it is to the due rules; default: told from the words");
+    auto* words = record->add_option("WORDS", event->words, "what happened, as \"lightning strike\"; may be left out where --cause says it");
+    auto* cause = record->add_option("--cause", event->cause, "what it is to the due rules, as lightning; default: told from the words");
     record->add_option("--date", event->date, "YYYY-MM-DD; default: today, UTC");
     record->add_option("--note", event->note, "a note");
+    record->add_flag("--json", event->json, "one JSON object on standard output");
     addDatabaseOption(*record, invocation);
-    record->callback([event, &invocation] { invocation.action = [event, &invocation] { return eventCommand(*event, invocation.database); }; });
+    record->callback([event, words, cause, &invocation] {
+        if (words->empty() && cause->empty())
+            throw CLI::RequiredError("WORDS or --cause: what happened");
+        invocation.action = [event, &invocation] { return eventCommand(*event, invocation.database); };
+    });
 
     auto waiver = std::make_shared<WaiverOptions>();
     auto* waive = app.add_subcommand("waive", "answer an event for which no swing is needed; kept for ever");
-    waive->add_option("EVENT", waiver->event, "its record id, as `lubberline due --json` tells it")->required();
+    waive->add_option("EVENT", waiver->event, "its record id or the beginning of it, as `lubberline due` tells it")->required();
     waive->add_option("--reason", waiver->reason, "as \"two headings 90 degrees apart show no change\"")->required();
     waive->add_option("--by", waiver->by, "who answers for it")->required();
     waive->add_option("--date", waiver->date, "YYYY-MM-DD; default: today, UTC");
+    waive->add_flag("--json", waiver->json, "one JSON object on standard output");
     addDatabaseOption(*waive, invocation);
     waive->callback([waiver, &invocation] { invocation.action = [waiver, &invocation] { return waiveCommand(*waiver, invocation.database); }; });
 }

@@ -42,10 +42,10 @@ QString swingDetail(const SwingRow& row)
     return what + FleetModel::tr(" · largest deviation %1°").arg(*row.maxAbsDeviation_deg, 0, 'f', 1);
 }
 
-/// "in limits · due": what is not due needs no word.
+/// "in limits · □ due": what is not due needs no word.
 QString badgeText(const QString& state, DueState due)
 {
-    return due == DueState::NotDue ? state : FleetModel::tr("%1 · %2").arg(state, dueWord(due));
+    return due == DueState::NotDue ? state : FleetModel::tr("%1 · %2 %3").arg(state, dueMark(due), dueWord(due));
 }
 
 } // namespace

@@ -59,6 +59,7 @@ DuePage::DuePage(Storage& storage, std::function<std::string()> today, FileQuest
     , m_reason(new QLineEdit)
     , m_by(new QLineEdit)
     , m_waive(new QPushButton(tr("&Waive")))
+    , m_open(new QPushButton(tr("&Open the compass")))
     , m_rules(new DueRulesTable(storage))
 {
     build();
@@ -99,6 +100,10 @@ QWidget* DuePage::buildList()
     m_by->setPlaceholderText(tr("who answers for it"));
     m_waive->setObjectName(QStringLiteral("waiveButton"));
     m_waive->setToolTip(tr("A waiver is kept for ever and answers this one event"));
+    m_open->setObjectName(QStringLiteral("dueOpen"));
+    m_open->setToolTip(tr("Its page, where swings are begun and events recorded"));
+    for (QWidget* part : {static_cast<QWidget*>(m_reason), static_cast<QWidget*>(m_by)})
+        part->setEnabled(!m_storage.readOnly());
     auto* filters = new QHBoxLayout;
     for (QWidget* part : {static_cast<QWidget*>(m_state), static_cast<QWidget*>(m_type), static_cast<QWidget*>(m_words), static_cast<QWidget*>(calendar)})
         filters->addWidget(part);
@@ -110,21 +115,28 @@ QWidget* DuePage::buildList()
     auto* column = new QVBoxLayout(page);
     column->addLayout(filters);
     column->addWidget(m_table, 1);
-    column->addWidget(m_count);
+    auto* below = new QHBoxLayout;
+    below->addWidget(m_count, 1);
+    below->addWidget(m_open);
+    column->addLayout(below);
     column->addWidget(m_flags);
     column->addLayout(waiver);
     connect(m_state, &QComboBox::currentIndexChanged, this, &DuePage::fill);
     connect(m_type, &QComboBox::currentIndexChanged, this, &DuePage::fill);
     connect(m_words, &QLineEdit::textChanged, this, &DuePage::fill);
-    connect(m_table, &QTableWidget::itemSelectionChanged, this, &DuePage::showFlags);
-    connect(m_table, &QTableWidget::itemActivated, this, [this] {
+    connect(m_table, &QTableWidget::itemSelectionChanged, this, [this] {
+        showFlags();
+        keepChoice();
+    });
+    const auto open = [this] {
         if (const DueLine* line = current())
             emit openCompass(line->compass.aircraft, line->compass.compass);
-    });
+    };
+    connect(m_table, &QTableWidget::itemActivated, this, open);
+    connect(m_open, &QPushButton::clicked, this, open);
     connect(m_flags, &QTableWidget::itemSelectionChanged, this, [this] {
-        const DueLine* line = current();
-        const int row = m_flags->currentRow();
-        m_waive->setEnabled(line && row >= 0 && !line->answer.flags[static_cast<std::size_t>(row)].event.empty() && !m_storage.readOnly());
+        offerWaiver();
+        keepChoice();
     });
     connect(m_by, &QLineEdit::returnPressed, this, &DuePage::waive);
     connect(m_waive, &QPushButton::clicked, this, &DuePage::waive);
@@ -191,9 +203,24 @@ void DuePage::fill()
     if (!m_news->warnings.empty())
         count += tr(". Not predicted after a move: %1").arg(toText(m_news->warnings.front()));
     m_count->setText(count);
-    if (m_table->rowCount() > 0)
-        m_table->selectRow(0);
+    const auto chosen = std::find_if(m_shown.begin(), m_shown.end(), [this](const DueLine* line) { return line->compass.compass == m_chosen; });
+    m_table->clearSelection();
+    m_table->setCurrentItem(nullptr);
+    if (!m_shown.empty())
+        m_table->selectRow(chosen == m_shown.end() ? 0 : static_cast<int>(chosen - m_shown.begin()));
+    const RecordId before = m_chosenEvent;
     showFlags();
+    keepChoice();
+    if (m_chosenEvent != before)
+        m_reason->clear(); // it was meant for another
+}
+
+void DuePage::keepChoice()
+{
+    const DueLine* line = current();
+    const DueFlag* flag = currentFlag();
+    m_chosen = line ? line->compass.compass : CompassId();
+    m_chosenEvent = flag ? flag->event : RecordId();
 }
 
 const DueLine* DuePage::current() const
@@ -202,8 +229,24 @@ const DueLine* DuePage::current() const
     return row >= 0 && row < static_cast<int>(m_shown.size()) ? m_shown[static_cast<std::size_t>(row)] : nullptr;
 }
 
+const DueFlag* DuePage::currentFlag() const
+{
+    const DueLine* line = current();
+    const int row = m_flags->currentRow();
+    return line && row >= 0 && row < static_cast<int>(line->answer.flags.size()) ? &line->answer.flags[static_cast<std::size_t>(row)] : nullptr;
+}
+
+/// Only events are waived: a calendar rule or a move is answered by a swing.
+void DuePage::offerWaiver()
+{
+    const DueFlag* flag = currentFlag();
+    m_waive->setEnabled(flag && !flag->event.empty() && !m_storage.readOnly());
+}
+
+/// The flag that was chosen stays chosen; else the first that can be waived is.
 void DuePage::showFlags()
 {
+    const QSignalBlocker quiet(m_flags);
     const DueLine* line = current();
     const auto count = line ? line->answer.flags.size() : 0;
     m_flags->setRowCount(static_cast<int>(count));
@@ -215,27 +258,34 @@ void DuePage::showFlags()
         m_flags->setItem(static_cast<int>(i), 1, cell(toText(flag.since)));
         m_flags->setItem(static_cast<int>(i), 2, cell(toText(flag.reason)));
     }
-    m_waive->setEnabled(false);
-    for (std::size_t i = 0; i < count; ++i)
-        if (!line->answer.flags[i].event.empty()) {
-            m_flags->selectRow(static_cast<int>(i));
-            break;
-        }
+    m_open->setEnabled(line);
+    m_flags->clearSelection();
+    m_flags->setCurrentItem(nullptr);
+    std::size_t chosen = count;
+    for (std::size_t i = count; i-- > 0;)
+        if (const RecordId& event = line->answer.flags[i].event; !event.empty() && (chosen == count || line->answer.flags[chosen].event != m_chosenEvent))
+            chosen = i;
+    if (chosen < count)
+        m_flags->selectRow(static_cast<int>(chosen));
+    offerWaiver();
 }
 
 void DuePage::waive()
 {
-    const DueLine* line = current();
-    const int row = m_flags->currentRow();
-    if (!line || row < 0 || line->answer.flags[static_cast<std::size_t>(row)].event.empty()) {
-        emit failed(tr("Only an event is waived; a calendar rule is answered by a swing."));
+    const DueFlag* flag = currentFlag();
+    if (!flag || flag->event.empty()) {
+        emit failed(tr("Only an event is waived; a calendar rule or a move is answered by a swing."));
         return;
     }
     Waiver waiver;
-    waiver.event = line->answer.flags[static_cast<std::size_t>(row)].event;
+    waiver.event = flag->event;
     waiver.date = m_today();
     waiver.reason = m_reason->text().trimmed().toStdString();
     waiver.by = m_by->text().trimmed().toStdString();
+    if (waiver.reason.empty() || waiver.by.empty()) {
+        emit failed(tr("A waiver is kept for ever: state why no swing is needed, and who answers for it."));
+        return;
+    }
     if (const auto stored = m_storage.save(waiver); !stored) {
         emit failed(messageOf(stored.error()));
         return;

@@ -25,6 +25,7 @@ class DuePage : public QWidget {
 public:
     /// @param today ISO 8601, UTC.
     DuePage(Storage& storage, std::function<std::string()> today, FileQuestions questions, QWidget* parent = nullptr);
+    using QWidget::show;
     void show(std::shared_ptr<const DueNews> news);
 
 signals:
@@ -40,13 +41,18 @@ private:
     void waive();
     void exportCalendar();
     [[nodiscard]] bool wanted(const DueLine& line) const;
+    void keepChoice();
+    void offerWaiver();
     [[nodiscard]] const DueLine* current() const;
+    [[nodiscard]] const DueFlag* currentFlag() const;
 
     Storage& m_storage;
     std::function<std::string()> m_today;
     FileQuestions m_questions;
     std::shared_ptr<const DueNews> m_news;
     std::vector<const DueLine*> m_shown;
+    CompassId m_chosen;      ///< kept when the list is found anew: a waiver must not slip to another event
+    RecordId m_chosenEvent;
     QComboBox* m_state;
     QComboBox* m_type;
     QLineEdit* m_words;
@@ -56,6 +62,7 @@ private:
     QLineEdit* m_reason;
     QLineEdit* m_by;
     QPushButton* m_waive;
+    QPushButton* m_open;
     DueRulesTable* m_rules;
 };
 

@@ -86,7 +86,7 @@ void DueRulesTable::fill()
         const DueRule rule = there ? m_rules[static_cast<std::size_t>(row)] : DueRule();
         const auto type = std::find_if(m_typeNames.begin(), m_typeNames.end(), [&](const auto& one) { return one.first == rule.type; });
         const QStringList cells{toText(rule.name), QString::number(rule.months), QString::number(rule.graceDays), QString::number(rule.warnDays),
-            toText(rule.document), toText(rule.issue), type == m_typeNames.end() ? allTypes() : toText(type->second)};
+            toText(rule.document), toText(rule.issue), type != m_typeNames.end() ? toText(type->second) : rule.type.empty() ? allTypes() : tr("a type without compasses")};
         for (int column = 0; column < kColumns; ++column)
             m_table->setItem(row, column, new QTableWidgetItem(there ? cells[column] : QString()));
         if (!there)

@@ -28,12 +28,10 @@ private:
 
     Storage& m_storage;
     std::vector<DueRule> m_rules;
-    std::vector<TypeRow> m_types;
     std::vector<std::pair<RecordId, std::string>> m_typeNames;
     QTableWidget* m_table;
     QPushButton* m_remove;
     QPushButton* m_known;
-    bool m_filling = false;
 };
 
 } // namespace lubberline::ui

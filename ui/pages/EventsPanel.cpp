@@ -9,6 +9,7 @@
 #include <QTableWidget>
 #include <QUndoStack>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 #include "core/due/DueList.h"
 #include "ui/edits/RecordEdits.h"
@@ -21,6 +22,12 @@ namespace lubberline::ui {
 namespace {
 
 enum Column { Date, Kind, Cause, Note, kColumns };
+
+/// In a row of the table: the wheel scrolls the table, and must not change what is on record.
+class CauseBox final : public QComboBox {
+protected:
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
 
 }
 
@@ -73,7 +80,8 @@ void EventsPanel::showAircraft(AircraftId aircraft)
 {
     m_aircraft = aircraft;
     const bool editable = aircraft.valid() && !m_context.storage.readOnly();
-    for (QWidget* widget : {static_cast<QWidget*>(m_date), static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_note), static_cast<QWidget*>(m_add)})
+    for (QWidget* widget : {static_cast<QWidget*>(m_date), static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_cause), static_cast<QWidget*>(m_note),
+             static_cast<QWidget*>(m_add)})
         widget->setEnabled(editable);
     m_table->setEditTriggers(editable ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed : QAbstractItemView::NoEditTriggers);
     m_message->clear();
@@ -92,7 +100,7 @@ void EventsPanel::showEvents()
         const Event& event = m_events[static_cast<std::size_t>(row)];
         m_table->setItem(row, Date, new QTableWidgetItem(toText(event.date)));
         m_table->setItem(row, Kind, new QTableWidgetItem(toText(event.kind)));
-        auto* cause = new QComboBox;
+        auto* cause = new CauseBox;
         cause->addItems(dueCauseWords());
         cause->setItemText(0, tr("no"));
         cause->setCurrentIndex(static_cast<int>(event.cause));

@@ -6,6 +6,12 @@
 
 namespace lubberline::ui {
 
+namespace {
+
+constexpr int kDayLook_ms = 60'000;
+
+}
+
 DueJob::DueJob(Storage& storage, std::function<std::string()> today, QObject* parent)
     : QObject(parent)
     , m_storage(storage)
@@ -13,6 +19,8 @@ DueJob::DueJob(Storage& storage, std::function<std::string()> today, QObject* pa
     , m_cancelled(std::make_shared<std::atomic<bool>>(false))
 {
     connect(&m_watcher, &QFutureWatcherBase::finished, this, &DueJob::finish);
+    connect(&m_dayTimer, &QTimer::timeout, this, &DueJob::lookAtDay);
+    m_dayTimer.start(kDayLook_ms);
 }
 
 DueJob::~DueJob()
@@ -31,12 +39,19 @@ void DueJob::start()
     }
     m_again = false;
     m_cancelled = std::make_shared<std::atomic<bool>>(false);
-    m_watcher.setFuture(QtConcurrent::run([&storage = m_storage, today = m_today(), cancelled = m_cancelled]() -> Answer {
+    m_day = m_today();
+    m_watcher.setFuture(QtConcurrent::run([&storage = m_storage, today = m_day, cancelled = m_cancelled]() -> Answer {
         auto worker = storage.openForWorker();
         if (!worker)
             return std::make_shared<Result<DueNews>>(worker.error());
         return std::make_shared<Result<DueNews>>(dueNews(**worker, today, [&cancelled](double) { return !cancelled->load(); }));
     }));
+}
+
+void DueJob::lookAtDay()
+{
+    if (!m_day.empty() && m_day != m_today())
+        start();
 }
 
 void DueJob::finish()

@@ -2,6 +2,7 @@
 
 #include <QFutureWatcher>
 #include <QObject>
+#include <QTimer>
 
 #include <atomic>
 #include <functional>
@@ -11,7 +12,8 @@
 
 namespace lubberline::ui {
 
-/// What is due, found anew on a worker whenever something changed that may change it; the newest wish wins.
+/// What is due, found anew on a worker whenever something changed that may change it, and when a new day has begun (windows stay open over
+/// night, laptops sleep); the newest wish wins.
 class DueJob : public QObject {
     Q_OBJECT
 
@@ -21,6 +23,7 @@ public:
     ~DueJob() override; ///< waits: the worker holds a connection
 
     void start();
+    void lookAtDay(); ///< starts when it is another day than it was found for
     [[nodiscard]] const std::shared_ptr<const DueNews>& news() const { return m_news; } ///< null before the first
 
 signals:
@@ -36,6 +39,8 @@ private:
     QFutureWatcher<Answer> m_watcher;
     std::shared_ptr<std::atomic<bool>> m_cancelled;
     std::shared_ptr<const DueNews> m_news;
+    QTimer m_dayTimer;
+    std::string m_day; ///< that it was found for; empty: not yet
     bool m_again = false; ///< something changed while it ran
 };
 

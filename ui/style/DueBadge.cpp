@@ -5,6 +5,8 @@
 #include <QPixmap>
 #include <QStringList>
 
+#include <array>
+
 namespace lubberline::ui {
 
 namespace {
@@ -26,20 +28,7 @@ QColor colourOf(DueState state)
     return QColor(0x80, 0x80, 0x80);
 }
 
-} // namespace
-
-QString dueWord(DueState state)
-{
-    switch (state) {
-    case DueState::Overdue: return Words::tr("overdue");
-    case DueState::Due: return Words::tr("due");
-    case DueState::DueSoon: return Words::tr("due soon");
-    case DueState::NotDue: break;
-    }
-    return Words::tr("not due");
-}
-
-QIcon dueIcon(DueState state)
+QIcon drawn(DueState state)
 {
     QPixmap pixmap(kSize, kSize);
     pixmap.fill(Qt::transparent);
@@ -56,7 +45,39 @@ QIcon dueIcon(DueState state)
         painter.fillRect(QRectF(6, 13, kSize - 12, 6), colour);
     else
         painter.drawEllipse(QPointF(kSize / 2.0, kSize / 2.0), 2, 2);
-    return QIcon(pixmap);
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected); // a selected line must not tint what the colour says
+    return icon;
+}
+
+} // namespace
+
+QString dueWord(DueState state)
+{
+    switch (state) {
+    case DueState::Overdue: return Words::tr("overdue");
+    case DueState::Due: return Words::tr("due");
+    case DueState::DueSoon: return Words::tr("due soon");
+    case DueState::NotDue: break;
+    }
+    return Words::tr("not due");
+}
+
+QString dueMark(DueState state)
+{
+    switch (state) {
+    case DueState::Overdue: return QStringLiteral("\u25a0");
+    case DueState::Due: return QStringLiteral("\u25a1");
+    case DueState::DueSoon: return QStringLiteral("\u25ac");
+    case DueState::NotDue: break;
+    }
+    return QStringLiteral("\u00b7");
+}
+
+QIcon dueIcon(DueState state)
+{
+    static const std::array<QIcon, 4> icons{drawn(DueState::NotDue), drawn(DueState::DueSoon), drawn(DueState::Due), drawn(DueState::Overdue)};
+    return icons[static_cast<std::size_t>(state)];
 }
 
 QStringList dueCauseWords()

@@ -3,6 +3,7 @@
 
 #include <QIcon>
 #include <QString>
+#include <QStringList>
 
 #include "core/due/DueRules.h"
 
@@ -12,6 +13,9 @@ namespace lubberline::ui {
 [[nodiscard]] QString dueWord(DueState state);
 /// A full square (overdue), an empty one (due), a bar (due soon), a dot (not due).
 [[nodiscard]] QIcon dueIcon(DueState state);
+
+/// The same shape as a character, for lists that have another badge already.
+[[nodiscard]] QString dueMark(DueState state);
 
 /// The causes in words, in the order of DueCause.
 [[nodiscard]] QStringList dueCauseWords();
