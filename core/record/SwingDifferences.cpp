@@ -77,6 +77,8 @@ void compareParticulars(Differences& all, const Swing& before, const Swing& afte
     all.add("reason", before.reason, after.reason);
     all.add("note", before.note, after.note);
     all.add("field model", before.field ? before.field->model : std::string(), after.field ? after.field->model : std::string());
+    if (before.field && after.field && before.field != after.field && before.field->model == after.field->model)
+        all.add("field", "another place, day or value", "changed");
 }
 
 void compareReading(Differences& all, const std::string& which, const Reading& before, const Reading& after)
@@ -85,6 +87,7 @@ void compareReading(Differences& all, const std::string& which, const Reading& b
     all.add(which + ", magnetic", heading(before.magnetic), heading(after.magnetic));
     all.add(which + ", compass", heading(before.compass), heading(after.compass));
     all.add(which + ", true", heading(before.trueHeading), heading(after.trueHeading));
+    all.add(which + ", time", before.timeUtc, after.timeUtc);
     all.add(which + ", pitch", number(before.pitch_deg), number(after.pitch_deg));
     all.add(which + ", roll", number(before.roll_deg), number(after.roll_deg));
     all.add(which + ", datum figures", figures(before.raw.datum_deg), figures(after.raw.datum_deg));

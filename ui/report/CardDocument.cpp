@@ -65,6 +65,8 @@ std::vector<Fact> cardFacts(const CardInput& input)
     if (input.options)
         facts.push_back({Words::tr("Figures"), figuresWords(*input.options)});
     facts.push_back({Words::tr("After"), input.record.swing.stage == SwingStage::AsLeft ? Words::tr("adjustment: the figures are what remains") : Words::tr("a check only: nothing was adjusted")});
+    if (!input.loadsToName.isEmpty())
+        facts.push_back({Words::tr("Loads"), Words::tr("push the deviation past 10° while they are on: %1").arg(input.loadsToName.join(QStringLiteral(", ")))});
     if (!input.nextDue.isEmpty())
         facts.push_back({Words::tr("Next swing"), Words::tr("due on %1 by the calendar; earlier after an event that makes one due").arg(input.nextDue)});
     if (!input.reprintOf.isEmpty())

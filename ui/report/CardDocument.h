@@ -2,6 +2,7 @@
 /// The correction card FOR/STEER at the size of a cockpit placard, with crop marks, one or two STEER columns.
 
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <vector>
@@ -25,6 +26,7 @@ struct CardInput {
     QString madeAtUtc;               ///< ISO 8601; printed beside the card
     std::optional<CardOptions> options; ///< how the figures were made: printed beside the card when given
     QString nextDue = {};       ///< ISO 8601; empty: not known
+    QStringList loadsToName = {}; ///< that push the deviation past 10° (core/procedure/LoadNotes.h)
     QString reprintOf = {};     ///< the date of the signature, where a lost card is printed again; empty: it is the first
 };
 

@@ -10,6 +10,7 @@
 #include "ui/report/Figures.h"
 #include "ui/report/Ink.h"
 #include "ui/report/Page.h"
+#include "ui/report/QrCode.h"
 #include "ui/report/Report.h"
 #include "ui/report/Words.h"
 
@@ -22,6 +23,7 @@ constexpr double kRowHeight = mm(6.6);
 constexpr double kHeadHeight = mm(4);
 constexpr double kTopHeight = mm(19); ///< whose card it is and what it holds for
 constexpr double kFootHeight = mm(19.4);
+constexpr double kQr = mm(11.4); ///< beside the first lines of the foot
 constexpr double kBannerHeight = mm(4.2);
 constexpr double kDigits_pt = 15;
 
@@ -47,7 +49,8 @@ QString configurationLine(const CardInput& input)
     if (input.columns.size() > 1)
         configuration.radio = RadioState::NotStated;
     const QString words = configurationWords(configuration);
-    return words.isEmpty() ? Words::tr("CONFIGURATION NOT STATED") : words.toUpper();
+    const QString state = words.isEmpty() ? Words::tr("CONFIGURATION NOT STATED") : words.toUpper();
+    return joined({state, labelled(Words::tr("OVER 10° WITH"), input.loadsToName.join(QStringLiteral(", ")).toUpper())});
 }
 
 /// Who signed last, or a line to sign on.
@@ -192,17 +195,24 @@ void paintFoot(QPainter& painter, const QRectF& room, const CardInput& input, co
 {
     painter.setPen(Ink::text());
     const QString record = printable(input.record.swing.record).left(8), data = dataHash(input.record).left(8);
-    SmallLines lines(painter, room, family);
+    const auto code = qrOf(printable(input.record.swing.record)); // none where the swing has no record yet
+    if (code)
+        paintQr(painter, QRectF(room.right() - kQr, room.top() + mm(0.3), kQr, kQr), *code);
+    const QRectF beside = room.adjusted(0, 0, code ? -kQr - mm(1) : 0, 0);
+    SmallLines lines(painter, beside, family);
     lines.add(residualLine(input), 6, mm(3.2));
     const QString revision = input.record.swing.revision > 1 ? Words::tr(" rev. %1").arg(input.record.swing.revision) : QString();
     lines.add(Words::tr("Record %1%2 · data %3").arg(record.isEmpty() ? dash() : record, revision, data), 6, mm(2.9));
-    lines.add(signedLine(input.record.swing), 6, mm(5));
+    lines.add(signedLine(input.record.swing), 6, input.reprintOf.isEmpty() ? mm(5) : mm(2.7)); // room for a hand, where one is to sign
     painter.setPen(QPen(Ink::strong(), mm(0.15)));
     if (input.record.swing.signatures.empty())
-        painter.drawLine(QPointF(room.left() + mm(9), lines.y()), QPointF(room.right(), lines.y()));
+        painter.drawLine(QPointF(room.left() + mm(9), lines.y()), QPointF(beside.right(), lines.y()));
     painter.setPen(Ink::text());
-    lines.add(Words::tr("Steer this by compass to make good FOR (magnetic)."), 5.5, mm(3.1));
-    lines.add(Words::tr("Deviation = magnetic − compass, E +"), 5.5, mm(2.5));
+    if (!input.reprintOf.isEmpty())
+        lines.add(Words::tr("Reprint of %1").arg(input.reprintOf), 6, mm(2.5), true);
+    SmallLines below(painter, QRectF(room.left(), room.top() + kQr, room.width(), room.height()), family);
+    below.add(Words::tr("Steer this by compass to make good FOR (magnetic)."), 5.5, mm(3.1));
+    below.add(Words::tr("Deviation = magnetic − compass, E +"), 5.5, mm(2.5));
 }
 
 } // namespace

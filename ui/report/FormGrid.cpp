@@ -2,6 +2,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 #include "ui/report/DocumentFont.h"
 #include "ui/report/Ink.h"
 #include "ui/report/TableBlocks.h"
@@ -10,7 +12,7 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr double kHead = mm(6), kInset = mm(1), kSmallest_pt = 4.5;
+constexpr double kHead = mm(6), kInset = mm(1), kSize_pt = 7.5, kSmallest_pt = 4.5;
 
 std::vector<double> widthsOf(const std::vector<FormColumn>& columns, double width)
 {
@@ -21,6 +23,15 @@ std::vector<double> widthsOf(const std::vector<FormColumn>& columns, double widt
     for (const auto& column : columns)
         widths.push_back(width * column.width_mm / all);
     return widths;
+}
+
+/// As high as asked for, or as its words need: what has to be done is never too small to read.
+double heightFor(const QStringList& cells, const std::vector<double>& widths, const QString& family, double least)
+{
+    double height = least;
+    for (std::size_t i = 0; i < widths.size(); ++i)
+        height = std::max(height, wrappedHeight(documentFont(family, kSize_pt), widths[i] - 2 * kInset, cells.value(static_cast<qsizetype>(i))) + mm(1.4));
+    return height;
 }
 
 Block rowBlock(const QStringList& cells, const std::vector<double>& widths, const QString& family, double size_pt, double height, bool head)
@@ -62,7 +73,7 @@ std::vector<Block> formGrid(const QString& title, const std::vector<FormColumn>&
     first.keepWithNext = true;
     std::vector<Block> blocks{titled, first};
     for (const auto& row : rows) {
-        Block block = rowBlock(row, widths, family, 7.5, rowHeight, false);
+        Block block = rowBlock(row, widths, family, kSize_pt, heightFor(row, widths, family, rowHeight), false);
         block.repeatedHead = head;
         blocks.push_back(std::move(block));
     }

@@ -50,6 +50,9 @@ QString formula(const Turn& turn, double nominal_deg)
 std::vector<Fact> factsFor(const JobCardInput& input)
 {
     std::vector<Fact> facts = factsOf(input.record);
+    for (auto& fact : facts)
+        if (fact.value == notStated())
+            fact.value = QString(60, QChar('_')); // to be filled by hand
     facts.push_back({Words::tr("Signs"), Words::tr("d = magnetic − compass, easterly positive. Datum: %1").arg(input.job.datum.name.empty() ? QStringLiteral("____") : printable(input.job.datum.name))});
     return facts;
 }
@@ -112,13 +115,12 @@ std::vector<Block> blocksOf(const JobCardInput& input, const QrMatrix& matrix, c
 
 PageFrame frameOf(const JobCardInput& input)
 {
-    PageFrame frame = frameFor(input.record, Words::tr("Compass swing: job card"), input.madeAtUtc);
-    return frame;
+    return frameFor(input.record, Words::tr("Compass swing: job card"), input.madeAtUtc);
 }
 
 QString codeOf(const JobCardInput& input)
 {
-    return QStringLiteral("lubberline:") + printable(input.record.swing.record);
+    return printable(input.record.swing.record);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "ui/report/RampTables.h"
 
+#include "core/format/SwingCsv.h"
 #include "core/procedure/JobState.h"
 #include "core/record/SwingDifferences.h"
 #include "ui/report/Figures.h"
@@ -46,10 +47,21 @@ std::optional<double> nominalOf(const JobState& state, int station)
     return state.stations[static_cast<std::size_t>(station)].station.nominal_deg;
 }
 
-Table asFoundTable(const SwingJob& job, const JobState& state)
+/// The deviation that was left on the heading that the crew turned to before.
+std::optional<double> leftOn(const Swing& left, std::optional<double> nominal_deg)
 {
-    Table table{Words::tr("As found, before a control was turned on it"), {degrees(Words::tr("nominal")), degrees(Words::tr("magnetic")), degrees(Words::tr("compass")),
-        degrees(Words::tr("deviation")), words(Words::tr("note"), 60)}, {}};
+    for (const auto& reading : left.readings)
+        if (nominal_deg && reading.used() && reading.nominal_deg == nominal_deg) {
+            const Observation seen = observationOf(left, reading);
+            return deviationOf(seen.magnetic, seen.compass).degrees();
+        }
+    return {};
+}
+
+Table asFoundTable(const SwingJob& job, const JobState& state, const Swing& left)
+{
+    Table table{Words::tr("As found, before a control was turned on it, and what was left there"), {degrees(Words::tr("nominal")), degrees(Words::tr("magnetic")),
+        degrees(Words::tr("compass")), degrees(Words::tr("deviation")), degrees(Words::tr("as left")), words(Words::tr("note"), 60)}, {}};
     if (job.plan.kind == ProcedureKind::CheckOnly)
         return table;
     for (const auto& reading : asFoundSwing(job, state).readings) {
@@ -59,7 +71,8 @@ Table asFoundTable(const SwingJob& job, const JobState& state)
             compass = reading.compass->degrees();
             deviation = deviationOf(*reading.magnetic, *reading.compass).degrees();
         }
-        table.rows.push_back({{figure(reading.nominal_deg, 0), figure(magnetic, 1), figure(compass, 1), signedFigure(deviation, 1), printable(reading.note)}});
+        table.rows.push_back({{figure(reading.nominal_deg, 0), figure(magnetic, 1), figure(compass, 1), signedFigure(deviation, 1),
+            signedFigure(leftOn(left, reading.nominal_deg), 1), printable(reading.note)}});
     }
     return table;
 }
@@ -80,6 +93,19 @@ Table adjustmentsTable(const SwingJob& job, const JobState& state)
                 figure(index->after_deg, 1), Words::tr("after the check swing")}});
         else if (const auto* kept = std::get_if<job::IndexLeft>(&event.what))
             table.rows.push_back({{timeOf(event), dash(), controlWord(Control::Index), dash(), dash(), dash(), Words::tr("left in: %1").arg(printable(kept->reason))}});
+    }
+    return table;
+}
+
+Table checklistTable(const SwingJob& job)
+{
+    Table table{Words::tr("Before the first reading"), {words(Words::tr("check"), 120), words(Words::tr("done (UTC)"), 38)}, {}};
+    for (const auto& item : job.checklist) {
+        QString done = dash();
+        for (const auto& event : job.events)
+            if (const auto* ticked = std::get_if<job::Ticked>(&event.what); ticked && ticked->item == item)
+                done = ticked->done ? timeOf(event) : dash();
+        table.rows.push_back({{printable(item), done}});
     }
     return table;
 }
@@ -146,7 +172,7 @@ std::vector<Table> rampTables(const ReportInput& input)
         tables.push_back(revisionTable(*input.superseded, input.record.swing));
     if (input.job)
         if (const auto state = stateOf(input.job->job))
-            for (auto& table : {asFoundTable(input.job->job, *state), adjustmentsTable(input.job->job, *state), interferenceTable(input.job->job),
+            for (auto& table : {checklistTable(input.job->job), asFoundTable(input.job->job, *state, input.record.swing), adjustmentsTable(input.job->job, *state), interferenceTable(input.job->job),
                      otherStepsTable(input.job->job, *state)})
                 tables.push_back(table);
     tables.push_back(figuresTable(input.record.swing));

@@ -1,5 +1,6 @@
 #include "ui/report/ReportContent.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "core/format/SignedContent.h"
@@ -83,7 +84,7 @@ QString roleWord(SignatureRole role)
     return {};
 }
 
-/// Those that were given; where none is, lines for the people of the swing to sign by hand.
+/// Those that were given, and what is still wanted; where none is, lines for the people of the swing to sign by hand.
 std::vector<SignatureLine> signatureLines(const ReportInput& input)
 {
     const Swing& swing = input.record.swing;
@@ -97,8 +98,12 @@ std::vector<SignatureLine> signatureLines(const ReportInput& input)
         lines.push_back({roleWord(one.role), joined({printable(one.name), printable(one.licence)}), printable(one.timeUtc).left(10),
             hash == now ? Words::tr("signed %1 · hash %2").arg(printable(one.timeUtc).mid(11, 5), hash.left(12)) : Words::tr("no longer holds: changed after it")});
     }
-    if (!lines.empty())
+    if (!lines.empty()) {
+        for (const auto role : {SignatureRole::Performer, SignatureRole::Inspector}) // those that freeze a swing
+            if (swing.state != SwingState::Signed && std::ranges::none_of(swing.signatures, [&](const Signature& one) { return one.role == role; }))
+                lines.push_back({roleWord(role), {}, {}, {}});
         return lines;
+    }
     const People& people = swing.people;
     return {{Words::tr("Datum reader"), printable(people.datumReader), {}, {}}, {Words::tr("Cockpit reader"), printable(people.cockpitReader), {}, {}},
         {Words::tr("Adjuster"), printable(people.adjuster), {}, {}}, {Words::tr("Inspector"), printable(people.inspector), {}, {}}};

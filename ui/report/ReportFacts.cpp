@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/site/SiteSurvey.h"
 #include "ui/report/Figures.h"
 #include "ui/report/ReportContent.h"
 #include "ui/report/Words.h"
@@ -12,7 +13,7 @@ namespace {
 
 QString orNotStated(const QString& text)
 {
-    return text.isEmpty() ? Words::tr("not stated") : text;
+    return text.isEmpty() ? notStated() : text;
 }
 
 QString aircraftWords(const Aircraft& aircraft, const AircraftType& type)
@@ -65,16 +66,26 @@ QString classWords(const Site& site)
     return joined({rule, labelled(Words::tr("certificate"), printable(site.certificate)), labelled(Words::tr("valid to"), printable(site.certificateExpiry))});
 }
 
+/// What a painted line is off today, where the base tells what its lines were laid out with.
+QString paintedWords(const Site& site)
+{
+    if (!site.paintedVariation_deg || !site.variation_deg)
+        return {};
+    const double offset_deg = paintedLineOffset_deg(Variation::fromDegrees(*site.paintedVariation_deg), Variation::fromDegrees(*site.variation_deg));
+    const QString since = site.paintedDate.empty() ? Words::tr("lines painted") : Words::tr("lines painted %1").arg(printable(site.paintedDate));
+    return Words::tr("%1 with variation %2°: add %3° to their figures").arg(since, signedFigure(site.paintedVariation_deg, 2), signedFigure(offset_deg, 2));
+}
+
 QString siteWords(const std::optional<Site>& site, const Swing& swing)
 {
     const QString used = swing.variation_deg
         ? Words::tr("magnetic headings made from true ones with variation %1° (east +)").arg(signedFigure(swing.variation_deg, 2)) : QString();
     if (!site)
-        return joined({Words::tr("not stated"), used});
+        return joined({notStated(), used});
     const QString elevation = site->elevation_m ? Words::tr("elevation %1 m").arg(figure(site->elevation_m, 0)) : QString();
     return joined({printable(site->name), coordinate(site->latitude_deg, Words::tr("N"), Words::tr("S")),
         coordinate(site->longitude_deg, Words::tr("E"), Words::tr("W")), elevation,
-        variationWords(site->variation_deg, printable(site->variationSource)), classWords(*site), used});
+        variationWords(site->variation_deg, printable(site->variationSource)), classWords(*site), paintedWords(*site), used});
 }
 
 QString datumWords(const Datum& datum)

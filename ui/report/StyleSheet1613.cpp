@@ -103,7 +103,9 @@ std::vector<Block> blocksOf(const StyleSheet1613& sheet, const QString& family, 
 
 PageFrame frameOf(const StyleSheet1613& sheet)
 {
-    return frameFor(sheet.record, Words::tr("Pilot's compass correction card (DD 1613 style)"), sheet.madeAtUtc);
+    PageFrame frame = frameFor(sheet.record, Words::tr("Pilot's compass correction card (DD 1613 style)"), sheet.madeAtUtc);
+    frame.convention = Words::tr("On this sheet DEV = compass heading − magnetic heading; positive where the compass reads more.");
+    return frame;
 }
 
 } // namespace

@@ -105,6 +105,11 @@ QString printable(const std::string& text)
     return line.simplified();
 }
 
+QString notStated()
+{
+    return Words::tr("not stated");
+}
+
 QString joined(const QStringList& parts)
 {
     QStringList stated = parts;

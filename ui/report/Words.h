@@ -28,6 +28,9 @@ struct Words {
 /// Text of a record in one line without control characters: XML and paper take none.
 [[nodiscard]] QString printable(const std::string& text);
 
+/// What stands where the record says nothing.
+[[nodiscard]] QString notStated();
+
 /// The parts that are not empty, joined by a middle dot.
 [[nodiscard]] QString joined(const QStringList& parts);
 /// "label text", or nothing when there is no text.

@@ -10,6 +10,8 @@
 #include "core/format/SwingCsv.h"
 #include "core/procedure/Checklist.h"
 #include "core/procedure/JobState.h"
+#include "core/procedure/LoadNotes.h"
+#include "ui/report/Figures.h"
 
 namespace lubberline::ui {
 
@@ -79,6 +81,21 @@ QString nextDue(Storage& storage, const SwingRecord& record)
     return rule ? QString::fromStdString(addMonths(record.swing.date, rule->months)) : QString();
 }
 
+/// Of the guided swing that the card is of, by what its interference check read.
+Result<QStringList> loadsToName(Storage& storage, const SwingRecord& record)
+{
+    const auto job = storage.jobOf(record.swing.id);
+    if (!job)
+        return job.error();
+    QStringList loads;
+    const auto analysis = analyse(observationsOf(record.swing));
+    if (!*job || !analysis)
+        return loads;
+    for (const auto& note : loadsPast((*job)->job, *analysis))
+        loads += Words::tr("%1 (%2° on %3)").arg(QString::fromStdString(note.load), signedFigure(note.deviation_deg, 0), figure(note.heading_deg, 0));
+    return loads;
+}
+
 Result<std::optional<Swing>> withRecord(Storage& storage, CompassId compass, const RecordId& wanted)
 {
     if (wanted.empty())
@@ -133,8 +150,12 @@ Result<CardInput> cardOf(Storage& storage, SwingId id, const CardOptions& option
         return column.error();
     CardInput input{*record, {*column}, madeAtUtc, options};
     input.nextDue = nextDue(storage, *record);
-    if (again)
-        input.reprintOf = QString::fromStdString(record->swing.signatures.empty() ? record->swing.date : record->swing.signatures.back().timeUtc.substr(0, 10));
+    const auto loads = loadsToName(storage, *record);
+    if (!loads)
+        return loads.error();
+    input.loadsToName = *loads;
+    if (again && !record->swing.signatures.empty()) // before it is signed there was no card to lose
+        input.reprintOf = QString::fromStdString(record->swing.signatures.back().timeUtc.substr(0, 10));
     const auto other = radioPartner(storage, *record);
     if (!other)
         return other.error();

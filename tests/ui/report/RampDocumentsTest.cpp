@@ -82,6 +82,23 @@ TEST(RampDocuments, theCardOfAGuidedSwingHasTheWorksheetsFigures)
     }
 }
 
+/// What stands on the placard must not depend on when it is printed, but for the mark of the reprint.
+TEST(RampDocuments, aLostCardIsPrintedAgainWithTheSameFigures)
+{
+    const Done done = worksheetJob();
+    ui::CardInput input{done.input.record, {{"STEER", makeCard(done.input.analysis, {45, CardSource::Fit, {}}).value()}}, {}, CardOptions{}};
+    input.loadsToName = QStringList{"pitot heat (+15° on 90)"};
+    const QString first = PdfProbe(input).flowingText();
+    input.reprintOf = "2026-11-23";
+    const QString again = PdfProbe(input).flowingText();
+    EXPECT_TRUE(again.contains("Reprint of 2026-11-23")) << again.toStdString();
+    EXPECT_FALSE(first.contains("Reprint"));
+    EXPECT_TRUE(first.contains("Signed Ada · PL 12 · 2026-11-23"));
+    EXPECT_TRUE(first.contains(QString("OVER 10° WITH PITOT HEAT"))) << first.toStdString();
+    const auto without = [](QString text) { return text.remove("Reprint of 2026-11-23").remove("Reprint of the card of 2026-11-23, from the record").simplified(); };
+    EXPECT_EQ(without(again), without(first));
+}
+
 TEST(RampDocuments, whatIsFoundIsNotMovedByTheIndexThatWasTakenOutLater)
 {
     const Done done = worksheetJob();
@@ -95,14 +112,16 @@ TEST(RampDocuments, theRecordTellsWhatWasDone)
     const Done done = worksheetJob();
     const auto tables = ui::rampTables(done.input);
     ASSERT_EQ(tables.size(), 5u) << titles(tables).join('|').toStdString();
-    EXPECT_EQ(tables[0].rows[2].cells, QStringList({"180", "178.0", "170.0", "+8.0", ""}));
+    EXPECT_EQ(tables[0].rows[2].cells, QStringList({"180", "178.0", "170.0", "+8.0", "−1.0", ""}));
     EXPECT_EQ(tables[1].rows[0].cells.mid(1, 5), QStringList({"180", "N–S (C)", "170.0", "176.0", "176.0"}));
     EXPECT_EQ(tables[1].rows[2].cells.mid(2, 4), QStringList({"index (A)", "269.0", "272.0", "272.0"}));
     EXPECT_EQ(tables[2].rows[0].cells, QStringList({"90", "generators", "85.0", "87.0", "+2.0"}));
     EXPECT_EQ(tables[3].rows[0].cells.mid(1), QStringList({"0", "put aside", "ten degrees misread"}));
     EXPECT_EQ(tables[4].rows[0].cells[4], "316  316");
     const auto content = ui::contentOf(done.input);
-    ASSERT_EQ(content.signatures.size(), 1u);
+    ASSERT_EQ(content.signatures.size(), 2u);
+    EXPECT_EQ(content.signatures[1].role, "Inspected"); // still to be signed
+    EXPECT_TRUE(content.signatures[1].name.isEmpty());
     EXPECT_EQ(content.signatures[0].name, "Ada · PL 12");
     EXPECT_TRUE(content.signatures[0].sign.contains("no longer holds")); // its hash is not that of this swing
 }
@@ -177,7 +196,7 @@ TEST(Documents, ofTheRampAreWrittenAsPages)
 TEST(QrCode, isDrawnAsItsModules)
 {
     EXPECT_EQ(ui::qrOf({}).error().code, ErrorCode::InvalidInput);
-    const auto matrix = ui::qrOf("lubberline:32c1ea9b-ab1a-4356-b71b-85a1dc87fcdd");
+    const auto matrix = ui::qrOf("32c1ea9b-ab1a-4356-b71b-85a1dc87fcdd");
     ASSERT_TRUE(matrix);
     EXPECT_EQ(matrix->width % 4, 1); // 17 + 4 × version
     const int module = 4, side = (matrix->width + 8) * module;
