@@ -52,6 +52,7 @@ int runCommandLine(int argc, char** argv)
     addSwings(app, invocation);
     addSign(app, invocation);
     addDue(app, invocation);
+    addRule(app, invocation);
     addDb(app, invocation);
     addDemo(app, invocation);
 
