@@ -3,6 +3,7 @@
 #include <QMessageBox>
 #include <QProcess>
 #include <QSettings>
+#include <QStandardPaths>
 
 #include "app/Console.h"
 #include "app/DbStorage.h"
@@ -39,6 +40,17 @@ void startDemonstration(ui::MainWindow& window)
         window.fail(QObject::tr("The window of the demonstration fleet could not be started."));
 }
 
+/// Beside the program's own data; where that drive is full, too, in memory until the machine is switched off.
+QStringList recoveryFiles()
+{
+    QStringList files;
+    for (const auto place : {QStandardPaths::AppLocalDataLocation, QStandardPaths::RuntimeLocation, QStandardPaths::TempLocation})
+        if (const QString folder = QStandardPaths::writableLocation(place); !folder.isEmpty())
+            files += folder + QStringLiteral("/lubberline-recovery.jsonl");
+    files.removeDuplicates();
+    return files;
+}
+
 } // namespace
 
 int openWindow(const Invocation& invocation)
@@ -59,7 +71,7 @@ int openWindow(const Invocation& invocation)
         [path](const QString& copy) -> Result<void> { // may run on a worker: a connection of its own
             auto database = db::Database::open(path, db::OpenMode::ReadOnly);
             return database ? db::backup(*database, copy) : Result<void>(database.error());
-        }});
+        }, recoveryFiles()});
     opened = &window;
     window.show();
     return (*session)->exec();

@@ -22,6 +22,12 @@ QString placeOf(const Reading& reading)
     return heading_deg ? toText(formatHeading(*heading_deg, AngleStyle::DecimalDegrees, 0)) : SwingEditor::tr("a new row");
 }
 
+/// Nothing is wrong with what was typed: the place where it is kept has failed.
+bool isOfTheDrive(ErrorCode code)
+{
+    return code == ErrorCode::Io || code == ErrorCode::Full || code == ErrorCode::Corrupt || code == ErrorCode::Locked;
+}
+
 } // namespace
 
 SwingEditor::SwingEditor(EditContext& context, QUndoStack& stack, QObject* parent)
@@ -142,8 +148,11 @@ bool SwingEditor::run(QUndoCommand* edit)
     m_stack.push(edit);
     m_context.failed = previouslyFailed;
     m_failure = failure ? messageOf(*failure) : QString();
+    m_lost = failure && isOfTheDrive(failure->code);
     if (failure)
         m_context.failed(*failure);
+    if (failure && failure->code == ErrorCode::Conflict)
+        onSwingChanged(id()); // what somebody else has written is shown
     return !failure;
 }
 
@@ -153,7 +162,10 @@ bool SwingEditor::changeReading(int row, const Reading& after, const QString& wh
     if (before == after)
         return true;
     const QString place = placeOf(after.magnetic || after.nominal_deg ? after : before);
-    return run(new ChangeReading(m_context, id(), before, after, tr("%1 on %2").arg(what, place)));
+    const bool stored = run(new ChangeReading(m_context, id(), before, after, tr("%1 on %2").arg(what, place)));
+    if (!stored && m_lost)
+        emit notStored(row, after);
+    return stored;
 }
 
 bool SwingEditor::insertReadings(int position, std::vector<Reading> inserted, const QString& what)
@@ -163,7 +175,14 @@ bool SwingEditor::insertReadings(int position, std::vector<Reading> inserted, co
         reading.id = {};
         rows.push_back({position++, std::move(reading)});
     }
-    return rows.empty() || run(new InsertReadings(m_context, id(), std::move(rows), what));
+    if (rows.empty())
+        return true;
+    const auto lost = rows;
+    const bool stored = run(new InsertReadings(m_context, id(), std::move(rows), what));
+    if (!stored && m_lost)
+        for (const auto& row : lost)
+            emit notStored(row.position, row.reading);
+    return stored;
 }
 
 bool SwingEditor::removeReadings(std::vector<int> rows)

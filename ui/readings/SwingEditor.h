@@ -60,6 +60,8 @@ signals:
     void opened();  ///< another swing is shown
     void changed(); ///< the same swing, another record or other results
     void closed();
+    /// A row that could not be stored because the drive or the database failed: to be kept elsewhere.
+    void notStored(int row, const lubberline::Reading& wanted);
 
 private:
     void onSwingChanged(SwingId id);
@@ -76,6 +78,7 @@ private:
     std::optional<Swing> m_previous;
     std::shared_ptr<const Analysis> m_previousAnalysis;
     QString m_failure;
+    bool m_lost = false; ///< the last failure was of the drive, not of what was typed
 };
 
 } // namespace lubberline::ui

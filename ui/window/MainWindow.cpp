@@ -36,6 +36,7 @@ MainWindow::MainWindow(Storage& storage, WindowServices services)
                     fail(messageOf(error));
                     showSaved(false);
                 }}
+    , m_recovery(m_services.recoveryFiles)
 {
     applyTheme(m_services.settings.value("view/dark", false).toBool());
     if (m_services.settings.value("view/minutes", false).toBool())
@@ -123,6 +124,7 @@ void MainWindow::populate()
     m_fleet->focusTree();
     showHome();
     watchDue();
+    offerRecovery();
     if (m_storage.readOnly())
         m_messages->add(MessagePanel::Kind::Information, tr("This database can only be read: nothing can be changed here."));
 }
@@ -243,6 +245,9 @@ SwingPage& MainWindow::swingPage()
     connect(m_swingPage, &SwingPage::readOut, m_readOut, &QLabel::setText);
     connect(m_swingPage, &SwingPage::failed, this, &MainWindow::fail);
     connect(m_swingPage, &SwingPage::stateChanged, this, &MainWindow::updateActions);
+    connect(&m_swingPage->editor(), &SwingEditor::notStored, this, [this](int row, const Reading& wanted) {
+        keepElsewhere(m_swingPage->editor().record(), LostReading{row, wanted});
+    });
     connect(m_swingPage, &SwingPage::openSwing, this, [this](SwingId id) { showSwing(id); });
     connect(m_swingPage, &SwingPage::closed, this, [this] {
         if (m_pages->currentWidget() == m_swingPage)

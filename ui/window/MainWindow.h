@@ -12,6 +12,7 @@
 #include "ui/fleet/FleetModel.h"
 #include "ui/pages/FileQuestions.h"
 #include "ui/storage/ImportFile.h"
+#include "ui/storage/Recovery.h"
 #include "ui/window/BackgroundJob.h"
 #include "ui/window/Dialogs.h"
 
@@ -51,6 +52,7 @@ struct WindowServices {
     QSettings& settings;
     std::function<void()> openDemonstration;                    ///< the first of the three choices of an empty database
     std::function<Result<void>(const QString& path)> backup;    ///< may be empty: then there is no Backup
+    QStringList recoveryFiles = {};                             ///< where what cannot be stored is kept; none: nowhere
     std::function<std::string()> nowUtc = {};                   ///< ISO 8601; empty: the machine's clock
 };
 
@@ -121,6 +123,8 @@ private:
     void takeUpGuided(SwingId swing);
     GuidedPage& guidedPage();
     void watchDue();
+    void offerRecovery();
+    void keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what);
     void showDue();
     DuePage& duePage();
     void showSites();
@@ -170,6 +174,7 @@ private:
     WindowServices m_services;
     EditContext m_context;
     QUndoStack m_stack;
+    Recovery m_recovery;
     BackgroundJob m_job;
     QString m_importPath; ///< of the import that is running
     AngleStyle m_style = AngleStyle::DecimalDegrees;

@@ -21,6 +21,7 @@
 #include "ui/readings/SwingEditor.h"
 #include "ui/storage/DueJob.h"
 #include "ui/style/Words.h"
+#include "ui/window/MessagePanel.h"
 #include "ui/window/MainWindow.h"
 
 namespace lubberline::ui {
@@ -83,6 +84,9 @@ GuidedPage& MainWindow::guidedPage()
     m_guidedPage = new GuidedPage(m_storage, [this] { return nowUtc(); });
     m_pages->addWidget(m_guidedPage);
     connect(m_guidedPage, &GuidedPage::failed, this, &MainWindow::fail);
+    connect(m_guidedPage, &GuidedPage::notStored, this, [this](SwingId, std::size_t place, const JobEvent& event) {
+        keepElsewhere(m_guidedPage->job().record(), LostStep{place, event});
+    });
     connect(m_guidedPage, &GuidedPage::cancelled, this, &MainWindow::showHome);
     connect(m_guidedPage, &GuidedPage::finished, this, [this](SwingId id) { showSwing(id); });
     return *m_guidedPage;
@@ -142,6 +146,36 @@ Page& MainWindow::pageOf(Page*& place, Make make)
             connect(place, &Page::makeSwing, this, &MainWindow::makeSwing);
     }
     return *place;
+}
+
+/// What could not be stored when the drive failed is put in when the user says so.
+void MainWindow::offerRecovery()
+{
+    const auto lost = m_recovery.entriesFor(m_storage.location());
+    if (lost.empty() || m_storage.readOnly())
+        return;
+    QStringList subjects;
+    for (const auto& entry : lost)
+        if (!subjects.contains(toText(entry.subject)))
+            subjects += toText(entry.subject);
+    m_messages->add(MessagePanel::Kind::Failure,
+        tr("%n figures or steps could not be stored last time and were kept: %1.", nullptr, static_cast<int>(lost.size())).arg(subjects.join(QStringLiteral("; "))), tr("Put them in"), [this] {
+            const auto restored = m_recovery.restore(m_storage);
+            if (restored.done > 0)
+                m_messages->add(MessagePanel::Kind::Information, tr("%n were put in.", nullptr, restored.done));
+            for (const QString& failure : restored.failures)
+                fail(failure);
+        });
+}
+
+void MainWindow::keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what)
+{
+    const LostEntry entry{m_storage.location().toStdString(), record.swing.id, record.swing.record,
+        record.aircraft.registration + ", " + record.compass.name + ", " + record.swing.date, std::move(what)};
+    if (const auto kept = m_recovery.keep(entry); kept)
+        m_messages->add(MessagePanel::Kind::Information, tr("What could not be stored is kept and offered at the next start."));
+    else
+        fail(messageOf(kept.error()));
 }
 
 void MainWindow::showSites()
