@@ -117,12 +117,19 @@ Block placardBlock(const CardInput& input, const QString& family)
             }};
 }
 
-std::vector<Block> cardBlocks(const CardInput& input, const QString& family, double width)
+std::vector<Block> cardBlocks(const CardInput& input, const QString& family, double width, double row)
 {
     std::vector<Block> blocks{placardBlock(input, family)};
-    for (auto& more : {factBlocks(cardFacts(input), {family, 8, mm(28)}, width), tableBlocks(exactFigures(input), width, family)})
+    for (auto& more : {factBlocks(cardFacts(input), {family, 8, mm(28)}, width), tableBlocks(exactFigures(input), width, family, row)})
         blocks.insert(blocks.end(), more.begin(), more.end());
     return blocks;
+}
+
+/// The rows stand closer where that keeps the card on one page.
+std::vector<Block> cardBlocks(const CardInput& input, const QString& family, QSizeF room)
+{
+    auto usual = cardBlocks(input, family, room.width(), kTableRow);
+    return paginate(usual, room.height()).size() == 1 ? usual : cardBlocks(input, family, room.width(), kDenseTableRow);
 }
 
 PageFrame frameOf(const CardInput& input)
@@ -136,7 +143,7 @@ Result<void> printCard(const CardInput& input, QPagedPaintDevice& device)
 {
     if (const auto checked = checkColumns(input.columns); !checked)
         return checked;
-    return printSheet(frameOf(input), [&input](const QString& family, QSizeF room) { return cardBlocks(input, family, room.width()); }, device);
+    return printSheet(frameOf(input), [&input](const QString& family, QSizeF room) { return cardBlocks(input, family, room); }, device);
 }
 
 Result<void> writeCard(const CardInput& input, const QString& path)
@@ -146,7 +153,7 @@ Result<void> writeCard(const CardInput& input, const QString& path)
         error.file = path.toStdString();
         return error;
     }
-    return writeSheet(frameOf(input), [&input](const QString& family, QSizeF room) { return cardBlocks(input, family, room.width()); }, path);
+    return writeSheet(frameOf(input), [&input](const QString& family, QSizeF room) { return cardBlocks(input, family, room); }, path);
 }
 
 } // namespace lubberline::ui

@@ -50,11 +50,19 @@ QString formula(const Turn& turn, double nominal_deg)
 std::vector<Fact> factsFor(const JobCardInput& input)
 {
     std::vector<Fact> facts = factsOf(input.record);
-    for (auto& fact : facts)
-        if (fact.value == notStated())
-            fact.value = QString(60, QChar('_')); // to be filled by hand
+    std::erase_if(facts, [](const Fact& fact) { return fact.value == notStated(); }); // to be filled by hand, further below
     facts.push_back({Words::tr("Signs"), Words::tr("d = magnetic − compass, easterly positive. Datum: %1").arg(input.job.datum.name.empty() ? QStringLiteral("____") : printable(input.job.datum.name))});
     return facts;
+}
+
+/// What nobody has stated yet, with room to write; people have a table of their own.
+std::vector<QStringList> linesToFill(const JobCardInput& input)
+{
+    std::vector<QStringList> rows;
+    for (const auto& fact : factsOf(input.record))
+        if (fact.value == notStated() && fact.name != Words::tr("People"))
+            rows.push_back({fact.name, {}});
+    return rows;
 }
 
 Block qrBlock(const QrMatrix& matrix, const JobCardInput& input, const QString& family, double width)
@@ -85,13 +93,15 @@ std::vector<QStringList> stationRows(const JobCardInput& input)
     const QStringList formulas = stationFormulas(input.job);
     for (std::size_t i = 0; i < plan.size(); ++i)
         rows.push_back({QString::number(i + 1), phaseWord(plan[i], input.job), QStringLiteral("%1").arg(plan[i].nominal_deg, 3, 'f', 0, QChar('0')), {}, {}, {}, {}, {}, {}, {},
-            formulas[static_cast<qsizetype>(i)]});
+            formulas[static_cast<qsizetype>(i)].isEmpty() ? QString() : Words::tr("%1 ; it read after: ____").arg(formulas[static_cast<qsizetype>(i)])});
     return rows;
 }
 
 std::vector<Block> blocksOf(const JobCardInput& input, const QrMatrix& matrix, const QString& family, double width)
 {
     std::vector<Block> blocks{qrBlock(matrix, input, family, width)};
+    if (const auto open = linesToFill(input); !open.empty())
+        append(blocks, formGrid(Words::tr("To be filled in"), {{Words::tr("what"), 30}, {{}, 150}}, open, width, family, mm(7)));
     std::vector<QStringList> checklist;
     for (const auto& item : input.job.checklist)
         checklist.push_back({printable(item), {}});
@@ -102,8 +112,8 @@ std::vector<Block> blocksOf(const JobCardInput& input, const QrMatrix& matrix, c
         interference.push_back({QString::fromLatin1(heading), {}, {}, {}, {}});
     append(blocks, formGrid(Words::tr("Interference: compass with engines and electrics off and on"), {{Words::tr("heading °"), 18}, {Words::tr("load"), 60}, {Words::tr("off °"), 25},
         {Words::tr("on °"), 25}, {Words::tr("change °"), 25}}, interference, width, family, mm(6)));
-    append(blocks, formGrid(Words::tr("Stations"), {{Words::tr("no."), 8}, {Words::tr("phase"), 17}, {Words::tr("turn to °"), 13}, {Words::tr("datum 1"), 15}, {Words::tr("2"), 15},
-        {Words::tr("3"), 15}, {Words::tr("compass 1"), 15}, {Words::tr("2"), 15}, {Words::tr("3"), 15}, {Words::tr("d °"), 13}, {Words::tr("do here, and what it read after"), 62}},
+    append(blocks, formGrid(Words::tr("Stations"), {{Words::tr("no."), 8}, {Words::tr("phase"), 17}, {Words::tr("to °"), 11}, {Words::tr("datum 1"), 15}, {Words::tr("2"), 15},
+        {Words::tr("3"), 15}, {Words::tr("comp. 1"), 15}, {Words::tr("2"), 15}, {Words::tr("3"), 15}, {Words::tr("d °"), 13}, {Words::tr("do here, and what it read after"), 64}},
         stationRows(input), width, family, mm(9)));
     if (indexAfterCheck(input.job.plan.kind))
         append(blocks, formGrid(Words::tr("After the check swing"), {{Words::tr("index"), 160}},

@@ -123,7 +123,7 @@ Table interferenceTable(const SwingJob& job)
 
 Table otherStepsTable(const SwingJob& job, const JobState& state)
 {
-    Table table{Words::tr("Read again, skipped, and faults"), {words(Words::tr("time (UTC)"), 38), degrees(Words::tr("on")), words(Words::tr("what"), 30), words(Words::tr("why"), 90)}, {}};
+    Table table{Words::tr("Put aside, skipped, faults and review"), {words(Words::tr("time (UTC)"), 38), degrees(Words::tr("on")), words(Words::tr("what"), 30), words(Words::tr("why"), 90)}, {}};
     const auto add = [&](const JobEvent& event, std::optional<int> station, const QString& what, const std::string& why) {
         table.rows.push_back({{timeOf(event), station ? figure(nominalOf(state, *station), 0) : dash(), what, printable(why)}});
     };

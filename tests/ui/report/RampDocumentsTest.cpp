@@ -99,6 +99,17 @@ TEST(RampDocuments, aLostCardIsPrintedAgainWithTheSameFigures)
     EXPECT_EQ(without(again), without(first));
 }
 
+TEST(RampDocuments, aCardOfTwelveHeadingsIsOnePage)
+{
+    Done done = worksheetJob();
+    done.input.record.swing.state = SwingState::Draft; // with a banner
+    done.input.record.swing.note = "on the second day, after rain";
+    ui::CardInput input{done.input.record, {{"STEER", makeCard(done.input.analysis, {30, CardSource::Fit, {}}).value()}}, {}, CardOptions{}};
+    input.nextDue = "2028-11-23";
+    input.loadsToName = QStringList{"pitot heat (+15° on 90)"};
+    EXPECT_EQ(PdfProbe(input).pages().size(), 1);
+}
+
 TEST(RampDocuments, whatIsFoundIsNotMovedByTheIndexThatWasTakenOutLater)
 {
     const Done done = worksheetJob();
@@ -185,6 +196,14 @@ TEST(Documents, ofTheRampAreWrittenAsPages)
     ASSERT_TRUE(ui::writeJobCard(card, folder.filePath("job.pdf")));
     ASSERT_TRUE(ui::write1613({done.input.record, done.asFound, "2026-11-23T10:00:00Z"}, folder.filePath("dd.pdf")));
     ASSERT_TRUE(ui::writeReport(done.input, folder.filePath("report.html")));
+    const QString blank = PdfProbe(folder.filePath("job.pdf")).flowingText();
+    for (const char* words : {"Compass swing: job card", "page 1 of 2", "N–S screw:", "it read after:", "no magnetic items on persons", "To be filled in", "adjusted by"})
+        EXPECT_TRUE(blank.contains(QString::fromUtf8(words))) << words;
+    EXPECT_TRUE(blank.contains("Record " + QString::fromStdString(done.input.record.swing.record)));
+    const QString sheet = PdfProbe(folder.filePath("dd.pdf")).flowingText();
+    EXPECT_TRUE(sheet.contains(QString("On this sheet DEV = compass heading − magnetic heading")));
+    EXPECT_FALSE(sheet.contains(QString("Deviation = magnetic heading − compass heading"))); // two signs on one page would be read wrongly
+    EXPECT_TRUE(sheet.contains("TO FLY (M)") && sheet.contains("001 043 089 137 181 223 269 317"));
     EXPECT_EQ(ui::writeJobCard(card, folder.filePath("job.txt")).error().code, ErrorCode::InvalidInput);
     EXPECT_EQ(ui::write1613({done.input.record, {}, {}}, folder.filePath("missing/dd.pdf")).error().code, ErrorCode::Io);
     QFile html(folder.filePath("report.html"));
