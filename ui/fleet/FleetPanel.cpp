@@ -3,10 +3,10 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QListWidget>
 #include <QStackedWidget>
 #include <QTimer>
+#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -40,7 +40,7 @@ FleetPanel::FleetPanel(Storage& storage, QWidget* parent)
     , m_stack(new QStackedWidget)
     , m_tree(new QTreeView)
     , m_hits(new QListWidget)
-    , m_due(new QPushButton)
+    , m_due(new QToolButton)
     , m_searchSoon(new QTimer(this))
     , m_refreshSoon(new QTimer(this))
 {
@@ -50,10 +50,12 @@ FleetPanel::FleetPanel(Storage& storage, QWidget* parent)
     layout->addWidget(m_stack);
     layout->addWidget(m_due);
     m_due->setObjectName(QStringLiteral("dueButton"));
-    m_due->setFlat(true);
+    m_due->setAutoRaise(true);
+    m_due->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_due->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_due->setFocusPolicy(Qt::StrongFocus); // reached by Tab, too
     m_due->setText(tr("Due"));
-    m_due->setStyleSheet(QStringLiteral("text-align: left; padding: 3px"));
-    connect(m_due, &QPushButton::clicked, this, &FleetPanel::dueWanted);
+    connect(m_due, &QToolButton::clicked, this, &FleetPanel::dueWanted);
     buildTree();
     buildSearch();
     m_refreshSoon->setSingleShot(true);

@@ -8,7 +8,7 @@
 class QLineEdit;
 class QListWidget;
 class QStackedWidget;
-class QPushButton;
+class QToolButton;
 class QTimer;
 class QTreeView;
 
@@ -49,7 +49,7 @@ private:
     QStackedWidget* m_stack;
     QTreeView* m_tree;
     QListWidget* m_hits;
-    QPushButton* m_due;
+    QToolButton* m_due;
     QTimer* m_searchSoon;
     QTimer* m_refreshSoon;
     std::vector<FleetItem> m_hitItems;
