@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
+#include "core/deviation/ReadingError.h"
 #include "core/format/SwingCsv.h"
 #include "ui/plots/PictureOf.h"
 
@@ -133,8 +134,10 @@ SwingPicture GuidedJob::picture() const
         record.swing = asFoundSwing(m_job, m_state);
     std::shared_ptr<const Analysis> analysis;
     QString why;
-    if (auto made = analyse(observationsOf(record.swing)))
+    if (auto made = analyse(observationsOf(record.swing))) {
+        widenToReadings(*made, readingError_rad(m_job.resolution_deg, m_job.datum.resolution_deg));
         analysis = std::make_shared<const Analysis>(std::move(made.value()));
+    }
     else
         why = QString::fromStdString(made.error().message);
     return pictureOf(record, std::move(analysis), why, m_previous, m_previousLabel, AngleStyle::DecimalDegrees);

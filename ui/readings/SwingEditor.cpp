@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/deviation/ReadingError.h"
 #include "core/angle/AngleText.h"
 #include "core/format/SwingCsv.h"
 #include "ui/edits/ReadingEdits.h"
@@ -89,6 +90,8 @@ void SwingEditor::analyseRecord()
     m_analysis.reset();
     m_whyNoAnalysis.clear();
     auto result = analyse(observationsOf(m_record.swing));
+    if (result)
+        widenToReadings(*result, readingError_rad(m_record.compass.resolution_deg));
     if (result)
         m_analysis = std::make_shared<const Analysis>(std::move(result.value()));
     else

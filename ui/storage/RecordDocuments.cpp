@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "core/deviation/ReadingError.h"
 #include "core/due/Calendar.h"
 #include "core/due/DueRules.h"
 #include "core/format/SwingCsv.h"
@@ -123,6 +124,7 @@ Result<ReportInput> reportOf(Storage& storage, SwingId id, const QString& madeAt
     auto analysis = analyse(observationsOf(record->swing));
     if (!analysis)
         return analysis.error();
+    widenToReadings(*analysis, readingError_rad(record->compass.resolution_deg));
     auto previous = storage.previousSwing(id);
     auto sensors = storage.sensorsOf(record->compass.id);
     auto job = storage.jobOf(id);
