@@ -36,7 +36,6 @@ std::string jsonOf(const std::vector<Card>& cards, const std::vector<std::string
 
 int writeCardFile(const Options& options, ui::CardInput input)
 {
-    const auto session = makeDrawingSession();
     input.madeAtUtc = nowUtc();
     if (const auto written = ui::writeCard(input, QString::fromStdString(options.output)); !written)
         return fail(written.error());
@@ -65,11 +64,13 @@ int writeForm(const Options& options, DbStorage& storage, SwingId swing)
 int cardCommand(Options options, const std::string& database)
 {
     options.card.source = options.from == "fit" ? CardSource::Fit : CardSource::Readings;
-    const bool placard = options.form == "placard";
+    const bool placard = options.form == "placard" || options.form == "card";
     if (options.file.empty() == options.swing.empty() || (!placard && (options.swing.empty() || options.output.empty()))) {
         say(placard ? "card: expected a Swing CSV or --swing ID, and not both" : "card: --form " + options.form + " expects --swing ID and --output FILE.pdf");
         return kUsage;
     }
+    // One for the storage and the drawing: Qt takes its options only once.
+    const auto session = options.swing.empty() && options.output.empty() ? nullptr : makeDrawingSession();
     Result<CardSheet> sheet = CardSheet{};
     if (options.swing.empty()) {
         std::vector<std::string> files{options.file};
@@ -77,7 +78,6 @@ int cardCommand(Options options, const std::string& database)
             files.push_back(options.second);
         sheet = cardFromFiles(files, options.card);
     } else {
-        const auto session = makeDrawingSession();
         auto storage = openStorage(database, db::OpenMode::ReadOnly);
         if (!storage)
             return fail(storage.error());
@@ -113,8 +113,9 @@ void addCard(CLI::App& app, Invocation& invocation)
     auto* command = app.add_subcommand("card", "the correction card: what to steer by compass");
     command->add_option("SWING.csv", options->file, "a Swing CSV");
     command->add_option("--swing", options->swing, "a swing of the database, to print its card again: its record id or the beginning of it");
-    command->add_option("--form", options->form, "placard; dd1613: a sheet in the style of DD 1613; job: a blank job card to carry out")
-        ->check(CLI::IsMember({"placard", "dd1613", "job"}))->capture_default_str();
+    command->add_option("--form", options->form,
+               "placard (or card): FOR and STEER, cut to size; dd1613: a sheet in the style of DD 1613; job: a blank job card to carry out")
+        ->check(CLI::IsMember({"placard", "card", "dd1613", "job"}))->capture_default_str();
     addDatabaseOption(*command, invocation);
     command->add_option("--second", options->second, "a second swing of the same compass for a second STEER column (radio off)");
     command->add_option("--step", options->card.step_deg, "degrees between headings: 30 or 45")
