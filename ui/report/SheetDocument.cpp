@@ -32,6 +32,7 @@ Result<void> writeSheet(const PageFrame& frame, const SheetBlocks& blocks, const
         return Error{ErrorCode::InvalidInput, Words::tr("this document cannot be written under this name; expected one that ends in .pdf").toStdString(), path.toStdString()};
     PdfKind kind;
     kind.title = joined({frame.title, frame.subject});
+    kind.archive = true; // nothing is attached, and cards are kept for as long as the aircraft
     const auto bytes = makePdf(kind, [&](QPagedPaintDevice& device) { return printSheet(frame, blocks, device); });
     if (!bytes) {
         Error error = bytes.error();

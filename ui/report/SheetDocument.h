@@ -17,6 +17,7 @@ using SheetBlocks = std::function<std::vector<Block>(const QString& family, QSiz
 
 Result<void> printSheet(const PageFrame& frame, const SheetBlocks& blocks, QPagedPaintDevice& device);
 /// Errors: InvalidInput (an ending other than .pdf), Io, Unsupported (no font).
+/// PDF/A-1b.
 Result<void> writeSheet(const PageFrame& frame, const SheetBlocks& blocks, const QString& path);
 
 } // namespace lubberline::ui

@@ -196,6 +196,8 @@ TEST(Documents, ofTheRampAreWrittenAsPages)
     ASSERT_TRUE(ui::writeJobCard(card, folder.filePath("job.pdf")));
     ASSERT_TRUE(ui::write1613({done.input.record, done.asFound, "2026-11-23T10:00:00Z"}, folder.filePath("dd.pdf")));
     ASSERT_TRUE(ui::writeReport(done.input, folder.filePath("report.html")));
+    for (const char* name : {"job.pdf", "dd.pdf"})
+        EXPECT_TRUE(PdfProbe(folder.filePath(name)).bytes().startsWith("%PDF-1.4")) << name; // PDF/A-1b
     const QString blank = PdfProbe(folder.filePath("job.pdf")).flowingText();
     for (const char* words : {"Compass swing: job card", "page 1 of 2", "N–S screw:", "it read after:", "no magnetic items on persons", "To be filled in", "adjusted by"})
         EXPECT_TRUE(blank.contains(QString::fromUtf8(words))) << words;
