@@ -86,7 +86,7 @@ Result<void> DueRepository::save(const Waiver& waiver)
 {
     if (const auto named = requireName(waiver.by, "the name of who waives"); !named)
         return named.error();
-    if (waiver.reason.empty())
+    if (waiver.reason.find_first_not_of(' ') == std::string::npos)
         return Error{ErrorCode::InvalidInput, "the reason of the waiver is empty; expected why no swing is needed"};
     const auto known = rowWith(m_database, waiverTable(), waiver.record);
     if (!known)

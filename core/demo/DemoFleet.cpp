@@ -10,6 +10,7 @@
 #include "core/demo/DemoDeployment.h"
 #include "core/demo/DemoRandom.h"
 #include "core/demo/DemoTypes.h"
+#include "core/due/DueList.h"
 #include "core/record/DerivedId.h"
 #include "core/record/SwingField.h"
 
@@ -89,6 +90,13 @@ Fleet FleetMaker::make()
     m_fleet.limits = shippedLimitsProfiles();
     for (std::size_t i = 0; i < m_fleet.limits.size(); ++i)
         m_fleet.limits[i].id.value = static_cast<std::int64_t>(i) + 1;
+    m_fleet.dueRules = {knownRules().front()};
+    m_fleet.dueRules.front().record = recordIdFor("demonstration due rule");
+    DatumInstrument sight;
+    sight.record = recordIdFor("demonstration sighting compass");
+    sight.name = "sighting compass (demonstration)";
+    sight.ahead = SightingDirection::Reciprocal;
+    m_fleet.instruments = {sight};
     m_fleet.sites = demoSites();
     for (std::size_t i = 0; i < m_fleet.sites.size(); ++i)
         m_fleet.sites[i].id.value = static_cast<std::int64_t>(i) + 1;
@@ -134,6 +142,7 @@ void FleetMaker::addEvent(AircraftId aircraft, int year, int month, const char* 
     event.aircraft = aircraft;
     event.date = isoDate(year, month, 12 + static_cast<int>(aircraft.value) % 12);
     event.kind = kind;
+    event.cause = causeInWords(kind);
     event.note = note;
     event.record = recordIdFor("demonstration event " + std::to_string(aircraft.value) + event.date + event.kind);
     m_fleet.events.push_back(event);

@@ -66,6 +66,25 @@ QString sentenceFor(const ReportInput& input)
                             : Words::tr("%1 Limit: %2").arg(found, limits);
 }
 
+/// What changed since last time, by coefficient and by heading: this curve less that one.
+std::optional<Fact> changeFact(const ReportInput& input)
+{
+    const auto before = previousAnalysis(input.previous);
+    if (!before || before->exact.parameters != static_cast<int>(kCoefficientCount) || input.analysis.exact.parameters != static_cast<int>(kCoefficientCount))
+        return {};
+    QStringList coefficients, headings;
+    for (const Coefficient c : kCoefficients)
+        if (const auto now = input.analysis.approximate.of(c), then = before->approximate.of(c); now && then)
+            coefficients += QStringLiteral("%1 %2").arg(QChar::fromLatin1(letterOf(c))).arg(signedFigure(toDegrees(*now - *then), 1));
+    const ExactSmith now = input.analysis.exact.smith(), then = before->exact.smith();
+    for (int heading = 0; heading < 360; heading += 45) {
+        const auto at = MagneticHeading::fromDegrees(heading);
+        headings += QStringLiteral("%1 %2").arg(heading, 3, 10, QChar('0')).arg(signedFigure(deviationAt(now, at).degrees() - deviationAt(then, at).degrees(), 1));
+    }
+    return Fact{Words::tr("Since %1").arg(printable(input.previous->date)),
+        Words::tr("the deviation has changed by (°) %1; coefficients by (°) %2").arg(headings.join(QStringLiteral(", ")), coefficients.join(QStringLiteral(", ")))};
+}
+
 QStringList warningsOf(const Analysis& analysis)
 {
     QStringList warnings;
@@ -137,6 +156,8 @@ ReportContent contentOf(const ReportInput& input)
     content.verdictWord = wordFor(content.verdict);
     content.verdictSentence = sentenceFor(input);
     content.facts = factsOf(record);
+    if (auto change = changeFact(input))
+        content.facts.push_back(std::move(*change));
     content.readings = readingsTable(input);
     content.coefficients = coefficientsTable(input.analysis);
     content.fits = fitsTable(input.analysis);
