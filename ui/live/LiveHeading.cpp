@@ -1,12 +1,32 @@
 #include "ui/live/LiveHeading.h"
 
+#include <ctime>
+
 namespace lubberline::ui {
+
+namespace {
+
+/// Counts while the machine sleeps, too: what was heard before is old then.
+double sinceBoot_s()
+{
+    std::timespec now = {};
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+/// Without a checksum only a sentence with all its fields is whole: a line cut short looks like a heading of fewer digits.
+bool isWhole(const NmeaSentence& sentence)
+{
+    const std::size_t fields = sentence.type == "HDG" ? 5 : sentence.type == "HDT" || sentence.type == "HDM" ? 2 : 1;
+    return sentence.hasChecksum || sentence.fields.size() >= fields;
+}
+
+} // namespace
 
 LiveHeading::LiveHeading(std::function<double()> now_s, QObject* parent) : QObject(parent), m_now_s(std::move(now_s))
 {
-    m_clock.start();
     if (!m_now_s)
-        m_now_s = [this] { return static_cast<double>(m_clock.elapsed()) / 1000.0; };
+        m_now_s = sinceBoot_s;
 }
 
 void LiveHeading::setWindow(double length_s, double mostSpread_deg)
@@ -20,6 +40,7 @@ void LiveHeading::setWindow(double length_s, double mostSpread_deg)
 void LiveHeading::clear()
 {
     m_channels.clear();
+    m_checking.clear();
     m_variation.reset();
     m_bad = m_sentences = 0;
     emit changed();
@@ -37,6 +58,13 @@ void LiveHeading::takeLine(std::string_view line)
     if (parsed.fault == NmeaFault::BadChecksum)
         ++m_bad;
     if (parsed.fault != NmeaFault::None) {
+        emit changed();
+        return;
+    }
+    if (parsed.sentence.hasChecksum)
+        m_checking.insert(parsed.sentence.talker);
+    if ((!parsed.sentence.hasChecksum && m_checking.contains(parsed.sentence.talker)) || !isWhole(parsed.sentence)) {
+        ++m_bad;
         emit changed();
         return;
     }

@@ -1,12 +1,12 @@
 #pragma once
 /// What a live source says at the moment: the headings of each talker, averaged over a settling window.
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QStringList>
 
 #include <functional>
 #include <map>
+#include <set>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,7 +23,7 @@ class LiveHeading : public QObject {
     Q_OBJECT
 
 public:
-    /// @param now_s seconds of a clock that does not jump; empty: the machine's own. Tests give theirs.
+    /// @param now_s seconds of a clock that does not jump and counts while the machine sleeps; empty: the machine's own. Tests give theirs.
     explicit LiveHeading(std::function<double()> now_s = {}, QObject* parent = nullptr);
 
     void setWindow(double length_s, double mostSpread_deg);
@@ -51,8 +51,8 @@ private:
     void add(const LiveChannel& name, bool compass, bool isTrue, double heading_deg);
 
     std::function<double()> m_now_s;
-    QElapsedTimer m_clock;
     std::map<LiveChannel, Channel> m_channels;
+    std::set<std::string> m_checking; ///< talkers that send checksums: a sentence of theirs without one is half a sentence
     std::optional<Variation> m_variation;
     double m_length_s = 5.0, m_mostSpread_deg = 1.0;
     int m_bad = 0, m_sentences = 0;

@@ -126,6 +126,8 @@ void NmeaImportPage::build()
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(splitter);
     setFocusProxy(m_read);
+    for (QLineEdit* line : {m_variation, m_speed, m_rate, m_talker})
+        connect(line, &QLineEdit::textEdited, this, [this] { m_make->setEnabled(false); }); // Enter reads it again
     connect(m_read, &QPushButton::clicked, this, &NmeaImportPage::choose);
     connect(m_make, &QPushButton::clicked, this, &NmeaImportPage::make);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_cancelled->store(true); });
@@ -145,6 +147,12 @@ Result<void> NmeaImportPage::showCompass(CompassId compass)
     const auto aircraft = m_storage.aircraft(system->aircraft);
     if (!aircraft)
         return aircraft.error();
+    if (m_compass.id != system->id) { // a log is of one aircraft
+        m_swing.reset();
+        m_path.clear();
+        m_summary->clear();
+        m_make->setEnabled(false);
+    }
     m_compass = *system;
     m_title->setText(tr("A log of a slow turn as a swing of %1 · %2").arg(toText(aircraft->registration), toText(system->name)));
     return {};
@@ -188,9 +196,11 @@ void NmeaImportPage::start()
         emit failed(messageOf(chosen.error()));
         return;
     }
+    m_datum = m_reference->currentText().toStdString();
     m_cancelled = std::make_shared<std::atomic<bool>>(false);
     m_cancel->show();
     m_read->setEnabled(false);
+    m_reference->setEnabled(false);
     m_make->setEnabled(false);
     m_summary->setText(tr("Reading %1 …").arg(QFileInfo(m_path).fileName()));
     m_watcher.setFuture(QtConcurrent::run([path = m_path.toStdString(), chosen = *chosen, cancelled = m_cancelled]() -> Answer {
@@ -202,6 +212,7 @@ void NmeaImportPage::finish()
 {
     m_cancel->hide();
     m_read->setEnabled(true);
+    m_reference->setEnabled(true);
     const Answer answer = m_watcher.result();
     if (!*answer) {
         m_swing.reset();
@@ -244,7 +255,7 @@ void NmeaImportPage::make()
     Swing swing = toSwing(*m_swing);
     swing.compass = m_compass.id;
     swing.kind = static_cast<SwingKind>(m_kind->currentIndex());
-    swing.datum.instrument = m_reference->currentText().toStdString();
+    swing.datum.instrument = m_datum;
     swing.note = tr("from the log %1").arg(QFileInfo(m_path).fileName()).toStdString();
     emit makeSwing(swing);
 }

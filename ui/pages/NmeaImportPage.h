@@ -50,6 +50,7 @@ private:
     FileQuestions m_questions;
     CompassSystem m_compass;
     QString m_path;
+    std::string m_datum; ///< what the answer was held against, in words
     std::shared_ptr<const NmeaSwing> m_swing;
     QFutureWatcher<Answer> m_watcher;
     std::shared_ptr<std::atomic<bool>> m_cancelled;

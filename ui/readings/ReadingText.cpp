@@ -52,7 +52,19 @@ void setHeading(Reading& reading, ReadingColumn column, std::optional<double> he
     }
 }
 
-Result<void> applyHeading(Reading& reading, ReadingColumn column, const QString& text)
+Result<void> applyTrueHeading(Reading& reading, const QString& text, std::optional<double> variation_deg)
+{
+    const auto heading_deg = parseHeading_deg(text.chopped(1).trimmed().toStdString());
+    if (!heading_deg)
+        return heading_deg.error();
+    if (!variation_deg)
+        return wrong(Words::tr("a true heading needs the variation: state it in the particulars of the swing first"));
+    reading.trueHeading = TrueHeading::fromDegrees(*heading_deg);
+    reading.magnetic = toMagnetic(*reading.trueHeading, Variation::fromDegrees(*variation_deg));
+    return {};
+}
+
+Result<void> applyHeading(Reading& reading, ReadingColumn column, const QString& text, std::optional<double> variation_deg)
 {
     if (text.isEmpty()) {
         setHeading(reading, column, std::nullopt);
@@ -64,6 +76,8 @@ Result<void> applyHeading(Reading& reading, ReadingColumn column, const QString&
         setHeading(reading, column, reading.nominal_deg);
         return {};
     }
+    if (column == ReadingColumn::Magnetic && text.endsWith('T', Qt::CaseInsensitive))
+        return applyTrueHeading(reading, text, variation_deg);
     const auto heading_deg = parseHeading_deg(text.toStdString());
     if (!heading_deg)
         return heading_deg.error();
@@ -113,14 +127,14 @@ QString editText(const Reading& reading, ReadingColumn column, AngleStyle style)
     return value ? exactText(*value) : QString();
 }
 
-Result<void> applyTyped(Reading& reading, ReadingColumn column, const QString& text)
+Result<void> applyTyped(Reading& reading, ReadingColumn column, const QString& text, std::optional<double> variation_deg)
 {
     const QString typed = text.trimmed();
     switch (column) {
     case ReadingColumn::Nominal:
     case ReadingColumn::Magnetic:
     case ReadingColumn::Compass:
-        return applyHeading(reading, column, typed);
+        return applyHeading(reading, column, typed, variation_deg);
     case ReadingColumn::Deviation:
         return applyDeviation(reading, typed);
     case ReadingColumn::Note:

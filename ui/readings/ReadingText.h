@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 #include "core/angle/AngleText.h"
@@ -21,9 +22,10 @@ inline constexpr int kReadingColumns = 7;
 
 /// Applies what was typed into a cell: angles in every form of AngleText, empty to clear, "=" in Magnetic to accept the nominal
 /// heading. A typed deviation sets the compass heading: compass = magnetic − deviation. A typed magnetic heading takes the place
-/// of one computed from a true heading.
+/// of one computed from a true heading; "274T" is a true one (an air swing, a GPS), and magnetic = true − variation.
+/// @param variation_deg of the swing, east positive; none: a true heading is refused.
 /// Errors: InvalidInput, one sentence that says what is wrong and what was expected.
-Result<void> applyTyped(Reading& reading, ReadingColumn column, const QString& text);
+Result<void> applyTyped(Reading& reading, ReadingColumn column, const QString& text, std::optional<double> variation_deg = {});
 
 /// What an edit of the column is called in Undo and Redo.
 [[nodiscard]] QString editName(ReadingColumn column);

@@ -240,7 +240,7 @@ bool ReadingsModel::setData(const QModelIndex& index, const QVariant& value, int
     if (text == data(index, Qt::EditRole).toString())
         return !rejectedAt(index); // left as it was: an angle shown in minutes must not lose its seconds
     Reading after = isNewRow(row) ? Reading() : m_rows[static_cast<std::size_t>(row)];
-    if (const auto typed = applyTyped(after, column, text); !typed)
+    if (const auto typed = applyTyped(after, column, text, m_editor.record().swing.variation_deg); !typed)
         return reject(index, text, toText(typed.error().message));
     m_rejected.erase(cellAt(index));
     emit dataChanged(index, index);

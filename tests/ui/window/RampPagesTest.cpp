@@ -10,6 +10,7 @@
 #include "ui/pages/InstrumentsPage.h"
 #include "ui/pages/SigningPanel.h"
 #include "ui/pages/SitesPage.h"
+#include "ui/readings/ReadingText.h"
 #include "ui/storage/Recovery.h"
 #include "ui/style/Words.h"
 
@@ -284,6 +285,18 @@ private slots:
         answer->click();
         QCOMPARE(fleet.storage.swingRecord(fleet.swing)->swing.readings.size(), 1u);
         QVERIFY(!QFile::exists(file));
+    }
+
+    void aTrueHeadingIsTypedWithItsLetter()
+    {
+        Reading reading;
+        QVERIFY(!applyTyped(reading, ReadingColumn::Magnetic, "274T")); // the swing states no variation
+        QVERIFY(applyTyped(reading, ReadingColumn::Magnetic, "4.5T", 6.0));
+        QCOMPARE(reading.trueHeading->degrees(), 4.5);
+        QCOMPARE(reading.magnetic->degrees(), 358.5); // magnetic = true − variation, east positive
+        QVERIFY(applyTyped(reading, ReadingColumn::Magnetic, "359", 6.0));
+        QVERIFY(!reading.trueHeading);
+        QVERIFY(!applyTyped(reading, ReadingColumn::Magnetic, "T", 6.0));
     }
 
     void aSecondWriterOfTheSameReadingIsTold()
