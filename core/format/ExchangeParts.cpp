@@ -3,6 +3,7 @@
 #include "core/format/BenchJson.h"
 #include "core/format/FileText.h"
 #include "core/format/ModelJson.h"
+#include "core/format/RampJson.h"
 
 namespace lubberline::exchange {
 
@@ -10,6 +11,7 @@ namespace {
 
 /// Ten times the field anywhere on Earth.
 constexpr NumberRange kField{-1e6, 1e6};
+constexpr NumberRange kHeading{0, 360}; // 360 is 0
 
 void readStates(JsonObject& object, BenchStates& states)
 {
@@ -35,7 +37,48 @@ void writeStates(JsonWriter& json, const BenchStates& states)
     json.end();
 }
 
+template <class Angle>
+std::optional<Angle> heading(JsonObject& object, std::string_view key)
+{
+    const auto heading_deg = object.number(key, kHeading);
+    return heading_deg ? std::optional(Angle::fromDegrees(*heading_deg)) : std::nullopt;
+}
+
+std::vector<std::pair<std::string, std::string>> readExtra(JsonObject& object)
+{
+    std::vector<std::pair<std::string, std::string>> extra;
+    object.objects("extra", [&](JsonObject& pair) {
+        auto name = pair.requiredText("name");
+        auto value = pair.text("value");
+        pair.finish();
+        extra.emplace_back(std::move(name), std::move(value));
+    });
+    return extra;
+}
+
 } // namespace
+
+Reading readReading(JsonObject& object, bool withRaw)
+{
+    Reading reading;
+    if (const auto nominal_deg = object.number("nominal_deg", kHeading))
+        reading.nominal_deg = wrap360(*nominal_deg);
+    reading.magnetic = heading<MagneticHeading>(object, "magnetic_heading_deg");
+    reading.compass = heading<CompassHeading>(object, "compass_heading_deg");
+    reading.trueHeading = heading<TrueHeading>(object, "true_heading_deg");
+    reading.pitch_deg = object.number("pitch_deg", {-90, 90});
+    reading.roll_deg = object.number("roll_deg", {-180, 180});
+    if (withRaw) {
+        reading.raw = readRaw(object);
+        reading.timeUtc = object.text("time_utc");
+    }
+    reading.note = object.text("note");
+    if (auto reason = object.optionalText("excluded"))
+        reading.exclusion = Exclusion{std::move(*reason)};
+    reading.extra = readExtra(object);
+    object.finish();
+    return reading;
+}
 
 FieldStamp readStamp(JsonObject& object)
 {

@@ -18,16 +18,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr NumberRange kSignedAngle{-180, 180};
-constexpr NumberRange kHeading{0, 360}; // 360 is 0
 /// More than nothing; what else is sensible is for the user to know.
 constexpr NumberRange kPositive{std::numeric_limits<double>::min(), 1e9};
-
-template <class Angle>
-std::optional<Angle> heading(JsonObject& object, std::string_view key)
-{
-    const auto heading_deg = object.number(key, kHeading);
-    return heading_deg ? std::optional(Angle::fromDegrees(*heading_deg)) : std::nullopt;
-}
 
 class FleetReader {
 public:
@@ -59,13 +51,11 @@ private:
     void readSensor(const Json& value, const JsonPath& path, CompassId compass);
     void readSwing(const Json& value, const JsonPath& path, CompassId compass);
     void readConfiguration(JsonObject& object, Swing& swing);
-    Reading readReading(const Json& value, const JsonPath& path);
     void readInstrumentOf(JsonObject& object);
     void readRule(JsonObject& object);
     /// The keys of a swing that came with version 3, and its guided swing.
     void readRamp(JsonObject& object, Swing& swing);
     void readCause(JsonObject& object, Event& event);
-    [[nodiscard]] std::vector<std::pair<std::string, std::string>> readExtra(JsonObject& object);
 
     /// The identity of a new record, which no other of the file may have.
     RecordId identity(JsonObject& object)
@@ -295,7 +285,7 @@ void FleetReader::readSwing(const Json& value, const JsonPath& path, CompassId c
     swing.note = object.text("note");
     if (m_version >= 3)
         readRamp(object, swing);
-    object.array("readings", [&](const Json& one, const JsonPath& place) { swing.readings.push_back(readReading(one, place)); });
+    object.objects("readings", [&](JsonObject& one) { swing.readings.push_back(exchange::readReading(one, m_version >= 3)); });
     if (swing.readings.size() > kMaxReadings)
         object.fault("readings", "are more than " + std::to_string(kMaxReadings) + "; expected a compass swing");
     object.finish();
@@ -315,42 +305,6 @@ void FleetReader::readConfiguration(JsonObject& object, Swing& swing)
     swing.people.cockpitReader = object.text("cockpit_reader");
     swing.people.adjuster = object.text("adjuster");
     swing.people.inspector = object.text("inspector");
-}
-
-Reading FleetReader::readReading(const Json& value, const JsonPath& path)
-{
-    JsonObject object(value, path, m_fault);
-    Reading reading;
-    if (const auto nominal_deg = object.number("nominal_deg", kHeading))
-        reading.nominal_deg = wrap360(*nominal_deg);
-    reading.magnetic = heading<MagneticHeading>(object, "magnetic_heading_deg");
-    reading.compass = heading<CompassHeading>(object, "compass_heading_deg");
-    reading.trueHeading = heading<TrueHeading>(object, "true_heading_deg");
-    reading.pitch_deg = object.number("pitch_deg", {-90, 90});
-    reading.roll_deg = object.number("roll_deg", kSignedAngle);
-    if (m_version >= 3) {
-        reading.raw = readRaw(object);
-        reading.timeUtc = object.text("time_utc");
-    }
-    reading.note = object.text("note");
-    if (auto reason = object.optionalText("excluded"))
-        reading.exclusion = Exclusion{std::move(*reason)};
-    reading.extra = readExtra(object);
-    object.finish();
-    return reading;
-}
-
-std::vector<std::pair<std::string, std::string>> FleetReader::readExtra(JsonObject& object)
-{
-    std::vector<std::pair<std::string, std::string>> extra;
-    object.array("extra", [&](const Json& one, const JsonPath& place) {
-        JsonObject pair(one, place, m_fault);
-        auto name = pair.requiredText("name");
-        auto value = pair.text("value");
-        pair.finish();
-        extra.emplace_back(std::move(name), std::move(value));
-    });
-    return extra;
 }
 
 void FleetReader::readInstrumentOf(JsonObject& object)
