@@ -153,7 +153,7 @@ void addPredict(CLI::App& app, Invocation& invocation)
     command->add_option("-o,--output", options->output, "the file to write: .csv or .json")->excludes(json)
         ->check([](const std::string& path) {
             const std::string ending = std::filesystem::path(path).extension().string();
-            return ending == ".csv" || ending == ".json" ? std::string() : "-o: expected a file that ends in .csv or .json";
+            return ending == ".csv" || ending == ".json" ? std::string() : "expected a file that ends in .csv or .json";
         });
     addDatabaseOption(*command, invocation);
     command->callback([options, &invocation] { invocation.action = [options, &invocation] { return predictCommand(*options, invocation.database); }; });

@@ -161,7 +161,7 @@ void addSimulate(CLI::App& app, Invocation& invocation)
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
     command->add_option("-o,--output", options->output, "write a Swing CSV (.csv), or the JSON (.json)")->excludes(json)
         ->check([](const std::string& path) {
-            return endsWith(path, ".csv") || endsWith(path, ".json") ? std::string() : "-o: " + inQuotes(path) + " has another ending; expected .csv or .json";
+            return endsWith(path, ".csv") || endsWith(path, ".json") ? std::string() : inQuotes(path) + " has another ending; expected .csv or .json";
         });
     command->callback([options, &invocation] { invocation.action = [options] { return simulateCommand(*options); }; });
 }

@@ -10,6 +10,8 @@
 #include <QVBoxLayout>
 #include <QtConcurrent/QtConcurrentRun>
 
+#include <cmath>
+
 #include "core/angle/AngleText.h"
 #include "core/deviation/Analysis.h"
 #include "core/format/SwingCsv.h"
@@ -43,6 +45,28 @@ Result<NmeaVariation> variationOf(const QString& text)
     if (!angle)
         return angle.error();
     return NmeaVariation(Variation::fromDegrees(*angle));
+}
+
+} // namespace
+
+namespace {
+
+/// How many pairs are used, and how many each cut-off takes; one that is both is counted with the slow ones.
+QString cutWords(const NmeaSwing& read, const NmeaOptions& options)
+{
+    int slow = 0, fast = 0;
+    for (const auto& pair : read.pairs) {
+        if (pair.used)
+            continue;
+        const bool isSlow = options.reference == NmeaReference::Track && pair.speed_kt && *pair.speed_kt < options.minSpeed_kt;
+        slow += isSlow;
+        fast += !isSlow && pair.turnRate_deg_s && std::abs(*pair.turnRate_deg_s) > options.maxTurnRate_deg_s;
+    }
+    QString words = NmeaImportPage::tr("%1 pairs of headings, %2 used; %3 slower than %4 kt, %5 in a turn faster than %6°/s").arg(read.pairs.size()).arg(read.used).arg(slow).arg(options.minSpeed_kt)
+                        .arg(fast).arg(options.maxTurnRate_deg_s);
+    if (const auto rest = static_cast<int>(read.pairs.size() - read.used) - slow - fast; rest > 0)
+        words += NmeaImportPage::tr(", %1 left out for another cause (see below)").arg(rest);
+    return words + '.';
 }
 
 } // namespace
@@ -197,6 +221,7 @@ void NmeaImportPage::start()
         return;
     }
     m_datum = m_reference->currentText().toStdString();
+    m_used = *chosen;
     m_cancelled = std::make_shared<std::atomic<bool>>(false);
     m_cancel->show();
     m_read->setEnabled(false);
@@ -229,7 +254,7 @@ void NmeaImportPage::showAnswer()
 {
     const NmeaSwing& read = *m_swing;
     QStringList lines{tr("%1: %2 sentences, %3 with a wrong checksum, %4 lines that are none.").arg(QFileInfo(m_path).fileName()).arg(read.sentences).arg(read.badChecksums).arg(read.otherLines),
-        tr("%1 pairs of headings, %2 used; the others were too slow or turned too fast.").arg(read.pairs.size()).arg(read.used)};
+        cutWords(read, m_used)};
     if (read.variation)
         lines += tr("Variation %1° (E +): %2.").arg(signedNumber(read.variation->degrees(), 2), toText(read.variationSource));
     for (const auto& warning : read.warnings)

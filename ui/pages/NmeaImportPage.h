@@ -50,6 +50,7 @@ private:
     FileQuestions m_questions;
     CompassSystem m_compass;
     QString m_path;
+    NmeaOptions m_used;
     std::string m_datum; ///< what the answer was held against, in words
     std::shared_ptr<const NmeaSwing> m_swing;
     QFutureWatcher<Answer> m_watcher;

@@ -12,7 +12,8 @@ using namespace lubberline;
 namespace {
 
 /// R. Bozorth, Ferromagnetism (1951), table of demagnetising factors N/4π (from Osborn and Stoner, 1945), along the axis that is m times
-/// the other two (prolate), or along one of the two that are m times the third (oblate). Its oblate 50 is not that of its formula.
+/// the other two (prolate), or along one of the two that are m times the third (oblate). Quoted second-hand: the printed page was not at
+/// hand, and these figures are those that also follow from Osborn's formulas.
 struct Published {
     double ratio, prolate, oblate;
 };
@@ -64,6 +65,7 @@ TEST(DemagnetisingFactors, SquareBarsAgreeWithAharonisShorterForm)
 }
 
 /// D.-X. Chen, J. Brug, R. Goldfarb, IEEE Trans. Magn. 27, 3601 (1991), table I: magnetometric factors of cylinders, χ = 0.
+/// Quoted second-hand: the printed page was not at hand.
 TEST(DemagnetisingFactors, CylindersAreThoseOfChenBrugAndGoldfarb)
 {
     EXPECT_NEAR(factorsOfCylinder(1, 1).x(), 0.3116, 5e-5);
