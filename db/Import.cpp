@@ -9,6 +9,7 @@
 #include "db/InstrumentRepository.h"
 #include "db/JobRepository.h"
 #include "db/SensorRepository.h"
+#include "db/Signatures.h"
 #include "db/SiteRepository.h"
 #include "db/Statement.h"
 #include "db/SwingRepository.h"
@@ -323,6 +324,9 @@ Result<void> Importer::goOn(const Swing& incoming, const JobRecord& job, const S
         if (const auto closed = jobs.close(stored.swing.id, true); !closed)
             return closed;
     }
+    for (const auto& signature : incoming.signatures) // before the swing is frozen
+        if (const auto kept = addSignature(m_database, stored.swing.id, signature); !kept)
+            return kept;
     const auto saved = swings.save(now);
     return saved ? Result<void>() : saved.error();
 }

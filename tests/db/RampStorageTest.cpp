@@ -119,6 +119,30 @@ TEST_F(Ramp, aJobIsTakenUpOnAnotherMachineAndComesBack)
     EXPECT_EQ(m_jobs.jobOf(id)->value().job.events.size(), 4u);
 }
 
+TEST_F(Ramp, aJobThatIsFinishedAndSignedElsewhereComesBackSigned)
+{
+    const SwingId id = guided();
+    db::Database elsewhere = inMemory();
+    const auto there = db::importFleet(elsewhere, *db::exportFleet(m_database, {}, {}), {});
+    ASSERT_TRUE(there) << describe(there.error());
+    const SwingId swingThere = there->swingIds.back();
+    ASSERT_TRUE(db::JobRepository(elsewhere).append(swingThere, 1, prepared()));
+    ASSERT_TRUE(db::SwingRepository(elsewhere).replaceReadings(swingThere, worksheetReadings()));
+    ASSERT_TRUE(db::JobRepository(elsewhere).close(swingThere, true));
+    db::SigningRepository signing(elsewhere);
+    ASSERT_TRUE(signing.complete(swingThere));
+    ASSERT_TRUE(signing.sign(swingThere, {SignatureRole::Performer, "Ada", "", "", ""}));
+    ASSERT_TRUE(signing.sign(swingThere, {SignatureRole::Inspector, "Ben", "", "", ""}));
+    const auto back = db::importFleet(m_database, *db::exportFleet(elsewhere, {}, {}), {});
+    ASSERT_TRUE(back) << describe(back.error());
+    const Swing here = *m_swings.swing(id);
+    EXPECT_EQ(here.state, SwingState::Signed);
+    EXPECT_EQ(here.readings.size(), 8u);
+    EXPECT_EQ(*m_signing.hold(id), (std::vector<bool>{true, true}));
+    EXPECT_TRUE(m_jobs.open()->empty());
+    EXPECT_THAT(db::verify(m_database, {})->findings, testing::IsEmpty());
+}
+
 TEST_F(Ramp, twoWritersOfOneReading)
 {
     const SwingId id = *m_swings.save(worksheetSwing(m_stored));

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "core/format/SwingCsv.h"
+#include "core/record/Completeness.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/CrewDisplay.h"
 #include "ui/guided/GuidedPrepare.h"
@@ -35,6 +36,8 @@ std::vector<Swing> otherSwings(const SwingJob& job, const JobState& state, const
         swing.record.clear();
         swing.startUtc = main.startUtc;
         swing.endUtc = main.endUtc;
+        if (missingIn(swing).empty())
+            swing.state = SwingState::Complete; // nothing is added to it any more
         others.push_back(std::move(swing));
     };
     if (job.plan.kind != ProcedureKind::CheckOnly)
@@ -316,6 +319,10 @@ void GuidedPage::showLive(bool shown)
 void GuidedPage::takeLiveDatum(double heading_deg, bool isTrue)
 {
     const DatumInstrument& datum = m_job->datum();
+    if (datum.kind == DatumKind::SightingCompass || datum.kind == DatumKind::Theodolite) {
+        emit failed(tr("The datum of this swing is sighted by a person: a live heading is none of its figures. Begin the swing with an instrument that sends headings."));
+        return;
+    }
     std::optional<double> variation_deg = m_job->job().particulars.variation_deg;
     if (!variation_deg && m_live->heading().variation())
         variation_deg = m_live->heading().variation()->degrees();
