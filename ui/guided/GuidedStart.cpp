@@ -181,7 +181,24 @@ const Site* GuidedStart::site() const
 DatumInstrument GuidedStart::datum() const
 {
     const auto row = static_cast<std::size_t>(std::max(m_datum->currentIndex(), 0));
-    return row < m_instruments.size() ? m_instruments[row] : plainDatum();
+    DatumInstrument chosen = row < m_instruments.size() ? m_instruments[row] : plainDatum();
+    if (chosen.kind == DatumKind::RoseLine)
+        chosen.zero_deg += paintedOffset_deg();
+    return chosen;
+}
+
+/// What the lines of the site are out by on that day; none where it is not known when they were painted.
+double GuidedStart::paintedOffset_deg() const
+{
+    Swing day;
+    day.date = typed(*m_date);
+    if (!site() || !site()->paintedVariation_deg || !parseDate(m_date->text(), false))
+        return 0;
+    const auto stamp = stampFor(day, *site());
+    if (!stamp)
+        return 0;
+    const Variation today = Variation::fromDegrees(toDegrees(std::atan2(stamp->field.east_nT, stamp->field.north_nT)));
+    return paintedLineOffset_deg(Variation::fromDegrees(*site()->paintedVariation_deg), today);
 }
 
 std::string GuidedStart::whyNot() const
@@ -200,7 +217,12 @@ std::string GuidedStart::whyNot() const
 void GuidedStart::check()
 {
     const std::string why = whyNot();
-    m_complaint->setText(why.empty() ? QString() : tr("Not to be used on that day: %1").arg(toText(why)));
+    QStringList words;
+    if (!why.empty())
+        words += tr("Not to be used on that day: %1").arg(toText(why));
+    if (datum().kind == DatumKind::RoseLine && paintedOffset_deg() != 0)
+        words += tr("The painted lines are out by %1° since they were laid out; this is added to every figure.").arg(signedNumber(paintedOffset_deg(), 2));
+    m_complaint->setText(words.join('\n'));
     m_override->setEnabled(!why.empty());
 }
 

@@ -39,6 +39,7 @@ private:
     [[nodiscard]] SwingJob job() const;
     [[nodiscard]] DatumInstrument datum() const;
     [[nodiscard]] const Site* site() const;
+    [[nodiscard]] double paintedOffset_deg() const;
 
     Storage& m_storage;
     CompassSystem m_compassSystem;

@@ -377,6 +377,33 @@ private slots:
         QVERIFY(QString::fromStdString(swing.siteOverride).endsWith("only base that is open"));
     }
 
+    /// Painted for 4.0° E where it is about 6.5° E: a line marked 090 heads 4.0 − 6.5 less, magnetic.
+    void aRoseLineIsCorrectedForItsAge()
+    {
+        Ramp ramp;
+        Site base;
+        base.name = "Rose 2";
+        base.latitude_deg = 53.1;
+        base.longitude_deg = 17.98;
+        base.paintedVariation_deg = 4.0;
+        QVERIFY(ramp.fleet.storage.save(base));
+        DatumInstrument lines;
+        lines.name = "painted lines";
+        lines.kind = DatumKind::RoseLine;
+        QVERIFY(ramp.fleet.storage.save(lines));
+        QVERIFY(ramp.page.begin(ramp.fleet.compass));
+        ramp.find<QComboBox>("guidedProcedure").setCurrentIndex(static_cast<int>(ProcedureKind::CheckOnly));
+        ramp.find<QComboBox>("guidedSite").setCurrentIndex(1);
+        QVERIFY2(ramp.text("guidedComplaint").contains("out by −2."), qPrintable(ramp.text("guidedComplaint")));
+        ramp.find<QPlainTextEdit>("guidedChecklist").clear();
+        ramp.find<QPushButton>("beginGuided").click();
+        ramp.find<QPushButton>("prepared").click();
+        QCOMPARE(ramp.find<QLineEdit>("guidedDatum").text(), "000"); // the aircraft is set on the line
+        ramp.type("357");
+        const double magnetic = ramp.state().stations[0].reading->magnetic.degrees();
+        QVERIFY2(magnetic > 357 && magnetic < 358, qPrintable(QString::number(magnetic))); // 000 − 2.47
+    }
+
     void theSecondScreenShowsTheNextFigure()
     {
         Ramp ramp;
