@@ -14,6 +14,7 @@ namespace lubberline::ui {
 namespace {
 
 constexpr double kNearEnough_deg = 5.0; // procedures: an aircraft within 5° of the wanted heading is enough
+constexpr double kAnotherHeading_deg = 22.5; // half of the step between eight headings: beyond, it is the next one
 constexpr std::size_t kMostFigures = 3;
 
 } // namespace
@@ -85,12 +86,15 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     const auto compass = compassFigure(raw, m_job.resolution_deg);
     if (!compass)
         return compass.error();
+    const double off = std::abs(wrap180(heading->magnetic.degrees() - here->station.nominal_deg));
+    if (off > kAnotherHeading_deg)
+        return Error{ErrorCode::InvalidInput, tr("the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)")
+            .arg(heading->magnetic.degrees(), 0, 'f', 1).arg(here->station.nominal_deg, 3, 'f', 0, QChar('0')).toStdString()};
 
     Prepared prepared;
     prepared.reading = {m_state.current, raw, heading->magnetic.degrees(), compass->compass.degrees(), {}};
     prepared.datumSpread_deg = heading->spread_deg;
     prepared.compassSpread_deg = compass->spread_deg;
-    const double off = std::abs(wrap180(heading->magnetic.degrees() - here->station.nominal_deg));
     if (off > kNearEnough_deg)
         prepared.note = tr("the aircraft stands %1° from %2; within 5° is wanted").arg(off, 0, 'f', 1).arg(here->station.nominal_deg, 3, 'f', 0, QChar('0'));
 

@@ -354,6 +354,8 @@ void GuidedPage::showEvent(QShowEvent* event)
     QWidget::showEvent(event);
     if (m_pages->currentWidget() == m_work && m_job->isOpen())
         refresh();
+    else if (m_pages->currentWidget() == m_start)
+        m_start->setFocus();
 }
 
 } // namespace lubberline::ui

@@ -18,6 +18,7 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kFieldWidth_px = 200;
+constexpr double kDemagnetise_deg = 30; // procedures: beyond 30 to 35° it is no matter of the compensator
 
 QHBoxLayout* titled(const QString& title, QLineEdit& field)
 {
@@ -191,6 +192,8 @@ void GuidedStation::showTurn(const MakeCompassRead& turn)
     m_target->setText(figureText(turn.makeCompassRead_deg) + QStringLiteral("°"));
     m_target->setVisible(true);
     m_after->setEnabled(true);
+    if (std::abs(turn.coefficient_deg) > kDemagnetise_deg && m_message->text().isEmpty())
+        say(tr("More than %1°: find magnetised parts and demagnetise them before anything is corrected (Tecnam P2002-JF MM 34-20). F8 reports the fault.").arg(kDemagnetise_deg), true);
 }
 
 void GuidedStation::showNoTurn()

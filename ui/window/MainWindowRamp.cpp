@@ -64,7 +64,6 @@ void MainWindow::beginGuided(CompassId compass)
         return;
     }
     turnTo(guidedPage());
-    guidedPage().setFocus();
 }
 
 void MainWindow::takeUpGuided(SwingId swing)

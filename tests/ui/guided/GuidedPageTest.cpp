@@ -245,6 +245,27 @@ private slots:
         QVERIFY(qAbs(ramp.state().stations[2].reading->compass.degrees() - 268.0 / 3) < 1e-9);
     }
 
+    void anotherHeadingIsNoReadingHere()
+    {
+        Ramp ramp;
+        ramp.begin(ProcedureKind::CheckOnly);
+        ramp.read({45, 44}); // north is asked for
+        ramp.key(Qt::Key_Return);
+        QCOMPARE(ramp.state().current, 0);
+        QVERIFY2(ramp.text("guidedMessage").contains("no reading on 000°"), qPrintable(ramp.text("guidedMessage")));
+    }
+
+    void moreThanTheCompensatorCanIsSaid()
+    {
+        Ramp ramp;
+        ramp.begin();
+        ramp.readAndKeep({0, 320});
+        ramp.readAndKeep({90, 90});
+        ramp.readAndKeep({180, 220});
+        QCOMPARE(ramp.text("turnSentence").left(9), QStringLiteral("C = +40.0"));
+        QVERIFY(ramp.text("guidedMessage").contains("demagnetise"));
+    }
+
     void repeatSkipAndFault()
     {
         Ramp ramp;
