@@ -101,7 +101,7 @@ void GuidedPage::build()
     auto* crew = bigButton(tr("Crew display (F11)"), "crewDisplayButton");
     auto* fault = bigButton(tr("Fault… (F8)"), "reportFault");
     foot->addWidget(m_strip, 1);
-    auto* live = bigButton(tr("Live (F9)"), "showLive");
+    auto* live = bigButton(tr("Live (F12)"), "showLive");
     live->setCheckable(true);
     foot->addWidget(live);
     foot->addWidget(crew);
@@ -134,7 +134,7 @@ void GuidedPage::build()
     connect(m_live, &LivePanel::failed, this, &GuidedPage::failed);
     connect(m_live, &LivePanel::datumSettled, this, &GuidedPage::takeLiveDatum);
     connect(m_live, &LivePanel::compassSettled, m_station, &GuidedStation::setCompass);
-    auto* toggle = new QShortcut(QKeySequence(Qt::Key_F9), this);
+    auto* toggle = new QShortcut(QKeySequence(Qt::Key_F12), this);
     toggle->setContext(Qt::WidgetWithChildrenShortcut);
     connect(toggle, &QShortcut::activated, live, &QPushButton::toggle);
     for (const auto& [code, take] : {std::pair{Qt::Key_F6, &LivePanel::takeDatum}, {Qt::Key_F7, &LivePanel::takeCompass}}) {
