@@ -9,12 +9,9 @@ namespace {
 QString columnHeading(const Swing& swing, bool several)
 {
     switch (swing.configuration.radio) {
-    case RadioState::On:
-        return "RADIO ON";
-    case RadioState::Off:
-        return "RADIO OFF";
-    case RadioState::NotStated:
-        break;
+    case RadioState::On: return "RADIO ON";
+    case RadioState::Off: return "RADIO OFF";
+    case RadioState::NotStated: break;
     }
     return several ? "STEER " + QString::fromStdString(swing.date) : QString("STEER");
 }
@@ -44,8 +41,10 @@ Result<CardSheet> cardFromFiles(const std::vector<std::string>& files, const Car
         }
         const SwingRecord& first = sheet.input.record;
         if (record.aircraft.registration != first.aircraft.registration || record.compass.name != first.compass.name)
-            return Error{ErrorCode::Conflict, "this swing is of " + record.aircraft.registration + ", " + record.compass.name
-                + "; expected the aircraft and compass of " + files.front() + " (" + first.aircraft.registration + ", " + first.compass.name + ")", file};
+            return Error{ErrorCode::Conflict,
+                "this swing is of " + record.aircraft.registration + ", " + record.compass.name + "; expected the aircraft and compass of "
+                    + files.front() + " (" + first.aircraft.registration + ", " + first.compass.name + ")",
+                file};
         sheet.input.columns.push_back({columnHeading(record.swing, files.size() > 1), std::move(*card)});
         sheet.warnings.insert(sheet.warnings.end(), swing->warnings.begin(), swing->warnings.end());
         sheet.warnings.insert(sheet.warnings.end(), analysis->warnings.begin(), analysis->warnings.end());

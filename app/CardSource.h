@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/report/CardDocument.h"
+#include "ui/report/card/CardDocument.h"
 
 namespace lubberline::app {
 

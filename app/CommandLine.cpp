@@ -10,24 +10,31 @@ namespace lubberline::app {
 
 void addDatabaseOption(CLI::App& command, Invocation& invocation)
 {
-    command.add_option("--db", invocation.database,
-        "the database (SQLite file); default: LUBBERLINE_DB, else fleet.lubberline in the user's data folder");
+    command.add_option(
+        "--db", invocation.database, "the database (SQLite file); default: LUBBERLINE_DB, else fleet.lubberline in the user's data folder");
 }
 
 void addRemoveOption(CLI::App& command, CoefficientSet& removed, const std::string& help)
 {
-    command.add_option_function<std::vector<std::string>>("--remove", [&removed](const std::vector<std::string>& letters) {
-        for (const auto& letter : letters)
-            removed.set(static_cast<std::size_t>(letter[0] - 'A'));
-    }, help)->delimiter(',')->check(CLI::IsMember({"A", "B", "C", "D", "E"}));
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--remove",
+            [&removed](const std::vector<std::string>& letters) {
+                for (const auto& letter : letters)
+                    removed.set(static_cast<std::size_t>(letter[0] - 'A'));
+            },
+            help)
+        ->delimiter(',')
+        ->check(CLI::IsMember({"A", "B", "C", "D", "E"}));
 }
 
 int runCommandLine(int argc, char** argv)
 {
     CLI::App app{"Lubberline: aircraft magnetic deviation. Without a command it opens the window.\n"
-                 "deviation = magnetic heading - compass heading, east positive", "lubberline"};
-    app.set_version_flag("--version", "lubberline " LUBBERLINE_VERSION
-        "\nbased in part on the work of the Qwt project (http://qwt.sf.net)");
+                 "deviation = magnetic heading - compass heading, east positive",
+        "lubberline"};
+    app.set_version_flag(
+        "--version", "lubberline " LUBBERLINE_VERSION "\nbased in part on the work of the Qwt project (http://qwt.sf.net)");
     app.footer("Exit status: 0 done, 1 the data or the operation failed, 2 usage.\n"
                "`lubberline COMMAND --help` tells of one command.");
     app.require_subcommand(0, 1);

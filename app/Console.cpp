@@ -34,10 +34,7 @@ void warn(const std::vector<std::string>& warnings)
         std::fprintf(stderr, "lubberline: warning: %s\n", warning.c_str());
 }
 
-void say(const std::string& message)
-{
-    std::fprintf(stderr, "lubberline: %s\n", message.c_str());
-}
+void say(const std::string& message) { std::fprintf(stderr, "lubberline: %s\n", message.c_str()); }
 
 Progress consoleProgress(const std::string& what)
 {

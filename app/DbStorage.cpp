@@ -1,7 +1,7 @@
 #include "app/DbStorage.h"
 
 #include "app/Paths.h"
-#include "core/record/SwingField.h"
+#include "core/swing/SwingField.h"
 #include "db/Transaction.h"
 #include "db/Transfer.h"
 

@@ -80,7 +80,10 @@ public:
     Result<std::vector<JobRow>> openJobs() override { return m_jobs.open(); }
     Result<std::optional<JobRecord>> jobOf(SwingId id) override { return m_jobs.jobOf(id); }
     Result<SwingId> startJob(const Swing& particulars, const SwingJob& job) override;
-    Result<void> appendJobEvent(SwingId swing, std::size_t place, const JobEvent& event) override { return m_jobs.append(swing, place, event); }
+    Result<void> appendJobEvent(SwingId swing, std::size_t place, const JobEvent& event) override
+    {
+        return m_jobs.append(swing, place, event);
+    }
     Result<void> finishJob(SwingId swing, const Swing& asLeft, const std::vector<Swing>& others) override;
     Result<void> abandonJob(SwingId swing) override;
 

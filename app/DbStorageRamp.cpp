@@ -89,10 +89,7 @@ Result<void> DbStorage::finishJob(SwingId swing, const Swing& asLeft, const std:
     return {};
 }
 
-Result<void> DbStorage::abandonJob(SwingId swing)
-{
-    return announced(m_jobs.close(swing, false), swing);
-}
+Result<void> DbStorage::abandonJob(SwingId swing) { return announced(m_jobs.close(swing, false), swing); }
 
 Result<void> DbStorage::save(const DatumInstrument& instrument)
 {
@@ -110,20 +107,11 @@ Result<void> DbStorage::removeInstrument(const RecordId& record)
     return done;
 }
 
-Result<void> DbStorage::save(const DueRule& rule)
-{
-    return announcedDue(m_due.save(rule));
-}
+Result<void> DbStorage::save(const DueRule& rule) { return announcedDue(m_due.save(rule)); }
 
-Result<void> DbStorage::removeDueRule(const RecordId& record)
-{
-    return announcedDue(m_due.removeRule(record));
-}
+Result<void> DbStorage::removeDueRule(const RecordId& record) { return announcedDue(m_due.removeRule(record)); }
 
-Result<void> DbStorage::save(const Waiver& waiver)
-{
-    return announcedDue(m_due.save(waiver));
-}
+Result<void> DbStorage::save(const Waiver& waiver) { return announcedDue(m_due.save(waiver)); }
 
 Result<void> DbStorage::save(CompassId compass, const ElectricalSwing& swing)
 {

@@ -14,10 +14,7 @@ std::string file() { return (folder() + "/fourier-plans").toStdString(); }
 
 } // namespace
 
-FourierMemory::FourierMemory()
-{
-    loadFourierWisdom(file());
-}
+FourierMemory::FourierMemory() { loadFourierWisdom(file()); }
 
 FourierMemory::~FourierMemory()
 {

@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/format/FileText.h"
-#include "core/format/Number.h"
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
 
 namespace lubberline::app {
 
@@ -24,7 +24,8 @@ Result<void> switchCircuits(SensorModel& model, const std::vector<std::string>& 
             found = true;
         }
         if (!found)
-            return Error{ErrorCode::InvalidInput, "there is no circuit \"" + name + "\"; " + (names.empty() ? "the model has none" : "the model has " + names)};
+            return Error{ErrorCode::InvalidInput,
+                "there is no circuit \"" + name + "\"; " + (names.empty() ? "the model has none" : "the model has " + names)};
     }
     return {};
 }
@@ -33,7 +34,8 @@ double degreesIn(const std::string& option, std::string_view text, double least_
 {
     const FileNumber number = readNumber(trimmed(text));
     if (number.fault != NumberFault::None || number.value < least_deg || number.value > most_deg)
-        throw CLI::ValidationError(option + ": " + inQuotes(text) + " is none; expected degrees from " + shortestNumber(least_deg) + " to " + shortestNumber(most_deg));
+        throw CLI::ValidationError(option + ": " + inQuotes(text) + " is none; expected degrees from " + shortestNumber(least_deg) + " to "
+            + shortestNumber(most_deg));
     return number.value;
 }
 

@@ -40,9 +40,6 @@ Result<QString> demonstrationPath(const std::string& option)
     return option.empty() ? inDataFolder("demonstration.lubberline") : named(option);
 }
 
-QString nowUtc()
-{
-    return QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
-}
+QString nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate); }
 
 } // namespace lubberline::app

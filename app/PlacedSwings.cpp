@@ -1,7 +1,7 @@
 #include "app/PlacedSwings.h"
 
 #include "app/DbStorage.h"
-#include "core/sensor/SwingPlaces.h"
+#include "core/swing/SwingPlaces.h"
 
 namespace lubberline::app {
 

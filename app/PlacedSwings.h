@@ -7,7 +7,7 @@
 
 #include "core/base/Result.h"
 #include "core/record/Site.h"
-#include "core/sensor/IronSeparation.h"
+#include "core/swing/IronSeparation.h"
 
 namespace lubberline::app {
 
@@ -16,8 +16,8 @@ struct PlacedSwings {
     std::optional<LimitsProfile> limits; ///< of their compass
 };
 
-/// By record ids or their beginnings; all of one compass. Errors: those of the database; NotFound; InvalidInput (of several compasses,
-/// no field known, too few headings).
+/// By record ids or their beginnings; all of one compass. Errors: those of the database; NotFound; InvalidInput (of several
+/// compasses, no field known, too few headings).
 Result<PlacedSwings> placedSwings(const std::string& database, const std::vector<std::string>& names);
 
 } // namespace lubberline::app

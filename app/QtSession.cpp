@@ -50,8 +50,9 @@ std::unique_ptr<QApplication> makeDrawingSession()
 Result<std::unique_ptr<QApplication>> makeWindowSession(int& argc, char** argv)
 {
     if (!hasDisplay())
-        return Error{ErrorCode::Unsupported, "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are not set); "
-                                             "commands work without one: lubberline --help"};
+        return Error{ErrorCode::Unsupported,
+            "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are not set); "
+            "commands work without one: lubberline --help"};
     qInstallMessageHandler(showMessage);
     auto session = std::make_unique<QApplication>(argc, argv);
     describeApplication();

@@ -1,7 +1,8 @@
 #include "app/SwingSource.h"
 
 #include "app/Console.h"
-#include "core/format/SwingCsv.h"
+#include "core/format/csv/SwingCsv.h"
+#include "core/swing/Observations.h"
 
 namespace lubberline::app {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/Result.h"
-#include "core/deviation/Analysis.h"
 #include "core/record/Fleet.h"
+#include "core/swing/Analysis.h"
 
 namespace lubberline::app {
 

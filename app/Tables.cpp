@@ -16,10 +16,7 @@ std::string signedCell(std::optional<double> value, int width, int decimals)
     return value ? text("%+*.*f", width, decimals, *value) : text("%*s", width, "-");
 }
 
-std::optional<double> degrees(std::optional<double> angle_rad)
-{
-    return angle_rad ? std::optional(toDegrees(*angle_rad)) : std::nullopt;
-}
+std::optional<double> degrees(std::optional<double> angle_rad) { return angle_rad ? std::optional(toDegrees(*angle_rad)) : std::nullopt; }
 
 std::string readingsTable(const Analysis& analysis)
 {
@@ -79,7 +76,8 @@ std::string tableOf(const Analysis& analysis)
     const auto& summary = analysis.summary;
     return readingsTable(analysis) + coefficientsTable(analysis) + harmonicsTable(analysis.harmonics)
         + text("\nlargest deviation %+.2f deg at magnetic heading %.1f deg; rms %.2f deg\n",
-            summary.maxDeviation_rad >= -summary.minDeviation_rad ? toDegrees(summary.maxDeviation_rad) : toDegrees(summary.minDeviation_rad),
+            summary.maxDeviation_rad >= -summary.minDeviation_rad ? toDegrees(summary.maxDeviation_rad)
+                                                                  : toDegrees(summary.minDeviation_rad),
             summary.maxAbsDeviationAt.degrees(), toDegrees(summary.rmsDeviation_rad))
         + "deviation = magnetic - compass, east positive; approximate fit on compass heading, exact fit on magnetic heading\n";
 }
@@ -98,7 +96,8 @@ std::string tableOf(const Analysis& analysis, const Removal& removal, Coefficien
         toDegrees(analysis.summary.maxAbsDeviation_rad), toDegrees(analysis.summary.rmsDeviation_rad));
     out += "order  amplitude before  after (deg)\n";
     for (std::size_t k = 0; k < std::min(analysis.harmonics.orders.size(), removal.harmonics.orders.size()); ++k)
-        out += text("%5zu  %16.3f  %11.3f\n", k, toDegrees(analysis.harmonics.orders[k].amplitude_rad()), toDegrees(removal.harmonics.orders[k].amplitude_rad()));
+        out += text("%5zu  %16.3f  %11.3f\n", k, toDegrees(analysis.harmonics.orders[k].amplitude_rad()),
+            toDegrees(removal.harmonics.orders[k].amplitude_rad()));
     return out;
 }
 

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "core/deviation/Analysis.h"
-#include "core/deviation/Card.h"
 #include "core/deviation/Correction.h"
-#include "core/deviation/Removal.h"
+#include "core/swing/Analysis.h"
+#include "core/swing/Card.h"
+#include "core/swing/Removal.h"
 
 namespace lubberline::app {
 

@@ -1,6 +1,6 @@
 #include "app/TextFile.h"
 
-#include "ui/report/DocumentFile.h"
+#include "ui/report/page/DocumentFile.h"
 
 namespace lubberline::app {
 

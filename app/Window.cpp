@@ -67,11 +67,13 @@ int openWindow(const Invocation& invocation)
     QSettings settings;
     ui::MainWindow* opened = nullptr;
     const QString path = (*storage)->location();
-    ui::MainWindow window(**storage, {dialogs, settings, [&opened] { startDemonstration(*opened); },
-        [path](const QString& copy) -> Result<void> { // may run on a worker: a connection of its own
-            auto database = db::Database::open(path, db::OpenMode::ReadOnly);
-            return database ? db::backup(*database, copy) : Result<void>(database.error());
-        }, recoveryFiles()});
+    ui::MainWindow window(**storage,
+        {dialogs, settings, [&opened] { startDemonstration(*opened); },
+            [path](const QString& copy) -> Result<void> { // may run on a worker: a connection of its own
+                auto database = db::Database::open(path, db::OpenMode::ReadOnly);
+                return database ? db::backup(*database, copy) : Result<void>(database.error());
+            },
+            recoveryFiles()});
     opened = &window;
     window.show();
     return (*session)->exec();

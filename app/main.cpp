@@ -1,6 +1,3 @@
 #include "app/CommandLine.h"
 
-int main(int argc, char** argv)
-{
-    return lubberline::app::runCommandLine(argc, argv);
-}
+int main(int argc, char** argv) { return lubberline::app::runCommandLine(argc, argv); }

@@ -40,7 +40,8 @@ Result<void> checkFile(const QString& path, OpenMode mode)
         return Error{ErrorCode::NotFound, "there is no such database; expected an existing file", name};
     const QFileInfo folder(file.absolutePath());
     if (!folder.isDir())
-        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " is not there; expected an existing one for the new database", name};
+        return Error{ErrorCode::Io,
+            "the folder " + folder.filePath().toStdString() + " is not there; expected an existing one for the new database", name};
     if (!folder.isWritable())
         return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " may not be written; expected one that may", name};
     return {};
@@ -94,8 +95,10 @@ Result<void> checkIdentity(Database& database, int newest)
     if (*application != kApplicationId)
         return Error{ErrorCode::Format, "this SQLite file was not made by Lubberline; expected a fleet database", file};
     if (*version > newest)
-        return Error{ErrorCode::NewerSchema, "the database has schema " + std::to_string(*version) + ", made by a newer Lubberline; this one knows schemas up to "
-            + std::to_string(newest) + ": update the program", file};
+        return Error{ErrorCode::NewerSchema,
+            "the database has schema " + std::to_string(*version) + ", made by a newer Lubberline; this one knows schemas up to "
+                + std::to_string(newest) + ": update the program",
+            file};
     return {};
 }
 
@@ -113,10 +116,12 @@ Result<void> apply(Database& database, const Migration& step)
     for (const char* statement : step.statements)
         if (const auto done = execute(database, statement); !done) {
             Error error = done.error();
-            error.message = "the step to schema " + std::to_string(step.version) + " (" + step.description + ") failed, nothing was changed: " + error.message;
+            error.message = "the step to schema " + std::to_string(step.version) + " (" + step.description
+                + ") failed, nothing was changed: " + error.message;
             return error;
         }
-    for (const QString& pragma : {QStringLiteral("PRAGMA application_id = %1").arg(kApplicationId), QStringLiteral("PRAGMA user_version = %1").arg(step.version)})
+    for (const QString& pragma :
+        {QStringLiteral("PRAGMA application_id = %1").arg(kApplicationId), QStringLiteral("PRAGMA user_version = %1").arg(step.version)})
         if (const auto done = execute(database, pragma); !done)
             return done;
     return transaction->commit();
@@ -131,8 +136,10 @@ Result<void> migrate(Database& database, const std::vector<Migration>& steps)
         if (step.version <= *version)
             continue;
         if (database.readOnly())
-            return Error{ErrorCode::ReadOnly, "the database has the old schema " + std::to_string(*version)
-                + " and may only be read; expected one that may be written once, to bring it up to date", database.path().toStdString()};
+            return Error{ErrorCode::ReadOnly,
+                "the database has the old schema " + std::to_string(*version)
+                    + " and may only be read; expected one that may be written once, to bring it up to date",
+                database.path().toStdString()};
         if (const auto done = apply(database, step); !done)
             return done;
     }
@@ -144,8 +151,8 @@ Result<void> migrate(Database& database, const std::vector<Migration>& steps)
 struct Database::State {
     QString path;
     QString connection = newConnectionName();
-    bool readOnly = false;      ///< we do not write
-    bool isProtected = false;   ///< we could not
+    bool readOnly = false;    ///< we do not write
+    bool isProtected = false; ///< we could not
     TransactionState transaction;
 
     Result<void> connect(bool immutable);
@@ -202,11 +209,13 @@ Result<void> Database::connectToOurs(int newest)
         known = checkIdentity(*this, newest);
     if (known || !m_state->isProtected || (known.error().code != ErrorCode::Io && known.error().code != ErrorCode::ReadOnly))
         return known;
-    // The log needs an index file beside the database. Where that cannot be made the file is read as one that nobody changes, which
-    // is so unless somebody with more rights opens it at the same time. A log with contents, however, would be left out.
+    // The log needs an index file beside the database. Where that cannot be made the file is read as one that nobody changes,
+    // which is so unless somebody with more rights opens it at the same time. A log with contents, however, would be left out.
     if (QFileInfo(path() + "-wal").size() > 0)
-        return Error{ErrorCode::Io, "the database was not closed properly, and its folder may not be written; expected one that may, so that what was "
-            "stored last can be recovered", path().toStdString()};
+        return Error{ErrorCode::Io,
+            "the database was not closed properly, and its folder may not be written; expected one that may, so that what was "
+            "stored last can be recovered",
+            path().toStdString()};
     if (const auto connected = m_state->connect(true); !connected)
         return connected;
     return checkIdentity(*this, newest);

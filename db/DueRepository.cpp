@@ -20,12 +20,10 @@ const Table& waiverTable()
     return table;
 }
 
-const QString kSelectWaiver = "SELECT w.record, e.record, w.date, w.reason, w.signed_by, e.aircraft_id FROM waiver w JOIN event e ON e.id = w.event_id ";
+const QString kSelectWaiver
+    = "SELECT w.record, e.record, w.date, w.reason, w.signed_by, e.aircraft_id FROM waiver w JOIN event e ON e.id = w.event_id ";
 
-Waiver waiverFrom(const Statement& row)
-{
-    return {row.text(0), row.text(1), row.text(2), row.text(3), row.text(4)};
-}
+Waiver waiverFrom(const Statement& row) { return {row.text(0), row.text(1), row.text(2), row.text(3), row.text(4)}; }
 
 template <class Key, class Value, class MakeKey, class MakeValue>
 Result<std::map<Key, std::vector<Value>>> groups(Statement& statement, MakeKey key, MakeValue value)
@@ -52,8 +50,8 @@ Result<std::vector<DueRule>> DueRepository::rules()
 {
     Statement statement(m_database, "SELECT record, " + ruleTable().fields.join(", ") + " FROM due_rule ORDER BY name");
     return rowsOf<DueRule>(statement, [](Statement& row) {
-        return DueRule{row.text(0), row.text(1), static_cast<int>(row.integer(2)), static_cast<int>(row.integer(3)), static_cast<int>(row.integer(4)),
-            row.text(5), row.text(6), row.text(7)};
+        return DueRule{row.text(0), row.text(1), static_cast<int>(row.integer(2)), static_cast<int>(row.integer(3)),
+            static_cast<int>(row.integer(4)), row.text(5), row.text(6), row.text(7)};
     });
 }
 
@@ -70,10 +68,7 @@ Result<void> DueRepository::save(const DueRule& rule)
     return saved ? Result<void>() : saved.error();
 }
 
-Result<void> DueRepository::removeRule(const RecordId& record)
-{
-    return removeRecord(m_database, ruleTable(), record);
-}
+Result<void> DueRepository::removeRule(const RecordId& record) { return removeRecord(m_database, ruleTable(), record); }
 
 Result<std::vector<Waiver>> DueRepository::waiversOf(AircraftId aircraft)
 {
@@ -106,27 +101,33 @@ Result<void> DueRepository::save(const Waiver& waiver)
 Result<std::vector<DueCompass>> DueRepository::compasses()
 {
     Statement events(m_database, "SELECT id, record, aircraft_id, date, kind, cause, note FROM event ORDER BY date DESC, id DESC");
-    const auto eventsOf = groups<AircraftId, Event>(events, [](Statement& row) { return row.id<AircraftId>(2); }, [](Statement& row) {
-        return Event{row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.text(4), row.as<DueCause>(5), row.text(6)};
-    });
+    const auto eventsOf = groups<AircraftId, Event>(
+        events, [](Statement& row) { return row.id<AircraftId>(2); },
+        [](Statement& row) {
+            return Event{
+                row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.text(4), row.as<DueCause>(5), row.text(6)};
+        });
     if (!eventsOf)
         return eventsOf.error();
     Statement waivers(m_database, kSelectWaiver + "ORDER BY w.date DESC, w.id DESC");
-    const auto waiversOf = groups<AircraftId, Waiver>(waivers, [](Statement& row) { return row.id<AircraftId>(5); }, waiverFrom);
+    const auto waiversOf = groups<AircraftId, Waiver>(
+        waivers, [](Statement& row) { return row.id<AircraftId>(5); }, waiverFrom);
     if (!waiversOf)
         return waiversOf.error();
     Statement dates(m_database, "SELECT compass_id, date FROM swing WHERE state = 2 AND date <> '' ORDER BY date DESC");
-    const auto signedOf = groups<CompassId, std::string>(dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.text(1); });
+    const auto signedOf = groups<CompassId, std::string>(
+        dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.text(1); });
     if (!signedOf)
         return signedOf.error();
-    Statement statement(m_database, "SELECT t.id, a.id, c.id, t.record, c.record, t.name, a.registration, c.name, c.installed, a.base_id"
-                                    " FROM compass c JOIN aircraft a ON a.id = c.aircraft_id JOIN aircraft_type t ON t.id = a.type_id"
-                                    " ORDER BY t.name, a.registration, c.name");
+    Statement statement(m_database,
+        "SELECT t.id, a.id, c.id, t.record, c.record, t.name, a.registration, c.name, c.installed, a.base_id"
+        " FROM compass c JOIN aircraft a ON a.id = c.aircraft_id JOIN aircraft_type t ON t.id = a.type_id"
+        " ORDER BY t.name, a.registration, c.name");
     return rowsOf<DueCompass>(statement, [&](Statement& row) {
         const auto aircraft = row.id<AircraftId>(1);
         const auto compass = row.id<CompassId>(2);
-        return DueCompass{row.id<AircraftTypeId>(0), aircraft, compass, row.text(3), row.text(4), row.text(5), row.text(6), row.text(7), row.text(8),
-            row.id<SiteId>(9), of(*signedOf, compass), of(*eventsOf, aircraft), of(*waiversOf, aircraft)};
+        return DueCompass{row.id<AircraftTypeId>(0), aircraft, compass, row.text(3), row.text(4), row.text(5), row.text(6), row.text(7),
+            row.text(8), row.id<SiteId>(9), of(*signedOf, compass), of(*eventsOf, aircraft), of(*waiversOf, aircraft)};
     });
 }
 

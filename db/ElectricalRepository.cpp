@@ -1,6 +1,6 @@
 #include "db/ElectricalRepository.h"
 
-#include "core/format/ElectricalJson.h"
+#include "core/format/exchange/ElectricalJson.h"
 #include "db/Saving.h"
 
 namespace lubberline::db {
@@ -17,7 +17,8 @@ const Table& electricalTable()
 
 Result<std::vector<ElectricalSwing>> ElectricalRepository::of(CompassId compass)
 {
-    Statement statement(m_database, "SELECT record, electrical_json FROM electrical_swing WHERE compass_id = ? ORDER BY date DESC, id DESC");
+    Statement statement(
+        m_database, "SELECT record, electrical_json FROM electrical_swing WHERE compass_id = ? ORDER BY date DESC, id DESC");
     statement << compass;
     const std::string file = m_database.path().toStdString();
     return wholeRows(rowsOf<Result<ElectricalSwing>>(statement, [&](Statement& row) -> Result<ElectricalSwing> {

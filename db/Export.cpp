@@ -101,7 +101,8 @@ Result<void> appendRules(Database& database, Fleet& fleet, bool all)
     if (!rules)
         return rules.error();
     for (const auto& rule : *rules)
-        if (std::any_of(fleet.types.begin(), fleet.types.end(), [&](const AircraftType& type) { return type.record == rule.type; }) || (all && rule.type.empty()))
+        if (std::any_of(fleet.types.begin(), fleet.types.end(), [&](const AircraftType& type) { return type.record == rule.type; })
+            || (all && rule.type.empty()))
             fleet.dueRules.push_back(rule);
     if (!all)
         return {};
@@ -127,7 +128,9 @@ Result<void> appendReferences(Database& database, Fleet& fleet, bool all)
     if (!limits)
         return limits.error();
     for (const auto& profile : *limits)
-        if (all || std::any_of(fleet.compasses.begin(), fleet.compasses.end(), [&](const CompassSystem& compass) { return compass.limits == profile.id; }))
+        if (all || std::any_of(fleet.compasses.begin(), fleet.compasses.end(), [&](const CompassSystem& compass) {
+                return compass.limits == profile.id;
+            }))
             fleet.limits.push_back(profile);
     return appendRules(database, fleet, all);
 }

@@ -15,14 +15,16 @@ const Table& typeTable()
 
 const Table& aircraftTable()
 {
-    static const Table table{"aircraft", "aircraft", {"type_id", "registration", "serial_number", "operator_name", "built_year", "note", "demonstration", "base_id"}};
+    static const Table table{"aircraft", "aircraft",
+        {"type_id", "registration", "serial_number", "operator_name", "built_year", "note", "demonstration", "base_id"}};
     return table;
 }
 
 const Table& compassTable()
 {
     static const Table table{"compass", "compass",
-        {"aircraft_id", "name", "kind", "compensator", "maker", "part_number", "serial_number", "location", "resolution_deg", "limits_id", "installed"}};
+        {"aircraft_id", "name", "kind", "compensator", "maker", "part_number", "serial_number", "location", "resolution_deg", "limits_id",
+            "installed"}};
     return table;
 }
 
@@ -32,17 +34,15 @@ const Table& eventTable()
     return table;
 }
 
-QString select(const Table& table)
-{
-    return "SELECT id, record, " + table.fields.join(", ") + " FROM " + table.name + " ";
-}
+QString select(const Table& table) { return "SELECT id, record, " + table.fields.join(", ") + " FROM " + table.name + " "; }
 
 } // namespace
 
 Result<Totals> FleetRepository::totals()
 {
-    Statement statement(m_database, "SELECT (SELECT COUNT(*) FROM aircraft_type), (SELECT COUNT(*) FROM aircraft), (SELECT COUNT(*) FROM compass),"
-                                    " (SELECT COUNT(*) FROM swing)");
+    Statement statement(m_database,
+        "SELECT (SELECT COUNT(*) FROM aircraft_type), (SELECT COUNT(*) FROM aircraft), (SELECT COUNT(*) FROM compass),"
+        " (SELECT COUNT(*) FROM swing)");
     return oneOf<Totals>(statement, m_database, "fleet", [](Statement& row) {
         return Totals{static_cast<int>(row.integer(0)), static_cast<int>(row.integer(1)), static_cast<int>(row.integer(2)), row.integer(3)};
     });
@@ -51,9 +51,10 @@ Result<Totals> FleetRepository::totals()
 Result<std::vector<TypeRow>> FleetRepository::types()
 {
     // Counted one by one, each from an index alone: a join would visit every compass's row.
-    Statement statement(m_database, "SELECT t.id, t.name, (SELECT COUNT(*) FROM aircraft a WHERE a.type_id = t.id),"
-                                    " COALESCE((SELECT MAX(c.status) FROM aircraft a JOIN compass c ON c.aircraft_id = a.id WHERE a.type_id = t.id), 0)"
-                                    " FROM aircraft_type t ORDER BY t.name");
+    Statement statement(m_database,
+        "SELECT t.id, t.name, (SELECT COUNT(*) FROM aircraft a WHERE a.type_id = t.id),"
+        " COALESCE((SELECT MAX(c.status) FROM aircraft a JOIN compass c ON c.aircraft_id = a.id WHERE a.type_id = t.id), 0)"
+        " FROM aircraft_type t ORDER BY t.name");
     return rowsOf<TypeRow>(statement, [](Statement& row) {
         return TypeRow{row.id<AircraftTypeId>(0), row.text(1), static_cast<int>(row.integer(2)), row.as<Status>(3)};
     });
@@ -61,9 +62,10 @@ Result<std::vector<TypeRow>> FleetRepository::types()
 
 Result<std::vector<AircraftRow>> FleetRepository::aircraftOf(AircraftTypeId type)
 {
-    Statement statement(m_database, "SELECT a.id, a.type_id, a.registration, a.demonstration,"
-                                    " COALESCE((SELECT MAX(c.status) FROM compass c WHERE c.aircraft_id = a.id), 0)"
-                                    " FROM aircraft a WHERE a.type_id = ? ORDER BY a.registration");
+    Statement statement(m_database,
+        "SELECT a.id, a.type_id, a.registration, a.demonstration,"
+        " COALESCE((SELECT MAX(c.status) FROM compass c WHERE c.aircraft_id = a.id), 0)"
+        " FROM aircraft a WHERE a.type_id = ? ORDER BY a.registration");
     statement << type;
     return rowsOf<AircraftRow>(statement, [](Statement& row) {
         return AircraftRow{row.id<AircraftId>(0), row.id<AircraftTypeId>(1), row.text(2), row.integer(3) != 0, row.as<Status>(4)};
@@ -72,8 +74,9 @@ Result<std::vector<AircraftRow>> FleetRepository::aircraftOf(AircraftTypeId type
 
 Result<std::vector<CompassRow>> FleetRepository::compassesOf(AircraftId aircraft)
 {
-    Statement statement(m_database, "SELECT c.id, c.aircraft_id, c.name, (SELECT COUNT(*) FROM swing s WHERE s.compass_id = c.id), c.status"
-                                    " FROM compass c WHERE c.aircraft_id = ? ORDER BY c.name");
+    Statement statement(m_database,
+        "SELECT c.id, c.aircraft_id, c.name, (SELECT COUNT(*) FROM swing s WHERE s.compass_id = c.id), c.status"
+        " FROM compass c WHERE c.aircraft_id = ? ORDER BY c.name");
     statement << aircraft;
     return rowsOf<CompassRow>(statement, [](Statement& row) {
         return CompassRow{row.id<CompassId>(0), row.id<AircraftId>(1), row.text(2), static_cast<int>(row.integer(3)), row.as<Status>(4)};
@@ -94,8 +97,8 @@ Result<Aircraft> FleetRepository::aircraft(AircraftId id)
     Statement statement(m_database, select(aircraftTable()) + "WHERE id = ?");
     statement << id;
     return oneOf<Aircraft>(statement, m_database, "aircraft", [](Statement& row) {
-        return Aircraft{row.id<AircraftId>(0), row.text(1), row.id<AircraftTypeId>(2), row.text(3), row.text(4), row.text(5), row.optionalInteger(6),
-            row.text(7), row.integer(8) != 0, row.id<SiteId>(9)};
+        return Aircraft{row.id<AircraftId>(0), row.text(1), row.id<AircraftTypeId>(2), row.text(3), row.text(4), row.text(5),
+            row.optionalInteger(6), row.text(7), row.integer(8) != 0, row.id<SiteId>(9)};
     });
 }
 
@@ -104,8 +107,9 @@ Result<CompassSystem> FleetRepository::compass(CompassId id)
     Statement statement(m_database, select(compassTable()) + "WHERE id = ?");
     statement << id;
     return oneOf<CompassSystem>(statement, m_database, "compass", [](Statement& row) {
-        return CompassSystem{row.id<CompassId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.as<CompassKind>(4), row.as<Compensator>(5), row.text(6),
-            row.text(7), row.text(8), row.text(9), row.real(10), row.id<LimitsProfileId>(11), row.text(12)};
+        return CompassSystem{row.id<CompassId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.as<CompassKind>(4),
+            row.as<Compensator>(5), row.text(6), row.text(7), row.text(8), row.text(9), row.real(10), row.id<LimitsProfileId>(11),
+            row.text(12)};
     });
 }
 
@@ -122,15 +126,16 @@ Result<AircraftId> FleetRepository::aircraftNamed(const std::string& registratio
 {
     Statement statement(m_database, "SELECT id FROM aircraft WHERE registration = ?");
     statement << registration;
-    return oneOf<AircraftId>(statement, m_database, ("aircraft as " + registration).c_str(), [](Statement& row) { return row.id<AircraftId>(0); });
+    return oneOf<AircraftId>(
+        statement, m_database, ("aircraft as " + registration).c_str(), [](Statement& row) { return row.id<AircraftId>(0); });
 }
 
 Result<AircraftTypeId> FleetRepository::save(const AircraftType& type)
 {
     if (const auto named = requireName(type.name, "the name of the aircraft type"); !named)
         return named.error();
-    return saveRecord(m_database, typeTable(), type.id, type.record,
-        [&](Statement& statement) { statement << type.name << type.maker << type.note; });
+    return saveRecord(
+        m_database, typeTable(), type.id, type.record, [&](Statement& statement) { statement << type.name << type.maker << type.note; });
 }
 
 Result<AircraftId> FleetRepository::save(const Aircraft& aircraft)
@@ -138,8 +143,8 @@ Result<AircraftId> FleetRepository::save(const Aircraft& aircraft)
     if (const auto named = requireName(aircraft.registration, "the registration"); !named)
         return named.error();
     return saveRecord(m_database, aircraftTable(), aircraft.id, aircraft.record, [&](Statement& statement) {
-        statement << aircraft.type << aircraft.registration << aircraft.serialNumber << aircraft.operatorName << aircraft.builtYear << aircraft.note
-                  << aircraft.demonstration << aircraft.base;
+        statement << aircraft.type << aircraft.registration << aircraft.serialNumber << aircraft.operatorName << aircraft.builtYear
+                  << aircraft.note << aircraft.demonstration << aircraft.base;
     });
 }
 
@@ -151,8 +156,9 @@ Result<CompassId> FleetRepository::save(const CompassSystem& compass)
     if (!transaction)
         return transaction.error();
     const auto saved = saveRecord(m_database, compassTable(), compass.id, compass.record, [&](Statement& statement) {
-        statement << compass.aircraft << compass.name << static_cast<int>(compass.kind) << static_cast<int>(compass.compensator) << compass.maker
-                  << compass.partNumber << compass.serialNumber << compass.location << compass.resolution_deg << compass.limits << compass.installed;
+        statement << compass.aircraft << compass.name << static_cast<int>(compass.kind) << static_cast<int>(compass.compensator)
+                  << compass.maker << compass.partNumber << compass.serialNumber << compass.location << compass.resolution_deg
+                  << compass.limits << compass.installed;
     });
     if (!saved)
         return saved.error();
@@ -166,8 +172,9 @@ Result<CompassId> FleetRepository::save(const CompassSystem& compass)
 
 Result<EventId> FleetRepository::save(const Event& event)
 {
-    return saveRecord(m_database, eventTable(), event.id, event.record,
-        [&](Statement& statement) { statement << event.aircraft << event.date << event.kind << event.note << static_cast<int>(event.cause); });
+    return saveRecord(m_database, eventTable(), event.id, event.record, [&](Statement& statement) {
+        statement << event.aircraft << event.date << event.kind << event.note << static_cast<int>(event.cause);
+    });
 }
 
 } // namespace lubberline::db

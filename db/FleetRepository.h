@@ -14,11 +14,11 @@ public:
     explicit FleetRepository(Database& database) : m_database(database) {}
 
     Result<Totals> totals();
-    Result<std::vector<TypeRow>> types();                            ///< by name
+    Result<std::vector<TypeRow>> types();                             ///< by name
     Result<std::vector<AircraftRow>> aircraftOf(AircraftTypeId type); ///< by registration
     Result<std::vector<CompassRow>> compassesOf(AircraftId aircraft); ///< by name
-    /// Each word must be found in type, registration or compass, or in date, site, note or people of a swing. Aircraft first, then
-    /// compasses, then swings, the newest first; `limit` in all.
+    /// Each word must be found in type, registration or compass, or in date, site, note or people of a swing. Aircraft first,
+    /// then compasses, then swings, the newest first; `limit` in all.
     Result<std::vector<SearchHit>> search(const std::string& words, int limit);
 
     Result<AircraftType> type(AircraftTypeId id);

@@ -38,13 +38,15 @@ IdType translated(const std::map<IdType, IdType>& known, IdType id)
 
 class Importer {
 public:
-    Importer(Database& database, const Fleet& fleet, const PrepareSwing& prepare) : m_database(database), m_fleet(fleet), m_prepare(prepare) {}
+    Importer(Database& database, const Fleet& fleet, const PrepareSwing& prepare) : m_database(database), m_fleet(fleet), m_prepare(prepare)
+    {
+    }
 
     Result<void> particulars()
     {
-        for (const auto& step : {&Importer::limits, &Importer::sites, &Importer::types, &Importer::aircraft, &Importer::compasses, &Importer::sensors,
-                 &Importer::events, &Importer::instruments, &Importer::dueRules, &Importer::waivers,
-                 &Importer::electrical})
+        for (const auto& step :
+            {&Importer::limits, &Importer::sites, &Importer::types, &Importer::aircraft, &Importer::compasses, &Importer::sensors,
+                &Importer::events, &Importer::instruments, &Importer::dueRules, &Importer::waivers, &Importer::electrical})
             if (const auto done = (this->*step)(); !done)
                 return done;
         return {};
@@ -117,26 +119,40 @@ private:
 
 Result<void> Importer::limits()
 {
-    return each(m_fleet.limits, m_known.limits,
+    return each(
+        m_fleet.limits, m_known.limits,
         [this](const LimitsProfile& one) { return find<LimitsProfileId>("limits_profile", one.record, "name = ?", one.name); },
-        [this](LimitsProfile one) { one.id = {}; return SiteRepository(m_database).save(one); });
+        [this](LimitsProfile one) {
+            one.id = {};
+            return SiteRepository(m_database).save(one);
+        });
 }
 
 Result<void> Importer::sites()
 {
-    return each(m_fleet.sites, m_known.sites, [this](const Site& one) { return find<SiteId>("site", one.record, "name = ?", one.name); },
-        [this](Site one) { one.id = {}; return SiteRepository(m_database).save(one); });
+    return each(
+        m_fleet.sites, m_known.sites, [this](const Site& one) { return find<SiteId>("site", one.record, "name = ?", one.name); },
+        [this](Site one) {
+            one.id = {};
+            return SiteRepository(m_database).save(one);
+        });
 }
 
 Result<void> Importer::types()
 {
-    return each(m_fleet.types, m_known.types, [this](const AircraftType& one) { return find<AircraftTypeId>("aircraft_type", one.record, "name = ?", one.name); },
-        [this](AircraftType one) { one.id = {}; return FleetRepository(m_database).save(one); });
+    return each(
+        m_fleet.types, m_known.types,
+        [this](const AircraftType& one) { return find<AircraftTypeId>("aircraft_type", one.record, "name = ?", one.name); },
+        [this](AircraftType one) {
+            one.id = {};
+            return FleetRepository(m_database).save(one);
+        });
 }
 
 Result<void> Importer::aircraft()
 {
-    return each(m_fleet.aircraft, m_known.aircraft,
+    return each(
+        m_fleet.aircraft, m_known.aircraft,
         [this](const Aircraft& one) { return find<AircraftId>("aircraft", one.record, "registration = ?", one.registration); },
         [this](Aircraft one) {
             one.id = {};
@@ -149,9 +165,11 @@ Result<void> Importer::aircraft()
 
 Result<void> Importer::compasses()
 {
-    return each(m_fleet.compasses, m_known.compasses,
+    return each(
+        m_fleet.compasses, m_known.compasses,
         [this](const CompassSystem& one) {
-            return find<CompassId>("compass", one.record, "aircraft_id = ? AND name = ?", translated(m_known.aircraft, one.aircraft), one.name);
+            return find<CompassId>(
+                "compass", one.record, "aircraft_id = ? AND name = ?", translated(m_known.aircraft, one.aircraft), one.name);
         },
         [this](CompassSystem one) {
             one.id = {};
@@ -164,9 +182,11 @@ Result<void> Importer::compasses()
 Result<void> Importer::sensors()
 {
     std::map<SensorModelId, SensorModelId> none;
-    return each(m_fleet.sensors, none,
+    return each(
+        m_fleet.sensors, none,
         [this](const SensorRecord& one) {
-            return find<SensorModelId>("sensor_model", one.record, "compass_id = ? AND name = ?", translated(m_known.compasses, one.compass), one.name);
+            return find<SensorModelId>(
+                "sensor_model", one.record, "compass_id = ? AND name = ?", translated(m_known.compasses, one.compass), one.name);
         },
         [this](SensorRecord one) {
             one.id = {};
@@ -177,7 +197,8 @@ Result<void> Importer::sensors()
 
 Result<void> Importer::events()
 {
-    return each(m_fleet.events, m_known.events, [this](const Event& one) { return find<EventId>("event", one.record, "1 = 0"); },
+    return each(
+        m_fleet.events, m_known.events, [this](const Event& one) { return find<EventId>("event", one.record, "1 = 0"); },
         [this](Event one) {
             one.id = {};
             one.aircraft = translated(m_known.aircraft, one.aircraft);
@@ -207,7 +228,8 @@ Result<void> Importer::dueRules()
             return found.error();
         if (found->valid())
             continue;
-        if (const auto type = std::find_if(m_fleet.types.begin(), m_fleet.types.end(), [&](const AircraftType& each) { return each.record == one.type; });
+        if (const auto type
+            = std::find_if(m_fleet.types.begin(), m_fleet.types.end(), [&](const AircraftType& each) { return each.record == one.type; });
             type != m_fleet.types.end()) { // the type may be known here under another record, by its name
             const auto here = FleetRepository(m_database).type(translated(m_known.types, type->id));
             if (!here)
@@ -252,7 +274,8 @@ const JobRecord* Importer::jobOf(SwingId id) const
     return found == m_fleet.jobs.end() ? nullptr : &*found;
 }
 
-/// Equal but for the ids of rows and the figures of a field stamp: those follow from its place and date by the model of the day.
+/// Equal but for the ids of rows and the figures of a field stamp: those follow from its place and date by the model of the
+/// day.
 bool sameContents(Swing incoming, const Swing& stored)
 {
     incoming.id = stored.id;
@@ -306,8 +329,10 @@ Result<void> Importer::goOn(const Swing& incoming, const JobRecord& job, const S
         return here.error();
     const bool same = *here && (*here)->job.record == job.job.record && stored.swing.state == SwingState::Draft;
     if (!same || (!isBeginningOf((*here)->job.events, job.job.events) && !isBeginningOf(job.job.events, (*here)->job.events)))
-        return Error{ErrorCode::Conflict, "the guided swing of " + stored.aircraft.registration + ", " + stored.compass.name + ", " + stored.swing.date
-            + " has gone on here and elsewhere in different ways (record " + stored.swing.record + "); nothing was stored", m_database.path().toStdString()};
+        return Error{ErrorCode::Conflict,
+            "the guided swing of " + stored.aircraft.registration + ", " + stored.compass.name + ", " + stored.swing.date
+                + " has gone on here and elsewhere in different ways (record " + stored.swing.record + "); nothing was stored",
+            m_database.path().toStdString()};
     if (job.job.events.size() <= (*here)->job.events.size() && incoming.readings.empty())
         return {}; // it is as far here, or farther
     for (std::size_t place = (*here)->job.events.size(); place < job.job.events.size(); ++place)
@@ -354,8 +379,10 @@ Result<void> Importer::swing(const Swing& original)
     if (!record)
         return record.error();
     if (!sameContents(one, record->swing)) {
-        const Error conflict{ErrorCode::Conflict, "the swing of " + record->aircraft.registration + ", " + record->compass.name + ", " + record->swing.date
-            + " is in the database already with other contents (record " + one.record + "); nothing was stored", m_database.path().toStdString()};
+        const Error conflict{ErrorCode::Conflict,
+            "the swing of " + record->aircraft.registration + ", " + record->compass.name + ", " + record->swing.date
+                + " is in the database already with other contents (record " + one.record + "); nothing was stored",
+            m_database.path().toStdString()};
         if (!job || !record->swing.readings.empty())
             return conflict;
     }

@@ -19,8 +19,8 @@ Result<std::vector<DatumInstrument>> InstrumentRepository::instruments()
 {
     Statement statement(m_database, "SELECT record, " + instrumentTable().fields.join(", ") + " FROM datum_instrument ORDER BY name");
     return rowsOf<DatumInstrument>(statement, [](Statement& row) {
-        return DatumInstrument{row.text(0), row.text(1), row.as<DatumKind>(2), row.text(3), row.text(4), row.text(5), row.as<SightingDirection>(6),
-            row.integer(7) != 0, row.real(8), row.real(9), row.text(10)};
+        return DatumInstrument{row.text(0), row.text(1), row.as<DatumKind>(2), row.text(3), row.text(4), row.text(5),
+            row.as<SightingDirection>(6), row.integer(7) != 0, row.real(8), row.real(9), row.text(10)};
     });
 }
 
@@ -32,15 +32,13 @@ Result<void> InstrumentRepository::save(const DatumInstrument& instrument)
     if (!id)
         return id.error();
     const auto saved = saveRecord(m_database, instrumentTable(), *id, instrument.record, [&](Statement& statement) {
-        statement << instrument.name << static_cast<int>(instrument.kind) << instrument.maker << instrument.serialNumber << instrument.calibrationDue
-                  << static_cast<int>(instrument.ahead) << instrument.givesTrue << instrument.zero_deg << instrument.resolution_deg << instrument.note;
+        statement << instrument.name << static_cast<int>(instrument.kind) << instrument.maker << instrument.serialNumber
+                  << instrument.calibrationDue << static_cast<int>(instrument.ahead) << instrument.givesTrue << instrument.zero_deg
+                  << instrument.resolution_deg << instrument.note;
     });
     return saved ? Result<void>() : saved.error();
 }
 
-Result<void> InstrumentRepository::remove(const RecordId& record)
-{
-    return removeRecord(m_database, instrumentTable(), record);
-}
+Result<void> InstrumentRepository::remove(const RecordId& record) { return removeRecord(m_database, instrumentTable(), record); }
 
 } // namespace lubberline::db

@@ -1,6 +1,6 @@
 #include "db/JobRepository.h"
 
-#include "core/format/JobJson.h"
+#include "core/format/exchange/JobJson.h"
 #include "db/Audit.h"
 #include "db/Statement.h"
 #include "db/SwingRepository.h"
@@ -20,21 +20,18 @@ struct JobRowIn {
     JobStanding standing = JobStanding::Open;
 };
 
-JobRowIn jobRowFrom(const Statement& row)
-{
-    return {row.integer(0), row.text(1), row.id<SwingId>(2), row.text(3), row.as<JobStanding>(4)};
-}
+JobRowIn jobRowFrom(const Statement& row) { return {row.integer(0), row.text(1), row.id<SwingId>(2), row.text(3), row.as<JobStanding>(4)}; }
 
-const QString kSelect = "SELECT j.id, j.record, j.swing_id, j.plan_json, j.state FROM swing_job j ";
+const QString kSelectJob = "SELECT j.id, j.record, j.swing_id, j.plan_json, j.state FROM swing_job j ";
 
 Result<JobRowIn> rowOf(Database& database, SwingId swing)
 {
-    Statement statement(database, kSelect + "WHERE j.swing_id = ?");
+    Statement statement(database, kSelectJob + "WHERE j.swing_id = ?");
     statement << swing;
     return oneOf<JobRowIn>(statement, database, "guided swing", jobRowFrom);
 }
 
-Error corrupt(const Database& database, const RecordId& record, const Error& error)
+Error corruptJob(const Database& database, const RecordId& record, const Error& error)
 {
     return {ErrorCode::Corrupt, "the guided swing " + record + " does not read: " + error.message, database.path().toStdString()};
 }
@@ -44,7 +41,7 @@ Result<SwingJob> jobFrom(Database& database, const JobRowIn& row)
     const std::string file = database.path().toStdString();
     auto job = readJobPlan(row.plan, file);
     if (!job)
-        return corrupt(database, row.record, job.error());
+        return corruptJob(database, row.record, job.error());
     job->record = row.record;
     Statement statement(database, "SELECT event_json FROM job_event WHERE job_id = ? ORDER BY place");
     statement << row.id;
@@ -54,7 +51,7 @@ Result<SwingJob> jobFrom(Database& database, const JobRowIn& row)
     for (const auto& line : *lines) {
         auto event = readJobEvent(line, file);
         if (!event)
-            return corrupt(database, row.record, event.error());
+            return corruptJob(database, row.record, event.error());
         job->events.push_back(std::move(*event));
     }
     return job;
@@ -71,9 +68,10 @@ Result<void> insertEvent(Database& database, std::int64_t job, std::size_t place
 
 Result<std::vector<JobRow>> JobRepository::open()
 {
-    Statement statement(m_database, "SELECT j.swing_id, j.record, a.registration, c.name, s.date, (SELECT COUNT(*) FROM job_event e WHERE e.job_id = j.id)"
-                                    " FROM swing_job j JOIN swing s ON s.id = j.swing_id JOIN compass c ON c.id = s.compass_id"
-                                    " JOIN aircraft a ON a.id = c.aircraft_id WHERE j.state = 0 ORDER BY j.id DESC");
+    Statement statement(m_database,
+        "SELECT j.swing_id, j.record, a.registration, c.name, s.date, (SELECT COUNT(*) FROM job_event e WHERE e.job_id = j.id)"
+        " FROM swing_job j JOIN swing s ON s.id = j.swing_id JOIN compass c ON c.id = s.compass_id"
+        " JOIN aircraft a ON a.id = c.aircraft_id WHERE j.state = 0 ORDER BY j.id DESC");
     return rowsOf<JobRow>(statement, [](Statement& row) {
         return JobRow{row.id<SwingId>(0), row.text(1), row.text(2), row.text(3), row.text(4), static_cast<int>(row.integer(5))};
     });
@@ -84,7 +82,8 @@ Result<std::optional<JobRecord>> JobRepository::jobOf(SwingId swing)
     const auto snapshot = Transaction::beginReading(m_database);
     if (!snapshot)
         return snapshot.error();
-    Statement statement(m_database, kSelect + "WHERE j.swing_id = ? OR j.record = (SELECT job_record FROM swing WHERE id = ? AND job_record <> '')");
+    Statement statement(
+        m_database, kSelectJob + "WHERE j.swing_id = ? OR j.record = (SELECT job_record FROM swing WHERE id = ? AND job_record <> '')");
     statement << swing << swing;
     const auto row = firstOf<JobRowIn>(statement, jobRowFrom);
     if (!row)
@@ -104,7 +103,7 @@ Result<std::optional<JobRecord>> JobRepository::jobOf(SwingId swing)
 
 Result<std::vector<JobRecord>> JobRepository::all()
 {
-    Statement statement(m_database, kSelect + "ORDER BY j.id");
+    Statement statement(m_database, kSelectJob + "ORDER BY j.id");
     const auto rows = rowsOf<JobRowIn>(statement, jobRowFrom);
     if (!rows)
         return rows.error();
@@ -156,8 +155,10 @@ Result<void> JobRepository::append(SwingId swing, std::size_t place, const JobEv
     if (!stored)
         return stored.error();
     if (*stored != static_cast<std::int64_t>(place))
-        return Error{ErrorCode::Conflict, "this guided swing has gone on in another window (" + std::to_string(*stored) + " steps there, " + std::to_string(place)
-            + " known here); nothing was overwritten: take it up again", file};
+        return Error{ErrorCode::Conflict,
+            "this guided swing has gone on in another window (" + std::to_string(*stored) + " steps there, " + std::to_string(place)
+                + " known here); nothing was overwritten: take it up again",
+            file};
     if (const auto done = insertEvent(m_database, row->id, place, event); !done)
         return done;
     return transaction->commit();

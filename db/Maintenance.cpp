@@ -10,8 +10,8 @@
 #include <map>
 
 #include "db/FleetRepository.h"
-#include "db/ResultCache.h"
 #include "db/JobRepository.h"
+#include "db/ResultCache.h"
 #include "db/SensorRepository.h"
 #include "db/SigningRepository.h"
 #include "db/SiteRepository.h"
@@ -34,7 +34,8 @@ bool same(std::optional<double> a, std::optional<double> b)
 
 bool same(const CachedResult& computed, const SwingRow& stored)
 {
-    if (computed.readings != stored.readings || computed.status != stored.status || !same(computed.maxAbsDeviation_deg, stored.maxAbsDeviation_deg))
+    if (computed.readings != stored.readings || computed.status != stored.status
+        || !same(computed.maxAbsDeviation_deg, stored.maxAbsDeviation_deg))
         return false;
     for (std::size_t i = 0; i < stored.coefficient_deg.size(); ++i)
         if (!same(computed.coefficient_deg[i], stored.coefficient_deg[i]))
@@ -54,7 +55,8 @@ Result<void> findings(Database& database, VerifyReport& report, const QString& s
     return {};
 }
 
-/// SQLite's own checks (integrity_check holds every row against the CHECKs of its table, too), and what the schema cannot promise.
+/// SQLite's own checks (integrity_check holds every row against the CHECKs of its table, too), and what the schema cannot
+/// promise.
 Result<void> checkStructure(Database& database, VerifyReport& report)
 {
     auto done = findings(database, report, "SELECT integrity_check FROM pragma_integrity_check WHERE integrity_check <> 'ok'",
@@ -63,15 +65,21 @@ Result<void> checkStructure(Database& database, VerifyReport& report)
         done = findings(database, report, "PRAGMA foreign_key_check",
             [](Statement& row) { return "foreign key: a row of " + row.text(0) + " refers to a missing row of " + row.text(2); });
     if (done)
-        done = findings(database, report, "SELECT DISTINCT s.record FROM reading r JOIN swing s ON s.id = r.swing_id GROUP BY r.swing_id, r.position"
-            " HAVING COUNT(*) > 1", [](Statement& row) { return "order: two readings of the swing " + row.text(0) + " are in one place"; });
-    for (const char* column : {"swing.variation_deg", "swing.index_removed_deg", "swing.field_latitude_deg", "swing.field_longitude_deg", "swing.field_height_m",
-             "swing.field_north_nT", "swing.field_east_nT", "swing.field_down_nT", "site.latitude_deg", "site.longitude_deg", "site.elevation_m", "site.variation_deg", "site.painted_variation_deg", "compass.resolution_deg",
-             "datum_instrument.zero_deg"})
+        done = findings(database, report,
+            "SELECT DISTINCT s.record FROM reading r JOIN swing s ON s.id = r.swing_id GROUP BY r.swing_id, r.position"
+            " HAVING COUNT(*) > 1",
+            [](Statement& row) { return "order: two readings of the swing " + row.text(0) + " are in one place"; });
+    for (const char* column :
+        {"swing.variation_deg", "swing.index_removed_deg", "swing.field_latitude_deg", "swing.field_longitude_deg", "swing.field_height_m",
+            "swing.field_north_nT", "swing.field_east_nT", "swing.field_down_nT", "site.latitude_deg", "site.longitude_deg",
+            "site.elevation_m", "site.variation_deg", "site.painted_variation_deg", "compass.resolution_deg", "datum_instrument.zero_deg"})
         if (done) { // a column takes text that is not a number as it is, and 9e999 as infinite
             const QStringList parts = QString(column).split('.');
-            done = findings(database, report, QStringLiteral("SELECT record FROM %1 WHERE typeof(%2) IN ('text', 'blob') OR abs(%2) > 1e300").arg(parts[0], parts[1]),
-                [&](Statement& row) { return std::string("figure: ") + column + " of the record " + row.text(0) + " is not a real number"; });
+            done = findings(database, report,
+                QStringLiteral("SELECT record FROM %1 WHERE typeof(%2) IN ('text', 'blob') OR abs(%2) > 1e300").arg(parts[0], parts[1]),
+                [&](Statement& row) {
+                    return std::string("figure: ") + column + " of the record " + row.text(0) + " is not a real number";
+                });
         }
     return done;
 }
@@ -102,8 +110,11 @@ Result<void> checkRamp(Database& database, VerifyReport& report)
 /// The badge of a compass is that of its latest swing with a result.
 Result<void> checkBadges(Database& database, VerifyReport& report)
 {
-    return findings(database, report, "SELECT a.registration, c.name FROM compass c JOIN aircraft a ON a.id = c.aircraft_id WHERE c.status <> "
-        + statusOfLatest(), [](Statement& row) { return "results: the state kept for " + row.text(0) + ", " + row.text(1) + " is not that of its latest swing"; });
+    return findings(database, report,
+        "SELECT a.registration, c.name FROM compass c JOIN aircraft a ON a.id = c.aircraft_id WHERE c.status <> " + statusOfLatest(),
+        [](Statement& row) {
+            return "results: the state kept for " + row.text(0) + ", " + row.text(1) + " is not that of its latest swing";
+        });
 }
 
 Result<std::map<SwingId, SwingRow>> storedRows(Database& database)
@@ -124,8 +135,8 @@ Result<std::map<CompassId, std::optional<LimitsProfile>>> limitsByCompass(Databa
     if (!profiles)
         return profiles.error();
     Statement statement(database, "SELECT id, limits_id FROM compass");
-    const auto pairs = rowsOf<std::pair<CompassId, LimitsProfileId>>(statement,
-        [](Statement& row) { return std::pair(row.id<CompassId>(0), row.id<LimitsProfileId>(1)); });
+    const auto pairs = rowsOf<std::pair<CompassId, LimitsProfileId>>(
+        statement, [](Statement& row) { return std::pair(row.id<CompassId>(0), row.id<LimitsProfileId>(1)); });
     if (!pairs)
         return pairs.error();
     std::map<CompassId, std::optional<LimitsProfile>> limits;
@@ -153,8 +164,10 @@ Result<void> checkResults(Database& database, VerifyReport& report, const Progre
         const auto row = stored->find(swing.id);
         const auto profile = limits->find(swing.compass);
         if (row == stored->end() || profile == limits->end() || !same(resultOf(swing, profile->second), row->second))
-            report.findings.push_back("results: those kept for the swing of " + swing.date + " (record " + swing.record + ") are not what its readings give");
-        cancelled = progress && report.swings % 64 == 0 && !progress(static_cast<double>(report.swings) / static_cast<double>(stored->size()));
+            report.findings.push_back(
+                "results: those kept for the swing of " + swing.date + " (record " + swing.record + ") are not what its readings give");
+        cancelled
+            = progress && report.swings % 64 == 0 && !progress(static_cast<double>(report.swings) / static_cast<double>(stored->size()));
         return !cancelled;
     });
     if (!done)
@@ -213,7 +226,8 @@ Result<void> backup(Database& database, const QString& path)
     if (kept)
         return {};
     QFile::remove(partial);
-    return copied ? Error{ErrorCode::Io, "the backup could not be written to its place; expected a folder that may be written", file} : named(copied.error(), file);
+    return copied ? Error{ErrorCode::Io, "the backup could not be written to its place; expected a folder that may be written", file}
+                  : named(copied.error(), file);
 }
 
 Result<VerifyReport> verify(Database& database, const Progress& progress)
@@ -247,8 +261,9 @@ Result<DatabaseStatus> status(Database& database)
     if (!totals)
         return totals.error();
     status.totals = *totals;
-    Statement statement(database, "SELECT (SELECT COUNT(*) FROM reading), (SELECT COUNT(*) FROM audit_entry), (SELECT user_version FROM pragma_user_version),"
-                                  " (SELECT journal_mode FROM pragma_journal_mode), (SELECT COUNT(*) FROM sensor_model)");
+    Statement statement(database,
+        "SELECT (SELECT COUNT(*) FROM reading), (SELECT COUNT(*) FROM audit_entry), (SELECT user_version FROM pragma_user_version),"
+        " (SELECT journal_mode FROM pragma_journal_mode), (SELECT COUNT(*) FROM sensor_model)");
     return oneOf<DatabaseStatus>(statement, database, "status", [&](Statement& row) {
         status.readings = row.integer(0);
         status.auditEntries = row.integer(1);

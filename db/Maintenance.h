@@ -10,8 +10,9 @@
 
 namespace lubberline::db {
 
-/// Writes a whole copy while the database is in use; not inside a transaction. Written beside and renamed: no half copy is left, and
-/// it is on the drive when this returns. Errors: Conflict when the file exists already, Io (folder missing or not writable), Full.
+/// Writes a whole copy while the database is in use; not inside a transaction. Written beside and renamed: no half copy is
+/// left, and it is on the drive when this returns. Errors: Conflict when the file exists already, Io (folder missing or not
+/// writable), Full.
 Result<void> backup(Database& database, const QString& path);
 
 struct VerifyReport {
@@ -20,8 +21,9 @@ struct VerifyReport {
     std::vector<std::string> findings; ///< empty: all is well
 };
 
-/// SQLite's integrity check, foreign keys, figures that are none, sensor models that do not read, and every cached result recomputed from its readings, all of one
-/// moment, whatever others write meanwhile. Changes nothing. Errors: Corrupt (when not even reading is possible), Cancelled.
+/// SQLite's integrity check, foreign keys, figures that are none, sensor models that do not read, and every cached result
+/// recomputed from its readings, all of one moment, whatever others write meanwhile. Changes nothing. Errors: Corrupt (when not
+/// even reading is possible), Cancelled.
 Result<VerifyReport> verify(Database& database, const Progress& progress);
 
 struct DatabaseStatus {

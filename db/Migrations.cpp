@@ -100,7 +100,8 @@ const Migration kThird{3, "sensor models of compasses; the Earth's field that a 
         " field_north_nT, field_east_nT, field_down_nT, index_removed_deg ON swing WHEN OLD.state = 2 BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
     }};
 
-const Migration kFourth{4, "the ramp: guided swings, signatures, revisions, raw figures, instruments, due rules, waivers, bases, electrical swings",
+const Migration kFourth{4,
+    "the ramp: guided swings, signatures, revisions, raw figures, instruments, due rules, waivers, bases, electrical swings",
     {
         "ALTER TABLE swing ADD COLUMN datum_read_out TEXT NOT NULL DEFAULT ''",
         "ALTER TABLE swing ADD COLUMN start_utc TEXT NOT NULL DEFAULT ''",
@@ -173,9 +174,6 @@ const std::vector<Migration>& migrations()
     return steps;
 }
 
-int schemaVersion()
-{
-    return migrations().back().version;
-}
+int schemaVersion() { return migrations().back().version; }
 
 } // namespace lubberline::db

@@ -1,8 +1,8 @@
 #include "db/ResultCache.h"
 
-#include "core/format/SwingCsv.h"
+#include "core/swing/Observations.h"
 
-#include "core/deviation/Analysis.h"
+#include "core/swing/Analysis.h"
 #include "db/SiteRepository.h"
 #include "db/Statement.h"
 #include "db/SwingRepository.h"
@@ -28,8 +28,9 @@ Result<void> refreshAll(Database& database, const Result<std::vector<SwingId>>& 
 
 Result<void> write(Database& database, SwingId swing, const CachedResult& result)
 {
-    Statement statement(database, "UPDATE swing SET reading_count = ?, max_abs_deviation_deg = ?, a_deg = ?, b_deg = ?, c_deg = ?, d_deg = ?, e_deg = ?, status = ?"
-                                  " WHERE id = ?");
+    Statement statement(database,
+        "UPDATE swing SET reading_count = ?, max_abs_deviation_deg = ?, a_deg = ?, b_deg = ?, c_deg = ?, d_deg = ?, e_deg = ?, status = ?"
+        " WHERE id = ?");
     statement << result.readings << result.maxAbsDeviation_deg;
     for (const auto& coefficient_deg : result.coefficient_deg)
         statement << coefficient_deg;
@@ -40,12 +41,9 @@ Result<void> write(Database& database, SwingId swing, const CachedResult& result
 Status statusOf(Verdict verdict)
 {
     switch (verdict) {
-    case Verdict::InLimits:
-        return Status::InLimits;
-    case Verdict::OutOfLimits:
-        return Status::OutOfLimits;
-    case Verdict::NotKnown:
-        break;
+    case Verdict::InLimits: return Status::InLimits;
+    case Verdict::OutOfLimits: return Status::OutOfLimits;
+    case Verdict::NotKnown: break;
     }
     return Status::NotKnown;
 }
@@ -88,8 +86,9 @@ Result<void> storeResult(Database& database, const Swing& swing)
 
 QString statusOfLatest(const QString& compass)
 {
-    return "COALESCE((SELECT s.status FROM swing s WHERE s.compass_id = " + compass + ".id AND s.max_abs_deviation_deg IS NOT NULL"
-        " ORDER BY s.date DESC, s.stage DESC, s.id DESC LIMIT 1), 0)";
+    return "COALESCE((SELECT s.status FROM swing s WHERE s.compass_id = " + compass
+        + ".id AND s.max_abs_deviation_deg IS NOT NULL"
+          " ORDER BY s.date DESC, s.stage DESC, s.id DESC LIMIT 1), 0)";
 }
 
 Result<void> refreshCompass(Database& database, CompassId compass)

@@ -29,18 +29,13 @@ std::string changesBetween(const Table& table, const StoredRow& before, const St
 
 QString insertInto(const Table& table)
 {
-    return "INSERT INTO " + table.name + " (record, " + table.fields.join(", ") + ") VALUES (" + placeholders(table.fields.size() + 1) + ")";
+    return "INSERT INTO " + table.name + " (record, " + table.fields.join(", ") + ") VALUES (" + placeholders(table.fields.size() + 1)
+        + ")";
 }
 
-QString updateOf(const Table& table)
-{
-    return "UPDATE " + table.name + " SET " + table.fields.join(" = ?, ") + " = ? WHERE id = ?";
-}
+QString updateOf(const Table& table) { return "UPDATE " + table.name + " SET " + table.fields.join(" = ?, ") + " = ? WHERE id = ?"; }
 
-QString placeholders(qsizetype count)
-{
-    return QStringList(count, "?").join(", ");
-}
+QString placeholders(qsizetype count) { return QStringList(count, "?").join(", "); }
 
 Result<RowId> rowWith(Database& database, const Table& table, const RecordId& record)
 {

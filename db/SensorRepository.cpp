@@ -1,7 +1,7 @@
 #include "db/SensorRepository.h"
 
-#include "core/format/BenchJson.h"
-#include "core/format/ModelJson.h"
+#include "core/format/exchange/BenchJson.h"
+#include "core/format/exchange/ModelJson.h"
 #include "db/Saving.h"
 #include "db/SensorText.h"
 
@@ -11,7 +11,8 @@ namespace {
 
 const Table& sensorTable()
 {
-    static const Table table{"sensor model", "sensor_model", {"compass_id", "name", "origin", "note", "model_json", "bench_json", "states_json"}};
+    static const Table table{
+        "sensor model", "sensor_model", {"compass_id", "name", "origin", "note", "model_json", "bench_json", "states_json"}};
     return table;
 }
 
@@ -47,7 +48,8 @@ Result<SensorRecord> SensorRepository::sensor(SensorModelId id)
 {
     Statement statement(m_database, selectSensor() + "WHERE id = ?");
     statement << id;
-    auto row = oneOf<Result<SensorRecord>>(statement, m_database, "sensor model", [this](Statement& found) { return sensorFrom(found, m_database); });
+    auto row = oneOf<Result<SensorRecord>>(
+        statement, m_database, "sensor model", [this](Statement& found) { return sensorFrom(found, m_database); });
     if (!row)
         return row.error();
     return std::move(row.value());

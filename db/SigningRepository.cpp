@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "core/format/RecordWords.h"
-#include "core/format/SignedContent.h"
+#include "core/format/exchange/SignedContent.h"
 #include "core/record/Completeness.h"
+#include "core/record/RecordWords.h"
 #include "db/Audit.h"
 #include "db/JobRepository.h"
 #include "db/Signatures.h"
@@ -27,14 +27,13 @@ bool holds(const Signature& signature, SignatureRole role, const std::string& ha
 /// Two people: who did it, and who answers for it having been checked.
 bool decided(const std::vector<Signature>& signatures, const std::string& hash)
 {
-    const auto any = [&](SignatureRole role) { return std::any_of(signatures.begin(), signatures.end(), [&](const Signature& one) { return holds(one, role, hash); }); };
+    const auto any = [&](SignatureRole role) {
+        return std::any_of(signatures.begin(), signatures.end(), [&](const Signature& one) { return holds(one, role, hash); });
+    };
     return any(SignatureRole::Performer) && (any(SignatureRole::Inspector) || any(SignatureRole::Authority));
 }
 
-std::string nowUtc()
-{
-    return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-}
+std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
 
 } // namespace
 
@@ -49,7 +48,9 @@ Result<std::string> SigningRepository::hashOf(SwingId id)
     std::optional<SwingJob> job;
     if (*found && (*found)->swing == id)
         job = (*found)->job;
-    return QCryptographicHash::hash(QByteArray::fromStdString(signedContent(*record, job)), QCryptographicHash::Sha256).toHex().toStdString();
+    return QCryptographicHash::hash(QByteArray::fromStdString(signedContent(*record, job)), QCryptographicHash::Sha256)
+        .toHex()
+        .toStdString();
 }
 
 Result<void> SigningRepository::setState(SwingId id, SwingState state, const std::string& what, const std::string& detail)
@@ -119,8 +120,9 @@ Result<void> SigningRepository::sign(SwingId id, Signature signature)
     signature.hash = *hash;
     if (const auto kept = addSignature(m_database, id, signature); !kept)
         return kept;
-    if (const auto kept = audit(m_database, "signed swing", swing->record, std::string(fileWord(signature.role)) + ": " + signature.name + " " + signature.licence
-            + ", hash " + *hash); !kept)
+    if (const auto kept = audit(m_database, "signed swing", swing->record,
+            std::string(fileWord(signature.role)) + ": " + signature.name + " " + signature.licence + ", hash " + *hash);
+        !kept)
         return kept;
     swing->signatures.push_back(std::move(signature));
     if (swing->state == SwingState::Complete && decided(swing->signatures, *hash))
@@ -167,7 +169,8 @@ Result<SwingId> SigningRepository::amend(SwingId id, const std::string& reason)
     if (!other)
         return other.error();
     if (*other)
-        return Error{ErrorCode::Conflict, "the swing is amended already by the record " + **other + "; expected that one to be changed or amended",
+        return Error{ErrorCode::Conflict,
+            "the swing is amended already by the record " + **other + "; expected that one to be changed or amended",
             m_database.path().toStdString()};
     swing->supersedes = swing->record;
     swing->record.clear();

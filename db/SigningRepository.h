@@ -18,8 +18,8 @@ public:
     Result<void> complete(SwingId id);
     /// Errors: InvalidInput (not complete, no reason), Frozen.
     Result<void> reopen(SwingId id, const std::string& reason);
-    /// Time and hash are made here. A performer's with an inspector's or authority's that hold sign the swing; an authority may sign later, too.
-    /// Errors: InvalidInput (a draft, no name).
+    /// Time and hash are made here. A performer's with an inspector's or authority's that hold sign the swing; an authority may
+    /// sign later, too. Errors: InvalidInput (a draft, no name).
     Result<void> sign(SwingId id, Signature signature);
     Result<std::vector<bool>> hold(SwingId id); ///< as Swing::signatures
     /// Errors: InvalidInput (not signed, no reason), Conflict (superseded already).

@@ -1,6 +1,6 @@
 #include "db/SiteRepository.h"
 
-#include "core/format/RampJson.h"
+#include "core/format/exchange/RampJson.h"
 #include "db/ResultCache.h"
 #include "db/Saving.h"
 
@@ -10,15 +10,17 @@ namespace {
 
 const Table& siteTable()
 {
-    static const Table table{"site", "site", {"name", "latitude_deg", "longitude_deg", "elevation_m", "variation_deg", "variation_source", "note",
-        "owner", "site_class", "certificate", "certificate_expiry", "painted_variation_deg", "painted_date", "survey_date", "surveyor",
-        "survey_instrument", "survey_json"}};
+    static const Table table{"site", "site",
+        {"name", "latitude_deg", "longitude_deg", "elevation_m", "variation_deg", "variation_source", "note", "owner", "site_class",
+            "certificate", "certificate_expiry", "painted_variation_deg", "painted_date", "survey_date", "surveyor", "survey_instrument",
+            "survey_json"}};
     return table;
 }
 
 const Table& limitsTable()
 {
-    static const Table table{"limits profile", "limits_profile", {"name", "document", "issue", "scope", "max_deviation_deg", "max_spread_deg"}};
+    static const Table table{
+        "limits profile", "limits_profile", {"name", "document", "issue", "scope", "max_deviation_deg", "max_spread_deg"}};
     return table;
 }
 
@@ -28,8 +30,8 @@ QString selectLimits() { return "SELECT id, record, " + limitsTable().fields.joi
 /// Errors: Corrupt (a survey that does not read).
 Result<Site> siteFrom(const Statement& row, const Database& database)
 {
-    Site site{row.id<SiteId>(0), row.text(1), row.text(2), row.optionalReal(3), row.optionalReal(4), row.optionalReal(5), row.optionalReal(6), row.text(7),
-        row.text(8)};
+    Site site{row.id<SiteId>(0), row.text(1), row.text(2), row.optionalReal(3), row.optionalReal(4), row.optionalReal(5),
+        row.optionalReal(6), row.text(7), row.text(8)};
     site.owner = row.text(9);
     site.siteClass = row.as<SiteClass>(10);
     site.certificate = row.text(11);
@@ -44,14 +46,16 @@ Result<Site> siteFrom(const Statement& row, const Database& database)
         return site;
     auto survey = readSurvey(points, database.path().toStdString());
     if (!survey)
-        return Error{ErrorCode::Corrupt, "the survey of the site " + site.name + " does not read: " + survey.error().message, database.path().toStdString()};
+        return Error{ErrorCode::Corrupt, "the survey of the site " + site.name + " does not read: " + survey.error().message,
+            database.path().toStdString()};
     site.survey = std::move(*survey);
     return site;
 }
 
 LimitsProfile limitsFrom(const Statement& row)
 {
-    return {row.id<LimitsProfileId>(0), row.text(1), row.text(2), row.text(3), row.text(4), row.text(5), row.optionalReal(6), row.optionalReal(7)};
+    return {row.id<LimitsProfileId>(0), row.text(1), row.text(2), row.text(3), row.text(4), row.text(5), row.optionalReal(6),
+        row.optionalReal(7)};
 }
 
 } // namespace
@@ -94,9 +98,9 @@ Result<SiteId> SiteRepository::save(const Site& site)
     if (const auto named = requireName(site.name, "the name of the site"); !named)
         return named.error();
     return saveRecord(m_database, siteTable(), site.id, site.record, [&](Statement& statement) {
-        statement << site.name << site.latitude_deg << site.longitude_deg << site.elevation_m << site.variation_deg << site.variationSource << site.note
-                  << site.owner << static_cast<int>(site.siteClass) << site.certificate << site.certificateExpiry << site.paintedVariation_deg
-                  << site.paintedDate << site.surveyDate << site.surveyor << site.surveyInstrument
+        statement << site.name << site.latitude_deg << site.longitude_deg << site.elevation_m << site.variation_deg << site.variationSource
+                  << site.note << site.owner << static_cast<int>(site.siteClass) << site.certificate << site.certificateExpiry
+                  << site.paintedVariation_deg << site.paintedDate << site.surveyDate << site.surveyor << site.surveyInstrument
                   << (site.survey.empty() ? std::string() : writeSurvey(site.survey));
     });
 }
@@ -109,7 +113,8 @@ Result<LimitsProfileId> SiteRepository::save(const LimitsProfile& profile)
     if (!transaction)
         return transaction.error();
     const auto saved = saveRecord(m_database, limitsTable(), profile.id, profile.record, [&](Statement& statement) {
-        statement << profile.name << profile.document << profile.issue << profile.scope << profile.maxDeviation_deg << profile.maxSpread_deg;
+        statement << profile.name << profile.document << profile.issue << profile.scope << profile.maxDeviation_deg
+                  << profile.maxSpread_deg;
     });
     if (!saved)
         return saved.error();

@@ -13,9 +13,9 @@ class SiteRepository {
 public:
     explicit SiteRepository(Database& database) : m_database(database) {}
 
-    Result<std::vector<Site>> sites();                    ///< by name
-    Result<std::vector<LimitsProfile>> limitsProfiles();  ///< by name
-    Result<std::optional<Site>> site(SiteId id);          ///< none when the id is not valid
+    Result<std::vector<Site>> sites();                   ///< by name
+    Result<std::vector<LimitsProfile>> limitsProfiles(); ///< by name
+    Result<std::optional<Site>> site(SiteId id);         ///< none when the id is not valid
     /// The limits that apply to a compass, if any.
     Result<std::optional<LimitsProfile>> limitsOf(CompassId compass);
 

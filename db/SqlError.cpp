@@ -34,11 +34,13 @@ Error constraintError(int code, const std::string& detail, const std::string& fi
             return {ErrorCode::Frozen, "the swing is signed and frozen; expected a new revision instead of a change", file};
         return {ErrorCode::Frozen, detail + "; expected no change of it", file};
     case kCheck:
-        return {ErrorCode::InvalidInput, "a value is outside its range; expected one that fits " + detail.substr(detail.find(':') + 1), file};
+        return {
+            ErrorCode::InvalidInput, "a value is outside its range; expected one that fits " + detail.substr(detail.find(':') + 1), file};
     case kForeignKey:
         return {ErrorCode::Conflict, "the record refers to another that is not in the database, or is still referred to", file};
     case kNotNull:
-        return {ErrorCode::InvalidInput, "something that is needed is not stated (" + detail.substr(detail.find(':') + 2) + "); expected a value", file};
+        return {ErrorCode::InvalidInput,
+            "something that is needed is not stated (" + detail.substr(detail.find(':') + 2) + "); expected a value", file};
     default:
         for (const auto& [columns, words] : kUniqueNames)
             if (detail.find(columns) != std::string::npos)
@@ -57,23 +59,19 @@ Error errorOf(const QSqlError& error, const QString& path)
     switch (code & 0xFF) {
     case kBusy:
     case kLocked:
-        return {ErrorCode::Locked, "another program is writing to the database; expected it to be free: close the other program or try again", file};
-    case kReadOnly:
-        return {ErrorCode::ReadOnly, "the database may only be read; expected a file and folder that may be written", file};
+        return {ErrorCode::Locked,
+            "another program is writing to the database; expected it to be free: close the other program or try again", file};
+    case kReadOnly: return {ErrorCode::ReadOnly, "the database may only be read; expected a file and folder that may be written", file};
     case kIoError:
-        return {ErrorCode::Io, "the drive failed while the database was read or written (" + detail + "); expected a drive that is there", file};
-    case kCorrupt:
-        return {ErrorCode::Corrupt, "the database is damaged (" + detail + "); expected a whole one: restore a backup", file};
-    case kFull:
-        return {ErrorCode::Full, "the drive is full; expected room for the database: free some space", file};
+        return {ErrorCode::Io, "the drive failed while the database was read or written (" + detail + "); expected a drive that is there",
+            file};
+    case kCorrupt: return {ErrorCode::Corrupt, "the database is damaged (" + detail + "); expected a whole one: restore a backup", file};
+    case kFull: return {ErrorCode::Full, "the drive is full; expected room for the database: free some space", file};
     case kCannotOpen:
         return {ErrorCode::Io, "the database cannot be opened; expected a file in a folder that is there and may be read", file};
-    case kNotADatabase:
-        return {ErrorCode::Format, "this is not a Lubberline database; expected an SQLite file made by this program", file};
-    case kConstraint:
-        return constraintError(code, detail, file);
-    default:
-        return {ErrorCode::Io, "the database refused (" + detail + ")", file};
+    case kNotADatabase: return {ErrorCode::Format, "this is not a Lubberline database; expected an SQLite file made by this program", file};
+    case kConstraint: return constraintError(code, detail, file);
+    default: return {ErrorCode::Io, "the database refused (" + detail + ")", file};
     }
 }
 

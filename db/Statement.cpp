@@ -8,9 +8,7 @@
 
 namespace lubberline::db {
 
-Statement::Statement(const Database& database, const QString& sql)
-    : m_query(database.connection())
-    , m_path(database.path())
+Statement::Statement(const Database& database, const QString& sql) : m_query(database.connection()), m_path(database.path())
 {
     m_query.setForwardOnly(true); // no cache of rows
     m_prepared = m_query.prepare(sql);

@@ -24,10 +24,16 @@ public:
     Statement& operator<<(int number) { return *this << static_cast<std::int64_t>(number); }
     Statement& operator<<(bool yes) { return *this << static_cast<std::int64_t>(yes); }
     template <class T>
-    Statement& operator<<(const std::optional<T>& value) { return value ? *this << *value : null(); }
+    Statement& operator<<(const std::optional<T>& value)
+    {
+        return value ? *this << *value : null();
+    }
     /// An id that is not valid is NULL.
     template <class Tag>
-    Statement& operator<<(Id<Tag> id) { return id.valid() ? *this << id.value : null(); }
+    Statement& operator<<(Id<Tag> id)
+    {
+        return id.valid() ? *this << id.value : null();
+    }
     Statement& null();
 
     /// Runs with what was bound; afterwards parameters can be bound anew. Errors: those of errorOf(); InvalidInput for a number
@@ -43,9 +49,15 @@ public:
     [[nodiscard]] std::optional<double> optionalReal(int column) const;
     [[nodiscard]] std::optional<int> optionalInteger(int column) const;
     template <class IdType>
-    [[nodiscard]] IdType id(int column) const { return {m_query.value(column).toLongLong()}; } // NULL is 0: not valid
+    [[nodiscard]] IdType id(int column) const
+    {
+        return {m_query.value(column).toLongLong()};
+    } // NULL is 0: not valid
     template <class Enum>
-    [[nodiscard]] Enum as(int column) const { return static_cast<Enum>(integer(column)); }
+    [[nodiscard]] Enum as(int column) const
+    {
+        return static_cast<Enum>(integer(column));
+    }
     [[nodiscard]] std::int64_t insertedId() const { return m_query.lastInsertId().toLongLong(); }
     [[nodiscard]] int changed() const { return m_query.numRowsAffected(); }
 

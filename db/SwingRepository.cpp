@@ -22,7 +22,8 @@ const Table& swingTable()
 
 Error isSigned(const Database& database)
 {
-    return {ErrorCode::Frozen, "the swing is signed and frozen; expected a new revision instead of a change", database.path().toStdString()};
+    return {
+        ErrorCode::Frozen, "the swing is signed and frozen; expected a new revision instead of a change", database.path().toStdString()};
 }
 
 Result<Swing> particulars(Database& database, SwingId id)
@@ -133,10 +134,11 @@ Result<SwingRecord> SwingRepository::record(SwingId id)
 
 Result<std::optional<Swing>> SwingRepository::previous(SwingId id)
 {
-    Statement statement(m_database, "SELECT p.id FROM swing s JOIN swing p ON p.compass_id = s.compass_id AND p.id <> s.id AND p.record <> s.supersedes"
-                                    " AND (p.date < s.date OR (p.date = s.date AND (p.stage < s.stage OR (p.stage = s.stage AND p.id < s.id))))"
-                                    " WHERE s.id = ? AND NOT EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = p.record)"
-                                    " ORDER BY p.date < s.date DESC, p.date DESC, p.stage DESC, p.id DESC LIMIT 1");
+    Statement statement(m_database,
+        "SELECT p.id FROM swing s JOIN swing p ON p.compass_id = s.compass_id AND p.id <> s.id AND p.record <> s.supersedes"
+        " AND (p.date < s.date OR (p.date = s.date AND (p.stage < s.stage OR (p.stage = s.stage AND p.id < s.id))))"
+        " WHERE s.id = ? AND NOT EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = p.record)"
+        " ORDER BY p.date < s.date DESC, p.date DESC, p.stage DESC, p.id DESC LIMIT 1");
     statement << id;
     const auto before = firstOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
     if (!before)
@@ -153,7 +155,8 @@ Result<SwingId> SwingRepository::named(const std::string& beginning)
 {
     const std::string file = m_database.path().toStdString();
     if (beginning.empty() || beginning.find_first_not_of("0123456789abcdef-") != std::string::npos)
-        return Error{ErrorCode::InvalidInput, "'" + beginning + "' is no record id; expected one, or its beginning, as `lubberline swings` lists them", file};
+        return Error{ErrorCode::InvalidInput,
+            "'" + beginning + "' is no record id; expected one, or its beginning, as `lubberline swings` lists them", file};
     Statement statement(m_database, "SELECT id FROM swing WHERE record LIKE ? LIMIT 2");
     statement << beginning + "%";
     const auto found = rowsOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
@@ -211,7 +214,8 @@ Result<SwingId> SwingRepository::add(Swing swing)
     const SwingState state = swing.state;
     if (state == SwingState::Signed)
         swing.state = SwingState::Complete;
-    const auto id = saveRecord(m_database, swingTable(), swing.id, swing.record, [&](Statement& statement) { bindParticulars(statement, swing); });
+    const auto id
+        = saveRecord(m_database, swingTable(), swing.id, swing.record, [&](Statement& statement) { bindParticulars(statement, swing); });
     if (!id)
         return id;
     if (const auto inserted = insertRows(m_database, *id, 0, swing.readings); !inserted)
@@ -234,7 +238,8 @@ Result<SwingId> SwingRepository::change(const Swing& swing)
     const auto before = openSwing(m_database, swing.id);
     if (!before)
         return before.error();
-    const auto id = saveRecord(m_database, swingTable(), swing.id, swing.record, [&](Statement& statement) { bindParticulars(statement, swing); });
+    const auto id
+        = saveRecord(m_database, swingTable(), swing.id, swing.record, [&](Statement& statement) { bindParticulars(statement, swing); });
     if (!id)
         return id;
     if (const auto refreshed = refreshSwing(m_database, swing.id); !refreshed)
@@ -257,7 +262,8 @@ Result<void> SwingRepository::changeFrom(const Swing& known, const Swing& swing)
     before.readings.clear();
     before.signatures.clear();
     if (*stored != before)
-        return Error{ErrorCode::Conflict, "the particulars of this swing have been changed elsewhere; nothing was overwritten, look at it again",
+        return Error{ErrorCode::Conflict,
+            "the particulars of this swing have been changed elsewhere; nothing was overwritten, look at it again",
             m_database.path().toStdString()};
     if (const auto done = change(swing); !done)
         return done.error();
@@ -350,7 +356,8 @@ Result<void> SwingRepository::saveReading(SwingId swing, const Reading& known, c
     if (*before == reading)
         return transaction->commit();
     if (*before != known)
-        return Error{ErrorCode::Conflict, "this reading has been changed elsewhere to: " + auditText(*before) + "; nothing was overwritten, look at it again",
+        return Error{ErrorCode::Conflict,
+            "this reading has been changed elsewhere to: " + auditText(*before) + "; nothing was overwritten, look at it again",
             m_database.path().toStdString()};
     static const QString kUpdate = "UPDATE reading SET " + readingFields().join(" = ?, ") + " = ? WHERE id = ?";
     Statement statement(m_database, kUpdate);
@@ -372,7 +379,8 @@ Result<void> SwingRepository::removeReading(SwingId swing, ReadingId reading)
     const auto before = storedReading(m_database, swing, reading);
     if (!before)
         return before.error();
-    Statement close(m_database, "UPDATE reading SET position = position - 1 WHERE swing_id = ? AND position > (SELECT position FROM reading WHERE id = ?)");
+    Statement close(m_database,
+        "UPDATE reading SET position = position - 1 WHERE swing_id = ? AND position > (SELECT position FROM reading WHERE id = ?)");
     close << swing << reading;
     if (const auto done = close.run(); !done)
         return done;

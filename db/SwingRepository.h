@@ -18,8 +18,8 @@ public:
     Result<std::vector<SwingRow>> swingsOf(CompassId compass); ///< newest first
     Result<Swing> swing(SwingId id);                           ///< with readings
     Result<SwingRecord> record(SwingId id);                    ///< with compass, aircraft, type, site and limits
-    /// The last swing of the same compass that is dated before this one, as left rather than as found; where there is none, the last
-    /// before it of the same day. One that another supersedes, or that this one does, is not meant.
+    /// The last swing of the same compass that is dated before this one, as left rather than as found; where there is none, the
+    /// last before it of the same day. One that another supersedes, or that this one does, is not meant.
     Result<std::optional<Swing>> previous(SwingId id);
     /// By record id or the beginning of one. Errors: NotFound, Conflict when several begin so.
     Result<SwingId> named(const std::string& beginning);
@@ -29,13 +29,15 @@ public:
     /// A new swing (id not valid; the readings are stored too) or the changed particulars of a known one (readings untouched).
     /// Errors: Frozen when it is signed.
     Result<SwingId> save(const Swing& swing);
-    /// The changed particulars of a known swing. @param known as the caller knows them. Errors: Conflict when they are others by now; Frozen.
+    /// The changed particulars of a known swing. @param known as the caller knows them. Errors: Conflict when they are others
+    /// by now; Frozen.
     Result<void> changeFrom(const Swing& known, const Swing& swing);
     /// Errors: Frozen unless it is a draft that nobody has signed.
     Result<void> remove(SwingId id);
     /// A new row at `position` (0 …) of the readings; what was there moves down. Errors: Frozen when signed.
     Result<ReadingId> insertReading(SwingId swing, int position, const Reading& reading);
-    /// @param known the row as the caller knows it. Errors: Conflict when it is another by now, unless it is as the caller wants it.
+    /// @param known the row as the caller knows it. Errors: Conflict when it is another by now, unless it is as the caller
+    /// wants it.
     Result<void> saveReading(SwingId swing, const Reading& known, const Reading& reading);
     Result<void> replaceReadings(SwingId swing, const std::vector<Reading>& readings);
     Result<void> removeReading(SwingId swing, ReadingId reading);

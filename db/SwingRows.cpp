@@ -97,28 +97,22 @@ void bindStamp(Statement& statement, const std::optional<FieldStamp>& stamp)
 
 QStringList swingFields()
 {
-    return {"compass_id", "site_id", "date", "kind", "stage", "state", "radio", "engines", "electrics", "other_configuration", "datum_instrument",
-        "datum_serial_number", "datum_calibration_due", "datum_reader", "cockpit_reader", "adjuster", "inspector", "variation_deg", "procedure_name",
-        "work_order", "reason", "note", "field_model", "field_latitude_deg", "field_longitude_deg", "field_height_m", "field_date", "field_north_nT",
-        "field_east_nT", "field_down_nT", "index_removed_deg", "datum_read_out", "start_utc", "end_utc", "site_override", "weather", "job_record",
-        "supersedes", "amendment", "revision"};
+    return {"compass_id", "site_id", "date", "kind", "stage", "state", "radio", "engines", "electrics", "other_configuration",
+        "datum_instrument", "datum_serial_number", "datum_calibration_due", "datum_reader", "cockpit_reader", "adjuster", "inspector",
+        "variation_deg", "procedure_name", "work_order", "reason", "note", "field_model", "field_latitude_deg", "field_longitude_deg",
+        "field_height_m", "field_date", "field_north_nT", "field_east_nT", "field_down_nT", "index_removed_deg", "datum_read_out",
+        "start_utc", "end_utc", "site_override", "weather", "job_record", "supersedes", "amendment", "revision"};
 }
 
-QString swingColumns()
-{
-    return "s.id, s.record, s." + swingFields().join(", s.");
-}
+QString swingColumns() { return "s.id, s.record, s." + swingFields().join(", s."); }
 
 QStringList readingFields()
 {
-    return {"nominal_deg", "magnetic_heading_deg", "compass_heading_deg", "true_heading_deg", "pitch_deg", "roll_deg", "note", "exclusion_reason", "extra_json", "raw_json",
-        "time_utc"};
+    return {"nominal_deg", "magnetic_heading_deg", "compass_heading_deg", "true_heading_deg", "pitch_deg", "roll_deg", "note",
+        "exclusion_reason", "extra_json", "raw_json", "time_utc"};
 }
 
-QString readingColumns()
-{
-    return "r.id, r." + readingFields().join(", r.");
-}
+QString readingColumns() { return "r.id, r." + readingFields().join(", r."); }
 
 Swing swingFrom(const Statement& row, int first)
 {
@@ -133,9 +127,9 @@ Swing swingFrom(const Statement& row, int first)
     swing.stage = row.as<SwingStage>(column++);
     swing.state = row.as<SwingState>(column++);
     swing.configuration.radio = row.as<RadioState>(column++);
-    for (std::string* field : {&swing.configuration.engines, &swing.configuration.electrics, &swing.configuration.other, &swing.datum.instrument,
-             &swing.datum.serialNumber, &swing.datum.calibrationDue, &swing.people.datumReader, &swing.people.cockpitReader, &swing.people.adjuster,
-             &swing.people.inspector})
+    for (std::string* field : {&swing.configuration.engines, &swing.configuration.electrics, &swing.configuration.other,
+             &swing.datum.instrument, &swing.datum.serialNumber, &swing.datum.calibrationDue, &swing.people.datumReader,
+             &swing.people.cockpitReader, &swing.people.adjuster, &swing.people.inspector})
         *field = row.text(column++);
     swing.variation_deg = row.optionalReal(column++);
     for (std::string* field : {&swing.procedure, &swing.workOrder, &swing.reason, &swing.note})
@@ -143,8 +137,8 @@ Swing swingFrom(const Statement& row, int first)
     swing.field = stampFrom(row, column);
     column += kStampColumns;
     swing.indexRemoved_deg = row.optionalReal(column++);
-    for (std::string* field : {&swing.datum.readOut, &swing.startUtc, &swing.endUtc, &swing.siteOverride, &swing.weather, &swing.job, &swing.supersedes,
-             &swing.amendment})
+    for (std::string* field : {&swing.datum.readOut, &swing.startUtc, &swing.endUtc, &swing.siteOverride, &swing.weather, &swing.job,
+             &swing.supersedes, &swing.amendment})
         *field = row.text(column++);
     swing.revision = static_cast<int>(row.integer(column));
     return swing;
@@ -166,13 +160,14 @@ SwingRow swingRowFrom(const Statement& row)
 
 void bindParticulars(Statement& statement, const Swing& swing)
 {
-    statement << swing.compass << swing.site << swing.date << static_cast<int>(swing.kind) << static_cast<int>(swing.stage) << static_cast<int>(swing.state)
-              << static_cast<int>(swing.configuration.radio) << swing.configuration.engines << swing.configuration.electrics << swing.configuration.other
-              << swing.datum.instrument << swing.datum.serialNumber << swing.datum.calibrationDue << swing.people.datumReader << swing.people.cockpitReader
-              << swing.people.adjuster << swing.people.inspector << swing.variation_deg << swing.procedure << swing.workOrder << swing.reason << swing.note;
+    statement << swing.compass << swing.site << swing.date << static_cast<int>(swing.kind) << static_cast<int>(swing.stage)
+              << static_cast<int>(swing.state) << static_cast<int>(swing.configuration.radio) << swing.configuration.engines
+              << swing.configuration.electrics << swing.configuration.other << swing.datum.instrument << swing.datum.serialNumber
+              << swing.datum.calibrationDue << swing.people.datumReader << swing.people.cockpitReader << swing.people.adjuster
+              << swing.people.inspector << swing.variation_deg << swing.procedure << swing.workOrder << swing.reason << swing.note;
     bindStamp(statement, swing.field);
-    statement << swing.indexRemoved_deg << swing.datum.readOut << swing.startUtc << swing.endUtc << swing.siteOverride << swing.weather << swing.job
-              << swing.supersedes << swing.amendment << swing.revision;
+    statement << swing.indexRemoved_deg << swing.datum.readOut << swing.startUtc << swing.endUtc << swing.siteOverride << swing.weather
+              << swing.job << swing.supersedes << swing.amendment << swing.revision;
 }
 
 Reading readingFrom(const Statement& row, int first)
@@ -197,8 +192,8 @@ Reading readingFrom(const Statement& row, int first)
 
 void bindReading(Statement& statement, const Reading& reading)
 {
-    statement << reading.nominal_deg << degreesOf(reading.magnetic) << degreesOf(reading.compass) << degreesOf(reading.trueHeading) << reading.pitch_deg
-              << reading.roll_deg << reading.note;
+    statement << reading.nominal_deg << degreesOf(reading.magnetic) << degreesOf(reading.compass) << degreesOf(reading.trueHeading)
+              << reading.pitch_deg << reading.roll_deg << reading.note;
     if (reading.exclusion)
         statement << reading.exclusion->reason;
     else
@@ -209,7 +204,8 @@ void bindReading(Statement& statement, const Reading& reading)
 std::string auditText(const Reading& reading)
 {
     std::string text;
-    const auto add = [&](const char* name, const std::string& value) { text += (text.empty() ? "" : ", ") + std::string(name) + " " + value; };
+    const auto add
+        = [&](const char* name, const std::string& value) { text += (text.empty() ? "" : ", ") + std::string(name) + " " + value; };
     const auto figure = [&](const char* name, std::optional<double> value) {
         if (value)
             add(name, QString::number(*value, 'g', QLocale::FloatingPointShortest).toStdString());

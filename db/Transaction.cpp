@@ -6,15 +6,9 @@
 
 namespace lubberline::db {
 
-Result<Transaction> Transaction::begin(Database& database)
-{
-    return beginWith(database, true);
-}
+Result<Transaction> Transaction::begin(Database& database) { return beginWith(database, true); }
 
-Result<Transaction> Transaction::beginReading(Database& database)
-{
-    return beginWith(database, false);
-}
+Result<Transaction> Transaction::beginReading(Database& database) { return beginWith(database, false); }
 
 Result<Transaction> Transaction::beginWith(Database& database, bool writing)
 {
@@ -26,11 +20,7 @@ Result<Transaction> Transaction::beginWith(Database& database, bool writing)
     return Transaction(database, writing);
 }
 
-Transaction::Transaction(Transaction&& other) noexcept
-    : m_database(std::exchange(other.m_database, nullptr))
-    , m_writing(other.m_writing)
-{
-}
+Transaction::Transaction(Transaction&& other) noexcept : m_database(std::exchange(other.m_database, nullptr)), m_writing(other.m_writing) {}
 
 Result<void> Transaction::commit()
 {

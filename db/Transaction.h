@@ -4,8 +4,8 @@
 
 namespace lubberline::db {
 
-/// All or nothing: what is not committed when it goes out of scope is rolled back. One inside another joins it; when an inner one
-/// is not committed, the outer one cannot be either.
+/// All or nothing: what is not committed when it goes out of scope is rolled back. One inside another joins it; when an inner
+/// one is not committed, the outer one cannot be either.
 class Transaction {
 public:
     /// For writing. BEGIN IMMEDIATE: a second writer waits here, not in the middle of its work.

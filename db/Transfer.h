@@ -11,20 +11,20 @@
 namespace lubberline::db {
 
 struct Imported {
-    int aircraft = 0;     ///< new ones
-    int swings = 0;       ///< new ones
-    int alreadyThere = 0; ///< swings that were stored before, unchanged
+    int aircraft = 0;              ///< new ones
+    int swings = 0;                ///< new ones
+    int alreadyThere = 0;          ///< swings that were stored before, unchanged
     std::vector<SwingId> swingIds; ///< of all swings of the fleet, new or not
 };
 
 /// Completes a swing that is new here before it is stored; the site is the one of this database.
 using PrepareSwing = std::function<void(Swing& swing, const std::optional<Site>& site)>;
 
-/// Stores all of a fleet in one transaction, or nothing. A record is known by its RecordId, else by its name (type, registration,
-/// compass on its aircraft, sensor model of its compass, site, limits profile); what is known already is left as it is.
-/// A swing without a field stamp is the same as a stored one that has got one since; so is one whose stamp has other figures for
-/// the same place and date, which are those of another model.
-/// Errors: Conflict when a swing with the same record id has other contents (aircraft and date are named); Cancelled.
+/// Stores all of a fleet in one transaction, or nothing. A record is known by its RecordId, else by its name (type,
+/// registration, compass on its aircraft, sensor model of its compass, site, limits profile); what is known already is left as
+/// it is. A swing without a field stamp is the same as a stored one that has got one since; so is one whose stamp has other
+/// figures for the same place and date, which are those of another model. Errors: Conflict when a swing with the same record id
+/// has other contents (aircraft and date are named); Cancelled.
 Result<Imported> importFleet(Database& database, const Fleet& fleet, const Progress& progress, const PrepareSwing& prepare = {});
 
 /// The fleet, or these aircraft, with all that they refer to. Errors: NotFound, Cancelled.

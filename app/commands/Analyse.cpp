@@ -4,21 +4,21 @@
 #include "app/SwingSource.h"
 #include "app/Tables.h"
 #include "app/commands/Command.h"
-#include "core/deviation/Removal.h"
-#include "core/format/AnalysisJson.h"
+#include "core/format/results/AnalysisJson.h"
+#include "core/swing/Removal.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct AnalyseArguments {
     std::string file;
     CoefficientSet removed;
     int orders = -1;
     bool json = false;
 };
 
-int analyseCommand(const Options& options)
+int analyseCommand(const AnalyseArguments& options)
 {
     const auto swing = swingFromCsv(options.file);
     if (!swing)
@@ -47,7 +47,7 @@ int analyseCommand(const Options& options)
 
 void addAnalyse(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<AnalyseArguments>();
     auto* command = app.add_subcommand("analyse", "coefficients, residuals and harmonics of a swing");
     command->add_option("SWING.csv", options->file, "a Swing CSV")->required();
     command->add_option("--orders", options->orders, "highest harmonic wanted (default: all that the headings resolve)")

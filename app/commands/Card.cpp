@@ -4,19 +4,19 @@
 
 #include "app/CardSource.h"
 #include "app/Console.h"
+#include "app/DbStorage.h"
 #include "app/Paths.h"
 #include "app/QtSession.h"
 #include "app/Tables.h"
 #include "app/commands/Command.h"
-#include "core/format/AnalysisJson.h"
-#include "app/DbStorage.h"
-#include "ui/storage/RecordDocuments.h"
+#include "core/format/results/AnalysisJson.h"
+#include "ui/window/RecordDocuments.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct CardArguments {
     std::string file, second, swing, output, from = "fit", form = "placard";
     CardOptions card;
     bool json = false;
@@ -34,7 +34,7 @@ std::string jsonOf(const std::vector<Card>& cards, const std::vector<std::string
     return object.dump(2);
 }
 
-int writeCardFile(const Options& options, ui::CardInput input)
+int writeCardFile(const CardArguments& options, ui::CardInput input)
 {
     input.madeAtUtc = nowUtc();
     if (const auto written = ui::writeCard(input, QString::fromStdString(options.output)); !written)
@@ -44,7 +44,7 @@ int writeCardFile(const Options& options, ui::CardInput input)
 }
 
 /// The forms that are made of a record of the database alone.
-int writeForm(const Options& options, DbStorage& storage, SwingId swing)
+int writeForm(const CardArguments& options, DbStorage& storage, SwingId swing)
 {
     const QString path = QString::fromStdString(options.output);
     Result<void> written;
@@ -61,12 +61,13 @@ int writeForm(const Options& options, DbStorage& storage, SwingId swing)
     return kDone;
 }
 
-int cardCommand(Options options, const std::string& database)
+int cardCommand(CardArguments options, const std::string& database)
 {
     options.card.source = options.from == "fit" ? CardSource::Fit : CardSource::Readings;
     const bool placard = options.form == "placard" || options.form == "card";
     if (options.file.empty() == options.swing.empty() || (!placard && (options.swing.empty() || options.output.empty()))) {
-        say(placard ? "card: expected a Swing CSV or --swing ID, and not both" : "card: --form " + options.form + " expects --swing ID and --output FILE.pdf");
+        say(placard ? "card: expected a Swing CSV or --swing ID, and not both"
+                    : "card: --form " + options.form + " expects --swing ID and --output FILE.pdf");
         return kUsage;
     }
     // One for the storage and the drawing: Qt takes its options only once.
@@ -109,23 +110,29 @@ int cardCommand(Options options, const std::string& database)
 
 void addCard(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CardArguments>();
     auto* command = app.add_subcommand("card", "the correction card: what to steer by compass");
     command->add_option("SWING.csv", options->file, "a Swing CSV");
-    command->add_option("--swing", options->swing, "a swing of the database, to print its card again: its record id or the beginning of it");
-    command->add_option("--form", options->form,
-               "placard (or card): FOR and STEER, cut to size; dd1613: a sheet in the style of DD 1613; job: a blank job card to carry out")
-        ->check(CLI::IsMember({"placard", "card", "dd1613", "job"}))->capture_default_str();
+    command->add_option(
+        "--swing", options->swing, "a swing of the database, to print its card again: its record id or the beginning of it");
+    command
+        ->add_option("--form", options->form,
+            "placard (or card): FOR and STEER, cut to size; dd1613: a sheet in the style of DD 1613; job: a blank job card to carry out")
+        ->check(CLI::IsMember({"placard", "card", "dd1613", "job"}))
+        ->capture_default_str();
     addDatabaseOption(*command, invocation);
     command->add_option("--second", options->second, "a second swing of the same compass for a second STEER column (radio off)");
     command->add_option("--step", options->card.step_deg, "degrees between headings: 30 or 45")
-        ->check(CLI::IsMember({30, 45}))->capture_default_str();
+        ->check(CLI::IsMember({30, 45}))
+        ->capture_default_str();
     command->add_option("--from", options->from, "fit: the exact fit; readings: the deviation read nearest to each heading")
-        ->check(CLI::IsMember({"fit", "readings"}))->capture_default_str();
+        ->check(CLI::IsMember({"fit", "readings"}))
+        ->capture_default_str();
     addRemoveOption(*command, options->card.removed, "coefficients taken out mechanically after the swing, as in A,B,C");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->add_option("-o,--output", options->output, "write the card as a PDF, at the size of a cockpit placard");
-    command->callback([options, &invocation] { invocation.action = [options, &invocation] { return cardCommand(*options, invocation.database); }; });
+    command->callback(
+        [options, &invocation] { invocation.action = [options, &invocation] { return cardCommand(*options, invocation.database); }; });
 }
 
 } // namespace lubberline::app

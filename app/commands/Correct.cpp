@@ -4,19 +4,19 @@
 #include "app/SwingSource.h"
 #include "app/Tables.h"
 #include "app/commands/Command.h"
-#include "core/format/AnalysisJson.h"
-#include "core/format/SwingCsv.h"
+#include "core/format/results/AnalysisJson.h"
+#include "core/swing/Observations.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct CorrectArguments {
     std::string file;
     bool json = false;
 };
 
-int correctCommand(const Options& options)
+int correctCommand(const CorrectArguments& options)
 {
     const auto swing = swingFromCsv(options.file);
     if (!swing)
@@ -39,7 +39,7 @@ int correctCommand(const Options& options)
 
 void addCorrect(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CorrectArguments>();
     auto* command = app.add_subcommand("correct", "what to make the compass read on the cardinals (correction swing)");
     command->add_option("SWING.csv", options->file, "a Swing CSV with N, E, S and W among its readings")->required();
     command->add_flag("--json", options->json, "one JSON object on standard output");

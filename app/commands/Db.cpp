@@ -12,7 +12,7 @@ namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct DbArguments {
     std::string file;
     bool json = false;
 };
@@ -32,17 +32,22 @@ int statusCommand(db::Database& database, bool json)
     if (!status)
         return fail(status.error());
     if (json) {
-        std::printf("%s\n", nlohmann::ordered_json{{"path", status->path}, {"size_bytes", status->bytes}, {"schema", status->schema},
-            {"newest_schema", db::schemaVersion()}, {"journal", status->journal}, {"types", status->totals.types}, {"aircraft", status->totals.aircraft},
-            {"compasses", status->totals.compasses}, {"swings", status->totals.swings}, {"readings", status->readings}, {"sensor_models", status->sensorModels},
-            {"audit_entries", status->auditEntries}}.dump(2).c_str());
+        std::printf("%s\n",
+            nlohmann::ordered_json{{"path", status->path}, {"size_bytes", status->bytes}, {"schema", status->schema},
+                {"newest_schema", db::schemaVersion()}, {"journal", status->journal}, {"types", status->totals.types},
+                {"aircraft", status->totals.aircraft}, {"compasses", status->totals.compasses}, {"swings", status->totals.swings},
+                {"readings", status->readings}, {"sensor_models", status->sensorModels}, {"audit_entries", status->auditEntries}}
+                .dump(2)
+                .c_str());
         return kDone;
     }
-    std::printf("database       %s\nsize           %.1f MiB\nschema         %d (this program knows up to %d)\njournal        %s\ntypes          %d\n"
-                "aircraft       %d\ncompasses      %d\nswings         %lld\nreadings       %lld\nsensor models  %lld\naudit entries  %lld\n",
+    std::printf(
+        "database       %s\nsize           %.1f MiB\nschema         %d (this program knows up to %d)\njournal        %s\ntypes          %d\n"
+        "aircraft       %d\ncompasses      %d\nswings         %lld\nreadings       %lld\nsensor models  %lld\naudit entries  %lld\n",
         status->path.c_str(), static_cast<double>(status->bytes) / 1048576.0, status->schema, db::schemaVersion(), status->journal.c_str(),
         status->totals.types, status->totals.aircraft, status->totals.compasses, static_cast<long long>(status->totals.swings),
-        static_cast<long long>(status->readings), static_cast<long long>(status->sensorModels), static_cast<long long>(status->auditEntries));
+        static_cast<long long>(status->readings), static_cast<long long>(status->sensorModels),
+        static_cast<long long>(status->auditEntries));
     return kDone;
 }
 
@@ -60,15 +65,20 @@ int verifyCommand(db::Database& database, bool json)
     if (!report)
         return fail(report.error());
     if (json)
-        std::printf("%s\n", nlohmann::ordered_json{{"swings", report->swings}, {"readings", report->readings}, {"findings", report->findings}}.dump(2).c_str());
+        std::printf("%s\n",
+            nlohmann::ordered_json{{"swings", report->swings}, {"readings", report->readings}, {"findings", report->findings}}
+                .dump(2)
+                .c_str());
     else
         for (const auto& finding : report->findings)
             std::printf("%s\n", finding.c_str());
     if (!report->findings.empty())
-        return fail({ErrorCode::Corrupt, text("%zu findings in %lld swings; expected none", report->findings.size(), static_cast<long long>(report->swings)),
+        return fail({ErrorCode::Corrupt,
+            text("%zu findings in %lld swings; expected none", report->findings.size(), static_cast<long long>(report->swings)),
             database.path().toStdString()});
     if (!json)
-        std::printf("all is well: %lld swings with %lld readings\n", static_cast<long long>(report->swings), static_cast<long long>(report->readings));
+        std::printf("all is well: %lld swings with %lld readings\n", static_cast<long long>(report->swings),
+            static_cast<long long>(report->readings));
     return kDone;
 }
 
@@ -76,7 +86,7 @@ int verifyCommand(db::Database& database, bool json)
 
 void addDb(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<DbArguments>();
     auto* command = app.add_subcommand("db", "status, backup and verification of the database");
     command->require_subcommand(1);
     addDatabaseOption(*command, invocation);

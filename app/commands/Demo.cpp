@@ -10,16 +10,16 @@
 #include "app/SwingList.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
-#include "ui/plots/PictureOf.h"
-#include "ui/plots/SwingPlot.h"
-#include "ui/report/CardDocument.h"
-#include "ui/report/Report.h"
+#include "ui/plots/swing/PictureOf.h"
+#include "ui/plots/swing/SwingPlot.h"
+#include "ui/report/card/CardDocument.h"
+#include "ui/report/swing/Report.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct DemoArguments {
     std::string output;
     bool noWindow = false;
 };
@@ -39,7 +39,8 @@ Result<SwingId> swingToShow(DbStorage& storage)
     return Error{ErrorCode::NotFound, "the demonstration database has no swing with a result", storage.location().toStdString()};
 }
 
-Result<void> writePlots(const SwingRecord& record, const std::shared_ptr<const Analysis>& analysis, const std::optional<Swing>& previous, const QDir& folder)
+Result<void> writePlots(
+    const SwingRecord& record, const std::shared_ptr<const Analysis>& analysis, const std::optional<Swing>& previous, const QDir& folder)
 {
     std::shared_ptr<const Analysis> last;
     QString lastDate;
@@ -97,14 +98,15 @@ Result<void> writeDocuments(DbStorage& storage, SwingId id, const QDir& folder)
     return writePlots(*record, analysis, *previous, folder);
 }
 
-int demoCommand(const Options& options, const Invocation& invocation)
+int demoCommand(const DemoArguments& options, const Invocation& invocation)
 {
     const auto session = makeDrawingSession();
     auto storage = openDemonstration(invocation.database);
     if (!storage)
         return fail(storage.error());
     const QString path = QFileInfo((*storage)->location()).absoluteFilePath();
-    const QDir folder(options.output.empty() ? QFileInfo(path).absoluteDir().filePath("demonstration") : QString::fromStdString(options.output));
+    const QDir folder(
+        options.output.empty() ? QFileInfo(path).absoluteDir().filePath("demonstration") : QString::fromStdString(options.output));
     if (!folder.mkpath("."))
         return fail({ErrorCode::Io, "the folder cannot be made; expected one that may be written", folder.path().toStdString()});
 
@@ -135,14 +137,12 @@ int demoCommand(const Options& options, const Invocation& invocation)
 
 void addDemo(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<DemoArguments>();
     auto* command = app.add_subcommand("demo", "fill a database with a demonstration fleet, write a report and plots, open the window");
     command->add_option("-o,--output", options->output, "the folder for the report and plots (default: beside the database)");
     command->add_flag("--no-window", options->noWindow, "do not open the window");
     addDatabaseOption(*command, invocation);
-    command->callback([options, &invocation] {
-        invocation.action = [options, &invocation] { return demoCommand(*options, invocation); };
-    });
+    command->callback([options, &invocation] { invocation.action = [options, &invocation] { return demoCommand(*options, invocation); }; });
 }
 
 } // namespace lubberline::app

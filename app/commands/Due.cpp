@@ -9,18 +9,18 @@
 #include "app/QtSession.h"
 #include "app/TextFile.h"
 #include "app/commands/Command.h"
+#include "core/base/FileText.h"
+#include "core/base/NearWord.h"
 #include "core/due/Calendar.h"
-#include "core/format/DueJson.h"
-#include "core/format/FileText.h"
-#include "core/format/JsonWriter.h"
-#include "core/format/NearWord.h"
-#include "ui/storage/DueWork.h"
+#include "core/format/json/JsonWriter.h"
+#include "core/format/results/DueJson.h"
+#include "ui/due/DueWork.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct DueArguments {
     std::string today, calendar;
     int within = 0;
     bool json = false, all = false;
@@ -36,10 +36,7 @@ struct WaiverOptions {
     bool json = false;
 };
 
-std::string todayUtc()
-{
-    return QDateTime::currentDateTimeUtc().date().toString(Qt::ISODate).toStdString();
-}
+std::string todayUtc() { return QDateTime::currentDateTimeUtc().date().toString(Qt::ISODate).toStdString(); }
 
 Result<std::string> dayOr(const std::string& option, const char* name)
 {
@@ -50,13 +47,10 @@ Result<std::string> dayOr(const std::string& option, const char* name)
     return option;
 }
 
-std::string dayOf(const DueLine& line)
-{
-    return line.answer.flags.empty() ? line.answer.nextByCalendar : line.answer.flags.front().since;
-}
+std::string dayOf(const DueLine& line) { return line.answer.flags.empty() ? line.answer.nextByCalendar : line.answer.flags.front().since; }
 
 /// Due now, or by the calendar within so many days.
-bool wanted(const DueLine& line, const Options& options, const std::string& today)
+bool wanted(const DueLine& line, const DueArguments& options, const std::string& today)
 {
     if (options.all || line.answer.state >= DueState::Due)
         return true;
@@ -83,7 +77,7 @@ void print(const std::vector<DueLine>& lines)
             line.compass.registration.c_str(), line.compass.compassName.c_str(), dayOf(line).c_str(), reasonOf(line).c_str());
 }
 
-int dueCommand(const Options& options, const std::string& database)
+int dueCommand(const DueArguments& options, const std::string& database)
 {
     const auto session = makeDrawingSession();
     const auto today = dayOr(options.today, "--today");
@@ -134,8 +128,9 @@ Result<DueCause> causeOf(const EventOptions& options)
         known += (i > 0 ? ", " : "") + std::string(nameOf(static_cast<DueCause>(i)));
     }
     const auto near = nearWord(options.cause, names);
-    return Error{ErrorCode::InvalidInput, "--cause: '" + options.cause + "' is not known; expected one of " + known
-        + (near.empty() ? "" : " (did you mean " + std::string(near) + "?)")};
+    return Error{ErrorCode::InvalidInput,
+        "--cause: '" + options.cause + "' is not known; expected one of " + known
+            + (near.empty() ? "" : " (did you mean " + std::string(near) + "?)")};
 }
 
 int eventCommand(const EventOptions& options, const std::string& database)
@@ -189,7 +184,8 @@ Result<RecordId> eventNamed(DbStorage& storage, const std::string& id)
     if (found.empty())
         return Error{ErrorCode::NotFound, "there is no event '" + id + "'; expected a record id as `lubberline due` tells it"};
     if (found.size() > 1)
-        return Error{ErrorCode::InvalidInput, "'" + id + "' begins " + std::to_string(found.size()) + " events; expected more of the record id"};
+        return Error{
+            ErrorCode::InvalidInput, "'" + id + "' begins " + std::to_string(found.size()) + " events; expected more of the record id"};
     return *found.begin();
 }
 
@@ -225,20 +221,23 @@ int waiveCommand(const WaiverOptions& options, const std::string& database)
 
 void addDue(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<DueArguments>();
     auto* command = app.add_subcommand("due", "which compasses are to be swung, and why; the most urgent first");
     command->add_option("--today", options->today, "as if it were this day (YYYY-MM-DD); default: today, UTC");
-    command->add_option("--within", options->within, "also what falls due by the calendar within so many days")->check(CLI::Range(0, 36500));
+    command->add_option("--within", options->within, "also what falls due by the calendar within so many days")
+        ->check(CLI::Range(0, 36500));
     command->add_flag("--all", options->all, "every compass");
     command->add_option("--ics", options->calendar, "write the dates as an iCalendar file");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     addDatabaseOption(*command, invocation);
-    command->callback([options, &invocation] { invocation.action = [options, &invocation] { return dueCommand(*options, invocation.database); }; });
+    command->callback(
+        [options, &invocation] { invocation.action = [options, &invocation] { return dueCommand(*options, invocation.database); }; });
 
     auto event = std::make_shared<EventOptions>();
     auto* record = app.add_subcommand("event", "record what happened to an aircraft; some events make a swing due");
     record->add_option("AIRCRAFT", event->aircraft, "its registration")->required();
-    auto* words = record->add_option("WORDS", event->words, "what happened, as \"lightning strike\"; may be left out where --cause says it");
+    auto* words
+        = record->add_option("WORDS", event->words, "what happened, as \"lightning strike\"; may be left out where --cause says it");
     auto* cause = record->add_option("--cause", event->cause, "what it is to the due rules, as lightning; default: told from the words");
     record->add_option("--date", event->date, "YYYY-MM-DD; default: today, UTC");
     record->add_option("--note", event->note, "a note");
@@ -258,7 +257,8 @@ void addDue(CLI::App& app, Invocation& invocation)
     waive->add_option("--date", waiver->date, "YYYY-MM-DD; default: today, UTC");
     waive->add_flag("--json", waiver->json, "one JSON object on standard output");
     addDatabaseOption(*waive, invocation);
-    waive->callback([waiver, &invocation] { invocation.action = [waiver, &invocation] { return waiveCommand(*waiver, invocation.database); }; });
+    waive->callback(
+        [waiver, &invocation] { invocation.action = [waiver, &invocation] { return waiveCommand(*waiver, invocation.database); }; });
 }
 
 } // namespace lubberline::app

@@ -4,32 +4,34 @@
 
 #include "app/Console.h"
 #include "app/commands/Command.h"
-#include "core/format/ElectricalJson.h"
-#include "core/format/WholeFile.h"
+#include "core/base/WholeFile.h"
+#include "core/format/exchange/ElectricalJson.h"
 #include "core/procedure/ElectricalChecks.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct ElectricalArguments {
     std::string file;
     bool json = false;
 };
 
 nlohmann::ordered_json jsonOf(const FourPointErrors& errors)
 {
-    return {{"error_deg", errors.error_deg}, {"north_south_deg", errors.northSouth_deg}, {"east_west_deg", errors.eastWest_deg}, {"index_deg", errors.index_deg},
-        {"pair_0_180_deg", errors.pair0_180_deg}, {"pair_90_270_deg", errors.pair90_270_deg}, {"pairs_agree", errors.pairsAgree}};
+    return {{"error_deg", errors.error_deg}, {"north_south_deg", errors.northSouth_deg}, {"east_west_deg", errors.eastWest_deg},
+        {"index_deg", errors.index_deg}, {"pair_0_180_deg", errors.pair0_180_deg}, {"pair_90_270_deg", errors.pair90_270_deg},
+        {"pairs_agree", errors.pairsAgree}};
 }
 
 void print(const char* name, const FourPointErrors& errors)
 {
-    std::printf("%-7s N-S %+.2f  E-W %+.2f  index %+.2f deg; pairs 0/180 %.2f, 90/270 %.2f: %s\n", name, errors.northSouth_deg, errors.eastWest_deg, errors.index_deg,
-        errors.pair0_180_deg, errors.pair90_270_deg, errors.pairsAgree ? "agree within 0.2" : "do not agree within 0.2");
+    std::printf("%-7s N-S %+.2f  E-W %+.2f  index %+.2f deg; pairs 0/180 %.2f, 90/270 %.2f: %s\n", name, errors.northSouth_deg,
+        errors.eastWest_deg, errors.index_deg, errors.pair0_180_deg, errors.pair90_270_deg,
+        errors.pairsAgree ? "agree within 0.2" : "do not agree within 0.2");
 }
 
-int electricalCommand(const Options& options)
+int electricalCommand(const ElectricalArguments& options)
 {
     const auto text = readWholeFile(options.file, "an Electrical JSON");
     if (!text)
@@ -48,7 +50,8 @@ int electricalCommand(const Options& options)
     if (const auto check = selfCheckOf(*swing)) {
         object["self_check"] = {{"largest_deg", check->largest_deg}, {"mean_deg", check->mean_deg}, {"passed", check->passed}};
         if (!options.json)
-            std::printf("self-check: largest %.1f', mean %.1f': %s\n", check->largest_deg * 60, check->mean_deg * 60, check->passed ? "passed" : "not passed");
+            std::printf("self-check: largest %.1f', mean %.1f': %s\n", check->largest_deg * 60, check->mean_deg * 60,
+                check->passed ? "passed" : "not passed");
     }
     object["open"] = openPoints(*swing);
     if (options.json)
@@ -63,7 +66,7 @@ int electricalCommand(const Options& options)
 
 void addElectrical(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ElectricalArguments>();
     auto* command = app.add_subcommand("electrical", "the errors of an electrical swing's data sheet, and whether it passes");
     command->add_option("SHEET.json", options->file, "an Electrical JSON: table F1 before and after, 24 headings, self-check")->required();
     command->add_flag("--json", options->json, "one JSON object on standard output");

@@ -3,18 +3,18 @@
 #include "app/QtSession.h"
 #include "app/TextFile.h"
 #include "app/commands/Command.h"
-#include "core/format/Exchange.h"
+#include "core/format/exchange/Exchange.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct ExportArguments {
     std::vector<std::string> aircraft;
     std::string output;
 };
 
-int exportCommand(const Options& options, const std::string& database)
+int exportCommand(const ExportArguments& options, const std::string& database)
 {
     const auto session = makeDrawingSession();
     auto storage = openStorage(database, db::OpenMode::ReadOnly);
@@ -40,14 +40,13 @@ int exportCommand(const Options& options, const std::string& database)
 
 void addExport(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExportArguments>();
     auto* command = app.add_subcommand("export", "write aircraft with all their swings as exchange JSON (.lubberline.json)");
     command->add_option("--aircraft", options->aircraft, "registrations (default: the whole fleet)");
     command->add_option("-o,--output", options->output, "the file to write")->required();
     addDatabaseOption(*command, invocation);
-    command->callback([options, &invocation] {
-        invocation.action = [options, &invocation] { return exportCommand(*options, invocation.database); };
-    });
+    command->callback(
+        [options, &invocation] { invocation.action = [options, &invocation] { return exportCommand(*options, invocation.database); }; });
 }
 
 } // namespace lubberline::app

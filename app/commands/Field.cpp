@@ -3,13 +3,13 @@
 
 #include "app/Console.h"
 #include "app/commands/Command.h"
-#include "core/format/FieldJson.h"
+#include "core/format/results/FieldJson.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct FieldArguments {
     double latitude_deg = 0, longitude_deg = 0, altitude_m = 0;
     std::string date, model;
     bool json = false;
@@ -29,19 +29,22 @@ void printTable(const FieldAnswer& answer)
     const auto& u = answer.uncertainty;
     const auto part = [&u](double FieldUncertainty::*member) { return u ? std::optional((*u).*member) : std::nullopt; };
     const Place& place = answer.place;
-    std::printf("%s, %.2f %c %.2f %c, %.0f m above the ellipsoid, %.3f\n", answer.model.c_str(), std::abs(place.latitude_deg), place.latitude_deg < 0 ? 'S' : 'N',
-        std::abs(place.longitude_deg), place.longitude_deg < 0 ? 'W' : 'E', place.height_m, answer.year);
+    std::printf("%s, %.2f %c %.2f %c, %.0f m above the ellipsoid, %.3f\n", answer.model.c_str(), std::abs(place.latitude_deg),
+        place.latitude_deg < 0 ? 'S' : 'N', std::abs(place.longitude_deg), place.longitude_deg < 0 ? 'W' : 'E', place.height_m,
+        answer.year);
     std::printf("  %-12s %12s %10s\n", "", "value", "a year");
     printRow("X (north)", "nT", f.north_nT, answer.rate.north_nT, part(&FieldUncertainty::north_nT), 1);
     printRow("Y (east)", "nT", f.east_nT, answer.rate.east_nT, part(&FieldUncertainty::east_nT), 1);
     printRow("Z (down)", "nT", f.down_nT, answer.rate.down_nT, part(&FieldUncertainty::down_nT), 1);
     printRow("H", "nT", f.horizontal_nT(), answer.horizontalRate_nT, part(&FieldUncertainty::horizontal_nT), 1);
     printRow("F", "nT", f.total_nT(), answer.totalRate_nT, part(&FieldUncertainty::total_nT), 1);
-    printRow("declination", "deg, east +", f.variation().degrees(), answer.declinationRate_deg, part(&FieldUncertainty::declination_deg), 3);
-    printRow("inclination", "deg, down +", toDegrees(f.inclination_rad()), answer.inclinationRate_deg, part(&FieldUncertainty::inclination_deg), 3);
+    printRow(
+        "declination", "deg, east +", f.variation().degrees(), answer.declinationRate_deg, part(&FieldUncertainty::declination_deg), 3);
+    printRow("inclination", "deg, down +", toDegrees(f.inclination_rad()), answer.inclinationRate_deg,
+        part(&FieldUncertainty::inclination_deg), 3);
 }
 
-int fieldCommand(const Options& options)
+int fieldCommand(const FieldArguments& options)
 {
     const auto place = makePlace(options.latitude_deg, options.longitude_deg, options.altitude_m);
     if (!place)
@@ -68,13 +71,14 @@ int fieldCommand(const Options& options)
 
 void addField(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<FieldArguments>();
     auto* command = app.add_subcommand("field", "the Earth's magnetic field at a place and date");
     command->add_option("--lat", options->latitude_deg, "geodetic latitude [deg, north positive]")->required();
     command->add_option("--lon", options->longitude_deg, "longitude [deg, east positive]")->required();
     command->add_option("--alt", options->altitude_m, "height above the WGS84 ellipsoid [m]")->capture_default_str();
     command->add_option("--date", options->date, "YYYY-MM-DD, or a year as 2026.5")->required();
-    command->add_option("--model", options->model, "wmm2025, igrf14, or a coefficient file (WMM .COF, IGRF table); default: WMM where the date is inside its years, else IGRF-14");
+    command->add_option("--model", options->model,
+        "wmm2025, igrf14, or a coefficient file (WMM .COF, IGRF table); default: WMM where the date is inside its years, else IGRF-14");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &invocation] { invocation.action = [options] { return fieldCommand(*options); }; });
 }

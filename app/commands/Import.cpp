@@ -8,19 +8,19 @@
 #include "app/QtSession.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
-#include "ui/storage/ImportFile.h"
+#include "ui/intake/ImportFile.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct ImportArguments {
     std::vector<std::string> files;
     ui::CsvParticulars particulars;
 };
 
 /// All files or none: they are read first, then stored in one transaction.
-int importCommand(const Options& options, const std::string& database)
+int importCommand(const ImportArguments& options, const std::string& database)
 {
     std::vector<Fleet> fleets;
     for (const auto& file : options.files) {
@@ -46,16 +46,15 @@ int importCommand(const Options& options, const std::string& database)
 
 void addImport(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ImportArguments>();
     auto* command = app.add_subcommand("import", "store swings from Swing CSV, exchange JSON or our own report PDF");
     command->add_option("FILE", options->files, "files of any of the three kinds")->required();
     command->add_option("--aircraft", options->particulars.aircraft, "for a CSV that does not state it: the registration");
     command->add_option("--type", options->particulars.type, "likewise: the aircraft type");
     command->add_option("--compass", options->particulars.compass, "likewise: the compass");
     addDatabaseOption(*command, invocation);
-    command->callback([options, &invocation] {
-        invocation.action = [options, &invocation] { return importCommand(*options, invocation.database); };
-    });
+    command->callback(
+        [options, &invocation] { invocation.action = [options, &invocation] { return importCommand(*options, invocation.database); }; });
 }
 
 } // namespace lubberline::app

@@ -4,15 +4,15 @@
 #include "app/FourierMemory.h"
 #include "app/TextFile.h"
 #include "app/commands/Command.h"
-#include "core/format/BenchJson.h"
-#include "core/format/BenchModelJson.h"
-#include "core/format/ModelJson.h"
+#include "core/format/exchange/BenchJson.h"
+#include "core/format/exchange/ModelJson.h"
+#include "core/format/results/BenchModelJson.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct IronArguments {
     std::string bench, output;
     std::vector<std::string> states;
     std::optional<double> latitude_deg, longitude_deg, horizontal_nT, dip_deg;
@@ -22,7 +22,7 @@ struct Options {
 };
 
 /// "gear=extended" …; the check of the option has seen the sign.
-BenchStates chosenStates(const Options& options, const IronBench& bench)
+BenchStates chosenStates(const IronArguments& options, const IronBench& bench)
 {
     BenchStates states;
     for (const auto& [group, all] : groupsOf(bench))
@@ -34,7 +34,7 @@ BenchStates chosenStates(const Options& options, const IronBench& bench)
     return states;
 }
 
-Result<std::variant<MeridianField, PlaceAndDate>> fieldOf(const Options& options)
+Result<std::variant<MeridianField, PlaceAndDate>> fieldOf(const IronArguments& options)
 {
     if (options.horizontal_nT)
         return std::variant<MeridianField, PlaceAndDate>(MeridianField::fromDip(*options.horizontal_nT, toRadians(*options.dip_deg)));
@@ -46,7 +46,7 @@ Result<std::variant<MeridianField, PlaceAndDate>> fieldOf(const Options& options
     return std::variant<MeridianField, PlaceAndDate>(PlaceAndDate{*place, options.date});
 }
 
-Result<void> writeModel(const Options& options, const BenchModel& model, const BenchStates& states)
+Result<void> writeModel(const IronArguments& options, const BenchModel& model, const BenchStates& states)
 {
     const auto field = fieldOf(options);
     if (!field)
@@ -74,15 +74,15 @@ void printTable(const BenchModel& model, const BenchStates& states)
     if (!model.model.circuits.empty())
         std::printf("circuits (nT per A)\n");
     for (const auto& circuit : model.model.circuits)
-        std::printf("  %+11.3f %+11.3f %+11.3f  %s, %g A, %s\n", circuit.field_nT_per_A.x(), circuit.field_nT_per_A.y(), circuit.field_nT_per_A.z(),
-            circuit.name.c_str(), circuit.current_A, circuit.on ? "on" : "off");
+        std::printf("  %+11.3f %+11.3f %+11.3f  %s, %g A, %s\n", circuit.field_nT_per_A.x(), circuit.field_nT_per_A.y(),
+            circuit.field_nT_per_A.z(), circuit.name.c_str(), circuit.current_A, circuit.on ? "on" : "off");
     std::printf("\n%12s %10s %10s %10s %10s %10s %10s  part\n", "distance (m)", "by", "P (nT)", "Q (nT)", "R (nT)", "c", "f");
     for (const auto& part : model.parts)
-        std::printf("%12.3f %10s %+10.1f %+10.1f %+10.1f %+10.5f %+10.5f  %s\n", part.distance_m, part.dipole ? "dipole" : "tensor", part.hardIron_nT.x(),
-            part.hardIron_nT.y(), part.hardIron_nT.z(), part.softIron(0, 2), part.softIron(1, 2), part.part.c_str());
+        std::printf("%12.3f %10s %+10.1f %+10.1f %+10.1f %+10.5f %+10.5f  %s\n", part.distance_m, part.dipole ? "dipole" : "tensor",
+            part.hardIron_nT.x(), part.hardIron_nT.y(), part.hardIron_nT.z(), part.softIron(0, 2), part.softIron(1, 2), part.part.c_str());
 }
 
-int ironCommand(const Options& options)
+int ironCommand(const IronArguments& options)
 {
     const auto bench = readBenchJsonFile(options.bench);
     if (!bench)
@@ -107,7 +107,7 @@ int ironCommand(const Options& options)
 }
 
 /// The field of the model file: both of H and dip, or place and date; asked for before anything is computed.
-void checkField(const Options& options)
+void checkField(const IronArguments& options)
 {
     const bool given = options.horizontal_nT || options.dip_deg;
     const bool placed = options.latitude_deg || options.longitude_deg || !options.date.empty();
@@ -125,13 +125,17 @@ void checkField(const Options& options)
 
 void addIron(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<IronArguments>();
     auto* command = app.add_subcommand("iron", "what ferrous parts, loops and wires around a sensor do to the field there");
     command->add_option("BENCH.json", options->bench, "a Bench JSON: parts, loops and wires round a sensor")->required();
     command->add_option("--state", options->states, "where a moving group is, as gear=extended (default: the first state of each group)")
-        ->type_name("GROUP=STATE")->take_all()->expected(1)->check([](const std::string& text) {
+        ->type_name("GROUP=STATE")
+        ->take_all()
+        ->expected(1)
+        ->check([](const std::string& text) {
             const auto sign = text.find('=');
-            return sign != std::string::npos && sign > 0 && sign + 1 < text.size() ? std::string() : "--state: “" + text + "”; expected GROUP=STATE";
+            return sign != std::string::npos && sign > 0 && sign + 1 < text.size() ? std::string()
+                                                                                   : "--state: “" + text + "”; expected GROUP=STATE";
         });
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->add_option("-o,--output", options->output, "write a Model JSON with the field below");

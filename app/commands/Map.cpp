@@ -9,13 +9,13 @@
 #include "app/QtSession.h"
 #include "app/TextFile.h"
 #include "app/commands/Command.h"
-#include "core/format/FileText.h"
-#include "core/format/MapJson.h"
-#include "core/format/ModelJson.h"
-#include "core/format/Number.h"
-#include "core/sensor/DeviationMap.h"
-#include "ui/plots/MapPlotRendering.h"
-#include "ui/plots/PlotFile.h"
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
+#include "core/format/exchange/ModelJson.h"
+#include "core/format/results/MapJson.h"
+#include "core/sensor/map/DeviationMap.h"
+#include "ui/plots/base/PlotFile.h"
+#include "ui/plots/map/MapPlotRendering.h"
 
 namespace lubberline::app {
 
@@ -24,11 +24,11 @@ namespace {
 constexpr QSize kPicture_px{1000, 680};
 constexpr std::array kAxes{AttitudeAxis::Heading, AttitudeAxis::Pitch, AttitudeAxis::Roll};
 
-struct Options {
+struct MapArguments {
     std::string model, minus, output;
     std::vector<std::string> switches;
     AttitudeAxis x = AttitudeAxis::Heading;
-    std::optional<AttitudeAxis> y;                       ///< pitch, or roll over pitch, when it is not given
+    std::optional<AttitudeAxis> y; ///< pitch, or roll over pitch, when it is not given
     int columns = 361, rows = 181;
     std::optional<double> held_deg;                      ///< whichever axis is left
     std::array<std::optional<double>, 3> heldByName_deg; ///< the same, named
@@ -36,7 +36,7 @@ struct Options {
     bool surface = false, json = false;
 };
 
-MapRequest requestOf(const Options& options)
+MapRequest requestOf(const MapArguments& options)
 {
     const AttitudeAxis y = options.y.value_or(options.x == AttitudeAxis::Pitch ? AttitudeAxis::Roll : AttitudeAxis::Pitch);
     MapRequest request{{options.x, fullRange(options.x), options.columns}, {y, fullRange(y), options.rows}, options.held_deg.value_or(0.0)};
@@ -70,24 +70,24 @@ Result<ModelMap> mapOf(const std::string& path, const std::vector<std::string>& 
     return made;
 }
 
-struct Answer {
+struct MapAnswer {
     DeviationMap map;
     MapSource model;
     std::optional<MapSource> minus;
 };
 
-Result<Answer> answerOf(const Options& options)
+Result<MapAnswer> answerOf(const MapArguments& options)
 {
     const MapRequest request = requestOf(options);
     auto map = mapOf(options.model, options.switches, request);
     if (!map)
         return map.error();
     if (options.minus.empty())
-        return Answer{std::move(map->map), map->source, {}};
+        return MapAnswer{std::move(map->map), map->source, {}};
     const auto other = mapOf(options.minus, {}, request);
     if (!other)
         return other.error();
-    return Answer{differenceOf(other->map, map->map), map->source, other->source};
+    return MapAnswer{differenceOf(other->map, map->map), map->source, other->source};
 }
 
 /// "a.json (landing light on)".
@@ -99,12 +99,9 @@ std::string titleOf(const MapSource& source)
     return source.file + (on.empty() ? "" : " (" + on + " on)");
 }
 
-std::string titleOf(const Answer& answer)
-{
-    return titleOf(answer.model) + (answer.minus ? " − " + titleOf(*answer.minus) : "");
-}
+std::string titleOf(const MapAnswer& answer) { return titleOf(answer.model) + (answer.minus ? " − " + titleOf(*answer.minus) : ""); }
 
-Result<void> writePicture(const Answer& answer, const Options& options)
+Result<void> writePicture(const MapAnswer& answer, const MapArguments& options)
 {
     const auto session = makeDrawingSession();
     ui::MapPicture picture;
@@ -114,17 +111,18 @@ Result<void> writePicture(const Answer& answer, const Options& options)
     picture.limit_deg = options.limit_deg;
     picture.extremes = extremesOf(answer.map);
     picture.vanishing = vanishingPlaces(answer.map);
-    return ui::writePlotFile(QString::fromStdString(options.output), kPicture_px, picture.title, [&](QPainter& painter, const QRectF& target) {
-        if (options.surface)
-            ui::renderSurface(painter, target, picture);
-        else
-            ui::renderMap(painter, target, picture);
-    });
+    return ui::writePlotFile(
+        QString::fromStdString(options.output), kPicture_px, picture.title, [&](QPainter& painter, const QRectF& target) {
+            if (options.surface)
+                ui::renderSurface(painter, target, picture);
+            else
+                ui::renderMap(painter, target, picture);
+        });
 }
 
 std::string endingOf(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
-Result<void> writeMap(const Answer& answer, const Options& options)
+Result<void> writeMap(const MapAnswer& answer, const MapArguments& options)
 {
     if (endingOf(options.output) == ".json")
         return writeTextFile(options.output, toJson(answer.map, answer.model, answer.minus));
@@ -133,22 +131,24 @@ Result<void> writeMap(const Answer& answer, const Options& options)
     return writePicture(answer, options);
 }
 
-void printTable(const Answer& answer)
+void printTable(const MapAnswer& answer)
 {
     const MapRequest& request = answer.map.request;
     const char *x = nameOf(request.x.axis), *y = nameOf(request.y.axis);
     std::printf("%s\n", titleOf(answer).c_str());
-    std::printf("%s (deg, east +), modelled, over %s and %s, %s %g deg, %d x %d points\n", answer.minus ? "difference of deviation" : "deviation", x, y,
-        nameOf(heldAxis(request)), request.held_deg, request.x.nodes, request.y.nodes);
+    std::printf("%s (deg, east +), modelled, over %s and %s, %s %g deg, %d x %d points\n",
+        answer.minus ? "difference of deviation" : "deviation", x, y, nameOf(heldAxis(request)), request.held_deg, request.x.nodes,
+        request.y.nodes);
     std::printf("H %.1f nT, dip %.2f deg\n\n", answer.model.field.horizontal_nT, toDegrees(answer.model.field.inclination_rad()));
     std::printf("           %10s %10s  deviation\n", x, y);
     for (const auto& extreme : extremesOf(answer.map))
-        std::printf("  %s  %10.1f %10.1f  %+9.3f\n", extreme.maximum ? "maximum" : "minimum", extreme.x_deg, extreme.y_deg, toDegrees(extreme.deviation_rad));
+        std::printf("  %s  %10.1f %10.1f  %+9.3f\n", extreme.maximum ? "maximum" : "minimum", extreme.x_deg, extreme.y_deg,
+            toDegrees(extreme.deviation_rad));
     for (const auto& place : vanishingPlaces(answer.map))
         std::printf("  vanishes %10.1f %10.1f   no horizontal field at the sensor\n", place.x_deg, place.y_deg);
 }
 
-int mapCommand(const Options& options)
+int mapCommand(const MapArguments& options)
 {
     // Before any memory is taken, or a file read.
     if (const auto checked = checkMapRequest(requestOf(options)); !checked)
@@ -177,7 +177,7 @@ AttitudeAxis axisIn(const std::string& option, const std::string& text)
 }
 
 /// "361x181".
-void takeSize(const std::string& text, Options& options)
+void takeSize(const std::string& text, MapArguments& options)
 {
     int columns = 0, rows = 0;
     char rest = 0;
@@ -194,56 +194,81 @@ bool isPicture(const std::string& path)
 }
 
 /// What options say together: two different axes, the third one held, and a picture where one is styled.
-void checkTogether(const Options& options)
+void checkTogether(const MapArguments& options)
 {
     const MapRequest request = requestOf(options);
     if (request.x.axis == request.y.axis)
         throw CLI::ValidationError(std::string("--x and --y are both ") + nameOf(options.x) + "; expected two of heading, pitch and roll");
     for (const auto axis : kAxes)
         if (options.heldByName_deg[static_cast<std::size_t>(axis)] && axis != heldAxis(request))
-            throw CLI::ValidationError(std::string("--") + nameOf(axis) + ": " + nameOf(axis) + " is an axis of this map; expected --" + nameOf(heldAxis(request)));
+            throw CLI::ValidationError(std::string("--") + nameOf(axis) + ": " + nameOf(axis) + " is an axis of this map; expected --"
+                + nameOf(heldAxis(request)));
     if (options.held_deg && options.heldByName_deg[static_cast<std::size_t>(heldAxis(request))])
         throw CLI::ValidationError(std::string("--held and --") + nameOf(heldAxis(request)) + " say the same; expected one of them");
     if ((options.surface || options.limit_deg) && !isPicture(options.output))
-        throw CLI::ValidationError(std::string(options.surface ? "--surface" : "--limit") + " is for pictures; expected -o with a .png, .svg or .pdf file");
+        throw CLI::ValidationError(
+            std::string(options.surface ? "--surface" : "--limit") + " is for pictures; expected -o with a .png, .svg or .pdf file");
 }
 
-void addAxes(CLI::App& command, const std::shared_ptr<Options>& options)
+void addAxes(CLI::App& command, const std::shared_ptr<MapArguments>& options)
 {
-    command.add_option_function<std::string>("--x", [options](const std::string& text) { options->x = axisIn("--x", text); }, "heading, pitch or roll")
-        ->type_name("AXIS")->default_str("heading");
-    command.add_option_function<std::string>("--y", [options](const std::string& text) { options->y = axisIn("--y", text); },
-        "heading, pitch or roll; not the same as --x")->type_name("AXIS")->default_str("pitch");
-    command.add_option_function<std::string>("--held", [options](const std::string& text) { options->held_deg = degreesIn("--held", text, -360, 360); },
-        "the angle of the third axis [deg]")->type_name("DEG")->default_str("0");
+    command
+        .add_option_function<std::string>(
+            "--x", [options](const std::string& text) { options->x = axisIn("--x", text); }, "heading, pitch or roll")
+        ->type_name("AXIS")
+        ->default_str("heading");
+    command
+        .add_option_function<std::string>(
+            "--y", [options](const std::string& text) { options->y = axisIn("--y", text); }, "heading, pitch or roll; not the same as --x")
+        ->type_name("AXIS")
+        ->default_str("pitch");
+    command
+        .add_option_function<std::string>(
+            "--held", [options](const std::string& text) { options->held_deg = degreesIn("--held", text, -360, 360); },
+            "the angle of the third axis [deg]")
+        ->type_name("DEG")
+        ->default_str("0");
     for (const auto axis : kAxes) {
         const std::string name = std::string("--") + nameOf(axis);
         const AxisRange range = fullRange(axis);
-        command.add_option_function<std::string>(name, [options, axis, range, name](const std::string& text) {
-            options->heldByName_deg[static_cast<std::size_t>(axis)] = degreesIn(name, text, range.from_deg, range.to_deg);
-        }, std::string("the same, where ") + nameOf(axis) + " is the third [deg]")->type_name("DEG");
+        command
+            .add_option_function<std::string>(
+                name,
+                [options, axis, range, name](const std::string& text) {
+                    options->heldByName_deg[static_cast<std::size_t>(axis)] = degreesIn(name, text, range.from_deg, range.to_deg);
+                },
+                std::string("the same, where ") + nameOf(axis) + " is the third [deg]")
+            ->type_name("DEG");
     }
-    command.add_option_function<std::string>("--size", [options](const std::string& text) { takeSize(text, *options); }, "points along x and y")
-        ->type_name("COLUMNSxROWS")->default_str("361x181");
+    command
+        .add_option_function<std::string>(
+            "--size", [options](const std::string& text) { takeSize(text, *options); }, "points along x and y")
+        ->type_name("COLUMNSxROWS")
+        ->default_str("361x181");
 }
 
 } // namespace
 
 void addMap(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MapArguments>();
     auto* command = app.add_subcommand("map", "deviation over two of heading, pitch and roll, from a sensor model");
     command->add_option("MODEL.json", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")->required();
     addAxes(*command, options);
     command->add_option("--switch", options->switches, "switch a circuit of MODEL.json")->type_name("NAME=on|off")->allow_extra_args(false);
     command->add_option("--minus", options->minus, "the difference to this Model JSON, switched as its file says")->type_name("OTHER.json");
-    command->add_option_function<std::string>("--limit", [options](const std::string& text) { options->limit_deg = degreesIn("--limit", text, 0.001, 180); },
-        "in a picture: the contour of this |deviation| is heavy [deg]")->type_name("DEG");
+    command
+        ->add_option_function<std::string>(
+            "--limit", [options](const std::string& text) { options->limit_deg = degreesIn("--limit", text, 0.001, 180); },
+            "in a picture: the contour of this |deviation| is heavy [deg]")
+        ->type_name("DEG");
     command->add_flag("--surface", options->surface, "in a picture: the surface in 3D instead of the map");
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("-o,--output", options->output, "the file to write: .png, .svg, .pdf, .csv or .json")->excludes(json)
+    command->add_option("-o,--output", options->output, "the file to write: .png, .svg, .pdf, .csv or .json")
+        ->excludes(json)
         ->check([](const std::string& path) {
-            return isPicture(path) || endingOf(path) == ".csv" || endingOf(path) == ".json" ? std::string()
+            return isPicture(path) || endingOf(path) == ".csv" || endingOf(path) == ".json"
+                ? std::string()
                 : inQuotes(path) + " has another ending; expected .png, .svg, .pdf, .csv or .json";
         });
     command->callback([options, &invocation] {

@@ -4,16 +4,17 @@
 #include "app/Tables.h"
 #include "app/TextFile.h"
 #include "app/commands/Command.h"
-#include "core/format/NmeaJson.h"
-#include "core/format/Number.h"
-#include "core/format/SwingCsv.h"
+#include "core/base/Number.h"
+#include "core/format/csv/SwingCsv.h"
+#include "core/format/results/NmeaJson.h"
 #include "core/nmea/NmeaSwing.h"
+#include "core/swing/Observations.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct NmeaArguments {
     std::string file, output;
     NmeaOptions nmea;
     bool json = false;
@@ -47,7 +48,7 @@ void printTable(const NmeaSwing& swing, const std::optional<Analysis>& analysis)
         std::fputs(tableOf(*analysis).c_str(), stdout);
 }
 
-int writeCsv(const Options& options, const NmeaSwing& swing)
+int writeCsv(const NmeaArguments& options, const NmeaSwing& swing)
 {
     SwingRecord record;
     record.swing = toSwing(swing);
@@ -57,7 +58,7 @@ int writeCsv(const Options& options, const NmeaSwing& swing)
     return kDone;
 }
 
-int nmeaCommand(const Options& options)
+int nmeaCommand(const NmeaArguments& options)
 {
     const auto swing = readNmeaSwingFile(options.file, options.nmea, consoleProgress("reading " + options.file));
     if (!swing)
@@ -89,23 +90,28 @@ int nmeaCommand(const Options& options)
 
 void addNmea(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<NmeaArguments>();
     auto* command = app.add_subcommand("nmea", "a swing from an NMEA 0183 log of a slow turn");
     command->add_option("LOG.nmea", options->file, "sentences as they came: HDG, HDM, HDT, RMC, VTG, GGA")->required();
-    command->add_option("--reference", options->nmea.reference, "what the compass is held against: track (RMC, VTG), true (HDT), magnetic (another instrument's HDM or HDG)")
+    command
+        ->add_option("--reference", options->nmea.reference,
+            "what the compass is held against: track (RMC, VTG), true (HDT), magnetic (another instrument's HDM or HDG)")
         ->transform(CLI::CheckedTransformer(std::map<std::string, NmeaReference>{
             {"track", NmeaReference::Track}, {"true", NmeaReference::HeadingTrue}, {"magnetic", NmeaReference::Magnetic}}))
         ->default_str("track");
-    command
-        ->add_option_function<std::string>(
-            "--variation", [options](const std::string& text) {
-                if (const auto fault = takeVariation(text, options->nmea.variation); !fault.empty())
-                    throw CLI::ValidationError(fault);
-            },
-            "degrees, east positive; log (RMC, HDG); or model (WMM or IGRF at the log's place and date). Default: the log's, else the model's");
-    command->add_option("--min-speed", options->nmea.minSpeed_kt, "with track: slower is left out [kt]")->check(CLI::Range(0.0, 1000.0))->capture_default_str();
+    command->add_option_function<std::string>(
+        "--variation",
+        [options](const std::string& text) {
+            if (const auto fault = takeVariation(text, options->nmea.variation); !fault.empty())
+                throw CLI::ValidationError(fault);
+        },
+        "degrees, east positive; log (RMC, HDG); or model (WMM or IGRF at the log's place and date). Default: the log's, else the model's");
+    command->add_option("--min-speed", options->nmea.minSpeed_kt, "with track: slower is left out [kt]")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->capture_default_str();
     command->add_option("--max-turn-rate", options->nmea.maxTurnRate_deg_s, "faster is left out, as a compass lags [deg/s]")
-        ->check(CLI::Range(0.0, 360.0))->capture_default_str();
+        ->check(CLI::Range(0.0, 360.0))
+        ->capture_default_str();
     command->add_option("--talker", options->nmea.compassTalker, "whose HDG and HDM are the compass (HC, II, …), where several send");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->add_option("-o,--output", options->output, "write the used pairs as a Swing CSV");

@@ -3,20 +3,20 @@
 
 #include "app/Console.h"
 #include "app/DbStorage.h"
-#include "app/TextFile.h"
-#include "app/QtSession.h"
-#include "app/commands/Command.h"
 #include "app/PlacedSwings.h"
+#include "app/QtSession.h"
+#include "app/TextFile.h"
+#include "app/commands/Command.h"
 #include "core/earth/FieldModel.h"
-#include "core/format/ModelJson.h"
-#include "core/format/PredictionJson.h"
-#include "core/sensor/Prediction.h"
+#include "core/format/exchange/ModelJson.h"
+#include "core/format/results/PredictionJson.h"
+#include "core/swing/Prediction.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct PredictArguments {
     std::string model, output, date;
     std::vector<std::string> swings;
     double latitude_deg = 0, longitude_deg = 0, altitude_m = 0;
@@ -24,13 +24,13 @@ struct Options {
 };
 
 /// What is expected there, and here where there is a here to compare it with.
-struct Answer {
+struct PredictAnswer {
     Prediction there;
     std::optional<Prediction> here;
     std::optional<LimitsProfile> limits;
 };
 
-Result<MeridianField> fieldThere(const Options& options)
+Result<MeridianField> fieldThere(const PredictArguments& options)
 {
     const auto place = makePlace(options.latitude_deg, options.longitude_deg, options.altitude_m);
     if (!place)
@@ -45,7 +45,7 @@ Result<MeridianField> fieldThere(const Options& options)
     return answer ? Result<MeridianField>(answer->field.meridian()) : Result<MeridianField>(answer.error());
 }
 
-Result<Answer> fromModel(const std::string& path, const MeridianField& there)
+Result<PredictAnswer> fromModel(const std::string& path, const MeridianField& there)
 {
     const auto setup = readModelJsonFile(path);
     if (!setup)
@@ -53,14 +53,14 @@ Result<Answer> fromModel(const std::string& path, const MeridianField& there)
     auto prediction = predict(setup->model, there);
     if (!prediction)
         return prediction.error();
-    Answer answer{std::move(prediction.value()), {}, {}};
+    PredictAnswer answer{std::move(prediction.value()), {}, {}};
     if (const auto field = fieldOf(*setup)) // the model's own place is the one to compare with
         if (auto here = predict(setup->model, *field))
             answer.here = std::move(here.value());
     return answer;
 }
 
-Result<Answer> fromSwings(const PlacedSwings& swings, const MeridianField& there)
+Result<PredictAnswer> fromSwings(const PlacedSwings& swings, const MeridianField& there)
 {
     const auto asked = [&](const MeridianField& field) -> Result<Prediction> {
         if (swings.swings.size() == 1)
@@ -71,21 +71,23 @@ Result<Answer> fromSwings(const PlacedSwings& swings, const MeridianField& there
     auto prediction = asked(there);
     if (!prediction)
         return prediction.error();
-    Answer answer{std::move(prediction.value()), {}, swings.limits};
+    PredictAnswer answer{std::move(prediction.value()), {}, swings.limits};
     if (auto here = asked(swings.swings.back().field))
         answer.here = std::move(here.value());
     return answer;
 }
 
-void printTable(const Answer& answer)
+void printTable(const PredictAnswer& answer)
 {
     const Prediction& there = answer.there;
-    std::printf("expected with H %.0f nT, dip %+.1f deg; from %s\n", there.there.horizontal_nT, toDegrees(there.there.inclination_rad()), there.basis.c_str());
+    std::printf("expected with H %.0f nT, dip %+.1f deg; from %s\n", there.there.horizontal_nT, toDegrees(there.there.inclination_rad()),
+        there.basis.c_str());
     std::printf("magnetic   deviation     lowest    highest\n   (deg)  (deg, E +)      (deg)      (deg)\n");
     for (std::size_t i = 0; i < there.points.size(); i += 6) {
         const auto& point = there.points[i];
         if (point.deviation)
-            std::printf("%8.0f  %+10.2f %+10.2f %+10.2f\n", point.magnetic.degrees(), point.deviation->degrees(), toDegrees(*point.lowest_rad), toDegrees(*point.highest_rad));
+            std::printf("%8.0f  %+10.2f %+10.2f %+10.2f\n", point.magnetic.degrees(), point.deviation->degrees(),
+                toDegrees(*point.lowest_rad), toDegrees(*point.highest_rad));
         else
             std::printf("%8.0f  %10s\n", point.magnetic.degrees(), "vanishes");
     }
@@ -96,7 +98,7 @@ void printTable(const Answer& answer)
     }
 }
 
-int tell(const Options& options, const Answer& answer)
+int tell(const PredictArguments& options, const PredictAnswer& answer)
 {
     PredictionContext context{answer.limits, {}};
     if (answer.here)
@@ -116,7 +118,7 @@ int tell(const Options& options, const Answer& answer)
     return kDone;
 }
 
-int predictCommand(const Options& options, const std::string& database)
+int predictCommand(const PredictArguments& options, const std::string& database)
 {
     if (options.model.empty() == options.swings.empty()) {
         say("predict: expected a Model JSON or --swing ID, and not both");
@@ -141,22 +143,26 @@ int predictCommand(const Options& options, const std::string& database)
 
 void addPredict(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
-    auto* command = app.add_subcommand("predict", "what a compass will read at another base: the curve expected there, with its uncertainty");
+    auto options = std::make_shared<PredictArguments>();
+    auto* command
+        = app.add_subcommand("predict", "what a compass will read at another base: the curve expected there, with its uncertainty");
     command->add_option("MODEL.json", options->model, "a Model JSON");
-    command->add_option("--swing", options->swings, "a swing of the database (record id or its beginning); several at different places tell hard from soft iron");
+    command->add_option("--swing", options->swings,
+        "a swing of the database (record id or its beginning); several at different places tell hard from soft iron");
     command->add_option("--lat", options->latitude_deg, "geodetic latitude there [deg, north positive]")->required();
     command->add_option("--lon", options->longitude_deg, "longitude there [deg, east positive]")->required();
     command->add_option("--alt", options->altitude_m, "height above the WGS84 ellipsoid [m]")->capture_default_str();
     command->add_option("--date", options->date, "YYYY-MM-DD, or a year as 2026.5")->required();
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("-o,--output", options->output, "the file to write: .csv or .json")->excludes(json)
+    command->add_option("-o,--output", options->output, "the file to write: .csv or .json")
+        ->excludes(json)
         ->check([](const std::string& path) {
             const std::string ending = std::filesystem::path(path).extension().string();
             return ending == ".csv" || ending == ".json" ? std::string() : "expected a file that ends in .csv or .json";
         });
     addDatabaseOption(*command, invocation);
-    command->callback([options, &invocation] { invocation.action = [options, &invocation] { return predictCommand(*options, invocation.database); }; });
+    command->callback(
+        [options, &invocation] { invocation.action = [options, &invocation] { return predictCommand(*options, invocation.database); }; });
 }
 
 } // namespace lubberline::app

@@ -4,18 +4,18 @@
 #include "app/QtSession.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
-#include "ui/storage/RecordDocuments.h"
+#include "ui/window/RecordDocuments.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct ReportArguments {
     std::string file, swing, output;
     bool archive = false;
 };
 
-int writeInput(const Options& options, ui::ReportInput input, const std::vector<std::string>& warnings)
+int writeInput(const ReportArguments& options, ui::ReportInput input, const std::vector<std::string>& warnings)
 {
     warn(warnings);
     warn(input.analysis.warnings);
@@ -26,7 +26,7 @@ int writeInput(const Options& options, ui::ReportInput input, const std::vector<
     return kDone;
 }
 
-int reportFromFile(const Options& options)
+int reportFromFile(const ReportArguments& options)
 {
     const auto swing = swingFromCsv(options.file);
     if (!swing)
@@ -41,7 +41,7 @@ int reportFromFile(const Options& options)
     return writeInput(options, std::move(input), swing->warnings);
 }
 
-int reportFromDatabase(const Options& options, const std::string& database)
+int reportFromDatabase(const ReportArguments& options, const std::string& database)
 {
     auto storage = openStorage(database, db::OpenMode::ReadOnly);
     if (!storage)
@@ -59,7 +59,7 @@ int reportFromDatabase(const Options& options, const std::string& database)
     return writeInput(options, std::move(input.value()), {});
 }
 
-int reportCommand(const Options& options, const std::string& database)
+int reportCommand(const ReportArguments& options, const std::string& database)
 {
     if (options.file.empty() == options.swing.empty()) {
         say("report: expected a Swing CSV or --swing ID, and not both");
@@ -75,16 +75,15 @@ int reportCommand(const Options& options, const std::string& database)
 
 void addReport(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReportArguments>();
     auto* command = app.add_subcommand("report", "a swing report: PDF (A4, the data attached), HTML, CSV or JSON");
     command->add_option("SWING.csv", options->file, "a Swing CSV");
     command->add_option("--swing", options->swing, "a swing of the database: its record id or the beginning of it (see `swings`)");
     command->add_option("-o,--output", options->output, "the file to write: .pdf, .html, .csv or .json")->required();
     command->add_flag("--archive", options->archive, "PDF/A-1b for the archive: nothing attached");
     addDatabaseOption(*command, invocation);
-    command->callback([options, &invocation] {
-        invocation.action = [options, &invocation] { return reportCommand(*options, invocation.database); };
-    });
+    command->callback(
+        [options, &invocation] { invocation.action = [options, &invocation] { return reportCommand(*options, invocation.database); }; });
 }
 
 } // namespace lubberline::app

@@ -6,14 +6,14 @@
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/due/DueList.h"
-#include "core/format/JsonWriter.h"
+#include "core/format/json/JsonWriter.h"
 
 namespace lubberline::app {
 
 namespace {
 
 /// What is not said stays as it is on record.
-struct Options {
+struct RuleArguments {
     std::string name;
     std::optional<int> months, grace, warn;
     std::optional<std::string> document, issue, type;
@@ -65,7 +65,7 @@ Result<void> addKnown(DbStorage& storage, const std::vector<DueRule>& rules)
     return {};
 }
 
-Result<void> change(DbStorage& storage, const std::vector<DueRule>& rules, const TypeNames& types, const Options& options)
+Result<void> change(DbStorage& storage, const std::vector<DueRule>& rules, const TypeNames& types, const RuleArguments& options)
 {
     const auto there = std::find_if(rules.begin(), rules.end(), [&](const DueRule& rule) { return rule.name == options.name; });
     if (options.remove && there == rules.end())
@@ -117,10 +117,11 @@ void print(const std::vector<DueRule>& rules, const TypeNames& types)
     std::printf("%-28s %6s %12s %11s  %-10s  %s\n", "rule", "months", "grace (days)", "warn (days)", "type", "document, issue");
     for (const auto& rule : rules)
         std::printf("%-28s %6d %12d %11d  %-10s  %s\n", rule.name.c_str(), rule.months, rule.graceDays, rule.warnDays,
-            rule.type.empty() ? "all" : types.nameOf(rule.type).c_str(), (rule.document + (rule.issue.empty() ? "" : ", " + rule.issue)).c_str());
+            rule.type.empty() ? "all" : types.nameOf(rule.type).c_str(),
+            (rule.document + (rule.issue.empty() ? "" : ", " + rule.issue)).c_str());
 }
 
-int ruleCommand(const Options& options, const std::string& database)
+int ruleCommand(const RuleArguments& options, const std::string& database)
 {
     const auto session = makeDrawingSession();
     if (const auto there = openStorage(database, db::OpenMode::ReadOnly); !there && there.error().code == ErrorCode::NotFound)
@@ -152,20 +153,26 @@ int ruleCommand(const Options& options, const std::string& database)
 void addRule(CLI::App& app, Invocation& invocation)
 {
     constexpr int kMost = 100000;
-    auto options = std::make_shared<Options>();
-    auto* command = app.add_subcommand("rule", "calendar rules: after how many months a compass is to be swung; without a name, those that are set");
+    auto options = std::make_shared<RuleArguments>();
+    auto* command
+        = app.add_subcommand("rule", "calendar rules: after how many months a compass is to be swung; without a name, those that are set");
     auto* name = command->add_option("NAME", options->name, "the rule to make or change");
     command->add_option("--months", options->months, "after the last signed swing; default: 24")->check(CLI::Range(1, kMost))->needs(name);
-    command->add_option("--grace", options->grace, "overdue only after so many days more; default: 0")->check(CLI::Range(0, kMost))->needs(name);
+    command->add_option("--grace", options->grace, "overdue only after so many days more; default: 0")
+        ->check(CLI::Range(0, kMost))
+        ->needs(name);
     command->add_option("--warn", options->warn, "due soon so many days before; default: 30")->check(CLI::Range(0, kMost))->needs(name);
     command->add_option("--document", options->document, "where the rule stands")->needs(name);
     command->add_option("--issue", options->issue, "and its issue")->needs(name);
     command->add_option("--type", options->type, "for this aircraft type only; its own rule goes before one for all")->needs(name);
     auto* remove = command->add_flag("--remove", options->remove, "remove the rule")->needs(name);
-    command->add_flag("--known", options->known, "take over the rules whose source was read: CASA, South Africa")->excludes(name)->excludes(remove);
+    command->add_flag("--known", options->known, "take over the rules whose source was read: CASA, South Africa")
+        ->excludes(name)
+        ->excludes(remove);
     command->add_flag("--json", options->json, "one JSON object on standard output");
     addDatabaseOption(*command, invocation);
-    command->callback([options, &invocation] { invocation.action = [options, &invocation] { return ruleCommand(*options, invocation.database); }; });
+    command->callback(
+        [options, &invocation] { invocation.action = [options, &invocation] { return ruleCommand(*options, invocation.database); }; });
 }
 
 } // namespace lubberline::app

@@ -4,13 +4,13 @@
 #include "app/PlacedSwings.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
-#include "core/format/PredictionJson.h"
+#include "core/format/results/PredictionJson.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct SeparateArguments {
     std::vector<std::string> swings;
     bool json = false;
 };
@@ -23,7 +23,7 @@ void printRow(const char* name, const char* unit, const Estimate& estimate, int 
     std::printf("  %s\n", unit);
 }
 
-int separateCommand(const Options& options, const std::string& database)
+int separateCommand(const SeparateArguments& options, const std::string& database)
 {
     const auto session = makeDrawingSession();
     const auto placed = placedSwings(database, options.swings);
@@ -43,7 +43,8 @@ int separateCommand(const Options& options, const std::string& database)
     printRow("vertical soft iron f", "", separation->f, 4);
     printRow("hard iron P", "nT", separation->P_nT, 0);
     printRow("hard iron Q", "nT", separation->Q_nT, 0);
-    std::printf("  correlation of c and P %+.2f; condition number %.1f (alike above %.0f)\n", separation->correlation, separation->conditionNumber, kAlikePlaces);
+    std::printf("  correlation of c and P %+.2f; condition number %.1f (alike above %.0f)\n", separation->correlation,
+        separation->conditionNumber, kAlikePlaces);
     for (const auto& each : knowledge)
         std::printf("%s %s\n", each.known ? "known:    " : "not known:", each.what.c_str());
     return kDone;
@@ -53,12 +54,14 @@ int separateCommand(const Options& options, const std::string& database)
 
 void addSeparate(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
-    auto* command = app.add_subcommand("separate", "hard iron told from vertical soft iron by swings of one compass where H and dip differ");
+    auto options = std::make_shared<SeparateArguments>();
+    auto* command
+        = app.add_subcommand("separate", "hard iron told from vertical soft iron by swings of one compass where H and dip differ");
     command->add_option("--swing", options->swings, "a swing of the database (record id or its beginning); two at least")->required();
     command->add_flag("--json", options->json, "one JSON object on standard output");
     addDatabaseOption(*command, invocation);
-    command->callback([options, &invocation] { invocation.action = [options, &invocation] { return separateCommand(*options, invocation.database); }; });
+    command->callback(
+        [options, &invocation] { invocation.action = [options, &invocation] { return separateCommand(*options, invocation.database); }; });
 }
 
 } // namespace lubberline::app

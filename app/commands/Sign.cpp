@@ -6,20 +6,20 @@
 #include "app/DbStorage.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
-#include "core/format/RecordWords.h"
+#include "core/record/RecordWords.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct SignArguments {
     std::string record, role, name, licence, reason;
     bool json = false;
 };
 
-using Act = std::function<int(DbStorage& storage, SwingId swing, const Options& options)>;
+using Act = std::function<int(DbStorage& storage, SwingId swing, const SignArguments& options)>;
 
-int onSwing(const Options& options, const std::string& database, db::OpenMode mode, const Act& act)
+int onSwing(const SignArguments& options, const std::string& database, db::OpenMode mode, const Act& act)
 {
     const auto session = makeDrawingSession();
     auto storage = openStorage(database, mode);
@@ -36,25 +36,27 @@ int told(const Result<void>& done, DbStorage& storage, SwingId swing)
     const auto record = storage.swingRecord(swing);
     if (!record)
         return fail(record.error());
-    std::printf("%s  %s  %s\n", record->swing.record.c_str(), record->aircraft.registration.c_str(), std::string(fileWord(record->swing.state)).c_str());
+    std::printf("%s  %s  %s\n", record->swing.record.c_str(), record->aircraft.registration.c_str(),
+        std::string(fileWord(record->swing.state)).c_str());
     return kDone;
 }
 
-int sign(DbStorage& storage, SwingId swing, const Options& options)
+int sign(DbStorage& storage, SwingId swing, const SignArguments& options)
 {
     const auto role = choiceOf<SignatureRole>(options.role);
     if (!role)
-        return fail(Error{ErrorCode::InvalidInput, "--role: '" + options.role + "' is not known; expected " + allowedWords<SignatureRole>()});
+        return fail(
+            Error{ErrorCode::InvalidInput, "--role: '" + options.role + "' is not known; expected " + allowedWords<SignatureRole>()});
     return told(storage.sign(swing, Signature{*role, options.name, options.licence, {}, {}}), storage, swing);
 }
 
-int amend(DbStorage& storage, SwingId swing, const Options& options)
+int amend(DbStorage& storage, SwingId swing, const SignArguments& options)
 {
     const auto made = storage.amend(swing, options.reason);
     return made ? told({}, storage, *made) : fail(made.error());
 }
 
-int audit(DbStorage& storage, SwingId swing, const Options& options)
+int audit(DbStorage& storage, SwingId swing, const SignArguments& options)
 {
     const auto record = storage.recordOf(swing);
     if (!record)
@@ -74,7 +76,8 @@ int audit(DbStorage& storage, SwingId swing, const Options& options)
     return kDone;
 }
 
-CLI::App* add(CLI::App& app, Invocation& invocation, const char* name, const char* help, const std::shared_ptr<Options>& options, db::OpenMode mode, Act act)
+CLI::App* add(CLI::App& app, Invocation& invocation, const char* name, const char* help, const std::shared_ptr<SignArguments>& options,
+    db::OpenMode mode, Act act)
 {
     auto* command = app.add_subcommand(name, help);
     command->add_option("RECORD", options->record, "the swing's record id, or its beginning")->required();
@@ -90,13 +93,16 @@ CLI::App* add(CLI::App& app, Invocation& invocation, const char* name, const cha
 void addSign(CLI::App& app, Invocation& invocation)
 {
     constexpr auto kWrite = db::OpenMode::ReadWriteCreate;
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SignArguments>();
     add(app, invocation, "complete", "close a draft swing: its readings and particulars are whole", options, kWrite,
-        [](DbStorage& storage, SwingId swing, const Options&) { return told(storage.complete(swing), storage, swing); });
+        [](DbStorage& storage, SwingId swing, const SignArguments&) { return told(storage.complete(swing), storage, swing); });
     auto* reopen = add(app, invocation, "reopen", "make a complete swing a draft again", options, kWrite,
-        [](DbStorage& storage, SwingId swing, const Options& given) { return told(storage.reopen(swing, given.reason), storage, swing); });
+        [](DbStorage& storage, SwingId swing, const SignArguments& given) {
+            return told(storage.reopen(swing, given.reason), storage, swing);
+        });
     reopen->add_option("--reason", options->reason, "why")->required();
-    auto* signing = add(app, invocation, "sign", "sign a complete swing; a performer's and an inspector's signature freeze it", options, kWrite, sign);
+    auto* signing = add(
+        app, invocation, "sign", "sign a complete swing; a performer's and an inspector's signature freeze it", options, kWrite, sign);
     signing->add_option("--role", options->role, "performer, inspector or authority")->required();
     signing->add_option("--name", options->name, "who signs")->required();
     signing->add_option("--licence", options->licence, "licence, stamp or service number");

@@ -7,17 +7,17 @@
 #include "app/ModelOptions.h"
 #include "app/TextFile.h"
 #include "app/commands/Command.h"
-#include "core/format/FileText.h"
-#include "core/format/ModelJson.h"
-#include "core/format/Number.h"
-#include "core/format/SimulationJson.h"
-#include "core/format/SwingCsv.h"
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
+#include "core/format/csv/SwingCsv.h"
+#include "core/format/exchange/ModelJson.h"
+#include "core/format/results/SimulationJson.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct SimulateArguments {
     std::string model, output;
     std::vector<double> headings_deg;
     double pitch_deg = 0, roll_deg = 0;
@@ -50,8 +50,10 @@ std::vector<double> takeHeadings(const std::string& text)
         return headings_deg;
     }
     if (range.size() != 3)
-        throw CLI::ValidationError(option + ": " + inQuotes(text) + " is no range; expected FROM:STEP:TO, as in 0:15:345, or headings with commas");
-    const double from_deg = degreesIn(option, range[0], 0, 360), step_deg = degreesIn(option, range[1], 0, 360), to_deg = degreesIn(option, range[2], 0, 360);
+        throw CLI::ValidationError(
+            option + ": " + inQuotes(text) + " is no range; expected FROM:STEP:TO, as in 0:15:345, or headings with commas");
+    const double from_deg = degreesIn(option, range[0], 0, 360), step_deg = degreesIn(option, range[1], 0, 360),
+                 to_deg = degreesIn(option, range[2], 0, 360);
     if (!(step_deg > 0) || to_deg < from_deg)
         throw CLI::ValidationError(option + ": " + inQuotes(text) + " leads nowhere; expected a STEP above 0 and TO not below FROM");
     // What rounding leaves of 0.1 + 0.1 + 0.1 must not lose the last heading.
@@ -63,12 +65,9 @@ std::vector<double> takeHeadings(const std::string& text)
     return headings_deg;
 }
 
-bool endsWith(const std::string& path, const char* ending)
-{
-    return std::filesystem::path(path).extension() == ending;
-}
+bool endsWith(const std::string& path, const char* ending) { return std::filesystem::path(path).extension() == ending; }
 
-void printTable(const std::vector<SensorReading>& points, const Options& options)
+void printTable(const std::vector<SensorReading>& points, const SimulateArguments& options)
 {
     std::printf("pitch %g deg (nose up +), roll %g deg (starboard wing down +)\n", options.pitch_deg, options.roll_deg);
     std::printf("magnetic   compass    deviation  horizontal field\n   (deg)     (deg)    (deg, E+)   at sensor (nT)\n");
@@ -82,7 +81,7 @@ void printTable(const std::vector<SensorReading>& points, const Options& options
 }
 
 /// What vanishes has no heading, and so no row.
-SwingRecord swingOf(const std::vector<SensorReading>& points, const SensorSetup& setup, const Options& options)
+SwingRecord swingOf(const std::vector<SensorReading>& points, const SensorSetup& setup, const SimulateArguments& options)
 {
     SwingRecord record;
     Swing& swing = record.swing;
@@ -102,13 +101,17 @@ SwingRecord swingOf(const std::vector<SensorReading>& points, const SensorSetup&
     return record;
 }
 
-int writeFile(const std::vector<SensorReading>& points, const SensorSetup& setup, const MeridianField& field, const Options& options)
+int writeFile(
+    const std::vector<SensorReading>& points, const SensorSetup& setup, const MeridianField& field, const SimulateArguments& options)
 {
     const bool none = std::none_of(points.begin(), points.end(), [](const SensorReading& point) { return point.compass.has_value(); });
     if (none && !endsWith(options.output, ".json"))
-        return fail({ErrorCode::Numeric, "the horizontal field at the sensor vanishes on every heading, which leaves no readings for " + options.output
-            + "; expected a compass that points", options.model});
-    const std::string content = endsWith(options.output, ".json") ? toJson(points, field) + "\n" : writeSwingCsv(swingOf(points, setup, options));
+        return fail({ErrorCode::Numeric,
+            "the horizontal field at the sensor vanishes on every heading, which leaves no readings for " + options.output
+                + "; expected a compass that points",
+            options.model});
+    const std::string content
+        = endsWith(options.output, ".json") ? toJson(points, field) + "\n" : writeSwingCsv(swingOf(points, setup, options));
     if (const auto written = writeTextFile(options.output, content); !written)
         return fail(written.error());
     say("wrote " + options.output);
@@ -119,10 +122,11 @@ void warnOfVanished(const std::vector<SensorReading>& points)
 {
     for (const auto& point : points)
         if (!point.compass)
-            warn({"the horizontal field at the sensor vanishes on heading " + shortestNumber(point.attitude.heading.degrees()) + ": no compass heading there"});
+            warn({"the horizontal field at the sensor vanishes on heading " + shortestNumber(point.attitude.heading.degrees())
+                + ": no compass heading there"});
 }
 
-int simulateCommand(const Options& options)
+int simulateCommand(const SimulateArguments& options)
 {
     const auto setup = readModelJsonFile(options.model);
     if (!setup)
@@ -133,7 +137,8 @@ int simulateCommand(const Options& options)
     const SensorResponse response = responseOf(setup->model);
     std::vector<SensorReading> points;
     for (const double heading_deg : options.headings_deg)
-        points.push_back(readSensor(response, *field, {MagneticHeading::fromDegrees(heading_deg), toRadians(options.pitch_deg), toRadians(options.roll_deg)}));
+        points.push_back(readSensor(
+            response, *field, {MagneticHeading::fromDegrees(heading_deg), toRadians(options.pitch_deg), toRadians(options.roll_deg)}));
     warnOfVanished(points);
     if (!options.output.empty())
         return writeFile(points, *setup, *field, options);
@@ -148,20 +153,31 @@ int simulateCommand(const Options& options)
 
 void addSimulate(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SimulateArguments>();
     options->headings_deg = takeHeadings("0:15:345");
     auto* command = app.add_subcommand("simulate", "what a sensor model reads on headings, at a pitch and a roll");
     command->add_option("MODEL.json", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")->required();
-    command->add_option_function<std::string>("--headings", [options](const std::string& text) { options->headings_deg = takeHeadings(text); },
-        "magnetic headings [deg]: FROM:STEP:TO, or a list with commas")->default_str("0:15:345");
-    command->add_option_function<std::string>("--pitch", [options](const std::string& text) { options->pitch_deg = degreesIn("--pitch", text, -90, 90); },
-        "nose up positive [deg]")->default_str("0");
-    command->add_option_function<std::string>("--roll", [options](const std::string& text) { options->roll_deg = degreesIn("--roll", text, -180, 180); },
-        "starboard wing down positive [deg]")->default_str("0");
+    command
+        ->add_option_function<std::string>(
+            "--headings", [options](const std::string& text) { options->headings_deg = takeHeadings(text); },
+            "magnetic headings [deg]: FROM:STEP:TO, or a list with commas")
+        ->default_str("0:15:345");
+    command
+        ->add_option_function<std::string>(
+            "--pitch", [options](const std::string& text) { options->pitch_deg = degreesIn("--pitch", text, -90, 90); },
+            "nose up positive [deg]")
+        ->default_str("0");
+    command
+        ->add_option_function<std::string>(
+            "--roll", [options](const std::string& text) { options->roll_deg = degreesIn("--roll", text, -180, 180); },
+            "starboard wing down positive [deg]")
+        ->default_str("0");
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("-o,--output", options->output, "write a Swing CSV (.csv), or the JSON (.json)")->excludes(json)
+    command->add_option("-o,--output", options->output, "write a Swing CSV (.csv), or the JSON (.json)")
+        ->excludes(json)
         ->check([](const std::string& path) {
-            return endsWith(path, ".csv") || endsWith(path, ".json") ? std::string() : inQuotes(path) + " has another ending; expected .csv or .json";
+            return endsWith(path, ".csv") || endsWith(path, ".json") ? std::string()
+                                                                     : inQuotes(path) + " has another ending; expected .csv or .json";
         });
     command->callback([options, &invocation] { invocation.action = [options] { return simulateCommand(*options); }; });
 }

@@ -3,14 +3,14 @@
 
 #include "app/Console.h"
 #include "app/commands/Command.h"
-#include "core/format/ModelJson.h"
-#include "core/format/SimulationJson.h"
+#include "core/format/exchange/ModelJson.h"
+#include "core/format/results/SimulationJson.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct SmithArguments {
     std::string model;
     bool json = false;
 };
@@ -27,7 +27,8 @@ double approximateOf_rad(const ApproximateSmith& smith, Coefficient coefficient)
 
 void printTable(const PoissonSmith& smith, const MeridianField& field)
 {
-    std::printf("H %.1f nT, Z %.1f nT (down +), dip %.2f deg; lambda %.6f\n\n", field.horizontal_nT, field.down_nT, toDegrees(field.inclination_rad()), smith.lambda);
+    std::printf("H %.1f nT, Z %.1f nT (down +), dip %.2f deg; lambda %.6f\n\n", field.horizontal_nT, field.down_nT,
+        toDegrees(field.inclination_rad()), smith.lambda);
     std::printf("%15s%17s\n", "exact", "approx. (deg)");
     for (const Coefficient coefficient : kCoefficients) {
         std::printf("%c %+13.6f", letterOf(coefficient), exactOf(smith.exact, coefficient));
@@ -41,7 +42,7 @@ void printTable(const PoissonSmith& smith, const MeridianField& field)
         std::printf("%c %+13.6f  %s\n", letterOf(term.coefficient), term.value, term.cause.c_str());
 }
 
-int smithCommand(const Options& options)
+int smithCommand(const SmithArguments& options)
 {
     const auto setup = readModelJsonFile(options.model);
     if (!setup)
@@ -65,9 +66,10 @@ int smithCommand(const Options& options)
 
 void addSmith(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SmithArguments>();
     auto* command = app.add_subcommand("smith", "Smith's coefficients of a sensor model, and the iron that each comes from");
-    command->add_option("MODEL.json,--model", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")->required();
+    command->add_option("MODEL.json,--model", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")
+        ->required();
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &invocation] { invocation.action = [options] { return smithCommand(*options); }; });
 }

@@ -3,15 +3,15 @@
 #include <nlohmann/json.hpp>
 
 #include "app/Console.h"
-#include "app/SwingList.h"
 #include "app/QtSession.h"
+#include "app/SwingList.h"
 #include "app/commands/Command.h"
 
 namespace lubberline::app {
 
 namespace {
 
-struct Options {
+struct SwingsArguments {
     std::string aircraft;
     bool json = false;
 };
@@ -19,12 +19,9 @@ struct Options {
 const char* nameOf(SwingState state)
 {
     switch (state) {
-    case SwingState::Draft:
-        return "draft";
-    case SwingState::Complete:
-        return "complete";
-    case SwingState::Signed:
-        return "signed";
+    case SwingState::Draft: return "draft";
+    case SwingState::Complete: return "complete";
+    case SwingState::Signed: return "signed";
     }
     return "";
 }
@@ -32,12 +29,9 @@ const char* nameOf(SwingState state)
 const char* nameOf(Status status)
 {
     switch (status) {
-    case Status::NotKnown:
-        return "not known";
-    case Status::InLimits:
-        return "in limits";
-    case Status::OutOfLimits:
-        return "out of limits";
+    case Status::NotKnown: return "not known";
+    case Status::InLimits: return "in limits";
+    case Status::OutOfLimits: return "out of limits";
     }
     return "";
 }
@@ -56,7 +50,7 @@ std::string jsonOf(const std::vector<ListedSwing>& swings)
     return nlohmann::ordered_json{{"swings", array}}.dump(2);
 }
 
-int swingsCommand(const Options& options, const std::string& database)
+int swingsCommand(const SwingsArguments& options, const std::string& database)
 {
     const auto session = makeDrawingSession();
     auto storage = openStorage(database, db::OpenMode::ReadOnly);
@@ -82,14 +76,13 @@ int swingsCommand(const Options& options, const std::string& database)
 
 void addSwings(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SwingsArguments>();
     auto* command = app.add_subcommand("swings", "list the swings of the database with their record ids");
     command->add_option("--aircraft", options->aircraft, "of this registration only");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     addDatabaseOption(*command, invocation);
-    command->callback([options, &invocation] {
-        invocation.action = [options, &invocation] { return swingsCommand(*options, invocation.database); };
-    });
+    command->callback(
+        [options, &invocation] { invocation.action = [options, &invocation] { return swingsCommand(*options, invocation.database); }; });
 }
 
 } // namespace lubberline::app

@@ -30,7 +30,7 @@ public:
     bool skipSpaces()
     {
         const auto before = m_rest.size();
-        while (take(" ") || take("\t") || take("\u00A0")) { }
+        while (take(" ") || take("\t") || take("\u00A0")) {}
         return m_rest.size() != before;
     }
     bool take(std::string_view what)
@@ -156,10 +156,7 @@ std::string degreesMinutes(long long minutes, std::size_t wholeDigits)
     return padded(std::to_string(minutes / 60), wholeDigits) + "\u00B0" + padded(std::to_string(minutes % 60), 2) + "'";
 }
 
-bool isZero(const std::string& figures)
-{
-    return figures.find_first_not_of("-0.") == std::string::npos;
-}
+bool isZero(const std::string& figures) { return figures.find_first_not_of("-0.") == std::string::npos; }
 
 } // namespace
 

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <cstdlib>
 
-#define LUBBERLINE_EXPECT(condition, promise)                                                        \
-    do {                                                                                             \
-        if (!(condition)) {                                                                          \
-            std::fprintf(stderr, "lubberline: %s:%d: broken contract: %s\n", __FILE__, __LINE__, promise); \
-            std::abort();                                                                            \
-        }                                                                                            \
+#define LUBBERLINE_EXPECT(condition, promise)                                                                                              \
+    do {                                                                                                                                   \
+        if (!(condition)) {                                                                                                                \
+            std::fprintf(stderr, "lubberline: %s:%d: broken contract: %s\n", __FILE__, __LINE__, promise);                                 \
+            std::abort();                                                                                                                  \
+        }                                                                                                                                  \
     } while (false)

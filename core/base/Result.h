@@ -13,16 +13,16 @@ enum class ErrorCode {
     InvalidInput, ///< the data are wrong: the user can mend them
     Format,       ///< a file is not of the format that it should be
     NotFound,
-    Io,           ///< a file cannot be opened, read or written
-    Numeric,      ///< the data are well formed, but no result exists (singular, folded)
+    Io,      ///< a file cannot be opened, read or written
+    Numeric, ///< the data are well formed, but no result exists (singular, folded)
     Unsupported,
     ReadOnly,
-    Locked,       ///< another program holds the database
-    Full,         ///< no space left
+    Locked, ///< another program holds the database
+    Full,   ///< no space left
     Corrupt,
-    NewerSchema,  ///< written by a newer version of the program
-    Conflict,     ///< somebody else changed it, or it is there already and differs
-    Frozen,       ///< the record is signed
+    NewerSchema, ///< written by a newer version of the program
+    Conflict,    ///< somebody else changed it, or it is there already and differs
+    Frozen,      ///< the record is signed
     Cancelled,
 };
 
@@ -30,8 +30,8 @@ enum class ErrorCode {
 struct Error {
     ErrorCode code = ErrorCode::InvalidInput;
     std::string message;
-    std::string file = {};   ///< empty when no file is concerned
-    std::int64_t line = 0;   ///< 1-based; 0 when no line is concerned
+    std::string file = {}; ///< empty when no file is concerned
+    std::int64_t line = 0; ///< 1-based; 0 when no line is concerned
 };
 
 /// "FILE:LINE: message", leaving out what is not known.
@@ -47,15 +47,31 @@ public:
     [[nodiscard]] bool ok() const { return m_state.index() == 0; }
     explicit operator bool() const { return ok(); }
 
-    T& value() & { expectValue(); return std::get<0>(m_state); }
-    const T& value() const& { expectValue(); return std::get<0>(m_state); }
-    T&& value() && { expectValue(); return std::get<0>(std::move(m_state)); }
+    T& value() &
+    {
+        expectValue();
+        return std::get<0>(m_state);
+    }
+    const T& value() const&
+    {
+        expectValue();
+        return std::get<0>(m_state);
+    }
+    T&& value() &&
+    {
+        expectValue();
+        return std::get<0>(std::move(m_state));
+    }
     T& operator*() & { return value(); }
     const T& operator*() const& { return value(); }
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
 
-    const Error& error() const { LUBBERLINE_EXPECT(!ok(), "a Result that is ok has no error"); return std::get<1>(m_state); }
+    const Error& error() const
+    {
+        LUBBERLINE_EXPECT(!ok(), "a Result that is ok has no error");
+        return std::get<1>(m_state);
+    }
 
 private:
     void expectValue() const { LUBBERLINE_EXPECT(ok(), "value() of a Result that is an error"); }
@@ -70,7 +86,11 @@ public:
     Result(Error error) : m_failed(true), m_error(std::move(error)) {}
     [[nodiscard]] bool ok() const { return !m_failed; }
     explicit operator bool() const { return ok(); }
-    const Error& error() const { LUBBERLINE_EXPECT(m_failed, "a Result that is ok has no error"); return m_error; }
+    const Error& error() const
+    {
+        LUBBERLINE_EXPECT(m_failed, "a Result that is ok has no error");
+        return m_error;
+    }
 
 private:
     bool m_failed = false;

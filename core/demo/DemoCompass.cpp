@@ -10,10 +10,7 @@ namespace {
 /// Landing compasses and theodolites are read to half a degree.
 constexpr double kDatumResolution_deg = 0.5;
 
-double roundedTo(double angle_deg, double resolution_deg)
-{
-    return std::round(angle_deg / resolution_deg) * resolution_deg;
-}
+double roundedTo(double angle_deg, double resolution_deg) { return std::round(angle_deg / resolution_deg) * resolution_deg; }
 
 ExactSmith exactOf(const std::array<double, 5>& coefficient_deg)
 {
@@ -23,7 +20,10 @@ ExactSmith exactOf(const std::array<double, 5>& coefficient_deg)
 
 } // namespace
 
-DemoMagnetism::DemoMagnetism(const DemoCompassKind& kind, DemoRandom& random) : m_kind(kind), m_random(random), m_coefficient_deg(kind.typical_deg)
+DemoMagnetism::DemoMagnetism(const DemoCompassKind& kind, DemoRandom& random)
+    : m_kind(kind)
+    , m_random(random)
+    , m_coefficient_deg(kind.typical_deg)
 {
     for (std::size_t i = 0; i < m_coefficient_deg.size(); ++i) {
         const bool hardIron = i == 1 || i == 2;
@@ -63,7 +63,8 @@ std::vector<Reading> DemoMagnetism::read(int points, double spread_deg)
         const double actual_deg = *reading.nominal_deg + m_random.between(-spread_deg, spread_deg);
         reading.magnetic = MagneticHeading::fromDegrees(roundedTo(actual_deg, kDatumResolution_deg));
         const auto shown = toCompass(*reading.magnetic, deviationAt(smith, *reading.magnetic));
-        reading.compass = CompassHeading::fromDegrees(roundedTo(shown.degrees() + m_random.normal(m_kind.noise_deg), m_kind.resolution_deg));
+        reading.compass
+            = CompassHeading::fromDegrees(roundedTo(shown.degrees() + m_random.normal(m_kind.noise_deg), m_kind.resolution_deg));
         readings.push_back(reading);
     }
     return readings;

@@ -14,9 +14,9 @@ class DemoMagnetism {
 public:
     DemoMagnetism(const DemoCompassKind& kind, DemoRandom& random);
 
-    void ageOneYear();                                  ///< hard iron drifts
-    void strike(double size_deg);                       ///< something magnetised the aircraft: B and C jump
-    void compensate();                                  ///< what a correction swing leaves of A, B, C
+    void ageOneYear();            ///< hard iron drifts
+    void strike(double size_deg); ///< something magnetised the aircraft: B and C jump
+    void compensate();            ///< what a correction swing leaves of A, B, C
     /// What remains when the radio is switched off, or comes with it: the field of its supply line.
     void addSupplyField(double B_deg) { m_coefficient_deg[1] += B_deg; }
 

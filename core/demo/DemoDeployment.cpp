@@ -75,15 +75,16 @@ const std::vector<DemoDeployment>& demoDeployments()
 {
     static const std::vector<DemoDeployment> deployments = [] {
         const SensorRecord bench = fromBench();
-        return std::vector<DemoDeployment>{{0, 3, fighter(), {}}, {1, 3, bench.model, {bench}}, {3, 2, lightTwin(), {entered(lightTwin())}}};
+        return std::vector<DemoDeployment>{
+            {0, 3, fighter(), {}}, {1, 3, bench.model, {bench}}, {3, 2, lightTwin(), {entered(lightTwin())}}};
     }();
     return deployments;
 }
 
 const DemoCompassKind& demoMagnetometer()
 {
-    static const DemoCompassKind kind{"AHRS magnetometer", CompassKind::RemoteUnstabilised, Compensator::None, "tail", 0.25, 12, {}, 0.0, 0.15,
-        "14 CFR 25.1327 (10\u00B0)", 10.0, false, false};
+    static const DemoCompassKind kind{"AHRS magnetometer", CompassKind::RemoteUnstabilised, Compensator::None, "tail", 0.25, 12, {}, 0.0,
+        0.15, "14 CFR 25.1327 (10\u00B0)", 10.0, false, false};
     return kind;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A magnetometer on some aircraft of the demonstration fleet that is swung at home and far away: one hidden sensor model gives all
-/// its readings, so that hard iron and vertical soft iron can be told apart from its swings. Invented.
+/// A magnetometer on some aircraft of the demonstration fleet that is swung at home and far away: one hidden sensor model gives
+/// all its readings, so that hard iron and vertical soft iron can be told apart from its swings. Invented.
 
 #include <string>
 #include <vector>
@@ -14,9 +14,9 @@
 namespace lubberline {
 
 struct DemoDeployment {
-    int type = 0, aircraft = 0;            ///< of demoTypes(), and its number among them
-    SensorModel hidden;                    ///< with every circuit off
-    std::vector<SensorRecord> sensors;     ///< kept with the compass; without ids
+    int type = 0, aircraft = 0;        ///< of demoTypes(), and its number among them
+    SensorModel hidden;                ///< with every circuit off
+    std::vector<SensorRecord> sensors; ///< kept with the compass; without ids
 };
 [[nodiscard]] const std::vector<DemoDeployment>& demoDeployments();
 

@@ -12,7 +12,7 @@
 #include "core/demo/DemoTypes.h"
 #include "core/due/DueList.h"
 #include "core/record/DerivedId.h"
-#include "core/record/SwingField.h"
+#include "core/swing/SwingField.h"
 
 namespace lubberline {
 
@@ -60,14 +60,17 @@ private:
     [[nodiscard]] std::string isoDate(int year, int month, int day) const;
     void setDatum(Swing& swing, const DemoCompassKind& kind);
     [[nodiscard]] CompassSystem& compassOf(CompassId id) { return m_fleet.compasses[static_cast<std::size_t>(id.value) - 1]; }
-    [[nodiscard]] const Aircraft& aircraftOf(const CompassSystem& compass) const { return m_fleet.aircraft[static_cast<std::size_t>(compass.aircraft.value) - 1]; }
+    [[nodiscard]] const Aircraft& aircraftOf(const CompassSystem& compass) const
+    {
+        return m_fleet.aircraft[static_cast<std::size_t>(compass.aircraft.value) - 1];
+    }
 
     DemoOptions m_options;
     DemoRandom m_random;
     Fleet m_fleet;
-    DemoRandom m_deployed; ///< of its own: the others read the same whether there are deployments or not
+    DemoRandom m_deployed;                       ///< of its own: the others read the same whether there are deployments or not
     std::vector<const DemoCompassKind*> m_kinds; ///< of each compass of the fleet
-    int m_year = 0, m_month = 0; ///< of the visit to the compass base that is being made
+    int m_year = 0, m_month = 0;                 ///< of the visit to the compass base that is being made
 };
 
 std::string FleetMaker::isoDate(int year, int month, int day) const
@@ -79,9 +82,8 @@ std::string FleetMaker::isoDate(int year, int month, int day) const
 
 const Misfortune* FleetMaker::misfortuneOf(int type, int number) const
 {
-    const auto found = std::find_if(kMisfortunes.begin(), kMisfortunes.end(), [&](const Misfortune& one) {
-        return one.type == type && std::min(one.aircraft, m_options.aircraftPerType - 1) == number;
-    });
+    const auto found = std::find_if(kMisfortunes.begin(), kMisfortunes.end(),
+        [&](const Misfortune& one) { return one.type == type && std::min(one.aircraft, m_options.aircraftPerType - 1) == number; });
     return found == kMisfortunes.end() ? nullptr : &*found;
 }
 
@@ -118,7 +120,8 @@ void FleetMaker::addAircraft(int type, int number)
     Aircraft aircraft;
     aircraft.id.value = static_cast<std::int64_t>(m_fleet.aircraft.size()) + 1;
     aircraft.type.value = type + 1;
-    aircraft.registration = place < made.registrations.size() ? made.registrations[place] : std::string(made.registrations[0]) + "-" + std::to_string(number + 1);
+    aircraft.registration = place < made.registrations.size() ? made.registrations[place]
+                                                              : std::string(made.registrations[0]) + "-" + std::to_string(number + 1);
     aircraft.record = recordIdOfAircraft("demonstration " + aircraft.registration);
     aircraft.serialNumber = "DEMO-" + std::to_string(100 * (type + 1) + number + 1);
     aircraft.operatorName = "Demonstration operator";
@@ -160,7 +163,8 @@ const CompassSystem& FleetMaker::addSystem(const DemoCompassKind& made, const Ai
     compass.serialNumber = std::to_string(1000 + compass.id.value * 37);
     compass.location = made.location;
     compass.resolution_deg = made.resolution_deg;
-    const auto limits = std::find_if(m_fleet.limits.begin(), m_fleet.limits.end(), [&](const LimitsProfile& one) { return one.name == made.limits; });
+    const auto limits
+        = std::find_if(m_fleet.limits.begin(), m_fleet.limits.end(), [&](const LimitsProfile& one) { return one.name == made.limits; });
     LUBBERLINE_EXPECT(limits != m_fleet.limits.end(), "the demonstration uses shipped limits");
     compass.limits = limits->id;
     m_fleet.compasses.push_back(compass);
@@ -325,7 +329,8 @@ void FleetMaker::addDeployedSwing(const SensorModel& hidden, SiteId site, int da
     const auto stamp = stampFor(occasion, m_fleet.sites[static_cast<std::size_t>(site.value) - 1]);
     if (!stamp)
         return;
-    addSwing(m_fleet.compasses.back().id, SwingKind::Check, SwingStage::AsFound, day, readDeployed(hidden, stamp->field.meridian(), m_deployed));
+    addSwing(
+        m_fleet.compasses.back().id, SwingKind::Check, SwingStage::AsFound, day, readDeployed(hidden, stamp->field.meridian(), m_deployed));
     Swing& swing = m_fleet.swings.back();
     swing.site = site;
     swing.datum.serialNumber = "LC-" + std::to_string(40 + site.value);
@@ -338,7 +343,8 @@ void FleetMaker::stampSwings()
     for (auto& swing : m_fleet.swings) {
         swing.field = stampFor(swing, m_fleet.sites[static_cast<std::size_t>(swing.site.value) - 1]);
         if (swing.field)
-            swing.field->field = {rounded(swing.field->field.north_nT), rounded(swing.field->field.east_nT), rounded(swing.field->field.down_nT)};
+            swing.field->field
+                = {rounded(swing.field->field.north_nT), rounded(swing.field->field.east_nT), rounded(swing.field->field.down_nT)};
     }
 }
 
@@ -346,7 +352,8 @@ void FleetMaker::stampSwings()
 
 Fleet demoFleet(const DemoOptions& options)
 {
-    LUBBERLINE_EXPECT(options.aircraftPerType >= 1 && options.swingsPerCompass >= 1, "at least one aircraft of a type and one swing of a compass");
+    LUBBERLINE_EXPECT(
+        options.aircraftPerType >= 1 && options.swingsPerCompass >= 1, "at least one aircraft of a type and one swing of a compass");
     return FleetMaker(options).make();
 }
 

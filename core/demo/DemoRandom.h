@@ -15,7 +15,8 @@ public:
     double between(double least, double most) { return least + (most - least) * unit(); }
     /// 0 … count − 1
     int below(int count) { return static_cast<int>(unit() * count); }
-    /// Mean 0; twelve uniform numbers summed (Irwin and Hall) instead of a logarithm that differs in its last digit between libraries.
+    /// Mean 0; twelve uniform numbers summed (Irwin and Hall) instead of a logarithm that differs in its last digit between
+    /// libraries.
     double normal(double standardDeviation)
     {
         double sum = -6.0;

@@ -8,11 +8,12 @@ namespace {
 
 DemoCompassKind standby(int points, std::array<double, 5> typical_deg, const char* limits, bool radioPair)
 {
-    return {"standby compass", CompassKind::DirectReading, Compensator::Magnets, "windscreen frame", 1.0, points, typical_deg, 1.2, 0.35, limits, 10.0,
-        false, radioPair};
+    return {"standby compass", CompassKind::DirectReading, Compensator::Magnets, "windscreen frame", 1.0, points, typical_deg, 1.2, 0.35,
+        limits, 10.0, false, radioPair};
 }
 
-DemoCompassKind remote(const char* name, CompassKind kind, const char* location, int points, std::array<double, 5> typical_deg, bool trueDatum)
+DemoCompassKind remote(
+    const char* name, CompassKind kind, const char* location, int points, std::array<double, 5> typical_deg, bool trueDatum)
 {
     return {name, kind, Compensator::Screws, location, 0.5, points, typical_deg, 0.22, 0.1, "Slaved HSI (2\u00B0)", 2.0, trueDatum, false};
 }

@@ -11,10 +11,7 @@ namespace {
 
 constexpr std::array kCardinals{Cardinal::N, Cardinal::E, Cardinal::S, Cardinal::W};
 
-double headingOf_deg(Cardinal cardinal)
-{
-    return 90.0 * static_cast<double>(cardinal);
-}
+double headingOf_deg(Cardinal cardinal) { return 90.0 * static_cast<double>(cardinal); }
 
 Result<Observation> readingOn(std::span<const Observation> readings, Cardinal cardinal)
 {
@@ -29,9 +26,9 @@ Result<Observation> readingOn(std::span<const Observation> readings, Cardinal ca
     }
     if (nearest)
         return *nearest;
-    return Error{ErrorCode::InvalidInput, std::string("no reading on ") + letterOf(cardinal)
-            + " (within 11.25° of magnetic heading " + std::to_string(static_cast<int>(headingOf_deg(cardinal)))
-            + "°); a correction needs readings on N, E, S and W"};
+    return Error{ErrorCode::InvalidInput,
+        std::string("no reading on ") + letterOf(cardinal) + " (within 11.25° of magnetic heading "
+            + std::to_string(static_cast<int>(headingOf_deg(cardinal))) + "°); a correction needs readings on N, E, S and W"};
 }
 
 /// The term is added to what the compass reads now: (reading) + B sin ψ or C cos ψ at the cardinal, that is ± the coefficient.
@@ -44,10 +41,7 @@ CorrectionStep stepFor(Coefficient coefficient, Cardinal on, const Observation& 
 
 } // namespace
 
-char letterOf(Cardinal cardinal)
-{
-    return "NESW"[static_cast<int>(cardinal)];
-}
+char letterOf(Cardinal cardinal) { return "NESW"[static_cast<int>(cardinal)]; }
 
 Result<Correction> correctionSteps(std::span<const Observation> readings)
 {

@@ -18,7 +18,7 @@ enum class Cardinal { N, E, S, W };
 struct CorrectionStep {
     Coefficient coefficient = Coefficient::C; ///< C on N and S, B on E and W
     Cardinal on = Cardinal::N;
-    MagneticHeading magnetic;                 ///< the actual heading of the reading
+    MagneticHeading magnetic; ///< the actual heading of the reading
     CompassHeading compassReads;
     CompassHeading makeCompassRead;
 };

@@ -21,8 +21,8 @@ fftw_plan planFor(int length)
     if (isNew) {
         std::vector<double> in(static_cast<std::size_t>(length));
         std::vector<std::complex<double>> out(in.size() / 2 + 1);
-        place->second = fftw_plan_dft_r2c_1d(length, in.data(), reinterpret_cast<fftw_complex*>(out.data()),
-            FFTW_ESTIMATE | FFTW_UNALIGNED | FFTW_PRESERVE_INPUT);
+        place->second = fftw_plan_dft_r2c_1d(
+            length, in.data(), reinterpret_cast<fftw_complex*>(out.data()), FFTW_ESTIMATE | FFTW_UNALIGNED | FFTW_PRESERVE_INPUT);
     }
     return place->second;
 }

@@ -55,8 +55,8 @@ std::vector<HarmonicOrder> byFft(const std::vector<HarmonicSample>& samples)
         order.order = static_cast<int>(k);
         order.nyquist = n % 2 == 0 && k == n / 2 && k > 0;
         const double scale = (k == 0 || order.nyquist ? 1.0 : 2.0) / static_cast<double>(n);
-        const auto turned = order.nyquist ? transformed[k]
-                                          : transformed[k] * std::polar(1.0, -static_cast<double>(k) * samples[0].heading_rad);
+        const auto turned
+            = order.nyquist ? transformed[k] : transformed[k] * std::polar(1.0, -static_cast<double>(k) * samples[0].heading_rad);
         order.cos_rad = scale * turned.real();
         order.sin_rad = k == 0 || order.nyquist ? 0.0 : -scale * turned.imag();
         orders.push_back(order);
@@ -160,15 +160,9 @@ void addNoise(Harmonics& result, const std::vector<HarmonicSample>& samples)
 
 } // namespace
 
-double HarmonicOrder::amplitude_rad() const
-{
-    return std::hypot(sin_rad, cos_rad);
-}
+double HarmonicOrder::amplitude_rad() const { return std::hypot(sin_rad, cos_rad); }
 
-double HarmonicOrder::phase_rad() const
-{
-    return order == 0 ? 0.0 : std::atan2(cos_rad, sin_rad);
-}
+double HarmonicOrder::phase_rad() const { return order == 0 ? 0.0 : std::atan2(cos_rad, sin_rad); }
 
 Result<Harmonics> harmonics(std::span<const HarmonicSample> samples, int maxOrder)
 {

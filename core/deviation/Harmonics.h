@@ -17,7 +17,7 @@ struct HarmonicOrder {
     double sin_rad = 0;
     double cos_rad = 0;
     std::optional<double> standardError_rad; ///< of each of the two
-    bool nyquist = false; ///< order N/2 of N even: only its cosine can be seen, so its sine is 0 and unknown
+    bool nyquist = false;                    ///< order N/2 of N even: only its cosine can be seen, so its sine is 0 and unknown
     [[nodiscard]] double amplitude_rad() const;
     /// φ of amplitude · sin(nψ + φ), that is atan2(cos, sin) [rad]; 0 for order 0.
     [[nodiscard]] double phase_rad() const;

@@ -72,7 +72,8 @@ std::optional<PointRules> pointRules(std::span<const Observation> readings)
 {
     const OnPoints magnetic = onPoints(readings, HeadingArgument::Magnetic);
     const OnPoints compass = onPoints(readings, HeadingArgument::Compass);
-    const bool byCompass = compass.points > magnetic.points || (compass.points == magnetic.points && compass.worst_deg < magnetic.worst_deg);
+    const bool byCompass
+        = compass.points > magnetic.points || (compass.points == magnetic.points && compass.worst_deg < magnetic.worst_deg);
     const OnPoints& taken = byCompass ? compass : magnetic;
     if (taken.points == 0)
         return std::nullopt;

@@ -16,9 +16,9 @@ using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
 // How often each slip happens, a reading. Our estimates: only their order of size matters, as likelihoods differ by far more.
 constexpr double kSwappedDigits = 2e-3, kReciprocal = 1e-3, kTenDegrees = 4e-3, kHundredDegrees = 5e-4, kWrongSign = 1e-3, kWrongRow = 2e-3;
-constexpr double kUnexplained = 1e-3;       ///< any figure of the circle, alike
-constexpr double kTwitch_deg = 0.4;         ///< of a reader and a swaying card, besides the resolution
-constexpr double kTurnedWithin_deg = 3.0;   ///< how near to the wanted heading an aircraft is turned (procedures: within 5°)
+constexpr double kUnexplained = 1e-3;     ///< any figure of the circle, alike
+constexpr double kTwitch_deg = 0.4;       ///< of a reader and a swaying card, besides the resolution
+constexpr double kTurnedWithin_deg = 3.0; ///< how near to the wanted heading an aircraft is turned (procedures: within 5°)
 constexpr double kLeastShown = 0.01;
 
 Vector5 designAt(double compass_deg)
@@ -32,10 +32,7 @@ Vector5 degreesOf(const ApproximateSmith& smith)
     return Vector5{smith.A_rad, smith.B_rad, smith.C_rad, smith.D_rad, smith.E_rad} * kDegreesPerRadian;
 }
 
-double normalDensity(double off, double sigma)
-{
-    return std::exp(-0.5 * off * off / (sigma * sigma)) / (sigma * std::sqrt(2.0 * kPi));
-}
+double normalDensity(double off, double sigma) { return std::exp(-0.5 * off * off / (sigma * sigma)) / (sigma * std::sqrt(2.0 * kPi)); }
 
 /// The curve that is expected, in degrees, with its uncertainty.
 class Expectation {
@@ -136,10 +133,12 @@ std::vector<SlipCandidate> weighedSlips(const Observation& reading, const SlipCo
     const double datumHere = likelihoodOfDatum(magnetic, context.nominal_deg);
     std::vector<SlipCandidate> slips;
     for (const auto& variant : variantsOf(compass))
-        slips.push_back({variant.slip, SlippedFigure::Compass, variant.meant_deg, variant.prior * datumHere * expectation.likelihood(magnetic, variant.meant_deg)});
+        slips.push_back({variant.slip, SlippedFigure::Compass, variant.meant_deg,
+            variant.prior * datumHere * expectation.likelihood(magnetic, variant.meant_deg)});
     for (const auto& variant : variantsOf(magnetic))
         slips.push_back({variant.slip, SlippedFigure::Datum, variant.meant_deg,
-            variant.prior * likelihoodOfDatum(variant.meant_deg, context.nominal_deg) * expectation.likelihood(variant.meant_deg, compass)});
+            variant.prior * likelihoodOfDatum(variant.meant_deg, context.nominal_deg)
+                * expectation.likelihood(variant.meant_deg, compass)});
     const double turned = wrap360(2.0 * magnetic - compass);
     slips.push_back({Slip::WrongSign, SlippedFigure::Compass, turned, kWrongSign * datumHere * expectation.likelihood(magnetic, turned)});
     const double each = kWrongRow / static_cast<double>(std::max<std::size_t>(context.otherNominals_deg.size(), 1));
@@ -154,10 +153,7 @@ std::vector<SlipCandidate> weighedSlips(const Observation& reading, const SlipCo
 
 } // namespace
 
-ExpectedCurve anyCurve()
-{
-    return {{}, {toRadians(3.0), toRadians(10.0), toRadians(10.0), toRadians(3.0), toRadians(2.0)}};
-}
+ExpectedCurve anyCurve() { return {{}, {toRadians(3.0), toRadians(10.0), toRadians(10.0), toRadians(3.0), toRadians(2.0)}}; }
 
 ExpectedCurve curveAfter(const ApproximateSmith& lastSwing)
 {
@@ -183,7 +179,8 @@ SlipJudgement judgeReading(const Observation& reading, const SlipContext& contex
     for (auto& candidate : judgement.candidates)
         candidate.probability /= total;
     std::erase_if(judgement.candidates, [](const auto& candidate) { return candidate.probability < kLeastShown; });
-    std::sort(judgement.candidates.begin(), judgement.candidates.end(), [](const auto& a, const auto& b) { return a.probability > b.probability; });
+    std::sort(judgement.candidates.begin(), judgement.candidates.end(),
+        [](const auto& a, const auto& b) { return a.probability > b.probability; });
     return judgement;
 }
 

@@ -47,10 +47,7 @@ std::vector<double> headingsWhere(const std::function<double(double)>& mismatch_
     return roots_rad;
 }
 
-double wrap_rad(double angle_rad)
-{
-    return std::remainder(angle_rad, 2 * kPi);
-}
+double wrap_rad(double angle_rad) { return std::remainder(angle_rad, 2 * kPi); }
 
 std::string degreesText(double heading_rad)
 {
@@ -64,20 +61,23 @@ std::string degreesText(double heading_rad)
 Error foldError(const std::string& what, const std::string& of, double reading_deg, const std::vector<double>& roots_rad)
 {
     if (roots_rad.empty())
-        return {ErrorCode::Numeric, "no " + of + " gives the " + what + " " + degreesText(toRadians(reading_deg)) + ": the coefficients are too large"};
+        return {ErrorCode::Numeric,
+            "no " + of + " gives the " + what + " " + degreesText(toRadians(reading_deg)) + ": the coefficients are too large"};
     std::string headings;
     for (const double root : roots_rad)
         headings += (headings.empty() ? "" : ", ") + degreesText(root);
-    return {ErrorCode::Numeric, "the " + what + " " + degreesText(toRadians(reading_deg)) + " belongs to several " + of + "s (" + headings
-        + "): the deviation curve is folded; expected one"};
+    return {ErrorCode::Numeric,
+        "the " + what + " " + degreesText(toRadians(reading_deg)) + " belongs to several " + of + "s (" + headings
+            + "): the deviation curve is folded; expected one"};
 }
 
 Result<double> inverseSine(double argument, char letter)
 {
     if (std::abs(argument) < 1.0)
         return std::asin(argument);
-    return Error{ErrorCode::Numeric, std::string("no approximate coefficient ") + letter + " exists: the sine that it would have is "
-        + std::to_string(argument) + "; expected one between -1 and 1"};
+    return Error{ErrorCode::Numeric,
+        std::string("no approximate coefficient ") + letter + " exists: the sine that it would have is " + std::to_string(argument)
+            + "; expected one between -1 and 1"};
 }
 
 } // namespace
@@ -94,16 +94,11 @@ double component_rad(const ApproximateSmith& smith, Coefficient which, CompassHe
 {
     const double z = compass.radians();
     switch (which) {
-    case Coefficient::A:
-        return smith.A_rad;
-    case Coefficient::B:
-        return smith.B_rad * std::sin(z);
-    case Coefficient::C:
-        return smith.C_rad * std::cos(z);
-    case Coefficient::D:
-        return smith.D_rad * std::sin(2 * z);
-    case Coefficient::E:
-        return smith.E_rad * std::cos(2 * z);
+    case Coefficient::A: return smith.A_rad;
+    case Coefficient::B: return smith.B_rad * std::sin(z);
+    case Coefficient::C: return smith.C_rad * std::cos(z);
+    case Coefficient::D: return smith.D_rad * std::sin(2 * z);
+    case Coefficient::E: return smith.E_rad * std::cos(2 * z);
     }
     return 0;
 }
@@ -154,8 +149,8 @@ Result<ApproximateSmith> toApproximate(const ExactSmith& exact)
 ExactSmith toExact(const ApproximateSmith& approximate)
 {
     const double sinD = std::sin(approximate.D_rad);
-    return {std::sin(approximate.A_rad), std::sin(approximate.B_rad) * (1 + 0.5 * sinD), std::sin(approximate.C_rad) * (1 - 0.5 * sinD), sinD,
-        std::sin(approximate.E_rad)};
+    return {std::sin(approximate.A_rad), std::sin(approximate.B_rad) * (1 + 0.5 * sinD), std::sin(approximate.C_rad) * (1 - 0.5 * sinD),
+        sinD, std::sin(approximate.E_rad)};
 }
 
 ApproximateSmith without(const ApproximateSmith& smith, CoefficientSet removed)

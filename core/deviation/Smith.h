@@ -54,8 +54,8 @@ Result<MagneticHeading> magneticHeadingFor(const ExactSmith& smith, CompassHeadi
 Result<CompassHeading> compassHeadingFor(const ApproximateSmith& smith, MagneticHeading magnetic);
 
 /// A = asin 𝔄; D = asin 𝔇; E = asin 𝔈; B = asin(𝔅 / (1 + ½ sin D)); C = asin(ℭ / (1 − ½ sin D))              [P 5]
-/// Errors: Numeric when an argument of asin is not between −1 and 1 (a right angle is no small deviation, either): no approximate
-/// coefficient exists, and the message names it, D first.
+/// Errors: Numeric when an argument of asin is not between −1 and 1 (a right angle is no small deviation, either): no
+/// approximate coefficient exists, and the message names it, D first.
 Result<ApproximateSmith> toApproximate(const ExactSmith& exact);
 /// The inverse of [P 5]; always exists.
 [[nodiscard]] ExactSmith toExact(const ApproximateSmith& approximate);

@@ -54,12 +54,14 @@ int distinctHeadings(std::span<const Observation> readings, const std::vector<st
 Result<int> enoughHeadings(std::span<const Observation> readings, const std::vector<std::size_t>& order)
 {
     if (readings.size() < 3)
-        return Error{ErrorCode::InvalidInput, std::to_string(readings.size()) + " reading" + (readings.size() == 1 ? "" : "s")
+        return Error{ErrorCode::InvalidInput,
+            std::to_string(readings.size()) + " reading" + (readings.size() == 1 ? "" : "s")
                 + " with both headings; expected at least 3 on different headings"};
     const int distinct = distinctHeadings(readings, order);
     if (distinct < 3)
-        return Error{ErrorCode::InvalidInput, "all " + std::to_string(readings.size()) + " readings are on " + std::to_string(distinct)
-                + " heading" + (distinct == 1 ? "" : "s") + "; expected at least 3 different headings"};
+        return Error{ErrorCode::InvalidInput,
+            "all " + std::to_string(readings.size()) + " readings are on " + std::to_string(distinct) + " heading"
+                + (distinct == 1 ? "" : "s") + "; expected at least 3 different headings"};
     return distinct;
 }
 
@@ -83,8 +85,8 @@ Row exactRow(const Observation& reading)
 }
 
 /// Five, three or no parameters: the most that the headings can tell.
-/// A condition number of 20 means that a reading error can be blown up some five to ten times in a coefficient: half a circle of
-/// readings (15) is just accepted for all five, a quarter (16) for A, B and C.
+/// A condition number of 20 means that a reading error can be blown up some five to ten times in a coefficient: half a circle
+/// of readings (15) is just accepted for all five, a quarter (16) for A, B and C.
 int parametersFor(const Design& design, int distinct, SmithFitReport& report)
 {
     const auto n = design.rows();

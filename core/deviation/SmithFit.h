@@ -16,17 +16,17 @@ namespace lubberline {
 /// A coefficient that the headings cannot tell has no value.
 struct SmithFitReport {
     std::array<std::optional<double>, kCoefficientCount> value;
-    std::array<std::optional<double>, kCoefficientCount> standardError; ///< none without degrees of freedom
+    std::array<std::optional<double>, kCoefficientCount> standardError;           ///< none without degrees of freedom
     Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero(); ///< zero rows where there is no value
-    int parameters = 0;          ///< 5, 3 (A, B, C) or 0
-    int rank = 0;                ///< numerical rank of the five-column design matrix
-    int degreesOfFreedom = 0;    ///< readings − parameters
-    double conditionNumber = 0;  ///< of the design matrix of the parameters that were fitted (of five columns if none was)
-    double rms_rad = 0;          ///< √(Σ residual² / N) over the readings
+    int parameters = 0;                                                           ///< 5, 3 (A, B, C) or 0
+    int rank = 0;                                                                 ///< numerical rank of the five-column design matrix
+    int degreesOfFreedom = 0;                                                     ///< readings − parameters
+    double conditionNumber = 0; ///< of the design matrix of the parameters that were fitted (of five columns if none was)
+    double rms_rad = 0;         ///< √(Σ residual² / N) over the readings
     double maxAbsResidual_rad = 0;
-    std::optional<double> sigma_rad;             ///< √(Σ residual² / degrees of freedom)
-    std::vector<double> residual_rad;            ///< deviation read − deviation fitted, one for each reading; empty without fit
-    std::vector<double> leverage;                ///< diagonal of the hat matrix
+    std::optional<double> sigma_rad;  ///< √(Σ residual² / degrees of freedom)
+    std::vector<double> residual_rad; ///< deviation read − deviation fitted, one for each reading; empty without fit
+    std::vector<double> leverage;     ///< diagonal of the hat matrix
     [[nodiscard]] bool fitted() const { return parameters > 0; }
     [[nodiscard]] std::optional<double> of(Coefficient c) const { return value[indexOf(c)]; }
 };

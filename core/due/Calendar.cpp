@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "core/base/Contract.h"
-#include "core/format/FileText.h"
+#include "core/base/FileText.h"
 
 namespace lubberline {
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono;
 
-year_month_day dayOf(const std::string& date)
+year_month_day calendarDay(const std::string& date)
 {
     LUBBERLINE_EXPECT(isIsoDate(date), "a date is YYYY-MM-DD and a day of the calendar");
     int parts[3] = {};
@@ -29,7 +29,8 @@ year_month_day dayOf(const std::string& date)
 std::string textOf(const year_month_day& date)
 {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%04d-%02u-%02u", static_cast<int>(date.year()), static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
+    std::snprintf(text.data(), text.size(), "%04d-%02u-%02u", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+        static_cast<unsigned>(date.day()));
     return text.data();
 }
 
@@ -37,20 +38,17 @@ std::string textOf(const year_month_day& date)
 
 std::string addMonths(const std::string& date, int count)
 {
-    const year_month_day from = dayOf(date);
+    const year_month_day from = calendarDay(date);
     const year_month month = year_month(from.year(), from.month()) + months(count);
     const year_month_day last(month / std::chrono::last);
     return textOf({month.year(), month.month(), std::min(from.day(), last.day())});
 }
 
-std::string addDays(const std::string& date, int count)
-{
-    return textOf(year_month_day(sys_days(dayOf(date)) + days(count)));
-}
+std::string addDays(const std::string& date, int count) { return textOf(year_month_day(sys_days(calendarDay(date)) + days(count))); }
 
 int daysBetween(const std::string& from, const std::string& to)
 {
-    return static_cast<int>((sys_days(dayOf(to)) - sys_days(dayOf(from))).count());
+    return static_cast<int>((sys_days(calendarDay(to)) - sys_days(calendarDay(from))).count());
 }
 
 } // namespace lubberline

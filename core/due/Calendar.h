@@ -1,6 +1,6 @@
 #pragma once
-/// Days of the calendar as ISO 8601 text (YYYY-MM-DD): the order of the text is the order of the days, and there are no time zones.
-/// All dates of records are UTC; "today" is asked of the caller.
+/// Days of the calendar as ISO 8601 text (YYYY-MM-DD): the order of the text is the order of the days, and there are no time
+/// zones. All dates of records are UTC; "today" is asked of the caller.
 
 #include <string>
 

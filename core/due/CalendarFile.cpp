@@ -26,10 +26,7 @@ std::string escaped(const std::string& text)
     return result;
 }
 
-bool continuesCharacter(char c)
-{
-    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
-}
+bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
 void addLine(std::string& file, const std::string& line)
 {

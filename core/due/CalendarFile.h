@@ -7,8 +7,8 @@
 namespace lubberline {
 
 struct CalendarEntry {
-    std::string uid;         ///< the same for the same thing: an import a second time changes the entry, and makes no second one
-    std::string date;        ///< ISO 8601
+    std::string uid;  ///< the same for the same thing: an import a second time changes the entry, and makes no second one
+    std::string date; ///< ISO 8601
     std::string summary;
     std::string description;
 };

@@ -7,35 +7,34 @@ namespace lubberline {
 
 namespace {
 
-/// The first that is found decides: the longer words stand before those that are part of others. A word stands for all that begin
-/// with it, so that "removed" does not speak of moving, nor "restored" of storage.
+/// The first that is found decides: the longer words stand before those that are part of others. A word stands for all that
+/// begin with it, so that "removed" does not speak of moving, nor "restored" of storage.
 struct Word {
     std::string_view word;
     DueCause cause;
 };
-constexpr std::array kWords{Word{"lightning", DueCause::Lightning}, Word{"thunder", DueCause::ElectricalStorm}, Word{"electrical storm", DueCause::ElectricalStorm},
-    Word{"storm", DueCause::ElectricalStorm}, Word{"hard landing", DueCause::HardLanding}, Word{"heavy landing", DueCause::HardLanding},
-    Word{"accident", DueCause::HardLanding}, Word{"turbulence", DueCause::HardLanding}, Word{"shock", DueCause::HardLanding},
-    Word{"suspect", DueCause::AccuracySuspected}, Word{"inaccura", DueCause::AccuracySuspected}, Word{"doubt", DueCause::AccuracySuspected},
-    Word{"magneto", DueCause::EngineChange}, Word{"engine", DueCause::EngineChange}, Word{"avionic", DueCause::Modification}, Word{"modif", DueCause::Modification},
+constexpr std::array kWords{Word{"lightning", DueCause::Lightning}, Word{"thunder", DueCause::ElectricalStorm},
+    Word{"electrical storm", DueCause::ElectricalStorm}, Word{"storm", DueCause::ElectricalStorm},
+    Word{"hard landing", DueCause::HardLanding}, Word{"heavy landing", DueCause::HardLanding}, Word{"accident", DueCause::HardLanding},
+    Word{"turbulence", DueCause::HardLanding}, Word{"shock", DueCause::HardLanding}, Word{"suspect", DueCause::AccuracySuspected},
+    Word{"inaccura", DueCause::AccuracySuspected}, Word{"doubt", DueCause::AccuracySuspected}, Word{"magneto", DueCause::EngineChange},
+    Word{"engine", DueCause::EngineChange}, Word{"avionic", DueCause::Modification}, Word{"modif", DueCause::Modification},
     Word{"electric", DueCause::ElectricalChange}, Word{"wiring", DueCause::ElectricalChange}, Word{"rewir", DueCause::ElectricalChange},
-    Word{"cargo", DueCause::MagneticCargo}, Word{"magnet", DueCause::MagneticCargo}, Word{"moved", DueCause::Moved}, Word{"relocat", DueCause::Moved},
-    Word{"parked", DueCause::ParkedOverAYear}, Word{"stored", DueCause::ParkedOverAYear}, Word{"storage", DueCause::ParkedOverAYear},
-    Word{"new compass", DueCause::PartsReplaced}, Word{"replac", DueCause::PartsReplaced}, Word{"repair", DueCause::PartsReplaced},
-    Word{"removed", DueCause::PartsReplaced}, Word{"fitted", DueCause::PartsReplaced}, Word{"install", DueCause::PartsReplaced},
-    Word{"reinstall", DueCause::PartsReplaced}, Word{"overhaul", DueCause::PartsReplaced}};
+    Word{"cargo", DueCause::MagneticCargo}, Word{"magnet", DueCause::MagneticCargo}, Word{"moved", DueCause::Moved},
+    Word{"relocat", DueCause::Moved}, Word{"parked", DueCause::ParkedOverAYear}, Word{"stored", DueCause::ParkedOverAYear},
+    Word{"storage", DueCause::ParkedOverAYear}, Word{"new compass", DueCause::PartsReplaced}, Word{"replac", DueCause::PartsReplaced},
+    Word{"repair", DueCause::PartsReplaced}, Word{"removed", DueCause::PartsReplaced}, Word{"fitted", DueCause::PartsReplaced},
+    Word{"install", DueCause::PartsReplaced}, Word{"reinstall", DueCause::PartsReplaced}, Word{"overhaul", DueCause::PartsReplaced}};
 
 std::string lowerCase(std::string_view words)
 {
     std::string lower(words);
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    std::transform(
+        lower.begin(), lower.end(), lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return lower;
 }
 
-bool isLetter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (static_cast<unsigned char>(c) & 0x80) != 0;
-}
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (static_cast<unsigned char>(c) & 0x80) != 0; }
 
 bool speaksOf(std::string_view text, std::string_view word)
 {
@@ -53,14 +52,12 @@ std::string reasonOf(const Event& event)
     return causeInWords(event.kind) == event.cause ? event.kind : event.kind + " (" + inWords(event.cause) + ")";
 }
 
-std::string dayOf(const DueLine& line)
-{
-    return line.answer.flags.empty() ? line.answer.nextByCalendar : line.answer.flags.front().since;
-}
+std::string dayOf(const DueLine& line) { return line.answer.flags.empty() ? line.answer.nextByCalendar : line.answer.flags.front().since; }
 
 } // namespace
 
-DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today)
+DueInput inputFor(
+    const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today)
 {
     DueInput input;
     input.today = today;
@@ -70,7 +67,8 @@ DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std
     input.waivers = compass.waivers;
     input.rule = ruleFor(rules, compass.typeRecord);
     input.installed = compass.installed;
-    const auto move = std::find_if(moves.begin(), moves.end(), [&](const MovePrediction& one) { return one.compass == compass.compass && !one.reason.empty(); });
+    const auto move = std::find_if(
+        moves.begin(), moves.end(), [&](const MovePrediction& one) { return one.compass == compass.compass && !one.reason.empty(); });
     if (move != moves.end()) {
         input.predictedOutOfLimits = true;
         input.predictedReason = move->reason;
@@ -78,7 +76,8 @@ DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std
     return input;
 }
 
-std::vector<DueLine> dueList(std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today)
+std::vector<DueLine> dueList(
+    std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today)
 {
     std::vector<DueLine> lines;
     lines.reserve(compasses.size());
@@ -98,13 +97,14 @@ std::vector<CalendarEntry> calendarOf(std::span<const DueLine> lines)
     for (const auto& line : lines) {
         const std::string whose = line.compass.registration + ", " + line.compass.compassName;
         if (!line.answer.nextByCalendar.empty())
-            entries.push_back({"swing-" + line.compass.compassRecord + "@lubberline", line.answer.nextByCalendar, "Compass swing of " + whose + " falls due",
-                "last signed swing " + line.answer.lastSigned});
+            entries.push_back({"swing-" + line.compass.compassRecord + "@lubberline", line.answer.nextByCalendar,
+                "Compass swing of " + whose + " falls due", "last signed swing " + line.answer.lastSigned});
         for (const auto& flag : line.answer.flags) {
             if (flag.since.empty() || flag.since == line.answer.nextByCalendar)
                 continue; // no day to stand on; or the calendar's own
             const std::string what = flag.event.empty() ? "place-" : "event-" + flag.event + "-";
-            entries.push_back({what + line.compass.compassRecord + "@lubberline", flag.since, "Compass swing of " + whose + " is due", flag.reason});
+            entries.push_back(
+                {what + line.compass.compassRecord + "@lubberline", flag.since, "Compass swing of " + whose + " is due", flag.reason});
         }
     }
     return entries;

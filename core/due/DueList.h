@@ -23,20 +23,21 @@ struct DueLine {
 };
 
 /// Events and waivers of the compass's aircraft as the rules take them. @param moves of any compasses; its own is looked for.
-[[nodiscard]] DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today);
+[[nodiscard]] DueInput inputFor(
+    const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today);
 
 /// Every compass, overdue first, then due, due soon, not due; in each by the day since which it is, then by name.
-[[nodiscard]] std::vector<DueLine> dueList(std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves,
-    const std::string& today);
+[[nodiscard]] std::vector<DueLine> dueList(
+    std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today);
 
-/// Whole-day entries: for each compass with a calendar rule its last day, and for each other open flag the day since which it is open.
-/// A compass that was never swung has no such day: the list tells it, the calendar cannot.
+/// Whole-day entries: for each compass with a calendar rule its last day, and for each other open flag the day since which it
+/// is open. A compass that was never swung has no such day: the list tells it, the calendar cannot.
 [[nodiscard]] std::vector<CalendarEntry> calendarOf(std::span<const DueLine> lines);
 
 [[nodiscard]] std::string_view nameOf(DueState state); ///< "not_due", "due_soon", "due", "overdue"
 
-/// Calendar rules whose source was read; none applies before the user takes it over: 24 months (CASA AWB 34-008, as reported by the trade
-/// press), 12 months (South Africa, CATS 43.02.18, as quoted).
+/// Calendar rules whose source was read; none applies before the user takes it over: 24 months (CASA AWB 34-008, as reported by
+/// the trade press), 12 months (South Africa, CATS 43.02.18, as quoted).
 [[nodiscard]] std::vector<DueRule> knownRules();
 
 /// "hard landing".

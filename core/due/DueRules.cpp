@@ -9,8 +9,8 @@ namespace lubberline {
 
 namespace {
 
-constexpr std::array<std::string_view, kDueCauses> kNames{"other", "parts_replaced", "engine_change", "modification", "electrical_change", "lightning",
-    "electrical_storm", "hard_landing", "magnetic_cargo", "moved", "parked_over_a_year", "accuracy_suspected"};
+constexpr std::array<std::string_view, kDueCauses> kNames{"other", "parts_replaced", "engine_change", "modification", "electrical_change",
+    "lightning", "electrical_storm", "hard_landing", "magnetic_cargo", "moved", "parked_over_a_year", "accuracy_suspected"};
 
 std::optional<DueFlag> calendarFlag(const DueInput& input, const std::string& lastSigned)
 {
@@ -30,7 +30,8 @@ std::optional<DueFlag> calendarFlag(const DueInput& input, const std::string& la
     return {};
 }
 
-/// Every source wants a swing after the installation. One on the day itself is of the compass as installed: before, there was none to swing.
+/// Every source wants a swing after the installation. One on the day itself is of the compass as installed: before, there was
+/// none to swing.
 std::optional<DueFlag> installationFlag(const DueInput& input, const std::string& lastSigned)
 {
     if (input.installed.empty() || input.installed > input.today || lastSigned >= input.installed)
@@ -41,15 +42,13 @@ std::optional<DueFlag> installationFlag(const DueInput& input, const std::string
 bool answered(const DueEvent& event, const DueInput& input, const std::string& lastSigned)
 {
     const bool swung = !lastSigned.empty() && lastSigned > event.date;
-    return swung || std::any_of(input.waivers.begin(), input.waivers.end(), [&](const Waiver& waiver) { return waiver.event == event.record; });
+    return swung
+        || std::any_of(input.waivers.begin(), input.waivers.end(), [&](const Waiver& waiver) { return waiver.event == event.record; });
 }
 
 } // namespace
 
-std::string_view nameOf(DueCause cause)
-{
-    return kNames[static_cast<std::size_t>(cause)];
-}
+std::string_view nameOf(DueCause cause) { return kNames[static_cast<std::size_t>(cause)]; }
 
 std::optional<DueCause> dueCauseNamed(std::string_view name)
 {
@@ -79,9 +78,8 @@ DueAnswer dueOf(const DueInput& input)
     }
     if (input.predictedOutOfLimits)
         answer.flags.push_back({DueState::Due, input.today, input.predictedReason, {}});
-    std::stable_sort(answer.flags.begin(), answer.flags.end(), [](const DueFlag& a, const DueFlag& b) {
-        return a.state != b.state ? a.state > b.state : a.since < b.since;
-    });
+    std::stable_sort(answer.flags.begin(), answer.flags.end(),
+        [](const DueFlag& a, const DueFlag& b) { return a.state != b.state ? a.state > b.state : a.since < b.since; });
     if (!answer.flags.empty())
         answer.state = answer.flags.front().state;
     return answer;

@@ -1,6 +1,6 @@
 #pragma once
-/// When a compass is to be swung: calendar rules, and the events after which sources want a new swing (AC 43.13-1B 12-37; CASA; …:
-/// procedures.md, section 5). An event opens a flag that only a later signed swing or a recorded waiver clears.
+/// When a compass is to be swung: calendar rules, and the events after which sources want a new swing (AC 43.13-1B 12-37; CASA;
+/// …: procedures.md, section 5). An event opens a flag that only a later signed swing or a recorded waiver clears.
 
 #include <optional>
 #include <span>
@@ -26,13 +26,13 @@ struct DueEvent {
 
 /// What the rules look at, for one compass.
 struct DueInput {
-    std::string today;                       ///< ISO 8601, UTC
-    std::vector<std::string> signedSwings;   ///< dates, in any order
+    std::string today;                     ///< ISO 8601, UTC
+    std::vector<std::string> signedSwings; ///< dates, in any order
     std::vector<DueEvent> events;
     std::vector<Waiver> waivers;
-    std::optional<DueRule> rule;             ///< calendar; none: no calendar rule applies
-    std::string installed;                   ///< since when the compass is on the aircraft; empty: not stated
-    bool predictedOutOfLimits = false;       ///< where the aircraft is based now (core/sensor/Prediction.h)
+    std::optional<DueRule> rule;       ///< calendar; none: no calendar rule applies
+    std::string installed;             ///< since when the compass is on the aircraft; empty: not stated
+    bool predictedOutOfLimits = false; ///< where the aircraft is based now (core/swing/Prediction.h)
     std::string predictedReason;
 };
 
@@ -40,21 +40,22 @@ enum class DueState { NotDue, DueSoon, Due, Overdue };
 
 struct DueFlag {
     DueState state = DueState::Due;
-    std::string since;        ///< date of the event or installation, or the calendar's last day; empty: never swung
-    std::string reason;       ///< in words
-    RecordId event;           ///< that opened it; empty: calendar, installation or prediction
+    std::string since;  ///< date of the event or installation, or the calendar's last day; empty: never swung
+    std::string reason; ///< in words
+    RecordId event;     ///< that opened it; empty: calendar, installation or prediction
 };
 
 struct DueAnswer {
-    DueState state = DueState::NotDue;      ///< the most urgent flag
-    std::vector<DueFlag> flags;             ///< the most urgent first
-    std::string lastSigned;                 ///< empty: none
-    std::string nextByCalendar;             ///< the last day on which it is not overdue without grace; empty: no rule or never swung
+    DueState state = DueState::NotDue; ///< the most urgent flag
+    std::vector<DueFlag> flags;        ///< the most urgent first
+    std::string lastSigned;            ///< empty: none
+    std::string nextByCalendar;        ///< the last day on which it is not overdue without grace; empty: no rule or never swung
 };
 
-/// Calendar: a swing of 23 November 2024 with 24 months is good through 23 November 2026, due from the day after, overdue when the
-/// grace has passed, too. Never signed: due. Events: open while no signed swing is dated after the event's day, and no waiver answers
-/// them; a swing of the same day does not tell whether it came after, so it does not clear (a waiver does). Installed after the last signed swing: due, until one of that day or later is signed.
+/// Calendar: a swing of 23 November 2024 with 24 months is good through 23 November 2026, due from the day after, overdue when
+/// the grace has passed, too. Never signed: due. Events: open while no signed swing is dated after the event's day, and no
+/// waiver answers them; a swing of the same day does not tell whether it came after, so it does not clear (a waiver does).
+/// Installed after the last signed swing: due, until one of that day or later is signed.
 [[nodiscard]] DueAnswer dueOf(const DueInput& input);
 
 /// The rule for an aircraft type: its own, else one for all, else none. The first of several.

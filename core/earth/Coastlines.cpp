@@ -10,6 +10,7 @@ namespace {
 /// Natural Earth 4.1.0, 1:110m land (public domain, naturalearthdata.com), as carried by world-atlas 2.0.2: made simpler by
 /// 0.25° (Douglas and Peucker), rounded to 0.1°; what runs along the edges of the map is no coast and was left out.
 /// For each line the number of its points, then longitude, latitude in tenths of a degree.
+// clang-format off
 constexpr std::array<std::int16_t, 5562> kTenths{
     656, 1800,650, 1787,645, 1774,646, 1794,630, 1792,623, 1774,625, 1737,617, 1703,599, 1689,606, 1663,598, 1658,602, 1649,597, 1635,599,
     1620,582, 1621,578, 1632,576, 1631,562, 1621,561, 1617,553, 1621,549, 1604,543, 1600,532, 1585,530, 1582,519, 1568,510, 1554,554,
@@ -289,6 +290,7 @@ constexpr std::array<std::int16_t, 5562> kTenths{
     3, -938,775, -964,778, -938,775,
     2, -1800,-161, -1799,-165,
 };
+// clang-format on
 
 std::vector<Coastline> unpacked()
 {

@@ -1,5 +1,6 @@
 #pragma once
-/// The Earth's magnetic field at a place: nT, north, east, down; declination (variation) east positive, inclination (dip) positive down.
+/// The Earth's magnetic field at a place: nT, north, east, down; declination (variation) east positive, inclination (dip)
+/// positive down.
 
 #include "core/angle/Heading.h"
 #include "core/base/Result.h"

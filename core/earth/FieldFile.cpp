@@ -1,4 +1,5 @@
-// The published coefficient files, read strictly: a coefficient that is missing, doubled or out of its place would bend every compass.
+// The published coefficient files, read strictly: a coefficient that is missing, doubled or out of its place would bend every
+// compass.
 
 #include <algorithm>
 #include <array>
@@ -8,9 +9,9 @@
 #include <optional>
 #include <sstream>
 
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
 #include "core/earth/FieldTables.h"
-#include "core/format/FileText.h"
-#include "core/format/Number.h"
 
 namespace lubberline {
 
@@ -97,8 +98,8 @@ Result<void> FieldFile::checkPlace(const Line& line, std::size_t firstWord, int 
         return order.error();
     if (*degree == n && *order == m)
         return {};
-    return wrong("holds degree " + std::to_string(*degree) + " order " + std::to_string(*order) + " where degree " + std::to_string(n) + " order "
-            + std::to_string(m) + " was expected: a line is missing, doubled or out of order",
+    return wrong("holds degree " + std::to_string(*degree) + " order " + std::to_string(*order) + " where degree " + std::to_string(n)
+            + " order " + std::to_string(m) + " was expected: a line is missing, doubled or out of order",
         line);
 }
 
@@ -135,7 +136,8 @@ Result<int> FieldFile::readCofRows(std::vector<std::array<Gauss, 2>>& rows) cons
         if (++m > n)
             ++n, m = 0;
     }
-    return wrong("ends without its line of nines after degree " + std::to_string(n) + " order " + std::to_string(m - 1) + ": it is cut short");
+    return wrong(
+        "ends without its line of nines after degree " + std::to_string(n) + " order " + std::to_string(m - 1) + ": it is cut short");
 }
 
 Result<FieldTable> FieldFile::readCof()
@@ -175,19 +177,24 @@ Result<FieldTable> FieldFile::readIgrf()
         if (i > 0 && std::abs(epoch[static_cast<std::size_t>(i)] - epoch[static_cast<std::size_t>(i - 1)] - 5.0) > 1e-9)
             return wrong("has epochs that are not five years apart", *years);
     }
-    struct Row { int n, m; bool isG; const Line* line; };
+    struct Row {
+        int n, m;
+        bool isG;
+        const Line* line;
+    };
     int degree = 0, n = 1, m = 0;
     bool isG = true;
     std::vector<Row> rows;
     for (auto line = years + 1; line != m_lines.end(); ++line) {
         if (line->words.front() != (isG ? "g" : "h"))
-            return wrong("begins with " + inQuotes(line->words.front()) + " where " + (isG ? "g" : "h") + " of degree " + std::to_string(n) + " order "
-                    + std::to_string(m) + " was expected: a line is missing, doubled or out of order",
+            return wrong("begins with " + inQuotes(line->words.front()) + " where " + (isG ? "g" : "h") + " of degree " + std::to_string(n)
+                    + " order " + std::to_string(m) + " was expected: a line is missing, doubled or out of order",
                 *line);
         if (const auto placed = checkPlace(*line, 1, n, m); !placed)
             return placed.error();
         if (line->words.size() != years->words.size())
-            return wrong("has " + counted(line->words.size(), "word") + " where the header has " + std::to_string(years->words.size()), *line);
+            return wrong(
+                "has " + counted(line->words.size(), "word") + " where the header has " + std::to_string(years->words.size()), *line);
         rows.push_back({n, m, isG, &*line});
         degree = n;
         if (isG && m > 0) {
@@ -223,9 +230,6 @@ Result<FieldTable> FieldFile::read()
 
 } // namespace
 
-Result<FieldTable> readFieldTable(const std::string& path)
-{
-    return FieldFile(path).read();
-}
+Result<FieldTable> readFieldTable(const std::string& path) { return FieldFile(path).read(); }
 
 } // namespace lubberline

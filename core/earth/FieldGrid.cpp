@@ -27,7 +27,8 @@ Result<FieldGrid> fieldGrid(const FieldModel& model, double year, FieldElement e
     LUBBERLINE_EXPECT(step_deg > 0.0 && std::abs(std::remainder(180.0, step_deg)) < 1e-9, "the nodes of a world grid divide 180 degrees");
     if (const auto valid = model.evaluate({}, year); !valid)
         return valid.error();
-    FieldGrid grid{element, model.name(), year, static_cast<int>(std::lround(360.0 / step_deg)) + 1, static_cast<int>(std::lround(180.0 / step_deg)) + 1, {}};
+    FieldGrid grid{element, model.name(), year, static_cast<int>(std::lround(360.0 / step_deg)) + 1,
+        static_cast<int>(std::lround(180.0 / step_deg)) + 1, {}};
     grid.values.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
     for (int row = 0; row < grid.rows; ++row) {
         if (progress && !progress(static_cast<double>(row) / grid.rows))

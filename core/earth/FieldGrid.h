@@ -22,6 +22,7 @@ struct FieldGrid {
 };
 
 /// @param step_deg between nodes; 180 must be a whole number of them. Errors: those of FieldModel::evaluate(); Cancelled.
-Result<FieldGrid> fieldGrid(const FieldModel& model, double year, FieldElement element, double step_deg = 2.0, const Progress& progress = {});
+Result<FieldGrid> fieldGrid(
+    const FieldModel& model, double year, FieldElement element, double step_deg = 2.0, const Progress& progress = {});
 
 } // namespace lubberline

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <mutex>
 
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
 #include "core/earth/FieldModelData.h"
 #include "core/earth/FieldTables.h"
 #include "core/earth/GeographicModel.h"
-#include "core/format/FileText.h"
-#include "core/format/Number.h"
 
 namespace lubberline {
 
@@ -45,7 +45,8 @@ std::string yearText(double year) { return std::isfinite(year) ? shortestNumber(
 
 Error outside(const std::string& model, double firstYear, double lastYear, double year)
 {
-    return {ErrorCode::InvalidInput, model + " is valid from " + yearText(firstYear) + " to " + yearText(lastYear) + ", and the date is " + yearText(year)};
+    return {ErrorCode::InvalidInput,
+        model + " is valid from " + yearText(firstYear) + " to " + yearText(lastYear) + ", and the date is " + yearText(year)};
 }
 
 Result<FieldModel> modelOf(const FieldTable& table)
@@ -82,8 +83,9 @@ void warnOfSmallHorizontal(FieldAnswer& answer, double horizontal_nT)
 {
     if (horizontal_nT >= kCautionHorizontal_nT)
         return;
-    const std::string zone = horizontal_nT < kBlackoutHorizontal_nT ? "blackout zone: H is below 2000 nT, a compass is not to be used"
-                                                                    : "caution zone: H is below 6000 nT, declination and compasses are unreliable";
+    const std::string zone = horizontal_nT < kBlackoutHorizontal_nT
+        ? "blackout zone: H is below 2000 nT, a compass is not to be used"
+        : "caution zone: H is below 6000 nT, declination and compasses are unreliable";
     answer.warnings.push_back(zone);
 }
 
@@ -165,8 +167,9 @@ Result<FieldModel> defaultFieldModel(double year)
     auto older = igrf14();
     if (!older || (year >= older->firstYear() && year <= older->lastYear()))
         return older;
-    return Error{ErrorCode::InvalidInput, newest->name() + " is valid from " + yearText(newest->firstYear()) + " to " + yearText(newest->lastYear()) + " and "
-        + older->name() + " from " + yearText(older->firstYear()) + " to " + yearText(older->lastYear()) + "; the date is " + yearText(year)};
+    return Error{ErrorCode::InvalidInput,
+        newest->name() + " is valid from " + yearText(newest->firstYear()) + " to " + yearText(newest->lastYear()) + " and " + older->name()
+            + " from " + yearText(older->firstYear()) + " to " + yearText(older->lastYear()) + "; the date is " + yearText(year)};
 }
 
 Result<FieldAnswer> fieldForCompass(const FieldModel& model, const Place& place, double year)
@@ -176,7 +179,8 @@ Result<FieldAnswer> fieldForCompass(const FieldModel& model, const Place& place,
         return answer;
     const double horizontal = answer->field.horizontal_nT();
     if (horizontal < kBlackoutHorizontal_nT)
-        return Error{ErrorCode::Numeric, "H is " + std::to_string(std::lround(horizontal)) + " nT there, below 2000 nT (blackout zone): a compass tells nothing"};
+        return Error{ErrorCode::Numeric,
+            "H is " + std::to_string(std::lround(horizontal)) + " nT there, below 2000 nT (blackout zone): a compass tells nothing"};
     return answer;
 }
 

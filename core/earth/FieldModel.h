@@ -1,7 +1,7 @@
 #pragma once
-/// Spherical-harmonic models of the main field, evaluated by GeographicLib's MagneticModel. Ours is the reading of the published
-/// files (WMM and WMMHR `.COF`, IGRF coefficient tables), validity, uncertainty and cautions.
-/// WMM2025 (NOAA/BGS, public domain) and IGRF-14 (IAGA V-MOD, CC BY 4.0, doi 10.5281/zenodo.14012302) are built in.
+/// Spherical-harmonic models of the main field, evaluated by GeographicLib's MagneticModel. Ours is the reading of the
+/// published files (WMM and WMMHR `.COF`, IGRF coefficient tables), validity, uncertainty and cautions. WMM2025 (NOAA/BGS,
+/// public domain) and IGRF-14 (IAGA V-MOD, CC BY 4.0, doi 10.5281/zenodo.14012302) are built in.
 
 #include <memory>
 #include <optional>
@@ -27,11 +27,11 @@ struct FieldAnswer {
     Place place;
     double year = 0; ///< decimal
     EarthField field;
-    EarthField rate; ///< X, Y, Z [nT a year]
-    double horizontalRate_nT = 0, totalRate_nT = 0;                   ///< a year
-    double declinationRate_deg = 0, inclinationRate_deg = 0;          ///< a year
-    std::optional<FieldUncertainty> uncertainty; ///< none where the model states none
-    std::vector<std::string> warnings;           ///< caution: H < 6000 nT makes declination unreliable
+    EarthField rate;                                         ///< X, Y, Z [nT a year]
+    double horizontalRate_nT = 0, totalRate_nT = 0;          ///< a year
+    double declinationRate_deg = 0, inclinationRate_deg = 0; ///< a year
+    std::optional<FieldUncertainty> uncertainty;             ///< none where the model states none
+    std::vector<std::string> warnings;                       ///< caution: H < 6000 nT makes declination unreliable
 };
 
 /// Below, a compass tells nothing: refused (WMM2025 report: blackout zone).
@@ -76,8 +76,8 @@ Result<FieldModel> defaultFieldModel(double year);
 /// evaluate(), refused where H < 2000 nT. Errors: those of evaluate(); Numeric in the blackout zone, with H.
 Result<FieldAnswer> fieldForCompass(const FieldModel& model, const Place& place, double year);
 
-/// "2026-11-23" or "2026.9" → decimal year; a day is taken at its beginning, as WMM's own programs do: year + (day of year − 1) /
-/// days of the year. Errors: InvalidInput (no such day; not a date).
+/// "2026-11-23" or "2026.9" → decimal year; a day is taken at its beginning, as WMM's own programs do: year + (day of year − 1)
+/// / days of the year. Errors: InvalidInput (no such day; not a date).
 Result<double> decimalYear(const std::string& date);
 
 /// The field of a swing by the default model of its date (or by `model`). Errors: those of the above.

@@ -22,7 +22,7 @@ using GaussSet = std::vector<Gauss>;
 struct FieldTable {
     std::string name;
     double firstEpoch = 0, epochStep = 5.0;
-    double lastYear = 0;      ///< five years after the last epoch
+    double lastYear = 0; ///< five years after the last epoch
     int degree = 0;
     int changeDegree = 0;
     std::vector<GaussSet> main; ///< one for each epoch

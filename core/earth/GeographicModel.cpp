@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kName[] = "field";
-constexpr char kId[] = "LUBBERL1"; // eight characters that stand in both files
+constexpr char kId[] = "LUBBERL1";               // eight characters that stand in both files
 constexpr double kReferenceRadius_m = 6371200.0; // of all WMM and IGRF models (WMM2025 report, section 1.2)
 
 /// A folder of our own that is gone when we are done, whatever happens.
@@ -70,8 +70,9 @@ bool writeMetadata(const fs::path& path, const FieldTable& table)
     std::ofstream file(path);
     file << "WMMF-1\nName " << kName << "\nDescription " << table.name << "\nReleaseDate 2026-01-01\n";
     file.precision(17);
-    file << "Radius " << kReferenceRadius_m << "\nNumModels " << table.main.size() << "\nEpoch " << table.firstEpoch << "\nDeltaEpoch " << table.epochStep
-         << "\nMinTime " << table.firstEpoch << "\nMaxTime " << table.lastYear << "\nMinHeight -10000\nMaxHeight 600000\nNormalization schmidt\nByteOrder "
+    file << "Radius " << kReferenceRadius_m << "\nNumModels " << table.main.size() << "\nEpoch " << table.firstEpoch << "\nDeltaEpoch "
+         << table.epochStep << "\nMinTime " << table.firstEpoch << "\nMaxTime " << table.lastYear
+         << "\nMinHeight -10000\nMaxHeight 600000\nNormalization schmidt\nByteOrder "
          << (std::endian::native == std::endian::little ? "little" : "big") << "\nID " << kId << "\n";
     file.close();
     return file.good();
@@ -101,7 +102,8 @@ Result<std::shared_ptr<const GeographicLib::MagneticModel>> geographicModel(cons
     try {
         return std::make_shared<const GeographicLib::MagneticModel>(kName, folder.path().string());
     } catch (const std::exception& failure) {
-        return Error{ErrorCode::Io, std::string("GeographicLib does not take the magnetic model: ") + failure.what(), folder.path().string()};
+        return Error{
+            ErrorCode::Io, std::string("GeographicLib does not take the magnetic model: ") + failure.what(), folder.path().string()};
     }
 }
 

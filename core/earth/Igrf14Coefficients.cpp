@@ -11,7 +11,8 @@ namespace {
 constexpr int kEpochs = 26, kDegree = 13;
 
 /// For each degree n and order m a line of g and, where m > 0, a line of h.
-constexpr double kCoefficients[][kEpochs + 1] = {
+// clang-format off
+constexpr double kIgrf14[][kEpochs + 1] = {
     {-31543, -31464, -31354, -31212, -31060, -30926, -30805, -30715, -30654, -30594, -30554, -30500, -30421, -30334, -30220, -30100, -29992, -29873, -29775, -29692, -29619.4, -29554.63, -29496.57, -29441.46, -29403.41, -29350, 12.6},
     {-2298, -2298, -2297, -2306, -2317, -2318, -2316, -2306, -2292, -2285, -2250, -2215, -2169, -2119, -2068, -2013, -1956, -1905, -1848, -1784, -1728.2, -1669.05, -1586.42, -1501.77, -1451.37, -1410.3, 10},
     {5922, 5909, 5898, 5875, 5845, 5817, 5808, 5812, 5821, 5810, 5815, 5820, 5791, 5776, 5737, 5675, 5604, 5500, 5406, 5306, 5186.1, 5077.99, 4944.26, 4795.99, 4653.35, 4545.5, -21.5},
@@ -208,6 +209,7 @@ constexpr double kCoefficients[][kEpochs + 1] = {
     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.1, -0.18, -0.26, -0.36, -0.4, -0.4, 0},
     {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -0.9, -0.82, -0.79, -0.71, -0.6, -0.5, 0},
 };
+// clang-format on
 
 } // namespace
 
@@ -218,8 +220,8 @@ FieldTable igrf14Table()
     std::size_t row = 0;
     for (int n = 1; n <= kDegree; ++n)
         for (int m = 0; m <= n; ++m) {
-            const double* g = kCoefficients[row++];
-            const double* h = m > 0 ? kCoefficients[row++] : nullptr;
+            const double* g = kIgrf14[row++];
+            const double* h = m > 0 ? kIgrf14[row++] : nullptr;
             for (int epoch = 0; epoch < kEpochs; ++epoch)
                 setGauss(table.main[static_cast<std::size_t>(epoch)], n, m, {g[epoch], h ? h[epoch] : 0.0});
             setGauss(table.change, n, m, {g[kEpochs], h ? h[kEpochs] : 0.0});

@@ -8,7 +8,8 @@ namespace lubberline {
 namespace {
 
 /// g, h, change of g, change of h; a line for each degree n = 1 … 12, in it the orders m = 0 … n.
-constexpr double kCoefficients[][4] = {
+// clang-format off
+constexpr double kWmm2025[][4] = {
     {-29351.8, 0, 12, 0}, {-1410.8, 4545.4, 9.7, -21.5},
     {-2556.6, 0, -11.6, 0}, {2951.1, -3133.6, -5.2, -27.7}, {1649.3, -815.1, -8, -12.1},
     {1361, 0, -1.3, 0}, {-2404.1, -56.6, -4.2, 4}, {1243.8, 237.5, 0.4, -0.3}, {453.6, -549.5, -15.6, -4.1},
@@ -22,6 +23,7 @@ constexpr double kCoefficients[][4] = {
     {2.9, 0, 0, 0}, {-1.5, 0, -0, -0}, {-2.5, 2.9, 0, 0.1}, {2.4, -0.6, 0, -0}, {-0.6, 0.2, 0, 0.1}, {-0.1, 0.5, -0.1, -0}, {-0.6, -0.3, 0, -0}, {-0.1, -1.2, -0, 0.1}, {1.1, -1.7, -0.1, -0}, {-1, -2.9, -0.1, 0}, {-0.2, -1.8, -0.1, 0}, {2.6, -2.3, -0.1, 0},
     {-2, 0, 0, 0}, {-0.2, -1.3, 0, -0}, {0.3, 0.7, -0, 0}, {1.2, 1, -0, -0.1}, {-1.3, -1.4, -0, 0.1}, {0.6, -0, -0, -0}, {0.6, 0.6, 0.1, -0}, {0.5, -0.1, -0, -0}, {-0.1, 0.8, 0, 0}, {-0.4, 0.1, 0, -0}, {-0.2, -1, -0.1, -0}, {-1.3, 0.1, -0, 0}, {-0.7, 0.2, -0.1, -0.1},
 };
+// clang-format on
 
 } // namespace
 
@@ -31,8 +33,8 @@ FieldTable wmm2025Table()
     std::size_t row = 0;
     for (int n = 1; n <= 12; ++n)
         for (int m = 0; m <= n; ++m, ++row) {
-            setGauss(table.main[0], n, m, {kCoefficients[row][0], kCoefficients[row][1]});
-            setGauss(table.change, n, m, {kCoefficients[row][2], kCoefficients[row][3]});
+            setGauss(table.main[0], n, m, {kWmm2025[row][0], kWmm2025[row][1]});
+            setGauss(table.change, n, m, {kWmm2025[row][2], kWmm2025[row][3]});
         }
     return table;
 }

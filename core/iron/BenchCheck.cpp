@@ -11,10 +11,7 @@ namespace {
 
 using Groups = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-Error wrong(const std::string& what, const std::string& why)
-{
-    return {ErrorCode::InvalidInput, what + ": " + why};
-}
+Error wrong(const std::string& what, const std::string& why) { return {ErrorCode::InvalidInput, what + ": " + why}; }
 
 bool within(const Eigen::Vector3d& place_m) { return place_m.allFinite() && place_m.lpNorm<Eigen::Infinity>() <= kBenchReach_m; }
 
@@ -156,7 +153,8 @@ Result<void> checkBench(const IronBench& bench)
     for (const auto& part : bench.parts)
         for (const auto& [group, states] : groups)
             if (group == part.group && part.placements.size() != states.size())
-                return wrong("part “" + part.name + "”", "the group “" + group + "” has the states " + listed(states) + "; expected a placement for each");
+                return wrong("part “" + part.name + "”",
+                    "the group “" + group + "” has the states " + listed(states) + "; expected a placement for each");
     return {};
 }
 
@@ -172,7 +170,8 @@ Result<std::vector<Placement>> placementsIn(const IronBench& bench, const BenchS
             continue;
         }
         const auto& state = stateOf(groups, states, part.group);
-        placements.push_back(*std::find_if(part.placements.begin(), part.placements.end(), [&](const auto& one) { return one.state == state; }));
+        placements.push_back(
+            *std::find_if(part.placements.begin(), part.placements.end(), [&](const auto& one) { return one.state == state; }));
     }
     return placements;
 }

@@ -18,15 +18,16 @@ inline constexpr double kMostSlender = 1e4;
 inline constexpr double kBenchReach_m = 1e3;
 
 /// Each part's own values, whatever the states; the name of the part is in the message.
-/// Errors: InvalidInput (no name, sizes ≤ 0 or too unequal, χ < 0, no placement, states of a group doubled or unnamed, not finite).
+/// Errors: InvalidInput (no name, sizes ≤ 0 or too unequal, χ < 0, no placement, states of a group doubled or unnamed, not
+/// finite).
 Result<void> checkPart(const FerrousPart& part);
 /// Errors: InvalidInput (no name, no conductor, normal of no length, turns < 1, a path of one point, not finite).
 Result<void> checkCircuit(const BenchCircuit& circuit);
 /// All parts and circuits, and that the parts of a group have all its states.
 Result<void> checkBench(const IronBench& bench);
 
-/// The placement of each part in the chosen states. @pre checkBench(). Errors: InvalidInput (no such group or state: names those
-/// that there are).
+/// The placement of each part in the chosen states. @pre checkBench(). Errors: InvalidInput (no such group or state: names
+/// those that there are).
 Result<std::vector<Placement>> placementsIn(const IronBench& bench, const BenchStates& states);
 
 } // namespace lubberline

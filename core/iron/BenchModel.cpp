@@ -23,9 +23,9 @@ constexpr double kTensorWeight = 20'000;
 /// A part as the sensor sees it.
 struct Placed {
     const FerrousPart* part = nullptr;
-    Eigen::Matrix3d turn;                  ///< body axes → the part's own
-    Eigen::Vector3d sensor_m;              ///< from the part's centre, in its own axes
-    std::optional<TensorKey> key;          ///< none: a dipole
+    Eigen::Matrix3d turn;         ///< body axes → the part's own
+    Eigen::Vector3d sensor_m;     ///< from the part's centre, in its own axes
+    std::optional<TensorKey> key; ///< none: a dipole
 };
 
 Placed placed(const FerrousPart& part, const Placement& placement, const Eigen::Vector3d& sensor_m)
@@ -122,7 +122,8 @@ Result<std::vector<Circuit>> circuitsOf(const IronBench& bench)
         Eigen::Vector3d field = Eigen::Vector3d::Zero();
         for (const auto& conductor : circuit.conductors) {
             if (std::visit([&](const auto& one) { return distanceTo(one, bench.sensor_m); }, conductor) < kLeastWireDistance_m)
-                return Error{ErrorCode::InvalidInput, "circuit “" + circuit.name + "”: the sensor stands on its wire; expected 1 mm or more between them"};
+                return Error{ErrorCode::InvalidInput,
+                    "circuit “" + circuit.name + "”: the sensor stands on its wire; expected 1 mm or more between them"};
             if (const auto* loop = std::get_if<CurrentLoop>(&conductor))
                 field += fieldOfLoop_nT_per_A(*loop, bench.sensor_m);
             else

@@ -7,8 +7,8 @@
 
 namespace lubberline {
 
-/// A circular loop of radius a, anywhere off the wire, by complete elliptic integrals (W. Smythe, Static and Dynamic Electricity,
-/// 3rd ed., section 7.10): with β² = (a + ρ)² + z², α² = (a − ρ)² + z², m = 4aρ/β²
+/// A circular loop of radius a, anywhere off the wire, by complete elliptic integrals (W. Smythe, Static and Dynamic
+/// Electricity, 3rd ed., section 7.10): with β² = (a + ρ)² + z², α² = (a − ρ)² + z², m = 4aρ/β²
 ///   B_z = μ0/(2πβ) (K + (a² − ρ² − z²)/α² E),  B_ρ = μ0 z/(2πρβ) (−K + (a² + ρ² + z²)/α² E)
 [[nodiscard]] Eigen::Vector3d fieldOfLoop_nT_per_A(const CurrentLoop& loop, const Eigen::Vector3d& at_m);
 

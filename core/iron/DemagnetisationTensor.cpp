@@ -29,17 +29,20 @@ Result<void> check(const Shape& shape, const TensorGrid& grid)
     if (!size_m.allFinite() || size_m.minCoeff() <= 0 || !std::isfinite(grid.cell_m) || grid.cell_m <= 0)
         return Error{ErrorCode::InvalidInput, "a body and the cells of its grid must have sizes above 0 m"};
     if (grid.cells < kFewestTensorCells)
-        return Error{ErrorCode::InvalidInput, "a grid of " + std::to_string(grid.cells) + " cells a side is too coarse; expected "
-            + std::to_string(kFewestTensorCells) + " or more"};
+        return Error{ErrorCode::InvalidInput,
+            "a grid of " + std::to_string(grid.cells) + " cells a side is too coarse; expected " + std::to_string(kFewestTensorCells)
+                + " or more"};
     if (memoryFor(grid) > kMostTensorMemory)
-        return Error{ErrorCode::InvalidInput, "a grid of " + std::to_string(grid.cells) + " cells a side takes "
-            + std::to_string(memoryFor(grid) >> 20) + " MiB of memory; expected no more than " + std::to_string(kMostTensorMemory >> 20) + " MiB"};
+        return Error{ErrorCode::InvalidInput,
+            "a grid of " + std::to_string(grid.cells) + " cells a side takes " + std::to_string(memoryFor(grid) >> 20)
+                + " MiB of memory; expected no more than " + std::to_string(kMostTensorMemory >> 20) + " MiB"};
     if (size_m.maxCoeff() > grid.cells * grid.cell_m * (1 + 1e-12))
         return Error{ErrorCode::InvalidInput, "the body is larger than its grid of " + std::to_string(grid.cells) + " cells a side"};
     return {};
 }
 
-/// The memory of the last transforms, for the next: to be given fresh pages by the system takes longer than the transforms' sums.
+/// The memory of the last transforms, for the next: to be given fresh pages by the system takes longer than the transforms'
+/// sums.
 class GridPool {
 public:
     std::unique_ptr<FourierGrid> take(int cells)

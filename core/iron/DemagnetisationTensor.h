@@ -23,19 +23,20 @@ struct TensorGrid {
     double cell_m = 0.01;
 };
 
-/// Memory that the tensor of such a grid takes while it is computed [bytes]; the largest number there is where it cannot be told.
+/// Memory that the tensor of such a grid takes while it is computed [bytes]; the largest number there is where it cannot be
+/// told.
 [[nodiscard]] std::size_t memoryFor(const TensorGrid& grid);
 /// Grids that would take more are refused before any memory is taken.
 inline constexpr std::size_t kMostTensorMemory = std::size_t{4} << 30;
 inline constexpr int kFewestTensorCells = 8;
 
-/// On a padded grid the plain 1/k² feels the periodic images of the body (averages of a cube off by 0.01, 5 % of the dipole at the
-/// grid's border). Here it is (1 − cos kR)/k², the transform of a 1/4πr cut off at R, half the side of the padded grid: no image is
-/// within R, so the tensor is exact up to the cells' size wherever |r| + the body's half diagonal ≤ R. In zz the cut comes in by
-/// the trace, which is taken to be the shape function.
-/// Measured on 64³ cells against the closed forms: averages of the sphere, and of boxes whose faces lie between cells, within 5e-5,
-/// of all other bodies of 7 cells or more within 0.004; a sphere of 10 cells in diameter or more agrees with its dipole within 1 % from two cells off its surface to three cells off the
-/// border. In the cells that the surface cuts, and two beside them, the values are smeared between inside and outside.
+/// On a padded grid the plain 1/k² feels the periodic images of the body (averages of a cube off by 0.01, 5 % of the dipole at
+/// the grid's border). Here it is (1 − cos kR)/k², the transform of a 1/4πr cut off at R, half the side of the padded grid: no
+/// image is within R, so the tensor is exact up to the cells' size wherever |r| + the body's half diagonal ≤ R. In zz the cut
+/// comes in by the trace, which is taken to be the shape function. Measured on 64³ cells against the closed forms: averages of
+/// the sphere, and of boxes whose faces lie between cells, within 5e-5, of all other bodies of 7 cells or more within 0.004; a
+/// sphere of 10 cells in diameter or more agrees with its dipole within 1 % from two cells off its surface to three cells off
+/// the border. In the cells that the surface cuts, and two beside them, the values are smeared between inside and outside.
 struct DemagnetisationTensor {
     TensorGrid grid;
     std::vector<float> fill;                      ///< part of each cell that the body fills, 0…1; x slowest, z fastest
@@ -47,7 +48,8 @@ struct DemagnetisationTensor {
     [[nodiscard]] Eigen::Matrix3d averageInside() const;
 };
 
-/// Errors: InvalidInput (sizes not > 0, fewer than 8 cells, body larger than the grid, grid too large: its size in MiB), Cancelled.
+/// Errors: InvalidInput (sizes not > 0, fewer than 8 cells, body larger than the grid, grid too large: its size in MiB),
+/// Cancelled.
 Result<DemagnetisationTensor> demagnetisationTensor(const Shape& shape, const TensorGrid& grid, const Progress& progress = {});
 
 } // namespace lubberline

@@ -38,9 +38,7 @@ Eigen::Vector3d factorsOfEllipsoid(const Eigen::Vector3d& size_m)
 {
     const Eigen::Vector3d axes = size_m / size_m.maxCoeff(); // a factor knows no scale; squares stay in range
     const Eigen::Vector3d squares = axes.cwiseProduct(axes);
-    const auto factor = [&](int i, int j, int k) {
-        return axes.prod() / 3 * boost::math::ellint_rd(squares[j], squares[k], squares[i]);
-    };
+    const auto factor = [&](int i, int j, int k) { return axes.prod() / 3 * boost::math::ellint_rd(squares[j], squares[k], squares[i]); };
     return {factor(0, 1, 2), factor(1, 2, 0), factor(2, 0, 1)};
 }
 

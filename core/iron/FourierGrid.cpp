@@ -78,8 +78,7 @@ void FourierGrid::plan()
         const fftw_iodim halfX{n, plane, plane}, allY{N, row, row}, eachZ{row, 1, 1};
         const fftw_iodim rowsOut[2] = {{n, n * N, plane}, {n, N, row}}, rowsBack[2] = {{n, plane, n * N}, {n, row, N}};
         fftw_set_timelimit(kPlanningTime_s);
-        place->second = {
-            fftw_plan_guru_dft_r2c(1, &alongZ, 2, rowsOut, real(), asFftw(spectrum()), kFlags),
+        place->second = {fftw_plan_guru_dft_r2c(1, &alongZ, 2, rowsOut, real(), asFftw(spectrum()), kFlags),
             planLines(asFftw(spectrum()), alongY, halfX, eachZ, FFTW_FORWARD),
             planLines(asFftw(spectrum()), alongX, allY, eachZ, FFTW_FORWARD),
             planLines(asFftw(product()), alongX, allY, eachZ, FFTW_BACKWARD),

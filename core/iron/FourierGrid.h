@@ -1,7 +1,7 @@
 #pragma once
-/// Real Fourier transforms by FFTW of a cube that is padded with zeros to twice its side, and back to that cube. Lines that hold
-/// nothing but padding are not transformed: 7 of 12 parts of the work remain. Plans are made once a size (FFTW_MEASURE: it takes a
-/// second where there is no wisdom, so never on the window's thread) and shared by all threads.
+/// Real Fourier transforms by FFTW of a cube that is padded with zeros to twice its side, and back to that cube. Lines that
+/// hold nothing but padding are not transformed: 7 of 12 parts of the work remain. Plans are made once a size (FFTW_MEASURE: it
+/// takes a second where there is no wisdom, so never on the window's thread) and shared by all threads.
 
 #include <complex>
 #include <cstddef>
@@ -16,11 +16,12 @@ public:
     explicit FourierGrid(int cells);
 
     [[nodiscard]] int cells() const { return m_cells; }
-    [[nodiscard]] int side() const { return 2 * m_cells; }  ///< of the padded cube
+    [[nodiscard]] int side() const { return 2 * m_cells; }                                      ///< of the padded cube
     [[nodiscard]] std::size_t rowSize() const { return static_cast<std::size_t>(m_cells) + 1; } ///< complex numbers along z
-    [[nodiscard]] std::size_t spectrumSize() const;         ///< side · side · rowSize()
+    [[nodiscard]] std::size_t spectrumSize() const;                                             ///< side · side · rowSize()
 
-    /// The cube, x slowest; each of its cells² rows along z has room for `side` numbers, of which the first `cells` are the cube's.
+    /// The cube, x slowest; each of its cells² rows along z has room for `side` numbers, of which the first `cells` are the
+    /// cube's.
     [[nodiscard]] double* real() { return m_real.get(); }
     [[nodiscard]] std::complex<double>* spectrum() { return m_spectrum.get(); } ///< of forward(); kept by backward()
     [[nodiscard]] std::complex<double>* product() { return m_product.get(); }
@@ -33,7 +34,9 @@ public:
     static std::size_t memoryFor(int cells); ///< [bytes]
 
 private:
-    struct Free { void operator()(void* memory) const; };
+    struct Free {
+        void operator()(void* memory) const;
+    };
     struct Plans;
     void clearPadding();
     int m_cells;

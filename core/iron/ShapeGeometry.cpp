@@ -21,14 +21,14 @@ constexpr int kSamples = 8;
 double halfChord(const Shape& shape, double x, double y)
 {
     const auto ellipse = [](double rest) { return rest > 0 ? std::sqrt(rest) : 0.0; };
-    return std::visit(Cases{
-        [](const Box& box) { return box.size_m.z() / 2; },
-        [&](const Cylinder& cylinder) { return ellipse(cylinder.diameter_m * cylinder.diameter_m / 4 - y * y); },
-        [&](const Sphere& sphere) { return ellipse(sphere.diameter_m * sphere.diameter_m / 4 - x * x - y * y); },
-        [&](const Ellipsoid& ellipsoid) {
-            const double u = 2 * x / ellipsoid.size_m.x(), v = 2 * y / ellipsoid.size_m.y();
-            return ellipsoid.size_m.z() / 2 * ellipse(1 - u * u - v * v);
-        }}, shape);
+    return std::visit(Cases{[](const Box& box) { return box.size_m.z() / 2; },
+                          [&](const Cylinder& cylinder) { return ellipse(cylinder.diameter_m * cylinder.diameter_m / 4 - y * y); },
+                          [&](const Sphere& sphere) { return ellipse(sphere.diameter_m * sphere.diameter_m / 4 - x * x - y * y); },
+                          [&](const Ellipsoid& ellipsoid) {
+                              const double u = 2 * x / ellipsoid.size_m.x(), v = 2 * y / ellipsoid.size_m.y();
+                              return ellipsoid.size_m.z() / 2 * ellipse(1 - u * u - v * v);
+                          }},
+        shape);
 }
 
 struct Sample {
@@ -45,7 +45,8 @@ std::vector<Sample> samplesAlong(double half_m, int cells, double cell_m, int pe
         const double begin_m = (i - cells / 2.0) * cell_m;
         const double from_m = std::max(begin_m, -half_m), to_m = std::min(begin_m + cell_m, half_m);
         for (int s = 0; s < perCell && to_m > from_m; ++s)
-            samples.push_back({static_cast<std::size_t>(i), from_m + (to_m - from_m) * (s + 0.5) / perCell, (to_m - from_m) / (cell_m * perCell)});
+            samples.push_back(
+                {static_cast<std::size_t>(i), from_m + (to_m - from_m) * (s + 0.5) / perCell, (to_m - from_m) / (cell_m * perCell)});
     }
     return samples;
 }
@@ -94,11 +95,13 @@ void makeVolumeExact(std::vector<float>& fill, double cellsFilled)
 
 Eigen::Vector3d sizeOf(const Shape& shape)
 {
-    return std::visit(Cases{
-        [](const Box& box) -> Eigen::Vector3d { return box.size_m; },
-        [](const Cylinder& cylinder) -> Eigen::Vector3d { return {cylinder.length_m, cylinder.diameter_m, cylinder.diameter_m}; },
-        [](const Ellipsoid& ellipsoid) -> Eigen::Vector3d { return ellipsoid.size_m; },
-        [](const Sphere& sphere) -> Eigen::Vector3d { return Eigen::Vector3d::Constant(sphere.diameter_m); }}, shape);
+    return std::visit(Cases{[](const Box& box) -> Eigen::Vector3d { return box.size_m; },
+                          [](const Cylinder& cylinder) -> Eigen::Vector3d {
+                              return {cylinder.length_m, cylinder.diameter_m, cylinder.diameter_m};
+                          },
+                          [](const Ellipsoid& ellipsoid) -> Eigen::Vector3d { return ellipsoid.size_m; },
+                          [](const Sphere& sphere) -> Eigen::Vector3d { return Eigen::Vector3d::Constant(sphere.diameter_m); }},
+        shape);
 }
 
 double largestLength_m(const Shape& shape) { return sizeOf(shape).maxCoeff(); }
@@ -106,29 +109,30 @@ double largestLength_m(const Shape& shape) { return sizeOf(shape).maxCoeff(); }
 double volume_m3(const Shape& shape)
 {
     const double around_m3 = sizeOf(shape).prod();
-    return std::visit(Cases{
-        [&](const Box&) { return around_m3; },
-        [&](const Cylinder&) { return kPi / 4 * around_m3; },
-        [&](const auto&) { return kPi / 6 * around_m3; }}, shape);
+    return std::visit(Cases{[&](const Box&) { return around_m3; }, [&](const Cylinder&) { return kPi / 4 * around_m3; },
+                          [&](const auto&) { return kPi / 6 * around_m3; }},
+        shape);
 }
 
 bool contains(const Shape& shape, const Eigen::Vector3d& place_m)
 {
     const Eigen::Vector3d half_m = sizeOf(shape) / 2;
     const Eigen::Vector3d part = place_m.cwiseQuotient(half_m);
-    return std::visit(Cases{
-        [&](const Box&) { return part.lpNorm<Eigen::Infinity>() <= 1; },
-        [&](const Cylinder&) { return std::abs(part.x()) <= 1 && std::hypot(part.y(), part.z()) <= 1; },
-        [&](const auto&) { return part.norm() <= 1; }}, shape);
+    return std::visit(Cases{[&](const Box&) { return part.lpNorm<Eigen::Infinity>() <= 1; },
+                          [&](const Cylinder&) { return std::abs(part.x()) <= 1 && std::hypot(part.y(), part.z()) <= 1; },
+                          [&](const auto&) { return part.norm() <= 1; }},
+        shape);
 }
 
 Shape scaled(const Shape& shape, double factor)
 {
-    return std::visit(Cases{
-        [&](const Box& box) -> Shape { return Box{box.size_m * factor}; },
-        [&](const Cylinder& cylinder) -> Shape { return Cylinder{cylinder.diameter_m * factor, cylinder.length_m * factor}; },
-        [&](const Ellipsoid& ellipsoid) -> Shape { return Ellipsoid{ellipsoid.size_m * factor}; },
-        [&](const Sphere& sphere) -> Shape { return Sphere{sphere.diameter_m * factor}; }}, shape);
+    return std::visit(Cases{[&](const Box& box) -> Shape { return Box{box.size_m * factor}; },
+                          [&](const Cylinder& cylinder) -> Shape {
+                              return Cylinder{cylinder.diameter_m * factor, cylinder.length_m * factor};
+                          },
+                          [&](const Ellipsoid& ellipsoid) -> Shape { return Ellipsoid{ellipsoid.size_m * factor}; },
+                          [&](const Sphere& sphere) -> Shape { return Sphere{sphere.diameter_m * factor}; }},
+        shape);
 }
 
 std::vector<float> fillOf(const Shape& shape, int cells, double cell_m)

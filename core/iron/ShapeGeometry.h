@@ -15,8 +15,8 @@ namespace lubberline {
 [[nodiscard]] bool contains(const Shape& shape, const Eigen::Vector3d& place_m); ///< its surface belongs to it
 [[nodiscard]] Shape scaled(const Shape& shape, double factor);
 
-/// The part of each cell of a cube of cells³ cells round the origin that the shape fills, 0…1; x slowest, z fastest. Chords along z
-/// are exact, across them the cells are sampled; then cells on the surface are scaled so that the volume is exact.
+/// The part of each cell of a cube of cells³ cells round the origin that the shape fills, 0…1; x slowest, z fastest. Chords
+/// along z are exact, across them the cells are sampled; then cells on the surface are scaled so that the volume is exact.
 [[nodiscard]] std::vector<float> fillOf(const Shape& shape, int cells, double cell_m);
 
 } // namespace lubberline

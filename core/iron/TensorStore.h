@@ -12,8 +12,8 @@ namespace lubberline {
 inline constexpr int kBenchTensorCells = 64;
 
 struct TensorKey {
-    Shape shape;        ///< its largest length 1
-    double reach = 0;   ///< half the side of the grid, in largest lengths
+    Shape shape;      ///< its largest length 1
+    double reach = 0; ///< half the side of the grid, in largest lengths
     friend bool operator==(const TensorKey&, const TensorKey&) = default;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Cuts a stream of bytes into lines, however it arrives: half sentences are kept until the rest comes, a line that never ends is
-/// given up (it is babble, no sentence), CR, LF and both end a line.
+/// Cuts a stream of bytes into lines, however it arrives: half sentences are kept until the rest comes, a line that never ends
+/// is given up (it is babble, no sentence), CR, LF and both end a line.
 
 #include <functional>
 #include <string>

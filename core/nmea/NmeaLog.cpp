@@ -8,10 +8,7 @@ namespace {
 
 constexpr double kSecondsOfDay = 86400.0;
 
-bool blank(std::string_view line)
-{
-    return line.find_first_not_of(" \t\r\n") == std::string_view::npos;
-}
+bool blank(std::string_view line) { return line.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
 } // namespace
 

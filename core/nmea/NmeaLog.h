@@ -51,8 +51,8 @@ private:
     std::vector<NmeaSource> m_sources;
     std::vector<std::int64_t> m_counts;
     std::set<std::string> m_checking; ///< talkers that send checksums
-    NmeaHeadingEvent m_now; ///< what is known at present
-    double m_midnights = 0; ///< seconds of the days passed since the first
+    NmeaHeadingEvent m_now;           ///< what is known at present
+    double m_midnights = 0;           ///< seconds of the days passed since the first
 };
 
 } // namespace lubberline

@@ -1,5 +1,6 @@
 #pragma once
-/// One NMEA 0183 sentence: `$` talker, type, fields, `*` and the exclusive or of all that stands between, in two hexadecimal digits.
+/// One NMEA 0183 sentence: `$` talker, type, fields, `*` and the exclusive or of all that stands between, in two hexadecimal
+/// digits.
 
 #include <string>
 #include <string_view>
@@ -12,7 +13,10 @@ struct NmeaSentence {
     std::string type;   ///< "HDG", "RMC"; what follows the P of a proprietary one
     std::vector<std::string> fields;
     bool hasChecksum = false;
-    [[nodiscard]] std::string_view field(std::size_t index) const { return index < fields.size() ? std::string_view(fields[index]) : std::string_view(); }
+    [[nodiscard]] std::string_view field(std::size_t index) const
+    {
+        return index < fields.size() ? std::string_view(fields[index]) : std::string_view();
+    }
 };
 
 enum class NmeaFault {
@@ -26,8 +30,8 @@ struct ParsedNmea {
     NmeaSentence sentence;
 };
 
-/// Reads one line, without its line end. What a logger put before the `$` (a time stamp, a tag block) is passed over. A sentence
-/// without `*` is read, too: the standard allows it; hasChecksum tells.
+/// Reads one line, without its line end. What a logger put before the `$` (a time stamp, a tag block) is passed over. A
+/// sentence without `*` is read, too: the standard allows it; hasChecksum tells.
 [[nodiscard]] ParsedNmea parseNmea(std::string_view line);
 
 /// The exclusive or of the characters, as the standard's checksum.

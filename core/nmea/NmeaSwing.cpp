@@ -7,9 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/base/FileText.h"
 #include "core/earth/FieldModel.h"
-#include "core/format/FileText.h"
-#include "core/format/SwingCsv.h"
 #include "core/nmea/NmeaLines.h"
 #include "core/nmea/NmeaLog.h"
 #include "core/nmea/NmeaTurn.h"
@@ -25,7 +24,8 @@ std::string listed(const NmeaLog& log)
 {
     std::string text;
     for (std::size_t i = 0; i < log.sources().size(); ++i)
-        text += (i ? ", " : "") + log.sources()[i].talker + log.sources()[i].type + " (" + std::to_string(log.headingsOf(static_cast<int>(i))) + ")";
+        text += (i ? ", " : "") + log.sources()[i].talker + log.sources()[i].type + " ("
+            + std::to_string(log.headingsOf(static_cast<int>(i))) + ")";
     return text;
 }
 
@@ -54,8 +54,8 @@ private:
     NmeaSwing m_swing;
     std::string m_onlyType; ///< of the compass talker's sentences; empty: both
     bool m_variationOfLog = false;
-    std::vector<NmeaHeadingEvent> m_compass;                ///< the headings of the compass
-    std::vector<std::optional<CompassHeading>> m_other;     ///< the newest of the other instrument at each, with Magnetic
+    std::vector<NmeaHeadingEvent> m_compass;            ///< the headings of the compass
+    std::vector<std::optional<CompassHeading>> m_other; ///< the newest of the other instrument at each, with Magnetic
 };
 
 Result<void> SwingOfLog::chooseTalker()
@@ -141,8 +141,8 @@ Result<Variation> SwingOfLog::variationOfModel()
     if (!answer)
         return answer.error();
     std::array<char, 96> where{};
-    std::snprintf(where.data(), where.size(), " at %.2f° %c, %.2f° %c on ", std::abs(place->latitude_deg), place->latitude_deg < 0 ? 'S' : 'N',
-        std::abs(place->longitude_deg), place->longitude_deg < 0 ? 'W' : 'E');
+    std::snprintf(where.data(), where.size(), " at %.2f° %c, %.2f° %c on ", std::abs(place->latitude_deg),
+        place->latitude_deg < 0 ? 'S' : 'N', std::abs(place->longitude_deg), place->longitude_deg < 0 ? 'W' : 'E');
     m_swing.variationSource = answer->model + where.data() + m_log.firstDate;
     return answer->field.variation();
 }
@@ -227,9 +227,11 @@ void SwingOfLog::makePairs()
 
 Result<void> SwingOfLog::checkPairs() const
 {
-    static constexpr std::array kMissing{"a valid track (RMC or VTG)", "a true heading (HDT)", "a second magnetic heading (another talker's HDG or HDM)"};
+    static constexpr std::array kMissing{
+        "a valid track (RMC or VTG)", "a true heading (HDT)", "a second magnetic heading (another talker's HDG or HDM)"};
     if (m_swing.pairs.empty())
-        return wrong(std::string("no compass heading stands behind ") + kMissing[static_cast<std::size_t>(m_options.reference)] + "; expected a log that holds both");
+        return wrong(std::string("no compass heading stands behind ") + kMissing[static_cast<std::size_t>(m_options.reference)]
+            + "; expected a log that holds both");
     return {};
 }
 
@@ -242,7 +244,8 @@ Result<NmeaSwing> SwingOfLog::make()
     m_swing.otherLines = m_log.otherLines;
     m_swing.date = m_log.firstDate;
     if (m_log.sentences == 0)
-        return wrong("holds no NMEA 0183 sentence ($ talker, type, fields)" + std::string(m_log.badChecksums ? ": every checksum is wrong" : ""));
+        return wrong(
+            "holds no NMEA 0183 sentence ($ talker, type, fields)" + std::string(m_log.badChecksums ? ": every checksum is wrong" : ""));
     if (m_log.headings().empty())
         return wrong("holds no compass heading; expected HDG or HDM sentences");
     if (const auto chosen = chooseTalker(); !chosen)
@@ -257,7 +260,8 @@ Result<NmeaSwing> SwingOfLog::make()
     if (m_swing.badChecksums > 0)
         m_swing.warnings.push_back(counted(static_cast<std::size_t>(m_swing.badChecksums), "sentence") + " with a wrong checksum left out");
     if (m_swing.withoutChecksum > 0)
-        m_swing.warnings.push_back(counted(static_cast<std::size_t>(m_swing.withoutChecksum), "sentence") + " without a checksum: what was damaged on the way cannot be told");
+        m_swing.warnings.push_back(counted(static_cast<std::size_t>(m_swing.withoutChecksum), "sentence")
+            + " without a checksum: what was damaged on the way cannot be told");
     return std::move(m_swing);
 }
 
@@ -275,7 +279,8 @@ Result<NmeaSwing> readNmeaSwing(std::istream& input, const std::string& name, co
         input.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
         lines.feed({buffer.data(), static_cast<std::size_t>(input.gcount())}, take);
         if (log.headings().size() > kMaxReadings)
-            return Error{ErrorCode::InvalidInput, "there are more than " + std::to_string(kMaxReadings) + " headings; expected the log of one swing", name};
+            return Error{ErrorCode::InvalidInput,
+                "there are more than " + std::to_string(kMaxReadings) + " headings; expected the log of one swing", name};
     }
     if (input.bad())
         return Error{ErrorCode::Io, "cannot be read to its end", name};

@@ -48,10 +48,10 @@ struct NmeaPair {
 
 struct NmeaSwing {
     std::int64_t lines = 0;
-    std::int64_t sentences = 0;        ///< well formed, with a right checksum or with none
+    std::int64_t sentences = 0; ///< well formed, with a right checksum or with none
     std::int64_t badChecksums = 0;
     std::int64_t withoutChecksum = 0;
-    std::int64_t otherLines = 0;       ///< neither a sentence nor blank
+    std::int64_t otherLines = 0; ///< neither a sentence nor blank
     std::vector<NmeaPair> pairs;
     std::size_t used = 0;
     std::string compassTalker;

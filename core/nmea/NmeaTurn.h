@@ -9,8 +9,8 @@
 
 namespace lubberline {
 
-/// [°/s, clockwise positive] for each of the chosen headings, from the neighbours in time; none where the log does not tell the time
-/// or its neighbours lie more than ten seconds away.
+/// [°/s, clockwise positive] for each of the chosen headings, from the neighbours in time; none where the log does not tell the
+/// time or its neighbours lie more than ten seconds away.
 [[nodiscard]] std::vector<std::optional<double>> turnRates(std::span<const NmeaHeadingEvent> headings);
 
 } // namespace lubberline

@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-#include "core/format/FileText.h"
-#include "core/format/Number.h"
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
 
 namespace lubberline {
 
@@ -96,7 +96,8 @@ NmeaValue recommendedMinimum(const NmeaSentence& sentence)
         return NmeaTrack{sentence.talker, {}, {}, {}, {}, {}, {}};
     NmeaTrack track{sentence.talker, typed<TrueHeading>(headingOf(sentence.field(7))), number(sentence.field(6)),
         sided<Variation>(sentence.field(9), sentence.field(10)), timeOf(sentence.field(0)),
-        coordinate(sentence.field(2), sentence.field(3), 'N', 'S', 90.0), coordinate(sentence.field(4), sentence.field(5), 'E', 'W', 180.0)};
+        coordinate(sentence.field(2), sentence.field(3), 'N', 'S', 90.0),
+        coordinate(sentence.field(4), sentence.field(5), 'E', 'W', 180.0)};
     if (track.time)
         track.time->date = dateOf(sentence.field(8));
     return track;

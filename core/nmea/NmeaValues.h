@@ -27,8 +27,8 @@ struct NmeaTrueHeading {
 };
 
 struct NmeaTime {
-    double secondsOfDay = 0;           ///< UTC, [0, 86401)
-    std::optional<std::string> date;   ///< ISO 8601; RMC only
+    double secondsOfDay = 0;         ///< UTC, [0, 86401)
+    std::optional<std::string> date; ///< ISO 8601; RMC only
 };
 
 /// RMC, VTG: ground track. After a void fix (RMC status V, mode N) there is none: all is empty.

@@ -7,11 +7,11 @@
 namespace lubberline {
 
 struct SettledHeading {
-    double mean_deg = 0;    ///< circular mean, [0, 360)
-    double spread_deg = 0;  ///< largest − smallest
+    double mean_deg = 0;   ///< circular mean, [0, 360)
+    double spread_deg = 0; ///< largest − smallest
     double standardDeviation_deg = 0;
     int count = 0;
-    bool settled = false;   ///< the window is full and the spread within the limit
+    bool settled = false; ///< the window is full and the spread within the limit
 };
 
 /// Keeps the headings of the last `length_s` seconds. Time is given with each heading, from a clock that does not jump.
@@ -26,7 +26,9 @@ public:
     [[nodiscard]] std::optional<SettledHeading> at(double time_s) const;
 
 private:
-    struct Heading { double time_s, heading_deg; };
+    struct Heading {
+        double time_s, heading_deg;
+    };
     double m_length_s, m_mostSpread_deg;
     std::deque<Heading> m_headings;
     double m_since_s = 0; ///< when the window began to fill

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/format/Number.h"
+#include "core/base/Number.h"
 
 namespace lubberline {
 
@@ -72,7 +72,8 @@ Result<DatumHeading> datumHeading(const DatumInstrument& instrument, const RawFi
     if (raw.datum_deg.empty() && raw.astern_deg.empty())
         return Error{ErrorCode::InvalidInput, "no figure of the datum instrument; expected one to three"};
     if (instrument.givesTrue && !variation)
-        return Error{ErrorCode::InvalidInput, instrument.name + " gives true headings, and the variation is not stated; expected it (degrees, east positive)"};
+        return Error{ErrorCode::InvalidInput,
+            instrument.name + " gives true headings, and the variation is not stated; expected it (degrees, east positive)"};
     const double turnAhead = instrument.ahead == SightingDirection::Reciprocal ? 180.0 : 0.0;
     std::vector<double> headings; // of the aircraft's axis, one a side
     DatumHeading heading;
@@ -95,8 +96,9 @@ Result<DatumHeading> datumHeading(const DatumInstrument& instrument, const RawFi
     if (headings.size() == 2) {
         const double differ = wrap180(headings[0] - headings[1]);
         if (std::abs(differ) > kMostApart_deg)
-            return Error{ErrorCode::InvalidInput, "ahead and astern differ by " + shortestNumber(std::round(std::abs(differ) * 10) / 10)
-                + "° after turning; one of them was read the other way round, or is not of this heading"};
+            return Error{ErrorCode::InvalidInput,
+                "ahead and astern differ by " + shortestNumber(std::round(std::abs(differ) * 10) / 10)
+                    + "° after turning; one of them was read the other way round, or is not of this heading"};
         heading.collimation_deg = differ / 2.0;
     }
     const double axis = wrap360(meanHeading_deg(headings) + instrument.zero_deg);

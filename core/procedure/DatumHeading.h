@@ -15,14 +15,15 @@ namespace lubberline {
 /// A magnetic heading of several figures.
 struct DatumHeading {
     MagneticHeading magnetic;
-    double spread_deg = 0;              ///< largest − smallest of the figures from one side; 0 with one
+    double spread_deg = 0;                 ///< largest − smallest of the figures from one side; 0 with one
     std::optional<double> collimation_deg; ///< half of what ahead and astern differ by (astern turned by 180°): a figure of quality
-    double uncertainty_deg = 0;         ///< standard: resolution/√12 and the scatter of the mean
+    double uncertainty_deg = 0;            ///< standard: resolution/√12 and the scatter of the mean
 };
 
-/// Mean of the figures, turned and corrected as the instrument says. Where it was sighted both ways: mean of both, astern turned by 180°.
-/// Errors: InvalidInput: no figure; a true instrument without variation; figures from one side more than 10° apart (a slip: names
-/// them); ahead and astern more than 10° apart after turning (one of them was read the other way round: says so).
+/// Mean of the figures, turned and corrected as the instrument says. Where it was sighted both ways: mean of both, astern
+/// turned by 180°. Errors: InvalidInput: no figure; a true instrument without variation; figures from one side more than 10°
+/// apart (a slip: names them); ahead and astern more than 10° apart after turning (one of them was read the other way round:
+/// says so).
 Result<DatumHeading> datumHeading(const DatumInstrument& instrument, const RawFigures& raw, std::optional<Variation> variation);
 
 /// Mean of the compass's figures, with their spread. Errors: InvalidInput: none; more than 10° apart.

@@ -16,7 +16,8 @@ constexpr std::size_t kHeadings = 24;
 
 bool complete(const std::vector<SelectedHeading>& headings)
 {
-    return headings.size() == kHeadings && std::all_of(headings.begin(), headings.end(), [](const SelectedHeading& each) { return each.indicated_deg.has_value(); });
+    return headings.size() == kHeadings
+        && std::all_of(headings.begin(), headings.end(), [](const SelectedHeading& each) { return each.indicated_deg.has_value(); });
 }
 
 /// indicated − selected, with the mean (index) taken out.
@@ -54,10 +55,12 @@ Result<FourPointErrors> errorsOf(const FourPointTable& table)
     for (std::size_t i = 0; i < 4; ++i) {
         const int selected = static_cast<int>(i) * 90;
         if (!table.indicated_deg[i])
-            return Error{ErrorCode::InvalidInput, "nothing is indicated with " + std::to_string(selected) + "° selected; expected all four points"};
+            return Error{
+                ErrorCode::InvalidInput, "nothing is indicated with " + std::to_string(selected) + "° selected; expected all four points"};
         errors.error_deg[i] = wrap180(*table.indicated_deg[i] - selected);
         if (std::abs(errors.error_deg[i]) > kSlip_deg)
-            return Error{ErrorCode::InvalidInput, "with " + std::to_string(selected) + "° selected the figure is more than 30° off; expected what is indicated there"};
+            return Error{ErrorCode::InvalidInput,
+                "with " + std::to_string(selected) + "° selected the figure is more than 30° off; expected what is indicated there"};
     }
     const auto& e = errors.error_deg;
     errors.northSouth_deg = (e[0] - e[2]) / 2.0;
@@ -75,7 +78,8 @@ Result<SelfCheck> selfCheckOf(const ElectricalSwing& swing)
         return Error{ErrorCode::InvalidInput, "the self-check needs all 24 headings both electrically and by the turntable"};
     for (std::size_t i = 0; i < kHeadings; ++i)
         if (swing.headings[i].selected_deg != swing.selfCheck[i].selected_deg)
-            return Error{ErrorCode::InvalidInput, "the two tables of the self-check are of different headings; expected the same in the same order"};
+            return Error{
+                ErrorCode::InvalidInput, "the two tables of the self-check are of different headings; expected the same in the same order"};
     const auto electrical = errorsWithoutIndex(swing.headings), turntable = errorsWithoutIndex(swing.selfCheck);
     SelfCheck check;
     for (std::size_t i = 0; i < kHeadings; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
-/// What an electrical swing (core/record/ElectricalSwing.h) tells, and whether it passes. Errors are indicated − selected, as in its sources.
+/// What an electrical swing (core/record/ElectricalSwing.h) tells, and whether it passes. Errors are indicated − selected, as
+/// in its sources.
 
 #include <array>
 #include <string>
@@ -20,7 +21,7 @@ struct FourPointErrors {
     double index_deg = 0;              ///< mean of the four
     double pair0_180_deg = 0;          ///< |e0 − e180|
     double pair90_270_deg = 0;
-    bool pairsAgree = false;           ///< both within 0.2° (TM 11-4920-292-15, p. 190)
+    bool pairsAgree = false; ///< both within 0.2° (TM 11-4920-292-15, p. 190)
 };
 inline constexpr double kPairLimit_deg = 0.2;
 
@@ -28,10 +29,10 @@ inline constexpr double kPairLimit_deg = 0.2;
 Result<FourPointErrors> errorsOf(const FourPointTable& table);
 
 struct SelfCheck {
-    double largest_deg = 0;   ///< largest |electrical − turntable| after the mean of each is taken out
-    double mean_deg = 0;      ///< mean of |…|
+    double largest_deg = 0; ///< largest |electrical − turntable| after the mean of each is taken out
+    double mean_deg = 0;    ///< mean of |…|
     int beyondSixMinutes = 0;
-    bool passed = false;      ///< ≤ 8′ everywhere; one beyond 6′ only if the mean is ≤ 4′ (TM 11-4920-292-15, p. 157)
+    bool passed = false; ///< ≤ 8′ everywhere; one beyond 6′ only if the mean is ≤ 4′ (TM 11-4920-292-15, p. 157)
 };
 /// Errors: InvalidInput (fewer than 24 of either, or different headings).
 Result<SelfCheck> selfCheckOf(const ElectricalSwing& swing);

@@ -9,10 +9,7 @@ namespace lubberline {
 
 namespace {
 
-double deviation_deg(const Observation& reading)
-{
-    return deviationOf(reading.magnetic, reading.compass).degrees();
-}
+double deviation_deg(const Observation& reading) { return deviationOf(reading.magnetic, reading.compass).degrees(); }
 
 /// Adds up the events of a job, one after the other.
 class Fold {
@@ -64,9 +61,11 @@ Fold::Fold(const SwingJob& job) : m_job(job)
 Result<JobState> Fold::run()
 {
     for (std::size_t i = 0; i < m_job.events.size(); ++i) {
-        const auto fault = m_abandoned ? Fault("the job was abandoned before") : std::visit([this](const auto& event) { return take(event); }, m_job.events[i].what);
+        const auto fault = m_abandoned ? Fault("the job was abandoned before")
+                                       : std::visit([this](const auto& event) { return take(event); }, m_job.events[i].what);
         if (fault)
-            return Error{ErrorCode::InvalidInput, "step " + std::to_string(i + 1) + " of the guided swing cannot have happened there: " + *fault};
+            return Error{
+                ErrorCode::InvalidInput, "step " + std::to_string(i + 1) + " of the guided swing cannot have happened there: " + *fault};
     }
     m_state.index_deg = checkIndex_deg();
     findPhase();
@@ -159,13 +158,14 @@ void Fold::voidCheckSwing(Control control)
     static constexpr const char* kNames[] = {"N\u2013S", "E\u2013W", "index"};
     int voided = 0;
     for (auto& station : m_state.stations)
-        if ((station.station.phase == StationPhase::Check || station.station.phase == StationPhase::Configuration) && station.reading && !station.voided) {
+        if ((station.station.phase == StationPhase::Check || station.station.phase == StationPhase::Configuration) && station.reading
+            && !station.voided) {
             station.voided = true;
             ++voided;
         }
     if (voided > 0)
-        m_state.notes.push_back("the " + std::string(kNames[static_cast<int>(control)]) + " control was turned after " + std::to_string(voided)
-            + " readings of the check swing: they are void and to be read again");
+        m_state.notes.push_back("the " + std::string(kNames[static_cast<int>(control)]) + " control was turned after "
+            + std::to_string(voided) + " readings of the check swing: they are void and to be read again");
     m_state.indexRemoved_deg.reset();
     m_state.indexLeft.clear();
     m_accepted = false;
@@ -193,7 +193,8 @@ Fold::Fault Fold::take(const job::NotAdjusted& event)
     auto& station = m_state.stations[event.station];
     if (event.reason.empty())
         return "a correction is left out only with a reason";
-    if (station.correctionsDone == station.station.corrections.size() || station.station.corrections[station.correctionsDone].control != event.control)
+    if (station.correctionsDone == station.station.corrections.size()
+        || station.station.corrections[station.correctionsDone].control != event.control)
         return "this correction does not stand here";
     ++station.correctionsDone;
     return {};
@@ -201,9 +202,8 @@ Fold::Fault Fold::take(const job::NotAdjusted& event)
 
 bool Fold::checkComplete() const
 {
-    return std::all_of(m_state.stations.begin(), m_state.stations.end(), [](const StationState& station) {
-        return station.station.phase == StationPhase::Configuration || station.done();
-    });
+    return std::all_of(m_state.stations.begin(), m_state.stations.end(),
+        [](const StationState& station) { return station.station.phase == StationPhase::Configuration || station.done(); });
 }
 
 Fold::Fault Fold::take(const job::IndexRemoved& event)
@@ -326,7 +326,8 @@ void Fold::findTurn()
             [](const StationState& station) { return station.station.phase == StationPhase::Check && station.reading; });
         if (m_state.index_deg && last != m_state.stations.rend()) {
             const double reads = last->reading->compass.degrees();
-            m_state.turn = MakeCompassRead{Control::Index, HowMuch::CoefficientPart, *m_state.index_deg, reads, wrap360(reads + *m_state.index_deg)};
+            m_state.turn
+                = MakeCompassRead{Control::Index, HowMuch::CoefficientPart, *m_state.index_deg, reads, wrap360(reads + *m_state.index_deg)};
         } else {
             m_state.whyNoTurn = "the check swing has too few readings to tell A";
         }
@@ -350,7 +351,8 @@ void Fold::findTurn()
         return;
     }
     const double nominal = toRadians(here.station.nominal_deg);
-    const double share = turn.control == Control::Index ? 1.0 : std::round(turn.control == Control::NorthSouth ? std::cos(nominal) : std::sin(nominal));
+    const double share
+        = turn.control == Control::Index ? 1.0 : std::round(turn.control == Control::NorthSouth ? std::cos(nominal) : std::sin(nominal));
     m_state.turn = MakeCompassRead{turn.control, turn.removal, *coefficient, reads, wrap360(reads + *coefficient * share)};
 }
 
@@ -361,9 +363,6 @@ int JobState::done() const
     return static_cast<int>(std::count_if(stations.begin(), stations.end(), [](const StationState& station) { return station.done(); }));
 }
 
-Result<JobState> stateOf(const SwingJob& job)
-{
-    return Fold(job).run();
-}
+Result<JobState> stateOf(const SwingJob& job) { return Fold(job).run(); }
 
 } // namespace lubberline

@@ -17,10 +17,10 @@ enum class JobPhase { Prepare, Stations, Index, Review, Card, Fault, Abandoned }
 
 struct StationState {
     Station station;
-    std::optional<Observation> reading;       ///< that counts
-    std::string skipped;                      ///< why; empty: it is not
-    std::size_t correctionsDone = 0;          ///< of station.corrections, made or refused
-    bool voided = false;                      ///< read before a later adjustment: to be read again
+    std::optional<Observation> reading; ///< that counts
+    std::string skipped;                ///< why; empty: it is not
+    std::size_t correctionsDone = 0;    ///< of station.corrections, made or refused
+    bool voided = false;                ///< read before a later adjustment: to be read again
     [[nodiscard]] bool done() const { return (!skipped.empty() || (reading && correctionsDone == station.corrections.size())) && !voided; }
 };
 
@@ -28,7 +28,7 @@ struct StationState {
 struct MakeCompassRead {
     Control control = Control::NorthSouth;
     HowMuch removal = HowMuch::CoefficientPart;
-    double coefficient_deg = 0;    ///< A, B or C, or the whole or half deviation that is taken out; east positive
+    double coefficient_deg = 0; ///< A, B or C, or the whole or half deviation that is taken out; east positive
     double compassReads_deg = 0;
     double makeCompassRead_deg = 0;
 };
@@ -36,19 +36,20 @@ struct MakeCompassRead {
 struct JobState {
     JobPhase phase = JobPhase::Prepare;
     std::vector<StationState> stations;
-    int current = -1;                             ///< station; −1: none
-    std::vector<std::string> openItems;           ///< of the checklist
-    std::optional<MakeCompassRead> turn;          ///< what to turn now; none: read, or nothing to turn
-    std::string whyNoTurn;                        ///< a correction stands here but cannot be computed (a cardinal was skipped)
-    std::optional<double> index_deg;              ///< A of the check swing's cardinals (or of the mean); none before it is complete
-    std::optional<double> indexRemoved_deg;       ///< what was taken out by turning the compass after the check swing
-    std::string indexLeft;                        ///< why it was left in
+    int current = -1;                       ///< station; −1: none
+    std::vector<std::string> openItems;     ///< of the checklist
+    std::optional<MakeCompassRead> turn;    ///< what to turn now; none: read, or nothing to turn
+    std::string whyNoTurn;                  ///< a correction stands here but cannot be computed (a cardinal was skipped)
+    std::optional<double> index_deg;        ///< A of the check swing's cardinals (or of the mean); none before it is complete
+    std::optional<double> indexRemoved_deg; ///< what was taken out by turning the compass after the check swing
+    std::string indexLeft;                  ///< why it was left in
     std::string fault;
-    std::vector<std::string> notes;               ///< what was voided by what
+    std::vector<std::string> notes; ///< what was voided by what
     [[nodiscard]] int done() const;
 };
 
-/// Errors: InvalidInput: an event that cannot have happened there (names it and its place in the list): a damaged or foreign job.
+/// Errors: InvalidInput: an event that cannot have happened there (names it and its place in the list): a damaged or foreign
+/// job.
 Result<JobState> stateOf(const SwingJob& job);
 
 /// What the events make of the job's readings. As found: the cardinals before any control was turned.

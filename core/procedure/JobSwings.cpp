@@ -48,13 +48,15 @@ bool actsOn(Control control, double nominal_deg)
 /// "radio on", "Radio off, lights on": the card has a column for each state.
 RadioState radioIn(std::string words, RadioState otherwise)
 {
-    std::transform(words.begin(), words.end(), words.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    std::transform(
+        words.begin(), words.end(), words.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     if (words.find("radio on") != std::string::npos || words.find("radios on") != std::string::npos)
         return RadioState::On;
     return words.find("radio off") != std::string::npos || words.find("radios off") != std::string::npos ? RadioState::Off : otherwise;
 }
 
-/// The particulars without what the job itself made of them: those of a finished swing state the index that was taken out at its end.
+/// The particulars without what the job itself made of them: those of a finished swing state the index that was taken out at
+/// its end.
 Swing bare(const SwingJob& job)
 {
     Swing swing = job.particulars;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/deviation/Analysis.h"
 #include "core/record/SwingJob.h"
+#include "core/swing/Analysis.h"
 
 namespace lubberline {
 
@@ -19,9 +19,9 @@ struct LoadNote {
     friend bool operator==(const LoadNote&, const LoadNote&) = default;
 };
 
-/// Of each load of the interference check that pushes |deviation| past `limit_deg`, the heading where it is worst, in the order in which the
-/// loads were read. The compass reads more by on − off, so that the deviation is that of the fit less this change. None where the readings
-/// allow no fit.
+/// Of each load of the interference check that pushes |deviation| past `limit_deg`, the heading where it is worst, in the order
+/// in which the loads were read. The compass reads more by on − off, so that the deviation is that of the fit less this change.
+/// None where the readings allow no fit.
 [[nodiscard]] std::vector<LoadNote> loadsPast(const SwingJob& job, const Analysis& analysis, double limit_deg = kLoadToName_deg);
 
 } // namespace lubberline

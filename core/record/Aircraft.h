@@ -11,7 +11,7 @@ namespace lubberline {
 struct AircraftType {
     AircraftTypeId id;
     RecordId record = {};
-    std::string name;  ///< "Su-22"; unique
+    std::string name; ///< "Su-22"; unique
     std::string maker;
     std::string note;
     friend bool operator==(const AircraftType&, const AircraftType&) = default;
@@ -21,13 +21,13 @@ struct Aircraft {
     AircraftId id;
     RecordId record = {};
     AircraftTypeId type;
-    std::string registration;  ///< registration or tail number; unique
+    std::string registration; ///< registration or tail number; unique
     std::string serialNumber;
     std::string operatorName;
     std::optional<int> builtYear;
     std::string note;
     bool demonstration = false; ///< invented data, marked as such wherever it is shown
-    SiteId base = {}; ///< where it is based now; not valid: not stated
+    SiteId base = {};           ///< where it is based now; not valid: not stated
     friend bool operator==(const Aircraft&, const Aircraft&) = default;
 };
 
@@ -40,7 +40,7 @@ struct CompassSystem {
     CompassId id;
     RecordId record = {};
     AircraftId aircraft;
-    std::string name;  ///< "standby compass", "No. 1"; unique on its aircraft
+    std::string name; ///< "standby compass", "No. 1"; unique on its aircraft
     CompassKind kind = CompassKind::DirectReading;
     Compensator compensator = Compensator::Unknown;
     std::string maker;
@@ -49,23 +49,23 @@ struct CompassSystem {
     std::string location;
     double resolution_deg = 1.0; ///< smallest division that is read [deg]; drawn as the readings' bars
     LimitsProfileId limits;      ///< not valid: no limits are set
-    std::string installed = {};      ///< ISO 8601 date since when it is on this aircraft; empty: not stated
+    std::string installed = {};  ///< ISO 8601 date since when it is on this aircraft; empty: not stated
     friend bool operator==(const CompassSystem&, const CompassSystem&) = default;
 };
 
 /// The occasions after which sources want a new swing (procedures.md, section 5).
 enum class DueCause {
-    Other, ///< opens nothing
-    PartsReplaced,     ///< ferrous part, flux valve, compass, compensator installed, removed or repaired
+    Other,         ///< opens nothing
+    PartsReplaced, ///< ferrous part, flux valve, compass, compensator installed, removed or repaired
     EngineChange,
-    Modification,      ///< cockpit or avionics
+    Modification, ///< cockpit or avionics
     ElectricalChange,
     Lightning,
     ElectricalStorm,
-    HardLanding,       ///< shock, turbulence, accident
+    HardLanding, ///< shock, turbulence, accident
     MagneticCargo,
-    Moved,             ///< to a place of a very different field
-    ParkedOverAYear,   ///< on one heading
+    Moved,           ///< to a place of a very different field
+    ParkedOverAYear, ///< on one heading
     AccuracySuspected,
 };
 inline constexpr int kDueCauses = 12;
@@ -75,8 +75,8 @@ struct Event {
     EventId id;
     RecordId record = {};
     AircraftId aircraft;
-    std::string date; ///< ISO 8601 date, UTC
-    std::string kind; ///< in the crew's words
+    std::string date;                 ///< ISO 8601 date, UTC
+    std::string kind;                 ///< in the crew's words
     DueCause cause = DueCause::Other; ///< what it is to the rules on when a swing is due
     std::string note;
     friend bool operator==(const Event&, const Event&) = default;

@@ -17,7 +17,8 @@ std::string missingIn(const Swing& swing)
         const auto& reading = swing.readings[i];
         if (reading.exclusion || reading.magnetic.has_value() == reading.compass.has_value())
             continue;
-        return "reading " + std::to_string(i + 1) + " has no " + (reading.magnetic ? "compass heading" : "magnetic heading") + "; fill it in or exclude it with a reason";
+        return "reading " + std::to_string(i + 1) + " has no " + (reading.magnetic ? "compass heading" : "magnetic heading")
+            + "; fill it in or exclude it with a reason";
     }
     const auto used = usedReadings(swing).size();
     if (used < kFewestReadings)

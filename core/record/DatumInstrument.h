@@ -13,9 +13,9 @@ enum class DatumKind {
     Theodolite,      ///< circle reading + zero
     DigitalCompass,  ///< fixed to the aircraft, with laser sight
     TransferGyro,
-    Astrocompass,    ///< true
-    Runway,          ///< the runway's surveyed direction, true or magnetic
-    Inertial,        ///< INS or GPS: true
+    Astrocompass, ///< true
+    Runway,       ///< the runway's surveyed direction, true or magnetic
+    Inertial,     ///< INS or GPS: true
     ElectricalCalibrator,
 };
 
@@ -27,11 +27,11 @@ struct DatumInstrument {
     std::string name; ///< unique
     DatumKind kind = DatumKind::SightingCompass;
     std::string maker, serialNumber;
-    std::string calibrationDue;   ///< ISO 8601 date; empty: none stated
+    std::string calibrationDue;                          ///< ISO 8601 date; empty: none stated
     SightingDirection ahead = SightingDirection::Direct; ///< how it reads when the observer stands ahead of the aircraft
-    bool givesTrue = false;       ///< its figures are from true north: magnetic = true − variation
-    double zero_deg = 0;          ///< added to every figure: circle zero of a theodolite, instrument error, offset of a painted line
-    double resolution_deg = 0.5;  ///< smallest division that is read
+    bool givesTrue = false;                              ///< its figures are from true north: magnetic = true − variation
+    double zero_deg = 0;         ///< added to every figure: circle zero of a theodolite, instrument error, offset of a painted line
+    double resolution_deg = 0.5; ///< smallest division that is read
     std::string note;
     friend bool operator==(const DatumInstrument&, const DatumInstrument&) = default;
 };

@@ -24,8 +24,7 @@ public:
         return *this << std::string_view(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
     }
     template <class Enumeration>
-        requires std::is_enum_v<Enumeration>
-    Content& operator<<(Enumeration value)
+    requires std::is_enum_v<Enumeration> Content& operator<<(Enumeration value)
     {
         return *this << std::string_view(std::to_string(static_cast<int>(value)));
     }
@@ -53,7 +52,8 @@ void add(Content& content, const Reading& reading)
 /// The place alone: a file that is stamped anew by a later model is the same swing.
 void add(Content& content, const FieldStamp& stamp)
 {
-    content << "field" << std::optional(stamp.place.latitude_deg) << std::optional(stamp.place.longitude_deg) << std::optional(stamp.place.height_m);
+    content << "field" << std::optional(stamp.place.latitude_deg) << std::optional(stamp.place.longitude_deg)
+            << std::optional(stamp.place.height_m);
 }
 
 } // namespace
@@ -78,8 +78,8 @@ RecordId recordIdOfSwing(const Swing& swing, std::string_view registration, std:
     content << "swing" << registration << compass << site << swing.date << swing.kind << swing.stage << swing.configuration.radio
             << swing.configuration.engines << swing.configuration.electrics << swing.configuration.other << swing.datum.instrument
             << swing.datum.serialNumber << swing.datum.calibrationDue << swing.people.datumReader << swing.people.cockpitReader
-            << swing.people.adjuster << swing.people.inspector << swing.variation_deg << swing.procedure << swing.workOrder
-            << swing.reason << swing.note;
+            << swing.people.adjuster << swing.people.inspector << swing.variation_deg << swing.procedure << swing.workOrder << swing.reason
+            << swing.note;
     if (swing.indexRemoved_deg) // what is not stated leaves the identities as they were before it could be
         content << "index removed" << swing.indexRemoved_deg;
     if (swing.field)

@@ -17,7 +17,8 @@ namespace lubberline {
 [[nodiscard]] RecordId recordIdOfSite(std::string_view name);
 [[nodiscard]] RecordId recordIdOfLimits(std::string_view name);
 
-/// From every particular (of a field stamp: its place) and every reading as values, not as they were written: 90 and 90.0 are the same swing.
+/// From every particular (of a field stamp: its place) and every reading as values, not as they were written: 90 and 90.0 are
+/// the same swing.
 [[nodiscard]] RecordId recordIdOfSwing(const Swing& swing, std::string_view registration, std::string_view compass, std::string_view site);
 
 } // namespace lubberline

@@ -1,8 +1,8 @@
 #pragma once
-/// The electrical swing of a remote compass (MC-1, MC-2, TM 11-4920-292-15): the calibrator makes fields as if the aircraft were turned,
-/// while it stands on a north–south line. A record of its own kind: its figures are the calibrator's, not headings of an aircraft.
-/// Sign of the sources, and of every figure here that is called an error: indicated − selected (indicator greater: +). The deviation of
-/// the rest of the program is its negative.
+/// The electrical swing of a remote compass (MC-1, MC-2, TM 11-4920-292-15): the calibrator makes fields as if the aircraft
+/// were turned, while it stands on a north–south line. A record of its own kind: its figures are the calibrator's, not headings
+/// of an aircraft. Sign of the sources, and of every figure here that is called an error: indicated − selected (indicator
+/// greater: +). The deviation of the rest of the program is its negative.
 
 #include <array>
 #include <optional>
@@ -35,13 +35,13 @@ struct SelectedHeading {
 
 struct ElectricalSwing {
     RecordId record;
-    std::string date;               ///< ISO 8601
-    std::string line;               ///< id of the north–south line
+    std::string date; ///< ISO 8601
+    std::string line; ///< id of the north–south line
     std::string calibrator, calibratorSerial, sensorSheet;
     FieldVoltage E1, E2;
     std::optional<double> misalignment_deg, delta180_deg, delta270_deg; ///< as set on the controls
-    FourPointTable before, after;   ///< table F1, before and after the controls were turned
-    std::vector<SelectedHeading> headings; ///< 24, every 15°
+    FourPointTable before, after;                                       ///< table F1, before and after the controls were turned
+    std::vector<SelectedHeading> headings;                              ///< 24, every 15°
     std::vector<SelectedHeading> selfCheck; ///< the same headings by the turntable, for the set's own check; may be empty
     std::string by, note;
     friend bool operator==(const ElectricalSwing&, const ElectricalSwing&) = default;

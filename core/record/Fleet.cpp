@@ -57,7 +57,7 @@ Fleet toFleet(const SwingRecord& record)
         fleet.sites = {*record.site};
         fleet.sites.front().id = swing.site = SiteId{1};
     }
-    fillIn(fleet.types.front().name, "type not stated"); // names are what tells records apart
+    fillIn(fleet.types.front().name, "type not stated");                // names are what tells records apart
     fillIn(fleet.aircraft.front().registration, "aircraft not stated"); // a report of a nameless file must read back too
     fillIn(fleet.compasses.front().name, "compass not stated");
     fillInRecordIds(fleet, record.site ? record.site->name : std::string());

@@ -42,7 +42,7 @@ struct Fleet {
     std::vector<Swing> swings;
     std::vector<JobRecord> jobs;
     std::vector<ElectricalRecord> electrical;
-    std::vector<Waiver> waivers;             ///< each answers an event of this fleet
+    std::vector<Waiver> waivers; ///< each answers an event of this fleet
     std::vector<DatumInstrument> instruments;
     std::vector<DueRule> dueRules;
     friend bool operator==(const Fleet&, const Fleet&) = default;
@@ -59,8 +59,9 @@ struct SwingRecord {
     friend bool operator==(const SwingRecord&, const SwingRecord&) = default;
 };
 
-/// The record as a fleet of one swing, ids renumbered: what the exchange writer and the hash take. Records that have no RecordId
-/// yet get the one that is derived from their names (core/record/DerivedId.h); a type or compass without a name is "not stated".
+/// The record as a fleet of one swing, ids renumbered: what the exchange writer and the hash take. Records that have no
+/// RecordId yet get the one that is derived from their names (core/record/DerivedId.h); a type or compass without a name is
+/// "not stated".
 [[nodiscard]] Fleet toFleet(const SwingRecord& record);
 
 } // namespace lubberline

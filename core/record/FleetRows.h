@@ -65,7 +65,7 @@ struct JobRow {
 
 struct AuditRow {
     std::string timeUtc;
-    std::string what;   ///< "changed reading"
+    std::string what; ///< "changed reading"
     std::string detail;
 };
 

@@ -6,10 +6,7 @@
 
 namespace lubberline {
 
-RecordId newRecordId()
-{
-    return to_string(boost::uuids::random_generator()());
-}
+RecordId newRecordId() { return to_string(boost::uuids::random_generator()()); }
 
 RecordId recordIdFor(std::string_view content)
 {

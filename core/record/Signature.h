@@ -16,7 +16,7 @@ struct Signature {
     std::string name;    ///< never empty
     std::string licence; ///< licence, stamp or service number
     std::string timeUtc; ///< ISO 8601
-    std::string hash;    ///< SHA-256 of what was signed (core/format/SignedContent.h), 64 hexadecimal digits
+    std::string hash;    ///< SHA-256 of what was signed (core/format/exchange/SignedContent.h), 64 hexadecimal digits
     friend bool operator==(const Signature&, const Signature&) = default;
 };
 

@@ -11,9 +11,9 @@ namespace lubberline {
 
 /// A point of the grid. What was not measured is not there.
 struct SurveyPoint {
-    double east_m = 0, north_m = 0;         ///< from the centre of the base, true north up
-    double height_m = 0;                    ///< of the sensor above ground
-    std::optional<double> declination_deg;  ///< east positive, reduced to the survey's epoch
+    double east_m = 0, north_m = 0;        ///< from the centre of the base, true north up
+    double height_m = 0;                   ///< of the sensor above ground
+    std::optional<double> declination_deg; ///< east positive, reduced to the survey's epoch
     std::optional<double> total_nT;
     friend bool operator==(const SurveyPoint&, const SurveyPoint&) = default;
 };
@@ -25,22 +25,22 @@ enum class SiteClass { None, Class1, Class2 };
 struct Site {
     SiteId id;
     RecordId record = {};
-    std::string name; ///< unique
-    std::optional<double> latitude_deg;   ///< north positive
-    std::optional<double> longitude_deg;  ///< east positive
+    std::string name;                    ///< unique
+    std::optional<double> latitude_deg;  ///< north positive
+    std::optional<double> longitude_deg; ///< east positive
     std::optional<double> elevation_m;
-    std::optional<double> variation_deg;  ///< true − magnetic, east positive
-    std::string variationSource;          ///< model or certificate, with its epoch
+    std::optional<double> variation_deg; ///< true − magnetic, east positive
+    std::string variationSource;         ///< model or certificate, with its epoch
     std::string note;
     std::string owner = {};
-    SiteClass siteClass = SiteClass::None;      ///< as certified
-    std::string certificate = {};               ///< its number or document
-    std::string certificateExpiry = {};            ///< ISO 8601 date; empty: none stated
-    std::optional<double> paintedVariation_deg = {};///< the variation that the painted lines were laid out with; east positive
+    SiteClass siteClass = SiteClass::None;           ///< as certified
+    std::string certificate = {};                    ///< its number or document
+    std::string certificateExpiry = {};              ///< ISO 8601 date; empty: none stated
+    std::optional<double> paintedVariation_deg = {}; ///< the variation that the painted lines were laid out with; east positive
     std::string paintedDate = {};                    ///< ISO 8601 date of that
     std::string surveyDate = {};                     ///< ISO 8601
     std::string surveyor = {}, surveyInstrument = {};
-    std::vector<SurveyPoint> survey = {};        ///< in the order of the sheet; may be empty
+    std::vector<SurveyPoint> survey = {}; ///< in the order of the sheet; may be empty
     friend bool operator==(const Site&, const Site&) = default;
 };
 
@@ -51,7 +51,7 @@ struct LimitsProfile {
     std::string name;     ///< unique
     std::string document; ///< "14 CFR 25.1327"
     std::string issue;
-    std::string scope;    ///< what it applies to, in words
+    std::string scope;                      ///< what it applies to, in words
     std::optional<double> maxDeviation_deg; ///< the largest |deviation| allowed after compensation [deg]
     std::optional<double> maxSpread_deg;    ///< the largest maximum − minimum deviation allowed [deg]
     friend bool operator==(const LimitsProfile&, const LimitsProfile&) = default;

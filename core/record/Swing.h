@@ -51,9 +51,9 @@ enum class RadioState { NotStated, On, Off };
 /// The state of the aircraft while it was swung.
 struct Configuration {
     RadioState radio = RadioState::NotStated;
-    std::string engines;    ///< "running, 1500 rpm"
-    std::string electrics;  ///< loads on and off
-    std::string other;      ///< gear, flaps, doors, stores, attitude
+    std::string engines;   ///< "running, 1500 rpm"
+    std::string electrics; ///< loads on and off
+    std::string other;     ///< gear, flaps, doors, stores, attitude
     friend bool operator==(const Configuration&, const Configuration&) = default;
 };
 
@@ -62,7 +62,7 @@ struct Datum {
     std::string instrument;
     std::string serialNumber;
     std::string calibrationDue; ///< ISO 8601 date
-    std::string readOut = {};        ///< how its figures were taken, in words: "from ahead, reciprocal; zero +0.3°"
+    std::string readOut = {};   ///< how its figures were taken, in words: "from ahead, reciprocal; zero +0.3°"
     friend bool operator==(const Datum&, const Datum&) = default;
 };
 
@@ -78,7 +78,7 @@ struct Swing {
     SwingId id;
     RecordId record = {};
     CompassId compass;
-    SiteId site; ///< not valid: not stated
+    SiteId site;      ///< not valid: not stated
     std::string date; ///< ISO 8601 date, UTC
     SwingKind kind = SwingKind::Check;
     SwingStage stage = SwingStage::AsFound;
@@ -86,7 +86,7 @@ struct Swing {
     Configuration configuration;
     Datum datum;
     People people;
-    std::optional<double> variation_deg; ///< used to make magnetic of true headings; east positive
+    std::optional<double> variation_deg;    ///< used to make magnetic of true headings; east positive
     std::optional<double> indexRemoved_deg; ///< A taken out by turning the compass in its mount after these readings; east positive
     std::string procedure;
     std::string startUtc, endUtc; ///< ISO 8601; empty: not stated
@@ -99,13 +99,16 @@ struct Swing {
     std::string workOrder;
     std::string reason;
     std::string note;
-    std::optional<FieldStamp> field; ///< the Earth's field that it was computed with; none: not stated
+    std::optional<FieldStamp> field;   ///< the Earth's field that it was computed with; none: not stated
     std::vector<Signature> signatures; ///< in the order in which they were given
-    std::vector<Reading> readings; ///< in the order in which they were entered
+    std::vector<Reading> readings;     ///< in the order in which they were entered
     friend bool operator==(const Swing&, const Swing&) = default;
 };
 
 /// The indices of the readings that results are computed from: complete and not excluded.
 [[nodiscard]] std::vector<std::size_t> usedReadings(const Swing& swing);
+
+/// A swing of more readings than this is refused: it is not a swing, and memory must not be taken for it.
+inline constexpr std::size_t kMaxReadings = 1'000'000;
 
 } // namespace lubberline

@@ -54,7 +54,8 @@ void compareParticulars(Differences& all, const Swing& before, const Swing& afte
     all.add("stage", kStages[static_cast<std::size_t>(before.stage)], kStages[static_cast<std::size_t>(after.stage)]);
     if (before.site != after.site)
         all.add("site", "another", "changed");
-    all.add("radio", kRadio[static_cast<std::size_t>(before.configuration.radio)], kRadio[static_cast<std::size_t>(after.configuration.radio)]);
+    all.add(
+        "radio", kRadio[static_cast<std::size_t>(before.configuration.radio)], kRadio[static_cast<std::size_t>(after.configuration.radio)]);
     all.add("engines", before.configuration.engines, after.configuration.engines);
     all.add("electrics", before.configuration.electrics, after.configuration.electrics);
     all.add("configuration", before.configuration.other, after.configuration.other);
@@ -93,7 +94,8 @@ void compareReading(Differences& all, const std::string& which, const Reading& b
     all.add(which + ", datum figures", figures(before.raw.datum_deg), figures(after.raw.datum_deg));
     all.add(which + ", astern figures", figures(before.raw.astern_deg), figures(after.raw.astern_deg));
     all.add(which + ", compass figures", figures(before.raw.compass_deg), figures(after.raw.compass_deg));
-    all.add(which + ", excluded", before.exclusion ? before.exclusion->reason : std::string(), after.exclusion ? after.exclusion->reason : std::string());
+    all.add(which + ", excluded", before.exclusion ? before.exclusion->reason : std::string(),
+        after.exclusion ? after.exclusion->reason : std::string());
     all.add(which + ", note", before.note, after.note);
 }
 
@@ -106,7 +108,8 @@ std::vector<SwingDifference> differencesBetween(const Swing& before, const Swing
     const std::size_t rows = std::max(before.readings.size(), after.readings.size());
     static const Reading kNone;
     for (std::size_t i = 0; i < rows; ++i)
-        compareReading(all, "reading " + std::to_string(i + 1), i < before.readings.size() ? before.readings[i] : kNone, i < after.readings.size() ? after.readings[i] : kNone);
+        compareReading(all, "reading " + std::to_string(i + 1), i < before.readings.size() ? before.readings[i] : kNone,
+            i < after.readings.size() ? after.readings[i] : kNone);
     return all.take();
 }
 

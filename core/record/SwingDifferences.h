@@ -15,8 +15,8 @@ struct SwingDifference {
     friend bool operator==(const SwingDifference&, const SwingDifference&) = default;
 };
 
-/// Particulars first, then the readings by their place in the table. Identity, state, signatures and revision are not compared; nor is the
-/// site's name: only whether it is another.
+/// Particulars first, then the readings by their place in the table. Identity, state, signatures and revision are not compared;
+/// nor is the site's name: only whether it is another.
 [[nodiscard]] std::vector<SwingDifference> differencesBetween(const Swing& before, const Swing& after);
 
 } // namespace lubberline

@@ -1,6 +1,6 @@
 #pragma once
-/// A guided swing as what happened, in order: events are only ever added, each on disk before the next, so that a job can be taken up
-/// after a kill, next day, or on another machine. Where it stands is computed from them: JobState.h.
+/// A guided swing as what happened, in order: events are only ever added, each on disk before the next, so that a job can be
+/// taken up after a kill, next day, or on another machine. Where it stands is computed from them: JobState.h.
 
 #include <optional>
 #include <string>
@@ -16,10 +16,22 @@ namespace lubberline {
 
 namespace job {
 
-struct Ticked { std::string item; bool done = true; bool operator==(const Ticked&) const = default; };
+struct Ticked {
+    std::string item;
+    bool done = true;
+    bool operator==(const Ticked&) const = default;
+};
 /// Compass read with a load (engines, a circuit) off and on.
-struct InterferenceRead { double heading_deg = 0; std::string load; double off_deg = 0, on_deg = 0; bool operator==(const InterferenceRead&) const = default; };
-struct Prepared { std::string note; bool operator==(const Prepared&) const = default; };
+struct InterferenceRead {
+    double heading_deg = 0;
+    std::string load;
+    double off_deg = 0, on_deg = 0;
+    bool operator==(const InterferenceRead&) const = default;
+};
+struct Prepared {
+    std::string note;
+    bool operator==(const Prepared&) const = default;
+};
 struct ReadingTaken {
     int station = 0;
     RawFigures raw;
@@ -28,8 +40,16 @@ struct ReadingTaken {
     bool operator==(const ReadingTaken&) const = default;
 };
 /// The station is read again; the reading that is put aside stays on the record.
-struct ReadingRejected { int station = 0; std::string reason; bool operator==(const ReadingRejected&) const = default; };
-struct StationSkipped { int station = 0; std::string reason; bool operator==(const StationSkipped&) const = default; };
+struct ReadingRejected {
+    int station = 0;
+    std::string reason;
+    bool operator==(const ReadingRejected&) const = default;
+};
+struct StationSkipped {
+    int station = 0;
+    std::string reason;
+    bool operator==(const StationSkipped&) const = default;
+};
 /// A control was turned at a station. `target_deg` is what the compass was to be made to read.
 struct Adjusted {
     int station = 0;
@@ -39,17 +59,41 @@ struct Adjusted {
     bool operator==(const Adjusted&) const = default;
 };
 /// The control was not turned, and why (no compensator, within limits, at its stop).
-struct NotAdjusted { int station = 0; Control control = Control::NorthSouth; std::string reason; bool operator==(const NotAdjusted&) const = default; };
+struct NotAdjusted {
+    int station = 0;
+    Control control = Control::NorthSouth;
+    std::string reason;
+    bool operator==(const NotAdjusted&) const = default;
+};
 /// After the check swing: A taken out by turning the compass in its mount, or left in.
-struct IndexRemoved { double before_deg = 0, target_deg = 0, after_deg = 0; bool operator==(const IndexRemoved&) const = default; };
-struct IndexLeft { std::string reason; bool operator==(const IndexLeft&) const = default; };
-struct Accepted { std::string by; std::string note; bool operator==(const Accepted&) const = default; }; ///< the review
-struct Faulted { std::string cause; bool operator==(const Faulted&) const = default; };
-struct Mended { std::string action; bool operator==(const Mended&) const = default; };
-struct Abandoned { std::string reason; bool operator==(const Abandoned&) const = default; };
+struct IndexRemoved {
+    double before_deg = 0, target_deg = 0, after_deg = 0;
+    bool operator==(const IndexRemoved&) const = default;
+};
+struct IndexLeft {
+    std::string reason;
+    bool operator==(const IndexLeft&) const = default;
+};
+struct Accepted {
+    std::string by;
+    std::string note;
+    bool operator==(const Accepted&) const = default;
+}; ///< the review
+struct Faulted {
+    std::string cause;
+    bool operator==(const Faulted&) const = default;
+};
+struct Mended {
+    std::string action;
+    bool operator==(const Mended&) const = default;
+};
+struct Abandoned {
+    std::string reason;
+    bool operator==(const Abandoned&) const = default;
+};
 
-using What = std::variant<Ticked, InterferenceRead, Prepared, ReadingTaken, ReadingRejected, StationSkipped, Adjusted, NotAdjusted, IndexRemoved,
-    IndexLeft, Accepted, Faulted, Mended, Abandoned>;
+using What = std::variant<Ticked, InterferenceRead, Prepared, ReadingTaken, ReadingRejected, StationSkipped, Adjusted, NotAdjusted,
+    IndexRemoved, IndexLeft, Accepted, Faulted, Mended, Abandoned>;
 
 } // namespace job
 

@@ -26,8 +26,8 @@ struct Turn {
 
 struct PlanOptions {
     ProcedureKind kind = ProcedureKind::Coefficient;
-    int checkPoints = 8;                       ///< 8, 12 or 24
-    std::vector<std::string> configurations;   ///< further ones to be read, in words: "radio on"
+    int checkPoints = 8;                     ///< 8, 12 or 24
+    std::vector<std::string> configurations; ///< further ones to be read, in words: "radio on"
     friend bool operator==(const PlanOptions&, const PlanOptions&) = default;
 };
 

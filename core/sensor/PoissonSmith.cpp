@@ -31,10 +31,7 @@ ExactSmith dividedBy(const ExactSmith& smith, double lambda)
     return {smith.A / lambda, smith.B / lambda, smith.C / lambda, smith.D / lambda, smith.E / lambda};
 }
 
-std::array<double, kCoefficientCount> valuesOf(const ExactSmith& smith)
-{
-    return {smith.A, smith.B, smith.C, smith.D, smith.E};
-}
+std::array<double, kCoefficientCount> valuesOf(const ExactSmith& smith) { return {smith.A, smith.B, smith.C, smith.D, smith.E}; }
 
 bool allFinite(const ExactSmith& smith)
 {
@@ -103,12 +100,14 @@ Result<PoissonSmith> smithOf(const SensorModel& model, const MeridianField& fiel
     PoissonSmith smith;
     smith.lambda = (response.gain(0, 0) + response.gain(1, 1)) / 2;
     if (!(smith.lambda > 0))
-        return Error{ErrorCode::Numeric, "λ = " + std::to_string(smith.lambda)
-            + ": the iron (or the mount) turns the compass round, and no coefficients describe it; expected λ > 0"};
+        return Error{ErrorCode::Numeric,
+            "λ = " + std::to_string(smith.lambda)
+                + ": the iron (or the mount) turns the compass round, and no coefficients describe it; expected λ > 0"};
     smith.exact = dividedBy(timesLambda(response.gain, response.offset_nT, field), smith.lambda);
     if (!allFinite(smith.exact))
-        return Error{ErrorCode::Numeric, "the coefficients are beyond all numbers: H = " + std::to_string(field.horizontal_nT)
-            + " nT and λ = " + std::to_string(smith.lambda) + " are too small for the iron"};
+        return Error{ErrorCode::Numeric,
+            "the coefficients are beyond all numbers: H = " + std::to_string(field.horizontal_nT)
+                + " nT and λ = " + std::to_string(smith.lambda) + " are too small for the iron"};
     if (const auto approximate = toApproximate(smith.exact))
         smith.approximate = *approximate;
     else

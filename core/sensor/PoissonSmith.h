@@ -10,17 +10,18 @@
 
 #include "core/base/Result.h"
 #include "core/deviation/Smith.h"
-#include "core/sensor/SensorModel.h"
 #include "core/earth/EarthField.h"
+#include "core/sensor/SensorModel.h"
 
 namespace lubberline {
 
-/// What one cause adds to an exact coefficient, at the sensor as it is mounted: the terms of a coefficient add up to it, to rounding.
-/// Terms that are zero are left out; they stand in the order of the coefficients, and the largest of each come first.
+/// What one cause adds to an exact coefficient, at the sensor as it is mounted: the terms of a coefficient add up to it, to
+/// rounding. Terms that are zero are left out; they stand in the order of the coefficients, and the largest of each come first.
 struct SmithTerm {
     Coefficient coefficient;
-    std::string cause;  ///< "soft iron a", "soft iron c (dip)", "hard iron P", "soft constant D1", "circuit landing light", "misalignment"
-    double value = 0;   ///< dimensionless
+    std::string cause; ///< "soft iron a", "soft iron c (dip)", "hard iron P", "soft constant D1", "circuit landing light",
+                       ///< "misalignment"
+    double value = 0;  ///< dimensionless
 };
 
 struct PoissonSmith {

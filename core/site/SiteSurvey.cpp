@@ -33,13 +33,13 @@ std::optional<Extent> extentOf(std::span<const SurveyPoint> points, std::optiona
 
 bool finite(const SurveyPoint& point)
 {
-    return std::isfinite(point.east_m) && std::isfinite(point.north_m) && std::isfinite(point.height_m) && std::isfinite(point.declination_deg.value_or(0.0))
-        && std::isfinite(point.total_nT.value_or(0.0));
+    return std::isfinite(point.east_m) && std::isfinite(point.north_m) && std::isfinite(point.height_m)
+        && std::isfinite(point.declination_deg.value_or(0.0)) && std::isfinite(point.total_nT.value_or(0.0));
 }
 
 SiteClass classOf(double off_deg)
 {
-    for (const auto& rule : classRules()) // the strictest first
+    for (const auto& rule : classRules())           // the strictest first
         if (off_deg <= rule.permissible_deg + 1e-9) // 0.1° typed as 5.2 − 5.1 is 0.1°
             return rule.siteClass;
     return SiteClass::None;
@@ -85,10 +85,7 @@ Result<SurveySummary> summarise(std::span<const SurveyPoint> points, double hori
     return summary;
 }
 
-double paintedLineOffset_deg(Variation painted, Variation today)
-{
-    return wrap180(painted.degrees() - today.degrees());
-}
+double paintedLineOffset_deg(Variation painted, Variation today) { return wrap180(painted.degrees() - today.degrees()); }
 
 std::string whyUnfit(const SiteFitness& site, const std::string& date)
 {

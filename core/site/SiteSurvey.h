@@ -14,10 +14,11 @@ namespace lubberline {
 
 struct ClassRule {
     SiteClass siteClass = SiteClass::None;
-    double permissible_deg = 0;   ///< largest |declination − mean| allowed
+    double permissible_deg = 0; ///< largest |declination − mean| allowed
     std::string document;
 };
-/// Class 1: 0.1° (CAANZ AC 43-7 as quoted by the Nelson survey of 2019); class 2: 0.25° (CAP 562, second-hand: said so in the document).
+/// Class 1: 0.1° (CAANZ AC 43-7 as quoted by the Nelson survey of 2019); class 2: 0.25° (CAP 562, second-hand: said so in the
+/// document).
 [[nodiscard]] std::span<const ClassRule> classRules();
 
 struct Extent {
@@ -29,10 +30,10 @@ struct Extent {
 struct SurveySummary {
     std::optional<Extent> declination_deg;
     std::optional<Extent> total_nT;
-    double largestOff_deg = 0;                  ///< largest |declination − mean|
-    std::optional<double> equivalent_deg;       ///< half of the range of F as an angle, asin(ΔF/2 ÷ H): where only F was measured
-    SiteClass meets = SiteClass::None;          ///< the best class that the survey allows
-    bool withinMilitaryRange = false;           ///< range of declination ≤ 12′ (MIL-STD-765A, per CNATRAINST 11130.1D)
+    double largestOff_deg = 0;            ///< largest |declination − mean|
+    std::optional<double> equivalent_deg; ///< half of the range of F as an angle, asin(ΔF/2 ÷ H): where only F was measured
+    SiteClass meets = SiteClass::None;    ///< the best class that the survey allows
+    bool withinMilitaryRange = false;     ///< range of declination ≤ 12′ (MIL-STD-765A, per CNATRAINST 11130.1D)
 };
 
 /// @param horizontal_nT H at the base, for the equivalent angle of total-field surveys; ≤ 0: not known.

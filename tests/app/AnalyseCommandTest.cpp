@@ -33,9 +33,11 @@ TEST(AnalyseCommand, hasEveryKeyOfTheContract)
     const auto json = sandbox.run({"analyse", sandbox.write("a.csv", kWorksheet[0].check), "--json"}).json();
     for (const char* key : {"readings", "approximate", "exact", "point_rules", "harmonics", "summary", "warnings"})
         EXPECT_TRUE(json.contains(key)) << key;
-    for (const char* key : {"magnetic_heading_deg", "compass_heading_deg", "deviation_deg", "residual_approximate_deg", "residual_exact_deg", "outlier"})
+    for (const char* key :
+        {"magnetic_heading_deg", "compass_heading_deg", "deviation_deg", "residual_approximate_deg", "residual_exact_deg", "outlier"})
         EXPECT_TRUE(json["readings"][0].contains(key)) << key;
-    for (const char* key : {"A_deg", "B_deg", "C_deg", "D_deg", "E_deg", "standard_error_deg", "rms_deg", "max_abs_residual_deg", "condition_number"})
+    for (const char* key :
+        {"A_deg", "B_deg", "C_deg", "D_deg", "E_deg", "standard_error_deg", "rms_deg", "max_abs_residual_deg", "condition_number"})
         EXPECT_TRUE(json["approximate"].contains(key)) << key;
     for (const char* key : {"A", "B", "C", "D", "E", "standard_error", "rms_deg", "max_abs_residual_deg", "condition_number"})
         EXPECT_TRUE(json["exact"].contains(key)) << key;

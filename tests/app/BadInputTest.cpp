@@ -1,5 +1,5 @@
-// Every kind of bad input: one clear error that names the file, the line where there is one, and what was expected; exit status 1;
-// nothing changed.
+// Every kind of bad input: one clear error that names the file, the line where there is one, and what was expected; exit status
+// 1; nothing changed.
 
 #include <gmock/gmock.h>
 
@@ -15,8 +15,8 @@ namespace {
 struct Damage {
     const char* name;
     std::string content;
-    int line;             ///< named in the message; 0: none
-    const char* says;     ///< part of the message
+    int line;         ///< named in the message; 0: none
+    const char* says; ///< part of the message
 };
 
 void PrintTo(const Damage& damage, std::ostream* stream) // GoogleTest's name for it
@@ -28,7 +28,11 @@ const std::string kRow = "0,358\n90,88\n180,181\n270,272\n";
 
 const std::vector<Damage> kDamages = {
     {"empty", "", 0, "empty"},
-    {"binary", std::string("\x7f" "ELF\x02\x01\x00\x00\x00", 9), 0, "binary"},
+    {"binary",
+        std::string("\x7f"
+                    "ELF\x02\x01\x00\x00\x00",
+            9),
+        0, "binary"},
     {"headerOnly", kHeader, 0, "reading"},
     {"missingColumn", "magnetic_heading_deg,note\n0,a\n", 1, "compass_heading_deg"},
     {"doubledColumn", "magnetic_heading_deg,compass_heading_deg,compass_heading_deg\n0,1,2\n", 1, "compass_heading_deg"},
@@ -44,7 +48,11 @@ const std::vector<Damage> kDamages = {
     {"tooFew", kHeader + "0,358\n90,88\n", 0, "3"},
     {"oneHeading", kHeader + "45,44\n45,43\n45,44\n45,44\n", 0, "heading"},
     {"decimalCommaWithCommas", kHeader + "0,5,358\n90,5,88\n", 2, "cells"},
-    {"utf16", std::string("\xff\xfe" "m\0a\0", 6), 0, "UTF-16"},
+    {"utf16",
+        std::string("\xff\xfe"
+                    "m\0a\0",
+            6),
+        0, "UTF-16"},
     {"contradiction", "magnetic_heading_deg,compass_heading_deg,deviation_deg\n0,358,2\n90,88,-2\n180,181,-1\n", 3, "deviation"},
 };
 
@@ -63,7 +71,8 @@ TEST_P(BadFile, isRefusedByEveryCommandWithOneClearError)
         EXPECT_EQ(outcome.status, 1) << command[0] << ": " << outcome.err;
         EXPECT_EQ(outcome.out, "");
         const std::string place = damage.line > 0 ? "bad.csv:" + std::to_string(damage.line) + ": " : "bad.csv";
-        EXPECT_THAT(outcome.err, testing::AllOf(testing::StartsWith("lubberline: "), testing::HasSubstr(place), testing::HasSubstr(damage.says)));
+        EXPECT_THAT(
+            outcome.err, testing::AllOf(testing::StartsWith("lubberline: "), testing::HasSubstr(place), testing::HasSubstr(damage.says)));
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
     EXPECT_EQ(sandbox.files(), std::vector<std::string>{"bad.csv"});

@@ -97,15 +97,17 @@ TEST(CardCommand, twoSwingsGiveTwoColumns)
 TEST(CardCommand, ofAStoredSwingHasEveryForm)
 {
     const Sandbox sandbox;
-    const auto file = sandbox.write("k.csv", "# type: M28\n# aircraft: 3713\n# compass: standby\n# date: 2026-11-23\n" + kWorksheet[0].check);
+    const auto file
+        = sandbox.write("k.csv", "# type: M28\n# aircraft: 3713\n# compass: standby\n# date: 2026-11-23\n" + kWorksheet[0].check);
     ASSERT_EQ(sandbox.run({"import", file, "--db", "a.db"}).status, 0);
     const std::string record = sandbox.run({"swings", "--db", "a.db", "--json"}).json()["swings"][0]["record"];
     for (const std::string form : {"placard", "card", "dd1613", "job"}) {
-        const auto outcome = sandbox.run({"card", "--swing", record.substr(0, 8), "--db", "a.db", "--form", form, "-o", sandbox.path(form + ".pdf")});
+        const auto outcome
+            = sandbox.run({"card", "--swing", record.substr(0, 8), "--db", "a.db", "--form", form, "-o", sandbox.path(form + ".pdf")});
         ASSERT_EQ(outcome.status, 0) << form << ": " << outcome.err;
         EXPECT_EQ(sandbox.read(form + ".pdf").substr(0, 5), "%PDF-") << form;
     }
-    EXPECT_EQ(sandbox.run({"card", "--swing", record, "--db", "a.db", "--form", "job"}).status, 2);     // nowhere to write it
+    EXPECT_EQ(sandbox.run({"card", "--swing", record, "--db", "a.db", "--form", "job"}).status, 2);    // nowhere to write it
     EXPECT_EQ(sandbox.run({"card", file, "--form", "dd1613", "-o", sandbox.path("x.pdf")}).status, 2); // not of the database
     EXPECT_EQ(sandbox.run({"card", file, "--form", "poster"}).status, 2);
     EXPECT_EQ(sandbox.run({"card", "--swing", "ffffffff", "--db", "a.db"}).status, 1);

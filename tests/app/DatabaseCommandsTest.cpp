@@ -21,7 +21,8 @@ TEST(DatabaseCommands, importListReportAndExport)
     EXPECT_EQ(listed[0]["aircraft"], "SP-TST");
     EXPECT_EQ(listed[0]["readings"], 8);
     EXPECT_EQ(listed[0]["max_abs_deviation_deg"], 5.0);
-    const auto report = sandbox.run({"report", "--swing", listed[0]["record"].get<std::string>().substr(0, 8), "--db", "a.db", "-o", "r.pdf"});
+    const auto report
+        = sandbox.run({"report", "--swing", listed[0]["record"].get<std::string>().substr(0, 8), "--db", "a.db", "-o", "r.pdf"});
     EXPECT_EQ(report.status, 0) << report.err;
     EXPECT_EQ(sandbox.read("r.pdf").substr(0, 8), "%PDF-1.6");
     EXPECT_EQ(sandbox.run({"export", "--db", "a.db", "-o", "a.lubberline.json"}).status, 0);
@@ -123,7 +124,8 @@ TEST(DatabaseCommands, whatWasSignedWithoutAFieldStaysSo)
     fleet["sites"][0]["longitude_deg"] = 21.89;
     for (const char* state : {"signed", "complete"}) {
         fleet["aircraft"][0]["compasses"][0]["swings"][0]["state"] = state;
-        const std::string database = std::string(state) + ".db", file = sandbox.write(std::string(state) + ".lubberline.json", fleet.dump());
+        const std::string database = std::string(state) + ".db",
+                          file = sandbox.write(std::string(state) + ".lubberline.json", fleet.dump());
         ASSERT_EQ(sandbox.run({"import", file, "--db", database}).status, 0);
         ASSERT_EQ(sandbox.run({"export", "--db", database, "-o", "out.lubberline.json"}).status, 0);
         EXPECT_EQ(nlohmann::json::parse(sandbox.read("out.lubberline.json"))["version"], std::string(state) == "signed" ? 1 : 2);
@@ -152,8 +154,9 @@ TEST(DatabaseCommands, whatIsNotADatabaseIsRefusedAndLeftAlone)
     const auto file = sandbox.write("k.csv", kNamed + kWorksheet[0].check);
     const std::string letter = "Dear headquarters, this is not a database. " + std::string(2000, '.');
     sandbox.write("letter.db", letter);
-    for (const std::vector<std::string>& command : {std::vector<std::string>{"import", file, "--db", "letter.db"},
-             {"swings", "--db", "letter.db"}, {"db", "verify", "--db", "letter.db"}, {"swings", "--db", "missing.db"}, {"swings", "--db", "none/a.db"}}) {
+    for (const std::vector<std::string>& command :
+        {std::vector<std::string>{"import", file, "--db", "letter.db"}, {"swings", "--db", "letter.db"},
+            {"db", "verify", "--db", "letter.db"}, {"swings", "--db", "missing.db"}, {"swings", "--db", "none/a.db"}}) {
         const auto outcome = sandbox.run(command);
         EXPECT_EQ(outcome.status, 1) << command[0] << command.back();
         EXPECT_THAT(outcome.err, testing::HasSubstr(command.back()));

@@ -18,7 +18,8 @@ public:
 
     explicit SignedOn(const std::string& date)
     {
-        const auto file = sandbox.write("k.csv", "# aircraft: SP-TST\n# type: PZL-130\n# compass: standby\n# site: Deblin\n# date: " + date + "\n" + kWorksheet[0].check);
+        const auto file = sandbox.write("k.csv",
+            "# aircraft: SP-TST\n# type: PZL-130\n# compass: standby\n# site: Deblin\n# date: " + date + "\n" + kWorksheet[0].check);
         EXPECT_EQ(run({"import", file}).status, 0);
         const std::string swing = run({"swings", "--json"}).json()["swings"][0]["record"];
         EXPECT_EQ(run({"complete", swing}).status, 0);
@@ -40,7 +41,10 @@ public:
     }
     void setRule(int months, int grace, int warn) const
     {
-        EXPECT_EQ(run({"rule", "ours", "--months", std::to_string(months), "--grace", std::to_string(grace), "--warn", std::to_string(warn)}).status, 0);
+        EXPECT_EQ(
+            run({"rule", "ours", "--months", std::to_string(months), "--grace", std::to_string(grace), "--warn", std::to_string(warn)})
+                .status,
+            0);
     }
 };
 
@@ -51,8 +55,8 @@ TEST(DueCommand, theDayItself)
     const SignedOn fleet("2024-02-29");
     EXPECT_EQ(fleet.due("2030-01-01")[0]["state"], "not_due"); // no rule applies before somebody sets one
     fleet.setRule(12, 5, 30);
-    const std::vector<std::pair<const char*, const char*>> states{{"2024-02-29", "not_due"}, {"2025-01-28", "not_due"}, {"2025-01-29", "due_soon"},
-        {"2025-02-28", "due_soon"}, {"2025-03-01", "due"}, {"2025-03-05", "due"}, {"2025-03-06", "overdue"}};
+    const std::vector<std::pair<const char*, const char*>> states{{"2024-02-29", "not_due"}, {"2025-01-28", "not_due"},
+        {"2025-01-29", "due_soon"}, {"2025-02-28", "due_soon"}, {"2025-03-01", "due"}, {"2025-03-05", "due"}, {"2025-03-06", "overdue"}};
     for (const auto& [today, state] : states)
         EXPECT_EQ(fleet.due(today)[0]["state"], state) << today;
     const auto line = fleet.due("2025-03-06")[0];
@@ -80,7 +84,8 @@ TEST(DueCommand, anEventIsAnsweredByASwingOrAWaiver)
     const std::string event = struck.json()["event"];
     const auto listed = fleet.run({"due", "--today", "2026-06-11"});
     EXPECT_THAT(listed.out, testing::HasSubstr("[event " + event.substr(0, 8) + "], and 1 more"));
-    const auto waived = fleet.run({"waive", event.substr(0, 8), "--reason", "two headings 90 degrees apart show no change", "--by", "J. Nowak", "--date", "2026-06-12", "--json"});
+    const auto waived = fleet.run({"waive", event.substr(0, 8), "--reason", "two headings 90 degrees apart show no change", "--by",
+        "J. Nowak", "--date", "2026-06-12", "--json"});
     ASSERT_EQ(waived.status, 0) << waived.err;
     EXPECT_EQ(waived.json()["event"], event);
     const auto left = fleet.due("2026-06-12")[0]["flags"];
@@ -97,10 +102,13 @@ TEST(DueCommand, theCalendarIsWritten)
     ASSERT_EQ(fleet.run({"due", "--today", "2026-11-23", "--ics", "swings.ics"}).status, 0);
     const std::string file = fleet.sandbox.read("swings.ics");
     EXPECT_EQ(file.rfind("BEGIN:VCALENDAR\r\nVERSION:2.0\r\n", 0), 0u);
-    EXPECT_THAT(file, testing::HasSubstr("DTSTART;VALUE=DATE:20261123\r\nDTEND;VALUE=DATE:20261124\r\nSUMMARY:Compass swing of SP-TST\\, standby falls due\r\n"));
+    EXPECT_THAT(file,
+        testing::HasSubstr(
+            "DTSTART;VALUE=DATE:20261123\r\nDTEND;VALUE=DATE:20261124\r\nSUMMARY:Compass swing of SP-TST\\, standby falls due\r\n"));
     EXPECT_THAT(file, testing::EndsWith("END:VCALENDAR\r\n"));
     ASSERT_EQ(fleet.run({"due", "--today", "2026-11-24", "--ics", "again.ics"}).status, 0);
-    const auto uid = [](const std::string& text) { return text.substr(text.find("UID:"), text.find("\r\n", text.find("UID:")) - text.find("UID:")); };
+    const auto uid
+        = [](const std::string& text) { return text.substr(text.find("UID:"), text.find("\r\n", text.find("UID:")) - text.find("UID:")); };
     EXPECT_EQ(uid(fleet.sandbox.read("again.ics")), uid(file)); // imported again, the entry is changed and not doubled
 }
 
@@ -113,7 +121,8 @@ TEST(DueCommand, rulesAreDataWithASource)
     ASSERT_EQ(rules.size(), 2u);
     EXPECT_EQ(rules[0]["months"], 24);
     EXPECT_THAT(rules[0]["document"].get<std::string>(), testing::HasSubstr("AWB 34-008"));
-    ASSERT_EQ(fleet.run({"rule", "trainers", "--months", "6", "--type", "PZL-130", "--document", "our programme", "--issue", "2"}).status, 0);
+    ASSERT_EQ(
+        fleet.run({"rule", "trainers", "--months", "6", "--type", "PZL-130", "--document", "our programme", "--issue", "2"}).status, 0);
     EXPECT_EQ(fleet.due("2025-06-02")[0]["next_by_calendar"], "2025-12-01"); // the type's own goes first
     ASSERT_EQ(fleet.run({"rule", "trainers", "--months", "9"}).status, 0);
     EXPECT_EQ(fleet.due("2025-06-02")[0]["next_by_calendar"], "2026-03-01");

@@ -1,5 +1,5 @@
-// A crew at the keyboard of the real window on a real database: the guided swing of worksheet example Q1, from wherever it stands to its
-// end, until it is killed. After each step it says on standard output how many are stored. Run by GuidedKillTest.
+// A crew at the keyboard of the real window on a real database: the guided swing of worksheet example Q1, from wherever it
+// stands to its end, until it is killed. After each step it says on standard output how many are stored. Run by GuidedKillTest.
 //   guided_crew DATABASE COMPASS SWING    (SWING 0: a new one)
 
 #include <QApplication>
@@ -28,8 +28,8 @@ class NoDialogs final : public ui::Dialogs {
 };
 
 /// Compass Compensation Worksheet, Q1: the correction swing and the check swing, in the order of the stations.
-constexpr std::array<std::pair<int, int>, 12> kWorksheet{{{359, 3}, {91, 85}, {178, 170}, {267, 265}, {317, 316}, {0, 358}, {47, 42}, {93, 89}, {135, 134}, {179, 177}, {225, 220},
-    {273, 269}}};
+constexpr std::array<std::pair<int, int>, 12> kWorksheet{
+    {{359, 3}, {91, 85}, {178, 170}, {267, 265}, {317, 316}, {0, 358}, {47, 42}, {93, 89}, {135, 134}, {179, 177}, {225, 220}, {273, 269}}};
 
 void type(QLineEdit* line, const QString& text)
 {
@@ -67,8 +67,7 @@ void step(ui::GuidedPage& page)
             QTest::keyClick(line("guidedCompass"), Qt::Key_Return); // looked at again: it is so
         return;
     }
-    default:
-        type(line("acceptedBy"), "Dora");
+    default: type(line("acceptedBy"), "Dora");
     }
 }
 

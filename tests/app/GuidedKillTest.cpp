@@ -1,5 +1,5 @@
-// A whole guided swing by keyboard in the real window, killed at random moments and taken up again, ending with the card of worksheet
-// example Q1 (Compass Compensation Worksheet): 001 043 089 137 181 223 269 317.
+// A whole guided swing by keyboard in the real window, killed at random moments and taken up again, ending with the card of
+// worksheet example Q1 (Compass Compensation Worksheet): 001 043 089 137 181 223 269 317.
 
 #include <gtest/gtest.h>
 

@@ -50,7 +50,8 @@ TEST(IronCommand, theModelFileIsOneForTheOtherCommands)
 {
     const Sandbox sandbox;
     const auto model = sandbox.path("model.json");
-    const auto run = sandbox.run({"iron", kAirframe, "--state", "gear=extended", "--json", "-o", model, "--H-nT", "18500", "--dip-deg", "67"});
+    const auto run
+        = sandbox.run({"iron", kAirframe, "--state", "gear=extended", "--json", "-o", model, "--H-nT", "18500", "--dip-deg", "67"});
     ASSERT_EQ(run.status, 0) << run.err;
     const auto smith = sandbox.run({"smith", model, "--json"});
     ASSERT_EQ(smith.status, 0) << smith.err;
@@ -83,7 +84,8 @@ TEST(IronCommand, refusesWhatItCannotDoAndLeavesNothing)
     EXPECT_EQ(sandbox.run({"iron", kAirframe, "-o", model, "--lat", "52", "--lon", "0", "--date", "soon"}).status, 1);
     EXPECT_EQ(sandbox.run({"iron"}).status, 2);
     EXPECT_EQ(sandbox.run({"iron", "missing.json"}).status, 1);
-    const auto inside = sandbox.write("inside.json", R"({"sensor_m": [0,0,0], "parts": [{"name": "ball", "shape": "sphere", "diameter_m": 1, "placements": [{"centre_m": [0.1,0,0]}]}]})");
+    const auto inside = sandbox.write("inside.json",
+        R"({"sensor_m": [0,0,0], "parts": [{"name": "ball", "shape": "sphere", "diameter_m": 1, "placements": [{"centre_m": [0.1,0,0]}]}]})");
     const auto run = sandbox.run({"iron", inside, "--json"});
     EXPECT_EQ(run.status, 1);
     EXPECT_EQ(run.out, "");

@@ -57,7 +57,8 @@ TEST(MapCommand, isWhatSimulateSays)
 {
     const Sandbox sandbox;
     const auto model = sandbox.write("model.json", kModel);
-    const auto points = sandbox.run({"simulate", model, "--headings", "0:30:330", "--pitch", "-15", "--roll", "45", "--json"}).json().at("points");
+    const auto points
+        = sandbox.run({"simulate", model, "--headings", "0:30:330", "--pitch", "-15", "--roll", "45", "--json"}).json().at("points");
     const auto overPitch = sandbox.run({"map", model, "--y", "pitch", "--roll", "45", "--size", "13x13", "--json"}).json();
     const auto overRoll = sandbox.run({"map", model, "--y", "roll", "--held", "-15", "--size", "13x9", "--json"}).json();
     ASSERT_EQ(points.size(), 12u);
@@ -103,7 +104,8 @@ TEST(MapCommand, circuitsAndDifferences)
     const auto model = sandbox.write("model.json", kModel);
     const auto on = sandbox.run({"map", model, "--size", "9x5", "--json"}).json();
     const auto off = sandbox.run({"map", model, "--size", "9x5", "--switch", "landing light=off", "--json"}).json();
-    const auto difference = sandbox.run({"map", "--switch", "landing light=off", model, "--size", "9x5", "--minus", model, "--json"}).json();
+    const auto difference
+        = sandbox.run({"map", "--switch", "landing light=off", model, "--size", "9x5", "--minus", model, "--json"}).json();
     EXPECT_EQ(on.at("model").at("circuits_on"), nlohmann::json{"landing light"});
     EXPECT_TRUE(off.at("model").at("circuits_on").empty());
     EXPECT_EQ(difference.at("minus").at("circuits_on"), nlohmann::json{"landing light"});
@@ -132,7 +134,8 @@ TEST(MapCommand, aTableWithoutJson)
     const Sandbox sandbox;
     const auto outcome = sandbox.run({"map", sandbox.write("model.json", kModel)});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    for (const char* word : {"modelled", "heading and pitch", "roll 0 deg", "361 x 181", "maximum", "minimum", "model.json", "H 20000.0 nT"})
+    for (const char* word :
+        {"modelled", "heading and pitch", "roll 0 deg", "361 x 181", "maximum", "minimum", "model.json", "H 20000.0 nT"})
         EXPECT_THAT(outcome.out, HasSubstr(word));
 }
 
@@ -149,10 +152,12 @@ TEST(MapCommand, refusesWithTheReasonAndLeavesNothing)
     EXPECT_THAT(circuit.err, HasSubstr("model.json: there is no circuit \"pitot heat\"; the model has landing light"));
     EXPECT_EQ(sandbox.run({"map", model, "--minus", "other.json", "-o", "map.png"}).status, 1);
     EXPECT_EQ(sandbox.run({"map", model, "-o", "no/such/folder/map.csv"}).status, 1);
-    EXPECT_EQ(sandbox.run({"map", sandbox.write("bad.json", R"({"field": {"H_nT": 1, "dip_deg": 0}, "hardiron_nT": [0, 0, 0]})")}).status, 1);
-    const std::vector<std::vector<std::string>> wrong{{"--x", "roll", "--y", "roll"}, {"--x", "up"}, {"--pitch", "3"}, {"--roll", "1", "--held", "1"},
-        {"--held", "nan"}, {"--roll", "181"}, {"--size", "361"}, {"--size", "1x9"}, {"--size", "3x3x3"}, {"--size", "-3x3"}, {"-o", "map.txt"}, {"--surface"},
-        {"--surface", "-o", "map.csv"}, {"--limit", "3"}, {"--limit", "0", "-o", "map.png"}, {"--json", "-o", "map.json"}, {"--switch", "x=maybe", "--x", "up"}};
+    EXPECT_EQ(
+        sandbox.run({"map", sandbox.write("bad.json", R"({"field": {"H_nT": 1, "dip_deg": 0}, "hardiron_nT": [0, 0, 0]})")}).status, 1);
+    const std::vector<std::vector<std::string>> wrong{{"--x", "roll", "--y", "roll"}, {"--x", "up"}, {"--pitch", "3"},
+        {"--roll", "1", "--held", "1"}, {"--held", "nan"}, {"--roll", "181"}, {"--size", "361"}, {"--size", "1x9"}, {"--size", "3x3x3"},
+        {"--size", "-3x3"}, {"-o", "map.txt"}, {"--surface"}, {"--surface", "-o", "map.csv"}, {"--limit", "3"},
+        {"--limit", "0", "-o", "map.png"}, {"--json", "-o", "map.json"}, {"--switch", "x=maybe", "--x", "up"}};
     for (auto arguments : wrong) {
         arguments.insert(arguments.begin(), {"map", model});
         const auto outcome = sandbox.run(arguments);

@@ -21,7 +21,8 @@ std::string circleLog()
     std::string log;
     for (int second = 0; second < 360; second += 5) {
         char body[128];
-        std::snprintf(body, sizeof body, "GPRMC,10%02d%02d,A,5210.00,N,02057.00,E,8.0,%d.0,231126,,", second / 60, second % 60, (second + 6) % 360);
+        std::snprintf(
+            body, sizeof body, "GPRMC,10%02d%02d,A,5210.00,N,02057.00,E,8.0,%d.0,231126,,", second / 60, second % 60, (second + 6) % 360);
         log += makeNmea(body) + "\r\n";
         std::snprintf(body, sizeof body, "HCHDG,%d.0,,,,", (second + 358) % 360);
         log += makeNmea(body) + "\r\n";

@@ -12,7 +12,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string kModel = R"({"field": {"lat_deg": 52.2, "lon_deg": 21, "alt_m": 100, "date": "2026-11-23"}, "hard_iron_nT": [1000, 0, 0]})";
+const std::string kModel
+    = R"({"field": {"lat_deg": 52.2, "lon_deg": 21, "alt_m": 100, "date": "2026-11-23"}, "hard_iron_nT": [1000, 0, 0]})";
 
 /// A demonstration with magnetometers that were swung far apart; the record ids of one compass's swings, the newest first.
 struct Demonstration {
@@ -35,7 +36,8 @@ struct Demonstration {
 TEST(PredictCommand, fromAModel)
 {
     const Sandbox sandbox;
-    const auto run = sandbox.run({"predict", sandbox.write("model.json", kModel), "--lat", "1.3", "--lon", "103.9", "--date", "2026-11-23", "--json"});
+    const auto run
+        = sandbox.run({"predict", sandbox.write("model.json", kModel), "--lat", "1.3", "--lon", "103.9", "--date", "2026-11-23", "--json"});
     ASSERT_EQ(run.status, 0) << run.err;
     const Json json = run.json();
     const double H = json.at("there").at("H_nT");
@@ -101,7 +103,8 @@ TEST(PredictCommand, csv)
 TEST(SeparateCommand, tellsTheIronOfTheDemonstration)
 {
     const Demonstration demo;
-    const auto run = demo.sandbox.run({"separate", "--db", "demo.lubberline", "--swing", demo.swings[0], "--swing", demo.swings[1], "--swing", demo.swings[2], "--json"});
+    const auto run = demo.sandbox.run(
+        {"separate", "--db", "demo.lubberline", "--swing", demo.swings[0], "--swing", demo.swings[1], "--swing", demo.swings[2], "--json"});
     ASSERT_EQ(run.status, 0) << run.err;
     const Json json = run.json();
     for (const char* key : {"c", "f", "P_nT", "Q_nT"}) {

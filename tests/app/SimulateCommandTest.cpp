@@ -35,7 +35,8 @@ TEST(SimulateCommand, hasEveryKeyOfTheContract)
         EXPECT_EQ(points[i].at("pitch_deg"), 0);
         EXPECT_EQ(points[i].at("roll_deg"), 0);
         EXPECT_EQ(points[i].at("field_nT").size(), 3u);
-        const double apart_deg = points[i].at("heading_deg").get<double>() - points[i].at("compass_heading_deg").get<double>() - points[i].at("deviation_deg").get<double>();
+        const double apart_deg = points[i].at("heading_deg").get<double>() - points[i].at("compass_heading_deg").get<double>()
+            - points[i].at("deviation_deg").get<double>();
         EXPECT_NEAR(std::remainder(apart_deg, 360), 0, 1e-12) << "deviation = magnetic - compass";
     }
 }
@@ -109,7 +110,8 @@ TEST(SimulateCommand, badOptionsAreUsageErrors)
 {
     const Sandbox sandbox;
     const auto model = sandbox.write("model.json", kModel);
-    for (const char* headings : {"", "0:15", "0:15:345:1", "0:0:345", "0:-15:345", "345:15:0", "north", "0,,90", "0:15:361", "-1", "0:1e-9:360", "nan", "0:nan:345", "0x10"}) {
+    for (const char* headings : {"", "0:15", "0:15:345:1", "0:0:345", "0:-15:345", "345:15:0", "north", "0,,90", "0:15:361", "-1",
+             "0:1e-9:360", "nan", "0:nan:345", "0x10"}) {
         const auto outcome = sandbox.run({"simulate", model, "--headings", headings, "--json"});
         EXPECT_EQ(outcome.status, 2) << headings;
         EXPECT_THAT(outcome.err, HasSubstr("--headings")) << headings;

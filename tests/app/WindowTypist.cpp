@@ -1,5 +1,5 @@
-// Types readings into the real window on a real database, as fast as it can, until it is killed. After each cell is left it says
-// on standard output what was typed: the row, the column and the figure. Run by WindowKillTest.
+// Types readings into the real window on a real database, as fast as it can, until it is killed. After each cell is left it
+// says on standard output what was typed: the row, the column and the figure. Run by WindowKillTest.
 
 #include <QApplication>
 #include <QLineEdit>

@@ -6,8 +6,8 @@
 
 #include <cstdlib>
 
-#include "core/deviation/Analysis.h"
-#include "core/format/SwingCsv.h"
+#include "core/swing/Analysis.h"
+#include "core/swing/Observations.h"
 #include "db/Transaction.h"
 #include "tests/bench/BenchFleet.h"
 #include "tests/bench/Ratio.h"

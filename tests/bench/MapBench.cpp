@@ -1,10 +1,11 @@
-// The deviation map: a map of 361 × 181 points against as many bare arc tangents of the same build, and against the plain formula.
+// The deviation map: a map of 361 × 181 points against as many bare arc tangents of the same build, and against the plain
+// formula.
 
 #include <random>
 #include <string>
 
-#include "core/sensor/DeviationMap.h"
-#include "core/sensor/VectorAtan2.h"
+#include "core/sensor/map/DeviationMap.h"
+#include "core/sensor/map/VectorAtan2.h"
 #include "tests/bench/Ratio.h"
 
 using namespace lubberline;
@@ -36,8 +37,10 @@ bool measure(const char* name, AttitudeAxis x, AttitudeAxis y)
     for (auto& value : cosines)
         value = normal(random);
     const auto map = [&] { computeMap(sensor, field, request, fast); };
-    const auto bare = bench::compare(map, [&] { vectorAtan2(sines.data(), cosines.data(), angles.data(), kPoints); }, 201);
-    const auto plainly = bench::compare(map, [&] { computeMapPlainly(sensor, field, request, plain); }, 11);
+    const auto bare = bench::compare(
+        map, [&] { vectorAtan2(sines.data(), cosines.data(), angles.data(), kPoints); }, 201);
+    const auto plainly = bench::compare(
+        map, [&] { computeMapPlainly(sensor, field, request, plain); }, 11);
     const bool quick = bench::report((std::string(name) + ", 361 x 181").c_str(), bare, "65,341 bare vector arc tangents", 1.5);
     return bench::report((std::string(name) + ", 361 x 181").c_str(), plainly, "the plain formula a point", 1.0 / 20) && quick;
 }

@@ -1,7 +1,7 @@
-// A slider's step to the repainted contour map at 900×600 (361×181 points computed, contours, labels, painting) against the same
-// grid shown by QwtPlotSpectrogram as it comes (bilinear, contours by conrec, without labels), in turns in one run; and a turn of
-// the surface of 181×91 points against as many plain polygons. The milliseconds themselves are printed: wanted are medians under
-// 33 for both, which says something only of a machine that is not busy with other work.
+// A slider's step to the repainted contour map at 900×600 (361×181 points computed, contours, labels, painting) against the
+// same grid shown by QwtPlotSpectrogram as it comes (bilinear, contours by conrec, without labels), in turns in one run; and a
+// turn of the surface of 181×91 points against as many plain polygons. The milliseconds themselves are printed: wanted are
+// medians under 33 for both, which says something only of a machine that is not busy with other work.
 
 #include <QApplication>
 #include <QImage>
@@ -18,10 +18,10 @@
 #include <qwt_plot_spectrogram.h>
 
 #include "core/angle/Heading.h"
-#include "core/sensor/DeviationMap.h"
+#include "core/sensor/map/DeviationMap.h"
 #include "tests/bench/Ratio.h"
-#include "ui/plots/MapPlot.h"
-#include "ui/plots/SurfacePlot.h"
+#include "ui/plots/map/MapPlot.h"
+#include "ui/plots/map/SurfacePlot.h"
 
 namespace {
 
@@ -43,8 +43,8 @@ SensorResponse sensorAt(int step)
 std::shared_ptr<DeviationMap> mapAt(int step, int columns, int rows)
 {
     auto map = std::make_shared<DeviationMap>();
-    const MapRequest request{{AttitudeAxis::Heading, fullRange(AttitudeAxis::Heading), columns},
-        {AttitudeAxis::Pitch, fullRange(AttitudeAxis::Pitch), rows}, 0};
+    const MapRequest request{
+        {AttitudeAxis::Heading, fullRange(AttitudeAxis::Heading), columns}, {AttitudeAxis::Pitch, fullRange(AttitudeAxis::Pitch), rows}, 0};
     computeMap(sensorAt(step), kField, request, *map);
     return map;
 }
@@ -62,8 +62,7 @@ ui::MapPicture pictureAt(int step, int columns, int rows)
 /// The naive way: Qwt's own spectrogram with its own contours.
 class SpectrogramPlot : public QwtPlot {
 public:
-    SpectrogramPlot()
-        : m_item(new QwtPlotSpectrogram)
+    SpectrogramPlot() : m_item(new QwtPlotSpectrogram)
     {
         auto* colours = new QwtLinearColorMap(Qt::blue, Qt::red);
         colours->addColorStop(0.5, Qt::white);

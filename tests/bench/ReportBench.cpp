@@ -1,4 +1,5 @@
-// A two-page report PDF against the same text laid out without plots plus the plots drawn alone (limit 2), and its size (300 KiB).
+// A two-page report PDF against the same text laid out without plots plus the plots drawn alone (limit 2), and its size (300
+// KiB).
 
 #include <QApplication>
 #include <QBuffer>
@@ -12,12 +13,12 @@
 #include <cstdlib>
 #include <memory>
 
-#include "core/format/SwingCsv.h"
+#include "core/swing/Observations.h"
 #include "tests/bench/BenchFleet.h"
 #include "tests/bench/Ratio.h"
-#include "ui/plots/PictureOf.h"
-#include "ui/plots/PlotRendering.h"
-#include "ui/report/Report.h"
+#include "ui/plots/swing/PictureOf.h"
+#include "ui/plots/swing/PlotRendering.h"
+#include "ui/report/swing/Report.h"
 
 namespace {
 
@@ -78,9 +79,19 @@ int main(int argc, char** argv)
         return 1;
     QString text = QString::fromUtf8(file.readAll());
     text.remove(QRegularExpression("<svg.*?</svg>", QRegularExpression::DotMatchesEverythingOption));
-    const auto picture = ui::pictureOf(input.record, std::make_shared<Analysis>(input.analysis), {}, nullptr, {}, AngleStyle::DecimalDegrees);
+    const auto picture
+        = ui::pictureOf(input.record, std::make_shared<Analysis>(input.analysis), {}, nullptr, {}, AngleStyle::DecimalDegrees);
 
-    const auto timing = bench::compare([&] { if (!ui::writeReport(input, pdf)) std::abort(); }, [&] { layOutText(text); drawPlots(picture); }, 15);
+    const auto timing = bench::compare(
+        [&] {
+            if (!ui::writeReport(input, pdf))
+                std::abort();
+        },
+        [&] {
+            layOutText(text);
+            drawPlots(picture);
+        },
+        15);
     const double kib = static_cast<double>(QFileInfo(pdf).size()) / 1024.0;
     std::printf("report of %.0f KiB; limit 300 KiB: %s\n", kib, kib < 300 ? "kept" : "MISSED");
     return bench::report("report with plots", timing, "text and two plots apart", 2.0) && kib < 300 ? 0 : 1;

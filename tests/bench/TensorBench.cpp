@@ -1,6 +1,7 @@
-// The demagnetisation tensor of 64³ cells, padded to 128³, against the Fourier transforms that it needs: one real one forward and
-// five backward (the sixth component is known from the trace), as bare three-dimensional transforms of 128³ by FFTW_MEASURE. Limit:
-// 1.3 times. Beside it, for knowledge: the same transforms as they are made here, without the lines that hold only padding.
+// The demagnetisation tensor of 64³ cells, padded to 128³, against the Fourier transforms that it needs: one real one forward
+// and five backward (the sixth component is known from the trace), as bare three-dimensional transforms of 128³ by
+// FFTW_MEASURE. Limit: 1.3 times. Beside it, for knowledge: the same transforms as they are made here, without the lines that
+// hold only padding.
 
 #include <fftw3.h>
 
@@ -67,8 +68,10 @@ int main()
             ours.backward();
     };
 
-    const auto timing = bench::compare(tensor, [&] { bare.run(); }, 15);
-    const auto pruned = bench::compare(transforms, [&] { bare.run(); }, 15);
+    const auto timing = bench::compare(
+        tensor, [&] { bare.run(); }, 15);
+    const auto pruned = bench::compare(
+        transforms, [&] { bare.run(); }, 15);
     std::printf("%d cells a side, padded to %d; %.0f MiB; checksum %g; our transforms alone: %.2f x the bare ones\n", kCells, 2 * kCells,
         static_cast<double>(memoryFor({kCells, 1})) / (1 << 20), sum, pruned.ratio());
     return bench::report("demagnetisation tensor", timing, "six bare transforms", 1.3) ? 0 : 1;

@@ -1,6 +1,7 @@
-// Start to first painted window against a bare Qt main window with two docks and tables, in the same process and harness: with the
-// demonstration fleet (limit 1.6) and with BENCH_SWINGS (100,000) swings in the database (not slower). The keystroke that ends
-// a figure in a 32-point swing, to stored, computed and repainted (limit: 16 ms median; here the reference is that number itself).
+// Start to first painted window against a bare Qt main window with two docks and tables, in the same process and harness: with
+// the demonstration fleet (limit 1.6) and with BENCH_SWINGS (100,000) swings in the database (not slower). The keystroke that
+// ends a figure in a 32-point swing, to stored, computed and repainted (limit: 16 ms median; here the reference is that number
+// itself).
 
 #include <QApplication>
 #include <QDockWidget>

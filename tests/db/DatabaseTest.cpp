@@ -17,10 +17,7 @@ using db::OpenMode;
 
 namespace {
 
-std::int64_t pragma(const Database& database, const char* name)
-{
-    return db::number(database, QStringLiteral("PRAGMA ") + name).value();
-}
+std::int64_t pragma(const Database& database, const char* name) { return db::number(database, QStringLiteral("PRAGMA ") + name).value(); }
 
 } // namespace
 
@@ -141,7 +138,7 @@ TEST(Database, readsWhatMayOnlyBeReadAndSaysSoOnWriting)
     EXPECT_EQ(refused.error().code, ErrorCode::ReadOnly);
     EXPECT_FALSE(db::execute(*database, "DELETE FROM event"));
     ASSERT_TRUE(db::backup(*database, folder.filePath("copy.db")));
-    EXPECT_FALSE(db::execute(*database, "DELETE FROM event")); // still
+    EXPECT_FALSE(db::execute(*database, "DELETE FROM event"));                 // still
     database = Database::open(folder.filePath("copy.db"), OpenMode::ReadOnly); // closes the first
     ASSERT_TRUE(database);
     database = Error{};
@@ -234,7 +231,9 @@ TEST(Transaction, cannotBeCommittedWhenAPartOfItWasNot)
     {
         auto outer = db::Transaction::begin(database);
         store(database);
-        { const auto inner = db::Transaction::begin(database); }
+        {
+            const auto inner = db::Transaction::begin(database);
+        }
         ASSERT_TRUE(db::FleetRepository(database).save(AircraftType{{}, {}, "afterwards", "", ""}).error().code == ErrorCode::Conflict);
         EXPECT_FALSE(outer->commit());
     }

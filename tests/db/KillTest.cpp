@@ -24,7 +24,8 @@ protected:
         m_swing = *db::SwingRepository(*database).save(swingOf(store(*database)));
     }
 
-    /// Starts the writer and kills it some time later: mostly in the middle of writing, now and then while it opens the database.
+    /// Starts the writer and kills it some time later: mostly in the middle of writing, now and then while it opens the
+    /// database.
     /// @return the numbers that it said.
     std::vector<std::int64_t> writeAndKill(const QString& what, bool whileOpening)
     {

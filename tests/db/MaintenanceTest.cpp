@@ -48,8 +48,10 @@ TEST(Maintenance, verifyNamesEachKindOfDamage)
         {"UPDATE swing SET variation_deg = 9e999", "swing.variation_deg"},
         {"UPDATE swing SET index_removed_deg = 'two'", "swing.index_removed_deg"},
         {"UPDATE swing SET field_model = 'WMM', field_latitude_deg = 1, field_longitude_deg = 1, field_height_m = 0, field_date = '2026-01-01',"
-         " field_north_nT = 'strong', field_east_nT = 1, field_down_nT = 1", "swing.field_north_nT"},
-        {"INSERT INTO sensor_model VALUES (1, 'r', 1, 'bent', 0, '', '{\"soft_iron\": 7}', NULL, '{}')", "sensor model bent (record r): soft_iron"},
+         " field_north_nT = 'strong', field_east_nT = 1, field_down_nT = 1",
+            "swing.field_north_nT"},
+        {"INSERT INTO sensor_model VALUES (1, 'r', 1, 'bent', 0, '', '{\"soft_iron\": 7}', NULL, '{}')",
+            "sensor model bent (record r): soft_iron"},
         {"INSERT INTO sensor_model VALUES (1, 'r', 1, 'bent', 3, '', '{}', '{\"parts\": []}', '{}')", "sensor_m: is missing"},
         {"INSERT INTO sensor_model VALUES (1, 'r', 1, 'bent', 3, '', '{}', NULL, 'up')", "states of its moving parts do not read"},
         {"UPDATE reading SET position = 3", "in one place"},

@@ -26,10 +26,7 @@ bool restoreSchema(int schema, const QString& path)
     return statements.size() > 50 && RawDatabase(path).run(statements);
 }
 
-std::int64_t version(const Database& database)
-{
-    return db::number(database, "PRAGMA user_version").value();
-}
+std::int64_t version(const Database& database) { return db::number(database, "PRAGMA user_version").value(); }
 
 } // namespace
 
@@ -71,7 +68,8 @@ TEST_P(OldDatabase, thatMayOnlyBeReadIsLeftAlone)
     const auto database = Database::open(m_path, OpenMode::ReadOnly);
     ASSERT_FALSE(database);
     EXPECT_EQ(database.error().code, ErrorCode::ReadOnly);
-    EXPECT_THAT(describe(database.error()), testing::AllOf(testing::HasSubstr("old.db"), testing::HasSubstr("schema " + std::to_string(GetParam()))));
+    EXPECT_THAT(describe(database.error()),
+        testing::AllOf(testing::HasSubstr("old.db"), testing::HasSubstr("schema " + std::to_string(GetParam()))));
     EXPECT_EQ(contents(m_path), before);
 }
 
@@ -124,7 +122,8 @@ TEST_P(OldDatabase, hasNothingOfTheRampAndTakesAllOfIt)
     ASSERT_TRUE(signing.sign(*made, {SignatureRole::Performer, "Ada", "", "", ""}));
     ASSERT_TRUE(signing.sign(*made, {SignatureRole::Inspector, "Ben", "PL 1", "", ""}));
     EXPECT_EQ(swings.swing(*made)->state, SwingState::Signed);
-    EXPECT_EQ(db::execute(*database, "UPDATE swing SET amendment = 'x' WHERE id = " + QString::number(made->value)).error().code, ErrorCode::Frozen);
+    EXPECT_EQ(db::execute(*database, "UPDATE swing SET amendment = 'x' WHERE id = " + QString::number(made->value)).error().code,
+        ErrorCode::Frozen);
     EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
 }
 
@@ -141,8 +140,9 @@ TEST(Migration, ofANewerProgramIsRefusedByName)
         const auto database = Database::open(path, mode);
         ASSERT_FALSE(database);
         EXPECT_EQ(database.error().code, ErrorCode::NewerSchema);
-        EXPECT_THAT(describe(database.error()), testing::AllOf(testing::HasSubstr("a.db"), testing::HasSubstr("999"),
-            testing::HasSubstr("up to " + std::to_string(db::schemaVersion()))));
+        EXPECT_THAT(describe(database.error()),
+            testing::AllOf(
+                testing::HasSubstr("a.db"), testing::HasSubstr("999"), testing::HasSubstr("up to " + std::to_string(db::schemaVersion()))));
     }
 }
 

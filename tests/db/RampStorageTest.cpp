@@ -1,4 +1,5 @@
-// What the ramp keeps: guided swings that only grow, signatures over what was signed, amendments, waivers, and a second writer told.
+// What the ramp keeps: guided swings that only grow, signatures over what was signed, amendments, waivers, and a second writer
+// told.
 
 #include <gmock/gmock.h>
 
@@ -34,7 +35,11 @@ SwingJob smallJob()
 }
 
 JobEvent prepared() { return {"2026-11-23T09:01:00Z", job::Prepared{}}; }
-JobEvent taken(int station) { return {"2026-11-23T09:02:00Z", job::ReadingTaken{station, {{45.0 * station}, {}, {45.0 * station}}, 45.0 * station, 45.0 * station, {}}}; }
+JobEvent taken(int station)
+{
+    return {
+        "2026-11-23T09:02:00Z", job::ReadingTaken{station, {{45.0 * station}, {}, {45.0 * station}}, 45.0 * station, 45.0 * station, {}}};
+}
 
 } // namespace
 
@@ -360,7 +365,8 @@ TEST_F(Ramp, aWholeFleetGoesToAnotherDatabaseAndBackTheSame)
     EXPECT_EQ(there.sites.front().survey, site.survey);
     EXPECT_EQ(there.instruments, all.instruments);
     EXPECT_EQ(there.jobs.front().job, all.jobs.front().job);
-    const auto frozen = std::find_if(there.swings.begin(), there.swings.end(), [](const Swing& one) { return one.state == SwingState::Signed; });
+    const auto frozen
+        = std::find_if(there.swings.begin(), there.swings.end(), [](const Swing& one) { return one.state == SwingState::Signed; });
     ASSERT_NE(frozen, there.swings.end());
     EXPECT_EQ(frozen->signatures.size(), 2u);
     EXPECT_THAT(db::verify(elsewhere, {})->findings, testing::IsEmpty()); // its signatures hold there, too

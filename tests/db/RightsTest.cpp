@@ -1,5 +1,5 @@
-// Files and folders that may not be written. A test run as root may write everything, so what is tried here is tried in a child process
-// that has given its rights away.
+// Files and folders that may not be written. A test run as root may write everything, so what is tried here is tried in a child
+// process that has given its rights away.
 
 #include <gmock/gmock.h>
 
@@ -31,7 +31,8 @@ std::string asNobody(const std::function<std::string()>& work)
     const pid_t child = ::fork();
     if (child == 0) {
         constexpr uid_t kNobody = 65534;
-        const bool dropped = ::geteuid() != 0 || (::setresgid(kNobody, kNobody, kNobody) == 0 && ::setresuid(kNobody, kNobody, kNobody) == 0);
+        const bool dropped
+            = ::geteuid() != 0 || (::setresgid(kNobody, kNobody, kNobody) == 0 && ::setresuid(kNobody, kNobody, kNobody) == 0);
         const std::string text = dropped ? work() : "rights cannot be given away";
         const bool written = ::write(pipe[1], text.data(), text.size()) == static_cast<ssize_t>(text.size());
         ::_exit(written ? 0 : 1);
@@ -95,7 +96,8 @@ TEST_F(Rights, aProtectedFolderIsReadAndNeverWritten)
             if (!report || report->swings != 1 || !report->findings.empty())
                 return "it cannot be read whole";
             return expectError(db::SwingRepository(*database).save(swingOf(m_stored)), ErrorCode::ReadOnly, "a.db");
-        }), "");
+        }),
+            "");
     EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::Files), QStringList{"a.db"});
 }
 
@@ -103,11 +105,15 @@ TEST_F(Rights, aProtectedFolderTakesNoNewDatabaseAndNoBackup)
 {
     protect();
     const std::string folder = m_folder.path().toStdString();
-    EXPECT_EQ(asNobody([&] { return expectError(Database::open(m_folder.filePath("new.db"), OpenMode::ReadWriteCreate), ErrorCode::Io, folder); }), "");
+    EXPECT_EQ(asNobody([&] {
+        return expectError(Database::open(m_folder.filePath("new.db"), OpenMode::ReadWriteCreate), ErrorCode::Io, folder);
+    }),
+        "");
     EXPECT_EQ(asNobody([&] {
         auto database = Database::open(m_path, OpenMode::ReadOnly);
         return expectError(db::backup(*database, m_folder.filePath("copy.db")), ErrorCode::Io, folder);
-    }), "");
+    }),
+        "");
     EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::Files), QStringList{"a.db"});
 }
 
@@ -120,7 +126,8 @@ TEST_F(Rights, aProtectedFileInAnOpenFolderIsRead)
         if (!database)
             return describe(database.error());
         return expectError(db::SwingRepository(*database).save(swingOf(m_stored)), ErrorCode::ReadOnly, "a.db");
-    }), "");
+    }),
+        "");
 }
 
 TEST_F(Rights, aFileThatMayNotBeReadIsSaidToBe)
@@ -141,14 +148,18 @@ TEST_F(Rights, whatWasStoredLastIsNotLeftOutSilently)
     }
     ASSERT_GT(QFile(other.filePath("a.db-wal")).size(), 0);
     mode(other.path(), 0555);
-    EXPECT_EQ(asNobody([&] { return expectError(Database::open(other.filePath("a.db"), OpenMode::ReadOnly), ErrorCode::Io, "not closed properly"); }), "");
+    EXPECT_EQ(asNobody([&] {
+        return expectError(Database::open(other.filePath("a.db"), OpenMode::ReadOnly), ErrorCode::Io, "not closed properly");
+    }),
+        "");
     mode(other.path(), 0777);
     EXPECT_EQ(asNobody([&]() -> std::string {
         auto database = Database::open(other.filePath("a.db"), OpenMode::ReadOnly);
         if (!database)
             return describe(database.error());
         return db::FleetRepository(*database).totals()->swings == 2 ? "" : "the last swing is missing";
-    }), "");
+    }),
+        "");
     mode(other.path(), 0700);
 }
 

@@ -23,8 +23,10 @@ SensorRecord benchOf(const Stored& stored)
 {
     SensorRecord sensor = sensorOf(stored, "bench");
     sensor.origin = ModelOrigin::IronBench;
-    sensor.bench = IronBench{{-2, 0, -1}, {{"gear leg", Cylinder{0.08, 0.9}, 50, {0, 0, 0.1}, "gear",
-        {{"retracted", {0, 0, 1}, 0, 0, 0}, {"extended", {0, 0, 1.5}, 0, 0, 0}}}}, {}};
+    sensor.bench = IronBench{{-2, 0, -1},
+        {{"gear leg", Cylinder{0.08, 0.9}, 50, {0, 0, 0.1}, "gear",
+            {{"retracted", {0, 0, 1}, 0, 0, 0}, {"extended", {0, 0, 1.5}, 0, 0, 0}}}},
+        {}};
     sensor.benchStates = {{"gear", "extended"}};
     return sensor;
 }
@@ -70,7 +72,8 @@ TEST(SensorRepository, changesAndRemovalStandInTheAuditTrail)
     ASSERT_TRUE(sensors.save(sensor)); // nothing changed: nothing is said
     EXPECT_EQ(auditOf(database, "changed sensor model").size(), 1u);
     ASSERT_TRUE(sensors.remove(sensor.id));
-    EXPECT_THAT(auditOf(database, "removed sensor model").front(), testing::AllOf(HasSubstr("as entered"), HasSubstr("900"), HasSubstr("landing light")));
+    EXPECT_THAT(auditOf(database, "removed sensor model").front(),
+        testing::AllOf(HasSubstr("as entered"), HasSubstr("900"), HasSubstr("landing light")));
     EXPECT_TRUE(sensors.sensorsOf(stored.compass)->empty());
     EXPECT_EQ(sensors.remove(sensor.id).error().code, ErrorCode::NotFound);
 }
@@ -136,7 +139,8 @@ TEST(FieldOfASwing, isKeptWholeAndFrozenWhenItIsSigned)
     ASSERT_TRUE(swings.save(swing));
     EXPECT_EQ(swings.swing(swing.id)->field, swing.field);
     EXPECT_EQ(swings.swing(swing.id)->indexRemoved_deg, -2.25);
-    EXPECT_THAT(auditOf(database, "changed swing").front(), testing::AllOf(HasSubstr("field_model: WMM2025"), HasSubstr("field_north_nT: 18879.125")));
+    EXPECT_THAT(auditOf(database, "changed swing").front(),
+        testing::AllOf(HasSubstr("field_model: WMM2025"), HasSubstr("field_north_nT: 18879.125")));
     EXPECT_FALSE(db::execute(database, "UPDATE swing SET field_date = NULL")); // whole or not at all
     EXPECT_FALSE(db::execute(database, "UPDATE swing SET field_latitude_deg = 91"));
     swing.field.reset();
@@ -145,9 +149,10 @@ TEST(FieldOfASwing, isKeptWholeAndFrozenWhenItIsSigned)
     swing.field = stampOf("2026-11-20");
     swing.state = SwingState::Signed;
     ASSERT_TRUE(swings.save(swing));
-    for (const char* change : {"field_model = 'IGRF-14'", "field_latitude_deg = 1", "field_longitude_deg = 1", "field_height_m = 1", "field_date = '2026-01-01'",
-             "field_north_nT = 1", "field_east_nT = 1", "field_down_nT = 1", "index_removed_deg = 1"})
-        EXPECT_EQ(db::execute(database, QStringLiteral("UPDATE swing SET %1").arg(QLatin1String(change))).error().code, ErrorCode::Frozen) << change;
+    for (const char* change : {"field_model = 'IGRF-14'", "field_latitude_deg = 1", "field_longitude_deg = 1", "field_height_m = 1",
+             "field_date = '2026-01-01'", "field_north_nT = 1", "field_east_nT = 1", "field_down_nT = 1", "index_removed_deg = 1"})
+        EXPECT_EQ(db::execute(database, QStringLiteral("UPDATE swing SET %1").arg(QLatin1String(change))).error().code, ErrorCode::Frozen)
+            << change;
     EXPECT_EQ(swings.swing(swing.id)->field, stampOf("2026-11-20"));
 }
 
@@ -161,7 +166,10 @@ TEST(FieldOfASwing, comesInWithASignedOne)
     ASSERT_TRUE(id);
     EXPECT_EQ(db::SwingRepository(database).swing(*id)->field, swing.field);
     std::vector<std::optional<FieldStamp>> seen;
-    ASSERT_TRUE(db::SwingRepository(database).forEach([&](const Swing& one) { seen.push_back(one.field); return true; }));
+    ASSERT_TRUE(db::SwingRepository(database).forEach([&](const Swing& one) {
+        seen.push_back(one.field);
+        return true;
+    }));
     EXPECT_EQ(seen, std::vector<std::optional<FieldStamp>>{swing.field});
 }
 

@@ -56,7 +56,11 @@ TEST_F(Swings, comeBackAsTheyWereStored)
         swing.readings[i].id = read->readings.at(i).id;
     EXPECT_EQ(*read, swing);
     int visited = 0;
-    ASSERT_TRUE(m_swings.forEach([&](const Swing& one) { ++visited; EXPECT_EQ(one, swing); return true; }));
+    ASSERT_TRUE(m_swings.forEach([&](const Swing& one) {
+        ++visited;
+        EXPECT_EQ(one, swing);
+        return true;
+    }));
     EXPECT_EQ(visited, 1);
 }
 
@@ -144,8 +148,9 @@ TEST_F(Swings, whatIsSignedIsFrozenAlsoForRawSql)
     EXPECT_EQ(m_swings.insertReading(*id, 0, {}).error().code, ErrorCode::Frozen);
     EXPECT_EQ(m_swings.removeReading(*id, stored.readings[0].id).error().code, ErrorCode::Frozen);
     EXPECT_EQ(m_swings.remove(*id).error().code, ErrorCode::Frozen);
-    for (const char* sql : {"UPDATE swing SET date = '2020-01-01'", "UPDATE swing SET state = 0", "DELETE FROM swing", "DELETE FROM reading",
-             "UPDATE reading SET compass_heading_deg = 1", "INSERT INTO reading (swing_id, position, note, extra_json) VALUES (1, 99, '', '[]')"})
+    for (const char* sql : {"UPDATE swing SET date = '2020-01-01'", "UPDATE swing SET state = 0", "DELETE FROM swing",
+             "DELETE FROM reading", "UPDATE reading SET compass_heading_deg = 1",
+             "INSERT INTO reading (swing_id, position, note, extra_json) VALUES (1, 99, '', '[]')"})
         EXPECT_FALSE(raw(sql)) << sql;
     EXPECT_EQ(*m_swings.swing(*id), stored);
 }
@@ -154,20 +159,20 @@ TEST_F(Swings, whatIsSignedIsNotReplacedEither)
 {
     Swing swing = swingOf(m_stored);
     swing.state = SwingState::Signed;
-    const auto id = *m_swings.save(swing);          // swing 1 with readings 1 … 8
+    const auto id = *m_swings.save(swing);                // swing 1 with readings 1 … 8
     const auto draft = *m_swings.save(swingOf(m_stored)); // swing 2 with readings 9 … 16
     const auto stored = *m_swings.swing(id);
     const auto trail = db::number(m_database, "SELECT COUNT(*) FROM audit_entry").value();
     ASSERT_TRUE(raw("CREATE TABLE copy AS SELECT * FROM swing WHERE id = 2") && raw("UPDATE copy SET id = 1, record = 'x'"));
     ASSERT_EQ(draft.value, 2);
-    for (const char* sql : {"INSERT OR REPLACE INTO swing SELECT * FROM copy",
-             "INSERT OR REPLACE INTO swing SELECT * FROM (SELECT * FROM swing WHERE id = 1)",
-             "INSERT OR REPLACE INTO reading (id, swing_id, position, note, extra_json) VALUES (1, 2, 0, '', '[]')",
-             "UPDATE OR REPLACE reading SET id = 1 WHERE id = 9", "UPDATE OR REPLACE reading SET rowid = 1 WHERE id = 9",
-             "UPDATE OR REPLACE swing SET id = 1 WHERE id = 2", "UPDATE OR REPLACE swing SET rowid = 1 WHERE id = 2",
-             "UPDATE OR REPLACE swing SET record = (SELECT record FROM swing WHERE id = 1) WHERE id = 2", "UPDATE swing SET rowid = 77 WHERE id = 1",
-             "UPDATE reading SET swing_id = 1 WHERE id = 9", "UPDATE reading SET swing_id = 2 WHERE id = 1",
-             "INSERT OR REPLACE INTO audit_entry VALUES (1, '', '', '', '')"})
+    for (const char* sql :
+        {"INSERT OR REPLACE INTO swing SELECT * FROM copy", "INSERT OR REPLACE INTO swing SELECT * FROM (SELECT * FROM swing WHERE id = 1)",
+            "INSERT OR REPLACE INTO reading (id, swing_id, position, note, extra_json) VALUES (1, 2, 0, '', '[]')",
+            "UPDATE OR REPLACE reading SET id = 1 WHERE id = 9", "UPDATE OR REPLACE reading SET rowid = 1 WHERE id = 9",
+            "UPDATE OR REPLACE swing SET id = 1 WHERE id = 2", "UPDATE OR REPLACE swing SET rowid = 1 WHERE id = 2",
+            "UPDATE OR REPLACE swing SET record = (SELECT record FROM swing WHERE id = 1) WHERE id = 2",
+            "UPDATE swing SET rowid = 77 WHERE id = 1", "UPDATE reading SET swing_id = 1 WHERE id = 9",
+            "UPDATE reading SET swing_id = 2 WHERE id = 1", "INSERT OR REPLACE INTO audit_entry VALUES (1, '', '', '', '')"})
         EXPECT_FALSE(raw(sql)) << sql;
     EXPECT_EQ(*m_swings.swing(id), stored);
     EXPECT_EQ(m_swings.swing(draft)->readings.size(), 8u);
@@ -263,7 +268,8 @@ TEST_F(Swings, onlyDraftsAreRemovedAndStayReadableInTheTrail)
     ASSERT_TRUE(m_swings.remove(id));
     EXPECT_EQ(m_fleet.totals()->swings, 0);
     EXPECT_EQ(db::number(m_database, "SELECT COUNT(*) FROM reading").value(), 0);
-    EXPECT_EQ(db::number(m_database, "SELECT COUNT(*) FROM audit_entry WHERE what = 'removed swing' AND detail LIKE '%compass 316%'").value(), 1);
+    EXPECT_EQ(
+        db::number(m_database, "SELECT COUNT(*) FROM audit_entry WHERE what = 'removed swing' AND detail LIKE '%compass 316%'").value(), 1);
     EXPECT_EQ(compassStatus(), Status::NotKnown);
     Swing complete = swingOf(m_stored);
     complete.state = SwingState::Complete;

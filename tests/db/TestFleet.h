@@ -25,7 +25,8 @@ inline Reading reading(double magnetic_deg, double compass_deg)
 /// The check swing of the worksheet examples (QNSC PEWB), question 1: largest deviation 5°, A = 3°.
 inline std::vector<Reading> worksheetReadings()
 {
-    return {reading(317, 316), reading(0, 358), reading(47, 42), reading(93, 89), reading(135, 134), reading(179, 177), reading(225, 220), reading(273, 269)};
+    return {reading(317, 316), reading(0, 358), reading(47, 42), reading(93, 89), reading(135, 134), reading(179, 177), reading(225, 220),
+        reading(273, 269)};
 }
 
 struct Stored {
@@ -79,10 +80,7 @@ inline Swing swingOf(const Stored& stored, const std::string& date = "2026-11-20
     return swing;
 }
 
-inline FieldStamp stampOf(const std::string& date)
-{
-    return {"WMM2025", {51.55, 21.89, 117.0}, date, {18879.125, 2311.0625, 0.1 + 0.2}};
-}
+inline FieldStamp stampOf(const std::string& date) { return {"WMM2025", {51.55, 21.89, 117.0}, date, {18879.125, 2311.0625, 0.1 + 0.2}}; }
 
 inline SensorRecord sensorOf(const Stored& stored, const std::string& name = "as entered")
 {

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "core/format/Exchange.h"
+#include "core/format/exchange/Exchange.h"
 #include "db/Transfer.h"
 #include "tests/db/TestFleet.h"
 
@@ -8,10 +8,7 @@ namespace lubberline::test {
 
 namespace {
 
-Fleet exported(db::Database& database)
-{
-    return std::move(db::exportFleet(database, {}, {}).value());
-}
+Fleet exported(db::Database& database) { return std::move(db::exportFleet(database, {}, {}).value()); }
 
 } // namespace
 
@@ -166,7 +163,8 @@ TEST(Transfer, recordsOfOtherIdentityAreKnownByTheirNames)
     Swing swing = swingOf(stored);
     swing.record = newRecordId();
     fleet.swings = {swing};
-    fleet.types[0].record = fleet.aircraft[0].record = fleet.compasses[0].record = fleet.sites[0].record = fleet.limits[0].record = newRecordId();
+    fleet.types[0].record = fleet.aircraft[0].record = fleet.compasses[0].record = fleet.sites[0].record = fleet.limits[0].record
+        = newRecordId();
     ASSERT_TRUE(db::importFleet(database, fleet, {}));
     const auto totals = *db::FleetRepository(database).totals();
     EXPECT_EQ(totals.types, 1);

@@ -2,9 +2,9 @@
 
 #include <sstream>
 
-#include "core/format/Exchange.h"
-#include "core/format/FileText.h"
-#include "core/format/SwingCsv.h"
+#include "core/base/FileText.h"
+#include "core/format/csv/SwingCsv.h"
+#include "core/format/exchange/Exchange.h"
 
 namespace lubberline::test {
 

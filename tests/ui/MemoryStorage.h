@@ -7,11 +7,12 @@
 #include <map>
 #include <utility>
 
-#include "core/deviation/Analysis.h"
-#include "core/format/SignedContent.h"
-#include "core/format/SwingCsv.h"
+#include "core/format/csv/SwingCsv.h"
+#include "core/format/exchange/SignedContent.h"
 #include "core/record/Completeness.h"
-#include "core/record/SwingField.h"
+#include "core/swing/Analysis.h"
+#include "core/swing/Observations.h"
+#include "core/swing/SwingField.h"
 #include "ui/storage/Storage.h"
 
 namespace lubberline::ui {
@@ -43,9 +44,9 @@ class MemoryStorage : public Storage {
 public:
     MemoryStorage() : m_fleet(std::make_shared<MemoryFleet>()) {}
 
-    bool refuseWrites = false;   ///< as a full disk does
+    bool refuseWrites = false; ///< as a full disk does
     bool isReadOnly = false;
-    int importDelay_ms = 0;      ///< between the steps of an import
+    int importDelay_ms = 0; ///< between the steps of an import
     std::map<std::string, int> asked;
     MemoryFleet& fleet() { return *m_fleet; }
 
@@ -63,7 +64,8 @@ public:
 
     Result<Totals> totals() override
     {
-        return Totals{int(m_fleet->types.size()), int(m_fleet->aircraft.size()), int(m_fleet->compasses.size()), std::int64_t(m_fleet->swings.size())};
+        return Totals{int(m_fleet->types.size()), int(m_fleet->aircraft.size()), int(m_fleet->compasses.size()),
+            std::int64_t(m_fleet->swings.size())};
     }
     Result<std::vector<TypeRow>> types() override
     {
@@ -120,7 +122,8 @@ public:
     Result<std::vector<Event>> eventsOf(AircraftId id) override
     {
         std::vector<Event> events;
-        std::copy_if(m_fleet->events.begin(), m_fleet->events.end(), std::back_inserter(events), [id](const Event& event) { return event.aircraft == id; });
+        std::copy_if(m_fleet->events.begin(), m_fleet->events.end(), std::back_inserter(events),
+            [id](const Event& event) { return event.aircraft == id; });
         return events;
     }
     Result<std::vector<SensorRecord>> sensorsOf(CompassId compass) override
@@ -252,7 +255,8 @@ public:
         signature.hash = standIn(id);
         swing.signatures.push_back(signature);
         const auto given = [&](SignatureRole role) {
-            return std::any_of(swing.signatures.begin(), swing.signatures.end(), [&](const Signature& one) { return one.role == role && one.hash == signature.hash; });
+            return std::any_of(swing.signatures.begin(), swing.signatures.end(),
+                [&](const Signature& one) { return one.role == role && one.hash == signature.hash; });
         };
         const bool decided = given(SignatureRole::Performer) && (given(SignatureRole::Inspector) || given(SignatureRole::Authority));
         const auto done = setState(swing, decided ? SwingState::Signed : swing.state, "signed swing", signature.name);
@@ -292,8 +296,8 @@ public:
         for (auto job = m_fleet->jobs.rbegin(); job != m_fleet->jobs.rend(); ++job)
             if (job->open) {
                 const auto record = *swingRecord(job->record.swing);
-                rows.push_back({job->record.swing, job->record.job.record, record.aircraft.registration, record.compass.name, record.swing.date,
-                    int(job->record.job.events.size())});
+                rows.push_back({job->record.swing, job->record.job.record, record.aircraft.registration, record.compass.name,
+                    record.swing.date, int(job->record.job.events.size())});
             }
         return rows;
     }
@@ -366,7 +370,10 @@ public:
     }
 
     Result<std::vector<DatumInstrument>> instruments() override { return m_fleet->instruments; }
-    Result<void> save(const DatumInstrument& instrument) override { return keep(m_fleet->instruments, instrument, [this] { emit sitesChanged(); }); }
+    Result<void> save(const DatumInstrument& instrument) override
+    {
+        return keep(m_fleet->instruments, instrument, [this] { emit sitesChanged(); });
+    }
     Result<void> removeInstrument(const RecordId& record) override
     {
         std::erase_if(m_fleet->instruments, [&](const DatumInstrument& one) { return one.record == record; });
@@ -374,7 +381,10 @@ public:
         return {};
     }
     Result<std::vector<DueRule>> dueRules() override { return m_fleet->dueRules; }
-    Result<void> save(const DueRule& rule) override { return keep(m_fleet->dueRules, rule, [this] { emit dueChanged(); }); }
+    Result<void> save(const DueRule& rule) override
+    {
+        return keep(m_fleet->dueRules, rule, [this] { emit dueChanged(); });
+    }
     Result<void> removeDueRule(const RecordId& record) override
     {
         std::erase_if(m_fleet->dueRules, [&](const DueRule& one) { return one.record == record; });
@@ -390,7 +400,10 @@ public:
                     waivers.push_back(one);
         return waivers;
     }
-    Result<void> save(const Waiver& waiver) override { return keep(m_fleet->waivers, waiver, [this] { emit dueChanged(); }); }
+    Result<void> save(const Waiver& waiver) override
+    {
+        return keep(m_fleet->waivers, waiver, [this] { emit dueChanged(); });
+    }
     Result<std::vector<DueCompass>> dueCompasses() override
     {
         ++asked["due"];
@@ -398,8 +411,8 @@ public:
         for (const auto& compass : m_fleet->compasses) {
             const auto owner = *aircraft(compass.aircraft);
             const auto type = *find(m_fleet->types, owner.type, "type");
-            DueCompass row{type.id, owner.id, compass.id, type.record, compass.record, type.name, owner.registration, compass.name, compass.installed, owner.base,
-                {}, *eventsOf(owner.id), *waiversOf(owner.id)};
+            DueCompass row{type.id, owner.id, compass.id, type.record, compass.record, type.name, owner.registration, compass.name,
+                compass.installed, owner.base, {}, *eventsOf(owner.id), *waiversOf(owner.id)};
             for (const Swing* swing : of(compass.id))
                 if (swing->state == SwingState::Signed)
                     row.signedSwings.push_back(swing->date);
@@ -494,7 +507,10 @@ public:
         return {};
     }
 
-    Result<Fleet> exportFleet(const std::vector<AircraftId>&, const Progress&) override { return toFleet(*swingRecord(m_fleet->swings.front().id)); }
+    Result<Fleet> exportFleet(const std::vector<AircraftId>&, const Progress&) override
+    {
+        return toFleet(*swingRecord(m_fleet->swings.front().id));
+    }
     /// Adds everything as new records.
     Result<Imported> importFleet(const Fleet& fleet, const Progress& progress) override
     {
@@ -544,7 +560,8 @@ private:
     }
     MemoryFleet::Job& jobAt(SwingId swing)
     {
-        return *std::find_if(m_fleet->jobs.begin(), m_fleet->jobs.end(), [&](const MemoryFleet::Job& one) { return one.record.swing == swing; });
+        return *std::find_if(
+            m_fleet->jobs.begin(), m_fleet->jobs.end(), [&](const MemoryFleet::Job& one) { return one.record.swing == swing; });
     }
     std::optional<Error> refusal() const
     {

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <functional>
 
-#include "ui/style/Badge.h"
-#include "ui/style/DueBadge.h"
-#include "ui/style/Words.h"
+#include "ui/kit/Badge.h"
+#include "ui/kit/DueBadge.h"
+#include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 
 struct FleetModel::Node {
     FleetItem item;
     QString name;
-    QString detail;  ///< tooltip
+    QString detail; ///< tooltip
     Status status = Status::NotKnown;
     bool mayHaveChildren = false;
     bool draft = false;
@@ -36,7 +36,8 @@ QString swingName(const SwingRow& row)
 
 QString swingDetail(const SwingRow& row)
 {
-    const QString what = FleetModel::tr("%1, %2, %3 · readings: %4").arg(wordFor(row.kind), wordFor(row.stage), wordFor(row.state)).arg(row.readings);
+    const QString what
+        = FleetModel::tr("%1, %2, %3 · readings: %4").arg(wordFor(row.kind), wordFor(row.stage), wordFor(row.state)).arg(row.readings);
     if (!row.maxAbsDeviation_deg)
         return what;
     return what + FleetModel::tr(" · largest deviation %1°").arg(*row.maxAbsDeviation_deg, 0, 'f', 1);
@@ -50,10 +51,7 @@ QString badgeText(const QString& state, DueState due)
 
 } // namespace
 
-FleetModel::FleetModel(Storage& storage, QObject* parent)
-    : QAbstractItemModel(parent)
-    , m_storage(storage)
-    , m_root(std::make_unique<Node>())
+FleetModel::FleetModel(Storage& storage, QObject* parent) : QAbstractItemModel(parent), m_storage(storage), m_root(std::make_unique<Node>())
 {
     m_root->mayHaveChildren = true;
 }
@@ -192,7 +190,8 @@ void FleetModel::merge(Node& parent, std::vector<std::unique_ptr<Node>> fresh)
     }
     for (int row = 0; row < static_cast<int>(fresh.size()); ++row) {
         auto& wanted = fresh[static_cast<std::size_t>(row)];
-        const auto found = std::find_if(children.begin() + row, children.end(), [&wanted](const auto& node) { return node->item == wanted->item; });
+        const auto found
+            = std::find_if(children.begin() + row, children.end(), [&wanted](const auto& node) { return node->item == wanted->item; });
         if (found == children.end()) {
             wanted->parent = &parent;
             beginInsertRows(indexOf(&parent), row, row);
@@ -275,14 +274,10 @@ QVariant FleetModel::data(const QModelIndex& index, int role) const
         if (badge)
             return badgeText(node.draft ? tr("draft") : badgeWord(node.status), dueOf(node.item));
         return node.name;
-    case Qt::DecorationRole:
-        return badge ? QVariant(badgeIcon(node.status)) : QVariant();
-    case Qt::ToolTipRole:
-        return node.detail.isEmpty() ? badgeMeaning(node.status) : node.detail + "\n" + badgeMeaning(node.status);
-    case Qt::AccessibleTextRole:
-        return badge ? badgeMeaning(node.status) : node.name;
-    default:
-        return {};
+    case Qt::DecorationRole: return badge ? QVariant(badgeIcon(node.status)) : QVariant();
+    case Qt::ToolTipRole: return node.detail.isEmpty() ? badgeMeaning(node.status) : node.detail + "\n" + badgeMeaning(node.status);
+    case Qt::AccessibleTextRole: return badge ? badgeMeaning(node.status) : node.name;
+    default: return {};
     }
 }
 
@@ -301,7 +296,8 @@ QModelIndex FleetModel::find(const std::vector<FleetItem>& path)
     for (const FleetItem& item : path) {
         if (!node->loaded)
             load(*node);
-        const auto found = std::find_if(node->children.begin(), node->children.end(), [&item](const auto& child) { return child->item == item; });
+        const auto found
+            = std::find_if(node->children.begin(), node->children.end(), [&item](const auto& child) { return child->item == item; });
         if (found == node->children.end())
             break;
         node = found->get();

@@ -10,8 +10,8 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
-#include "ui/style/DueBadge.h"
-#include "ui/style/Words.h"
+#include "ui/kit/DueBadge.h"
+#include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 

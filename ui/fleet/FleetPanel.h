@@ -31,7 +31,7 @@ public:
 signals:
     void itemChosen(const lubberline::ui::FleetItem& item);
     void itemOpened(); ///< Enter or double click on the chosen item: the page is wanted
-    void dueWanted(); ///< the list of what is due
+    void dueWanted();  ///< the list of what is due
     void failed(const QString& message);
 
 protected:

@@ -9,7 +9,7 @@
 
 #include "ui/guided/GuidedJob.h"
 #include "ui/guided/GuidedWords.h"
-#include "ui/style/Words.h"
+#include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 
@@ -61,7 +61,8 @@ void CrewDisplay::refresh()
     const StationState* here = m_job.station();
     QString what = stepTitle(m_job), figure, detail;
     if (state.turn) {
-        what = state.phase == JobPhase::Index ? tr("Turn the compass in its mount until it reads") : tr("Turn the %1 until the compass reads").arg(controlWord(state.turn->control));
+        what = state.phase == JobPhase::Index ? tr("Turn the compass in its mount until it reads")
+                                              : tr("Turn the %1 until the compass reads").arg(controlWord(state.turn->control));
         figure = figureText(state.turn->makeCompassRead_deg);
         detail = here ? tr("on %1").arg(stationHeading(here->station.nominal_deg)) : QString();
     } else if (here) {

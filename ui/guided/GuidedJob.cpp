@@ -5,15 +5,15 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
-#include "core/deviation/ReadingError.h"
-#include "core/format/SwingCsv.h"
-#include "ui/plots/PictureOf.h"
+#include "core/swing/Observations.h"
+#include "core/swing/ReadingError.h"
+#include "ui/plots/swing/PictureOf.h"
 
 namespace lubberline::ui {
 
 namespace {
 
-constexpr double kNearEnough_deg = 5.0; // procedures: an aircraft within 5° of the wanted heading is enough
+constexpr double kNearEnough_deg = 5.0;      // procedures: an aircraft within 5° of the wanted heading is enough
 constexpr double kAnotherHeading_deg = 22.5; // half of the step between eight headings: beyond, it is the next one
 constexpr std::size_t kMostFigures = 3;
 
@@ -30,13 +30,15 @@ Result<std::vector<double>> parseFigures(const QString& text)
         figures.push_back(*figure);
     }
     if (figures.size() > kMostFigures)
-        return Error{ErrorCode::InvalidInput, GuidedJob::tr("%1 figures; expected one to three of the same heading").arg(figures.size()).toStdString()};
+        return Error{ErrorCode::InvalidInput,
+            GuidedJob::tr("%1 figures; expected one to three of the same heading").arg(figures.size()).toStdString()};
     return figures;
 }
 
 GuidedJob::GuidedJob(GuidedServices services, QObject* parent) : QObject(parent), m_services(std::move(services)) {}
 
-Result<void> GuidedJob::open(SwingJob job, const SwingRecord& record, std::shared_ptr<const Analysis> previous, const QString& previousLabel)
+Result<void> GuidedJob::open(
+    SwingJob job, const SwingRecord& record, std::shared_ptr<const Analysis> previous, const QString& previousLabel)
 {
     auto state = stateOf(job);
     if (!state)
@@ -88,21 +90,27 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
         return compass.error();
     const double off = std::abs(wrap180(heading->magnetic.degrees() - here->station.nominal_deg));
     if (off > kAnotherHeading_deg)
-        return Error{ErrorCode::InvalidInput, tr("the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)")
-            .arg(heading->magnetic.degrees(), 0, 'f', 1).arg(here->station.nominal_deg, 3, 'f', 0, QChar('0')).toStdString()};
+        return Error{ErrorCode::InvalidInput,
+            tr("the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)")
+                .arg(heading->magnetic.degrees(), 0, 'f', 1)
+                .arg(here->station.nominal_deg, 3, 'f', 0, QChar('0'))
+                .toStdString()};
 
     Prepared prepared;
     prepared.reading = {m_state.current, raw, heading->magnetic.degrees(), compass->compass.degrees(), {}};
     prepared.datumSpread_deg = heading->spread_deg;
     prepared.compassSpread_deg = compass->spread_deg;
     if (off > kNearEnough_deg)
-        prepared.note = tr("the aircraft stands %1° from %2; within 5° is wanted").arg(off, 0, 'f', 1).arg(here->station.nominal_deg, 3, 'f', 0, QChar('0'));
+        prepared.note = tr("the aircraft stands %1° from %2; within 5° is wanted")
+                            .arg(off, 0, 'f', 1)
+                            .arg(here->station.nominal_deg, 3, 'f', 0, QChar('0'));
 
     std::vector<Observation> earlier;
     std::vector<double> nominals;
     for (const auto& other : m_state.stations) {
         // Readings of before an adjustment say little of the compass as it is now.
-        if (other.reading && !other.voided && other.station.phase == here->station.phase && other.station.configuration == here->station.configuration)
+        if (other.reading && !other.voided && other.station.phase == here->station.phase
+            && other.station.configuration == here->station.configuration)
             earlier.push_back(*other.reading);
         if (&other != here && !other.done())
             nominals.push_back(other.station.nominal_deg);
@@ -133,7 +141,8 @@ SwingPicture GuidedJob::picture() const
 {
     SwingRecord record = m_record;
     record.swing = asLeftSwing(m_job, m_state);
-    const bool checking = std::any_of(record.swing.readings.begin(), record.swing.readings.end(), [](const Reading& reading) { return reading.complete(); });
+    const bool checking = std::any_of(
+        record.swing.readings.begin(), record.swing.readings.end(), [](const Reading& reading) { return reading.complete(); });
     if (!checking)
         record.swing = asFoundSwing(m_job, m_state);
     std::shared_ptr<const Analysis> analysis;
@@ -141,8 +150,7 @@ SwingPicture GuidedJob::picture() const
     if (auto made = analyse(observationsOf(record.swing))) {
         widenToReadings(*made, readingError_rad(m_job.resolution_deg, m_job.datum.resolution_deg));
         analysis = std::make_shared<const Analysis>(std::move(made.value()));
-    }
-    else
+    } else
         why = QString::fromStdString(made.error().message);
     return pictureOf(record, std::move(analysis), why, m_previous, m_previousLabel, AngleStyle::DecimalDegrees);
 }

@@ -11,14 +11,14 @@
 #include "core/procedure/DatumHeading.h"
 #include "core/procedure/JobState.h"
 #include "core/record/Fleet.h"
-#include "ui/plots/SwingPicture.h"
+#include "ui/plots/swing/SwingPicture.h"
 
 namespace lubberline::ui {
 
 /// What a guided swing needs from outside.
 struct GuidedServices {
     std::function<Result<void>(const SwingJob& job, const JobEvent& event)> store; ///< on disk when it returns ok
-    std::function<std::string()> nowUtc;                                            ///< ISO 8601
+    std::function<std::string()> nowUtc;                                           ///< ISO 8601
 };
 
 /// The figures of one entry of the crew: one to three of each.

@@ -6,8 +6,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "core/format/SwingCsv.h"
 #include "core/record/Completeness.h"
+#include "core/swing/Observations.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/CrewDisplay.h"
 #include "ui/guided/GuidedPrepare.h"
@@ -16,9 +16,9 @@
 #include "ui/guided/GuidedStation.h"
 #include "ui/guided/GuidedWords.h"
 #include "ui/guided/StationStrip.h"
-#include "ui/live/LivePanel.h"
-#include "ui/plots/SwingPlot.h"
-#include "ui/style/Words.h"
+#include "ui/intake/LivePanel.h"
+#include "ui/kit/Words.h"
+#include "ui/plots/swing/SwingPlot.h"
 
 namespace lubberline::ui {
 
@@ -169,7 +169,8 @@ void GuidedPage::buildFault()
     const auto goOn = [this] {
         const std::string words = m_faultLine->text().trimmed().toStdString();
         if (words.empty())
-            emit failed(m_job->state().phase == JobPhase::Fault ? tr("What was done about the fault? Some words are expected.") : tr("What is the fault? Some words are expected."));
+            emit failed(m_job->state().phase == JobPhase::Fault ? tr("What was done about the fault? Some words are expected.")
+                                                                : tr("What is the fault? Some words are expected."));
         else if (m_job->state().phase == JobPhase::Fault)
             tell(job::Mended{words});
         else
@@ -243,7 +244,8 @@ void GuidedPage::refresh()
         break;
     case JobPhase::Fault:
     case JobPhase::Abandoned:
-        m_faultText->setText(state.phase == JobPhase::Fault ? tr("Fault: %1. What was done about it?").arg(toText(state.fault)) : tr("This swing was abandoned."));
+        m_faultText->setText(state.phase == JobPhase::Fault ? tr("Fault: %1. What was done about it?").arg(toText(state.fault))
+                                                            : tr("This swing was abandoned."));
         m_faultLine->clear();
         m_steps->setCurrentWidget(m_fault);
         m_faultLine->setFocus();
@@ -310,17 +312,15 @@ void GuidedPage::finish()
     emit finished(made);
 }
 
-void GuidedPage::showLive(bool shown)
-{
-    m_live->setVisible(shown);
-}
+void GuidedPage::showLive(bool shown) { m_live->setVisible(shown); }
 
 /// The field takes what the job's instrument shows; a heading of the other north is turned into it by the variation.
 void GuidedPage::takeLiveDatum(double heading_deg, bool isTrue)
 {
     const DatumInstrument& datum = m_job->datum();
     if (datum.kind == DatumKind::SightingCompass || datum.kind == DatumKind::Theodolite) {
-        emit failed(tr("The datum of this swing is sighted by a person: a live heading is none of its figures. Begin the swing with an instrument that sends headings."));
+        emit failed(tr(
+            "The datum of this swing is sighted by a person: a live heading is none of its figures. Begin the swing with an instrument that sends headings."));
         return;
     }
     std::optional<double> variation_deg = m_job->job().particulars.variation_deg;
@@ -329,7 +329,8 @@ void GuidedPage::takeLiveDatum(double heading_deg, bool isTrue)
     if (isTrue == datum.givesTrue)
         m_station->setDatum(heading_deg);
     else if (!variation_deg)
-        emit failed(tr("The live heading is true and the datum magnetic, or the other way round: a variation is expected, of the site or in the sentences."));
+        emit failed(tr(
+            "The live heading is true and the datum magnetic, or the other way round: a variation is expected, of the site or in the sentences."));
     else
         m_station->setDatum(wrap360(isTrue ? heading_deg - *variation_deg : heading_deg + *variation_deg));
 }

@@ -11,14 +11,14 @@
 
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
-#include "ui/style/Words.h"
+#include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 
 namespace {
 
 constexpr std::array kHeadings_deg{0.0, 90.0, 180.0, 270.0};
-enum Column { Off, On, Change };
+enum CheckColumn { Off, On, Change };
 constexpr int kRowHeight_px = 31, kList_px = 18;
 
 } // namespace
@@ -105,7 +105,8 @@ void GuidedPrepare::showInterference()
     double largest = 0;
     for (int row = 0; row < m_table->rowCount(); ++row)
         for (const auto& event : m_job.job().events)
-            if (const auto* read = std::get_if<job::InterferenceRead>(&event.what); read && read->heading_deg == kHeadings_deg[static_cast<std::size_t>(row)]) {
+            if (const auto* read = std::get_if<job::InterferenceRead>(&event.what);
+                read && read->heading_deg == kHeadings_deg[static_cast<std::size_t>(row)]) {
                 const double change = wrap180(read->on_deg - read->off_deg);
                 m_table->setItem(row, Off, new QTableWidgetItem(figureText(read->off_deg)));
                 m_table->setItem(row, On, new QTableWidgetItem(figureText(read->on_deg)));
@@ -113,9 +114,11 @@ void GuidedPrepare::showInterference()
                 largest = std::max(largest, std::abs(change));
             }
     m_filling = false;
-    m_message->setText(largest > 0 ? tr("The compass changes by up to %1° with %2: a significant difference is cured first. No limit is sourced; you decide.")
-                                         .arg(largest, 0, 'f', 1).arg(m_load->text())
-                                   : QString());
+    m_message->setText(largest > 0
+            ? tr("The compass changes by up to %1° with %2: a significant difference is cured first. No limit is sourced; you decide.")
+                  .arg(largest, 0, 'f', 1)
+                  .arg(m_load->text())
+            : QString());
 }
 
 void GuidedPrepare::takeInterference(int row)
@@ -132,10 +135,7 @@ void GuidedPrepare::takeInterference(int row)
         tell(job::InterferenceRead{kHeadings_deg[static_cast<std::size_t>(row)], m_load->text().trimmed().toStdString(), *off, *on});
 }
 
-void GuidedPrepare::goOn()
-{
-    tell(job::Prepared{});
-}
+void GuidedPrepare::goOn() { tell(job::Prepared{}); }
 
 void GuidedPrepare::tell(job::What what)
 {

@@ -10,13 +10,13 @@
 
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
-#include "ui/style/Words.h"
+#include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 
 namespace {
 
-enum Column { For, Datum, Compass, DeviationRead, Residual, Steer, Where };
+enum ReviewColumn { For, Datum, Compass, DeviationRead, Residual, Steer, Where };
 
 QTableWidgetItem* cell(const QString& text)
 {
@@ -47,7 +47,8 @@ GuidedReview::GuidedReview(GuidedJob& job, QWidget* parent)
 void GuidedReview::build()
 {
     m_table->setObjectName(QStringLiteral("residuals"));
-    m_table->setHorizontalHeaderLabels({tr("for"), tr("magnetic"), tr("compass"), tr("deviation"), tr("residual"), tr("steer"), tr("with")});
+    m_table->setHorizontalHeaderLabels(
+        {tr("for"), tr("magnetic"), tr("compass"), tr("deviation"), tr("residual"), tr("steer"), tr("with")});
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setFont(bigFont(font(), 17));
@@ -77,7 +78,8 @@ void GuidedReview::build()
     mending->addWidget(m_control);
     mending->addWidget(m_after);
     mending->addWidget(m_turn);
-    m_turn->setToolTip(tr("On the heading of the row that is chosen, where the aircraft stands now. Every reading of the check swing is void then."));
+    m_turn->setToolTip(
+        tr("On the heading of the row that is chosen, where the aircraft stands now. Every reading of the check swing is void then."));
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_verdict);
     column->addWidget(m_notes);
@@ -97,7 +99,8 @@ void GuidedReview::refresh()
     const auto& state = m_job.state();
     QStringList notes;
     if (state.indexRemoved_deg)
-        notes += tr("A = %1° was taken out by turning the compass; residual = deviation − A.").arg(signedNumber(*state.indexRemoved_deg, 1));
+        notes
+            += tr("A = %1° was taken out by turning the compass; residual = deviation − A.").arg(signedNumber(*state.indexRemoved_deg, 1));
     if (!state.indexLeft.empty() && state.index_deg)
         notes += tr("A = %1° was left in: %2.").arg(signedNumber(*state.index_deg, 1), toText(state.indexLeft));
     if (const QString skipped = skipWords(state); !skipped.isEmpty())
@@ -134,7 +137,9 @@ void GuidedReview::fillTable()
             m_table->setItem(at, DeviationRead, cell(signedNumber(row.deviation_deg, 1)));
             m_table->setItem(at, Residual, cell(signedNumber(row.residual_deg, 1)));
             m_table->setItem(at, Steer, cell(figureText(std::round(row.steer_deg))));
-            m_table->setItem(at, Where, cell(configuration == 0 ? QString() : toText(m_job.job().plan.configurations[static_cast<std::size_t>(configuration - 1)])));
+            m_table->setItem(at, Where,
+                cell(
+                    configuration == 0 ? QString() : toText(m_job.job().plan.configurations[static_cast<std::size_t>(configuration - 1)])));
         }
     }
     if (m_table->rowCount() > 0)
@@ -152,8 +157,11 @@ QString GuidedReview::verdict() const
     const auto& limits = m_job.record().limits;
     if (!limits || !limits->maxDeviation_deg)
         return worst + tr(". No limit is set for this compass.");
-    const QString source = QStringLiteral("%1° (%2)").arg(numberText(limits->maxDeviation_deg), toText(limits->document.empty() ? limits->name : limits->document));
-    return std::abs(largest) <= *limits->maxDeviation_deg ? worst + tr(": within %1.").arg(source) : worst + tr(": OUT OF LIMITS, %1 is allowed.").arg(source);
+    const QString source
+        = QStringLiteral("%1° (%2)")
+              .arg(numberText(limits->maxDeviation_deg), toText(limits->document.empty() ? limits->name : limits->document));
+    return std::abs(largest) <= *limits->maxDeviation_deg ? worst + tr(": within %1.").arg(source)
+                                                          : worst + tr(": OUT OF LIMITS, %1 is allowed.").arg(source);
 }
 
 bool GuidedReview::tell(job::What what)
@@ -192,13 +200,15 @@ void GuidedReview::turnAgain()
     const int row = m_table->currentRow();
     const auto figures = parseFigures(m_after->text());
     if (row < 0 || !figures || figures->size() != 1) {
-        emit failed(tr("What does the compass read after the control was turned, on the heading of the row that is chosen? One figure is expected."));
+        emit failed(tr(
+            "What does the compass read after the control was turned, on the heading of the row that is chosen? One figure is expected."));
         m_after->setFocus();
         return;
     }
     const int station = m_stations[static_cast<std::size_t>(row)];
     const double before = m_job.state().stations[static_cast<std::size_t>(station)].reading->compass.degrees();
-    if (tell(job::Adjusted{station, static_cast<Control>(m_control->currentIndex()), before, figures->front(), figures->front(), tr("after the check swing").toStdString()}))
+    if (tell(job::Adjusted{station, static_cast<Control>(m_control->currentIndex()), before, figures->front(), figures->front(),
+            tr("after the check swing").toStdString()}))
         m_after->clear();
 }
 

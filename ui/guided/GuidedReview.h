@@ -1,6 +1,6 @@
 #pragma once
-/// The whole swing before it is accepted: residuals, what was skipped and voided, whether it stays within limits. From here a station
-/// can be read again, or a control turned again, which voids the check swing.
+/// The whole swing before it is accepted: residuals, what was skipped and voided, whether it stays within limits. From here a
+/// station can be read again, or a control turned again, which voids the check swing.
 
 #include <QWidget>
 

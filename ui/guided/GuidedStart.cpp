@@ -10,12 +10,12 @@
 
 #include "core/procedure/Checklist.h"
 #include "core/procedure/DatumHeading.h"
-#include "core/record/SwingField.h"
 #include "core/site/SiteSurvey.h"
+#include "core/swing/SwingField.h"
+#include "ui/earth/FieldText.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
-#include "ui/pages/FieldText.h"
-#include "ui/style/Words.h"
+#include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 
@@ -51,8 +51,13 @@ std::optional<double> variationOf(const Swing& swing, const Site* site)
 } // namespace
 
 GuidedStart::GuidedStart(Storage& storage, QWidget* parent)
-    : QWidget(parent), m_storage(storage), m_title(bigLabel("guidedStartTitle", kSentence_px, true)), m_meaning(new QLabel), m_checklist(new QPlainTextEdit),
-      m_complaint(bigLabel("guidedComplaint", kForm_px, true)), m_start(bigButton(tr("Begin (Ctrl+Enter)"), "beginGuided"))
+    : QWidget(parent)
+    , m_storage(storage)
+    , m_title(bigLabel("guidedStartTitle", kSentence_px, true))
+    , m_meaning(new QLabel)
+    , m_checklist(new QPlainTextEdit)
+    , m_complaint(bigLabel("guidedComplaint", kForm_px, true))
+    , m_start(bigButton(tr("Begin (Ctrl+Enter)"), "beginGuided"))
 {
     build();
 }
@@ -125,7 +130,8 @@ void GuidedStart::build()
     layout->addWidget(scroll);
     setFocusProxy(m_procedure);
 
-    connect(m_procedure, &QComboBox::currentIndexChanged, this, [this](int kind) { m_meaning->setText(procedureMeaning(static_cast<ProcedureKind>(kind))); });
+    connect(m_procedure, &QComboBox::currentIndexChanged, this,
+        [this](int kind) { m_meaning->setText(procedureMeaning(static_cast<ProcedureKind>(kind))); });
     for (QComboBox* box : {m_datum, m_site})
         connect(box, &QComboBox::currentIndexChanged, this, &GuidedStart::check);
     connect(m_date, &QLineEdit::editingFinished, this, &GuidedStart::check);
@@ -157,9 +163,9 @@ Result<void> GuidedStart::begin(CompassId compass, const std::string& today)
     for (const auto& one : m_instruments)
         m_datum->addItem(toText(one.name));
     m_datum->addItem(toText(plainDatum().name));
-    m_procedure->setCurrentIndex(static_cast<int>(system->compensator == Compensator::None       ? ProcedureKind::CheckOnly
-            : system->kind == CompassKind::DirectReading ? ProcedureKind::Coefficient
-                                                         : ProcedureKind::FluxValve));
+    m_procedure->setCurrentIndex(static_cast<int>(system->compensator == Compensator::None ? ProcedureKind::CheckOnly
+            : system->kind == CompassKind::DirectReading                                   ? ProcedureKind::Coefficient
+                                                                                           : ProcedureKind::FluxValve));
     m_meaning->setText(procedureMeaning(static_cast<ProcedureKind>(m_procedure->currentIndex())));
     m_date->setText(toText(today));
     QStringList items;
@@ -210,7 +216,8 @@ std::string GuidedStart::whyNot() const
     if (site())
         why = whyUnfit({site()->certificateExpiry, site()->siteClass, SiteClass::None}, date);
     if (calibrationOver(datum(), date))
-        why += (why.empty() ? "" : "; ") + tr("the calibration of %1 was due on %2").arg(toText(datum().name), toText(datum().calibrationDue)).toStdString();
+        why += (why.empty() ? "" : "; ")
+            + tr("the calibration of %1 was due on %2").arg(toText(datum().name), toText(datum().calibrationDue)).toStdString();
     return why;
 }
 
@@ -221,7 +228,8 @@ void GuidedStart::check()
     if (!why.empty())
         words += tr("Not to be used on that day: %1").arg(toText(why));
     if (datum().kind == DatumKind::RoseLine && paintedOffset_deg() != 0)
-        words += tr("The painted lines are out by %1° since they were laid out; this is added to every figure.").arg(signedNumber(paintedOffset_deg(), 2));
+        words += tr("The painted lines are out by %1° since they were laid out; this is added to every figure.")
+                     .arg(signedNumber(paintedOffset_deg(), 2));
     m_complaint->setText(words.join('\n'));
     m_override->setEnabled(!why.empty());
 }
@@ -235,7 +243,8 @@ Result<Swing> GuidedStart::particulars() const
     swing.compass = m_compassSystem.id;
     swing.date = *date;
     swing.site = site() ? site()->id : SiteId();
-    swing.stage = static_cast<ProcedureKind>(m_procedure->currentIndex()) == ProcedureKind::CheckOnly ? SwingStage::AsFound : SwingStage::AsLeft;
+    swing.stage
+        = static_cast<ProcedureKind>(m_procedure->currentIndex()) == ProcedureKind::CheckOnly ? SwingStage::AsFound : SwingStage::AsLeft;
     swing.configuration = {static_cast<RadioState>(m_radio->currentIndex()), typed(*m_engines), typed(*m_electrics), {}};
     const DatumInstrument instrument = datum();
     swing.datum = {instrument.name, instrument.serialNumber, instrument.calibrationDue, readOutWords(instrument).toStdString()};
@@ -246,11 +255,15 @@ Result<Swing> GuidedStart::particulars() const
     if (instrument.givesTrue) {
         swing.variation_deg = variationOf(swing, site());
         if (!swing.variation_deg)
-            return Error{ErrorCode::InvalidInput, tr("%1 gives true headings; expected a site with its variation or its position").arg(toText(instrument.name)).toStdString()};
+            return Error{ErrorCode::InvalidInput,
+                tr("%1 gives true headings; expected a site with its variation or its position")
+                    .arg(toText(instrument.name))
+                    .toStdString()};
     }
     if (!whyNot().empty()) {
         if (typed(*m_override).empty())
-            return Error{ErrorCode::InvalidInput, tr("Not to be used on that day: %1. A reason is expected to swing in spite of that.").arg(toText(whyNot())).toStdString()};
+            return Error{ErrorCode::InvalidInput,
+                tr("Not to be used on that day: %1. A reason is expected to swing in spite of that.").arg(toText(whyNot())).toStdString()};
         swing.siteOverride = whyNot() + ": " + typed(*m_override);
     }
     return swing;

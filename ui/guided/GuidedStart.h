@@ -48,7 +48,8 @@ private:
     QLabel* m_title;
     QComboBox *m_procedure, *m_points, *m_datum, *m_site, *m_radio;
     QLabel* m_meaning;
-    QLineEdit *m_date, *m_engines, *m_electrics, *m_further, *m_datumReader, *m_cockpitReader, *m_adjuster, *m_reason, *m_workOrder, *m_override;
+    QLineEdit *m_date, *m_engines, *m_electrics, *m_further, *m_datumReader, *m_cockpitReader, *m_adjuster, *m_reason, *m_workOrder,
+        *m_override;
     QPlainTextEdit* m_checklist;
     QLabel* m_complaint;
     QPushButton* m_start;

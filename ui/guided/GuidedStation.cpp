@@ -10,8 +10,8 @@
 #include "core/angle/AngleText.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
-#include "ui/pages/SlipWords.h"
-#include "ui/style/Words.h"
+#include "ui/kit/Words.h"
+#include "ui/swing/SlipWords.h"
 
 namespace lubberline::ui {
 
@@ -33,10 +33,7 @@ QHBoxLayout* titled(const QString& title, QLineEdit& field)
 }
 
 /// Sighted from both sides only where the instrument can be.
-bool sighted(const DatumInstrument& datum)
-{
-    return datum.kind == DatumKind::SightingCompass || datum.kind == DatumKind::Theodolite;
-}
+bool sighted(const DatumInstrument& datum) { return datum.kind == DatumKind::SightingCompass || datum.kind == DatumKind::Theodolite; }
 
 } // namespace
 
@@ -149,7 +146,8 @@ void GuidedStation::refresh()
     m_reasonRow->hide();
     const auto& state = m_job.state();
     const StationState* here = m_job.station();
-    const std::pair shown{state.phase == JobPhase::Index ? -1 : state.current, here && turning() ? static_cast<int>(here->correctionsDone) : -1};
+    const std::pair shown{
+        state.phase == JobPhase::Index ? -1 : state.current, here && turning() ? static_cast<int>(here->correctionsDone) : -1};
     if (shown != m_shown) {
         for (QLineEdit* line : {m_datum, m_astern, m_compass, m_after, m_turnNote})
             line->clear();
@@ -193,7 +191,9 @@ void GuidedStation::showTurn(const MakeCompassRead& turn)
     m_target->setVisible(true);
     m_after->setEnabled(true);
     if (std::abs(turn.coefficient_deg) > kDemagnetise_deg && m_message->text().isEmpty())
-        say(tr("More than %1°: find magnetised parts and demagnetise them before anything is corrected (Tecnam P2002-JF MM 34-20). F8 reports the fault.").arg(kDemagnetise_deg), true);
+        say(tr("More than %1°: find magnetised parts and demagnetise them before anything is corrected (Tecnam P2002-JF MM 34-20). F8 reports the fault.")
+                .arg(kDemagnetise_deg),
+            true);
 }
 
 void GuidedStation::showNoTurn()
@@ -212,10 +212,7 @@ QWidget* GuidedStation::firstEmpty() const
     return m_datum->text().trimmed().isEmpty() ? m_datum : m_compass;
 }
 
-void GuidedStation::focusField()
-{
-    firstEmpty()->setFocus(Qt::OtherFocusReason);
-}
+void GuidedStation::focusField() { firstEmpty()->setFocus(Qt::OtherFocusReason); }
 
 void GuidedStation::setDatum(double heading_deg)
 {
@@ -223,10 +220,7 @@ void GuidedStation::setDatum(double heading_deg)
         m_datum->setText(QString::number(heading_deg, 'f', 1));
 }
 
-void GuidedStation::setCompass(double heading_deg)
-{
-    (turning() ? m_after : m_compass)->setText(QString::number(heading_deg, 'f', 1));
-}
+void GuidedStation::setCompass(double heading_deg) { (turning() ? m_after : m_compass)->setText(QString::number(heading_deg, 'f', 1)); }
 
 void GuidedStation::say(const QString& message, bool urgent)
 {
@@ -331,14 +325,17 @@ void GuidedStation::takeTurn()
     const double after = figures->front(), off = std::abs(wrap180(after - turn->makeCompassRead_deg));
     if (off > m_job.job().resolution_deg + 1e-9 && m_after->text() != m_kept) {
         m_kept = m_after->text();
-        say(tr("%1° is wanted, it reads %2°: turn again and type what it reads, or Enter keeps it.").arg(figureText(turn->makeCompassRead_deg), figureText(after)), true);
+        say(tr("%1° is wanted, it reads %2°: turn again and type what it reads, or Enter keeps it.")
+                .arg(figureText(turn->makeCompassRead_deg), figureText(after)),
+            true);
         m_after->selectAll();
         return;
     }
     if (m_job.state().phase == JobPhase::Index)
         tell(job::IndexRemoved{turn->compassReads_deg, turn->makeCompassRead_deg, after});
     else
-        tell(job::Adjusted{m_job.state().current, turn->control, turn->compassReads_deg, turn->makeCompassRead_deg, after, m_turnNote->text().trimmed().toStdString()});
+        tell(job::Adjusted{m_job.state().current, turn->control, turn->compassReads_deg, turn->makeCompassRead_deg, after,
+            m_turnNote->text().trimmed().toStdString()});
 }
 
 void GuidedStation::readAgain()

@@ -1,6 +1,6 @@
 #pragma once
-/// One stop of the aircraft: turn to a heading, read datum and compass, and turn the control that stands here. Enter goes on, F2 reads
-/// again, F4 skips with a reason, F5 leaves a control as it is with a reason. Also the index after the check swing.
+/// One stop of the aircraft: turn to a heading, read datum and compass, and turn the control that stands here. Enter goes on,
+/// F2 reads again, F4 skips with a reason, F5 leaves a control as it is with a reason. Also the index after the check swing.
 
 #include <QWidget>
 

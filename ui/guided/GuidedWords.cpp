@@ -7,7 +7,7 @@
 
 #include "core/procedure/SkipCost.h"
 #include "ui/guided/GuidedJob.h"
-#include "ui/style/Words.h"
+#include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 
@@ -47,25 +47,27 @@ QString letterOf(Control control)
 
 QStringList procedureWords()
 {
-    return {Words::tr("Coefficient method"), Words::tr("Half-error method"), Words::tr("Index first"), Words::tr("Flux valve"), Words::tr("Check only")};
+    return {Words::tr("Coefficient method"), Words::tr("Half-error method"), Words::tr("Index first"), Words::tr("Flux valve"),
+        Words::tr("Check only")};
 }
 
 QString procedureMeaning(ProcedureKind kind)
 {
     switch (kind) {
     case ProcedureKind::Coefficient:
-        return Words::tr("Read N, E, S and W; on S the N–S screw takes out C, on W the E–W screw takes out B; check swing; A by turning the compass "
-                         "in its mount (worksheet to CAP 562).");
+        return Words::tr(
+            "Read N, E, S and W; on S the N–S screw takes out C, on W the E–W screw takes out B; check swing; A by turning the compass "
+            "in its mount (worksheet to CAP 562).");
     case ProcedureKind::HalfError:
-        return Words::tr("On N and E all of the error is taken out, on S and W half of what is left; check swing; A by turning the compass in its mount "
-                         "(Barfield 56-101-01200).");
+        return Words::tr(
+            "On N and E all of the error is taken out, on S and W half of what is left; check swing; A by turning the compass in its mount "
+            "(Barfield 56-101-01200).");
     case ProcedureKind::IndexFirst:
         return Words::tr("Read N, E, S and W; the mount is turned by their mean, then B on W and C on N; check swing.");
     case ProcedureKind::FluxValve:
         return Words::tr("Read N, E, S and W untouched; the flux valve is turned by their mean, then C on N and B on E; check swing "
                          "(Duncan Aviation, after MIL-STD-765A practice).");
-    case ProcedureKind::CheckOnly:
-        return Words::tr("Nothing is touched: the check swing alone.");
+    case ProcedureKind::CheckOnly: return Words::tr("Nothing is touched: the check swing alone.");
     }
     return {};
 }
@@ -82,8 +84,8 @@ QString controlWord(Control control)
 
 QString stationHeading(double nominal_deg)
 {
-    static const std::array<QString, 8> kNames{Words::tr("N"), Words::tr("NE"), Words::tr("E"), Words::tr("SE"), Words::tr("S"), Words::tr("SW"), Words::tr("W"),
-        Words::tr("NW")};
+    static const std::array<QString, 8> kNames{
+        Words::tr("N"), Words::tr("NE"), Words::tr("E"), Words::tr("SE"), Words::tr("S"), Words::tr("SW"), Words::tr("W"), Words::tr("NW")};
     const QString figure = QStringLiteral("%1°").arg(nominal_deg, 3, 'f', 0, QChar('0'));
     const double eighth = nominal_deg / 45.0;
     return eighth == std::floor(eighth) ? figure + ' ' + kNames[static_cast<std::size_t>(eighth) % 8] : figure;
@@ -101,10 +103,13 @@ QString turnSentence(const MakeCompassRead& turn)
 {
     const QString control = controlWord(turn.control);
     if (turn.removal == HowMuch::All)
-        return Words::tr("Error %1°: turn the %2 until all of it is gone, and the compass reads").arg(signedNumber(turn.coefficient_deg, 1), control);
+        return Words::tr("Error %1°: turn the %2 until all of it is gone, and the compass reads")
+            .arg(signedNumber(turn.coefficient_deg, 1), control);
     if (turn.removal == HowMuch::Half)
-        return Words::tr("Half of the error is %1°: turn the %2 until the compass reads").arg(signedNumber(turn.coefficient_deg, 1), control);
-    return Words::tr("%1 = %2°: turn the %3 until the compass reads").arg(letterOf(turn.control), signedNumber(turn.coefficient_deg, 1), control);
+        return Words::tr("Half of the error is %1°: turn the %2 until the compass reads")
+            .arg(signedNumber(turn.coefficient_deg, 1), control);
+    return Words::tr("%1 = %2°: turn the %3 until the compass reads")
+        .arg(letterOf(turn.control), signedNumber(turn.coefficient_deg, 1), control);
 }
 
 QString stepTitle(const GuidedJob& job)
@@ -147,7 +152,9 @@ QString skipWords(const JobState& state)
     if (!std::isfinite(cost.remaining))
         return list + Words::tr("What was read does not tell a curve.");
     const QString price = Words::tr("The curve is known to ±%1 of a reading's error at %2 instead of ±%3.")
-                              .arg(cost.remaining, 0, 'f', 2).arg(stationHeading(cost.at_deg)).arg(cost.planned, 0, 'f', 2);
+                              .arg(cost.remaining, 0, 'f', 2)
+                              .arg(stationHeading(cost.at_deg))
+                              .arg(cost.planned, 0, 'f', 2);
     return list + price + (cost.withoutSecondHarmonic ? Words::tr(" D and E are not told any more.") : QString());
 }
 

@@ -11,7 +11,7 @@ namespace lubberline::ui {
 
 class GuidedJob;
 
-[[nodiscard]] QStringList procedureWords(); ///< in the order of ProcedureKind
+[[nodiscard]] QStringList procedureWords();                 ///< in the order of ProcedureKind
 [[nodiscard]] QString procedureMeaning(ProcedureKind kind); ///< what is done in which order, and whose method it is
 [[nodiscard]] QString controlWord(Control control);         ///< "N–S screw"
 [[nodiscard]] QString stationHeading(double nominal_deg);   ///< "180° S", "315° NW", "015°"
@@ -22,7 +22,8 @@ class GuidedJob;
 [[nodiscard]] QString stepTitle(const GuidedJob& job);
 /// "from ahead, reciprocal; zero +0.3°; true": for the record.
 [[nodiscard]] QString readOutWords(const DatumInstrument& instrument);
-/// "315° was skipped (tug cannot turn): the curve is known to ±0.9 of a reading at 320° instead of ±0.8"; empty where nothing was.
+/// "315° was skipped (tug cannot turn): the curve is known to ±0.9 of a reading at 320° instead of ±0.8"; empty where nothing
+/// was.
 [[nodiscard]] QString skipWords(const JobState& state);
 
 } // namespace lubberline::ui

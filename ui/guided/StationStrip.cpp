@@ -5,7 +5,7 @@
 #include <QToolTip>
 
 #include "ui/guided/GuidedWords.h"
-#include "ui/style/Words.h"
+#include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 
@@ -82,7 +82,8 @@ void StationStrip::paintEvent(QPaintEvent*)
         }
         painter.setPen(ink);
         if (box.width() > 22)
-            painter.drawText(box.adjusted(0, 2, 0, 0), Qt::AlignHCenter | Qt::AlignTop, QStringLiteral("%1").arg(station.station.nominal_deg, 3, 'f', 0, QChar('0')));
+            painter.drawText(box.adjusted(0, 2, 0, 0), Qt::AlignHCenter | Qt::AlignTop,
+                QStringLiteral("%1").arg(station.station.nominal_deg, 3, 'f', 0, QChar('0')));
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The stations of a guided swing as a strip: read, to be read again, skipped, now, to come; each by its shape, not by colour alone.
+/// The stations of a guided swing as a strip: read, to be read again, skipped, now, to come; each by its shape, not by colour
+/// alone.
 
 #include <QWidget>
 

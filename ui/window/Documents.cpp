@@ -2,7 +2,7 @@
 
 #include <QRegularExpression>
 
-#include "ui/style/Words.h"
+#include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 

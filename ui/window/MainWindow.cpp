@@ -13,29 +13,30 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "ui/bench/IronBenchPage.h"
+#include "ui/fleet/AircraftPage.h"
 #include "ui/fleet/FleetPanel.h"
-#include "ui/pages/AircraftPage.h"
-#include "ui/pages/NewSwingPage.h"
-#include "ui/pages/IronBenchPage.h"
-#include "ui/pages/OverviewPage.h"
-#include "ui/pages/SensorPage.h"
-#include "ui/pages/StartPage.h"
-#include "ui/pages/SwingPage.h"
-#include "ui/readings/SwingEditor.h"
-#include "ui/style/Theme.h"
-#include "ui/style/Words.h"
-#include "ui/window/ImportPanels.h"
-#include "ui/window/MessagePanel.h"
+#include "ui/fleet/OverviewPage.h"
+#include "ui/fleet/StartPage.h"
+#include "ui/intake/ImportPanels.h"
+#include "ui/intake/NewSwingPage.h"
+#include "ui/kit/MessagePanel.h"
+#include "ui/kit/Theme.h"
+#include "ui/kit/Words.h"
+#include "ui/sensor/SensorPage.h"
+#include "ui/swing/SwingEditor.h"
+#include "ui/swing/SwingPage.h"
 
 namespace lubberline::ui {
 
 MainWindow::MainWindow(Storage& storage, WindowServices services)
     : m_storage(storage)
     , m_services(std::move(services))
-    , m_context{storage, [this](const Error& error) {
-                    fail(messageOf(error));
-                    showSaved(false);
-                }}
+    , m_context{storage,
+          [this](const Error& error) {
+              fail(messageOf(error));
+              showSaved(false);
+          }}
     , m_recovery(m_services.recoveryFiles)
 {
     applyTheme(m_services.settings.value("view/dark", false).toBool());
@@ -312,10 +313,7 @@ NewSwingPage& MainWindow::newSwingPage()
     return *m_newSwingPage;
 }
 
-bool MainWindow::swingShown() const
-{
-    return m_swingPage && m_pages->currentWidget() == m_swingPage && m_swingPage->editor().id().valid();
-}
+bool MainWindow::swingShown() const { return m_swingPage && m_pages->currentWidget() == m_swingPage && m_swingPage->editor().id().valid(); }
 
 AircraftId MainWindow::aircraftShown() const
 {

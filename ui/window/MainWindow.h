@@ -1,6 +1,6 @@
 #pragma once
-/// The main window: the fleet at the left, the page of what is chosen at the right, messages above it that stay until dismissed.
-/// Pages and plots are made when they are first needed; nothing is read from storage before the first paint.
+/// The main window: the fleet at the left, the page of what is chosen at the right, messages above it that stay until
+/// dismissed. Pages and plots are made when they are first needed; nothing is read from storage before the first paint.
 
 #include <QMainWindow>
 #include <QUndoStack>
@@ -8,13 +8,13 @@
 #include <functional>
 
 #include "core/angle/AngleText.h"
-#include "ui/edits/EditContext.h"
 #include "ui/fleet/FleetModel.h"
-#include "ui/pages/FileQuestions.h"
-#include "ui/storage/ImportFile.h"
-#include "ui/storage/Recovery.h"
-#include "ui/window/BackgroundJob.h"
-#include "ui/window/Dialogs.h"
+#include "ui/intake/ImportFile.h"
+#include "ui/kit/BackgroundJob.h"
+#include "ui/kit/Dialogs.h"
+#include "ui/kit/EditContext.h"
+#include "ui/kit/FileQuestions.h"
+#include "ui/window/Recovery.h"
 
 class QAction;
 class QLabel;
@@ -50,10 +50,10 @@ class SwingPage;
 struct WindowServices {
     Dialogs& dialogs;
     QSettings& settings;
-    std::function<void()> openDemonstration;                    ///< the first of the three choices of an empty database
-    std::function<Result<void>(const QString& path)> backup;    ///< may be empty: then there is no Backup
-    QStringList recoveryFiles = {};                             ///< where what cannot be stored is kept; none: nowhere
-    std::function<std::string()> nowUtc = {};                   ///< ISO 8601; empty: the machine's clock
+    std::function<void()> openDemonstration;                 ///< the first of the three choices of an empty database
+    std::function<Result<void>(const QString& path)> backup; ///< may be empty: then there is no Backup
+    QStringList recoveryFiles = {};                          ///< where what cannot be stored is kept; none: nowhere
+    std::function<std::string()> nowUtc = {};                ///< ISO 8601; empty: the machine's clock
 };
 
 class MainWindow : public QMainWindow {

@@ -4,23 +4,23 @@
 #include <QPrinter>
 #include <QSettings>
 
-#include "ui/edits/RecordEdits.h"
-#include "ui/pages/SwingPage.h"
-#include "ui/readings/SwingEditor.h"
-#include "ui/storage/RecordDocuments.h"
-#include "ui/style/Words.h"
+#include "ui/fleet/RecordEdits.h"
+#include "ui/intake/ImportPanels.h"
+#include "ui/kit/MessagePanel.h"
+#include "ui/kit/Words.h"
+#include "ui/swing/SwingEditor.h"
+#include "ui/swing/SwingPage.h"
 #include "ui/window/Documents.h"
-#include "ui/window/ImportPanels.h"
 #include "ui/window/MainWindow.h"
-#include "ui/window/MessagePanel.h"
+#include "ui/window/RecordDocuments.h"
 #include "ui/window/Transfers.h"
 
 namespace lubberline::ui {
 
 void MainWindow::chooseImport()
 {
-    const QString path = m_services.dialogs.openFile(this, tr("Import"),
-        tr("Swings, exchange files, reports (*.csv *.txt *.tsv *.json *.pdf);;All files (*)"));
+    const QString path = m_services.dialogs.openFile(
+        this, tr("Import"), tr("Swings, exchange files, reports (*.csv *.txt *.tsv *.json *.pdf);;All files (*)"));
     if (!path.isEmpty())
         importFile(path);
 }
@@ -47,7 +47,8 @@ void MainWindow::finishJob(const Result<JobOutcome>& outcome)
     const QString path = std::exchange(m_importPath, QString());
     if (!outcome) {
         const Error& error = outcome.error();
-        const bool unnamed = !path.isEmpty() && error.code == ErrorCode::InvalidInput && error.line == 0 && QFileInfo(path).suffix().toLower() != "json" && QFileInfo(path).suffix().toLower() != "pdf";
+        const bool unnamed = !path.isEmpty() && error.code == ErrorCode::InvalidInput && error.line == 0
+            && QFileInfo(path).suffix().toLower() != "json" && QFileInfo(path).suffix().toLower() != "pdf";
         if (error.code == ErrorCode::Cancelled)
             m_messages->add(MessagePanel::Kind::Information, tr("Cancelled: nothing was changed."));
         else if (unnamed)
@@ -82,7 +83,8 @@ void MainWindow::exportExchange(bool wholeFleet)
     if (!wholeFleet)
         if (const auto record = m_storage.aircraft(aircraft))
             stem = toText(record->registration);
-    const QString path = m_services.dialogs.saveFile(this, tr("Export"), stem + ".lubberline.json", tr("Exchange files (*.lubberline.json)"));
+    const QString path
+        = m_services.dialogs.saveFile(this, tr("Export"), stem + ".lubberline.json", tr("Exchange files (*.lubberline.json)"));
     if (path.isEmpty())
         return;
     std::vector<AircraftId> wanted;
@@ -142,7 +144,8 @@ void MainWindow::writeCardFile(int step_deg)
         fail(tr("No card: %1").arg(messageOf(input.error())));
         return;
     }
-    const QString path = m_services.dialogs.saveFile(this, tr("Write correction card"), fileStem(input->record) + " card.pdf", tr("PDF (*.pdf)"));
+    const QString path
+        = m_services.dialogs.saveFile(this, tr("Write correction card"), fileStem(input->record) + " card.pdf", tr("PDF (*.pdf)"));
     if (!path.isEmpty())
         report(writeCard(*input, path), tr("Card written: %1").arg(path));
 }
@@ -167,7 +170,8 @@ void MainWindow::writeJobCardFile()
         fail(messageOf(input.error()));
         return;
     }
-    const QString path = m_services.dialogs.saveFile(this, tr("Write a blank job card"), fileStem(input->record) + " job card.pdf", tr("PDF (*.pdf)"));
+    const QString path
+        = m_services.dialogs.saveFile(this, tr("Write a blank job card"), fileStem(input->record) + " job card.pdf", tr("PDF (*.pdf)"));
     if (!path.isEmpty())
         report(writeJobCard(*input, path), tr("Job card written: %1").arg(path));
 }
@@ -179,15 +183,16 @@ void MainWindow::write1613File()
         fail(messageOf(sheet.error()));
         return;
     }
-    const QString path = m_services.dialogs.saveFile(this, tr("Write a sheet in DD 1613 style"), fileStem(sheet->record) + " DD 1613.pdf", tr("PDF (*.pdf)"));
+    const QString path = m_services.dialogs.saveFile(
+        this, tr("Write a sheet in DD 1613 style"), fileStem(sheet->record) + " DD 1613.pdf", tr("PDF (*.pdf)"));
     if (!path.isEmpty())
         report(write1613(*sheet, path), tr("Sheet written: %1").arg(path));
 }
 
 void MainWindow::backUp()
 {
-    const QString path = m_services.dialogs.saveFile(this, tr("Back up the database"), QFileInfo(m_storage.location()).completeBaseName() + "-backup.lubberline",
-        tr("Lubberline databases (*.lubberline)"));
+    const QString path = m_services.dialogs.saveFile(this, tr("Back up the database"),
+        QFileInfo(m_storage.location()).completeBaseName() + "-backup.lubberline", tr("Lubberline databases (*.lubberline)"));
     if (!path.isEmpty())
         report(m_services.backup(path), tr("Backup written: %1").arg(path));
 }
@@ -196,7 +201,8 @@ void MainWindow::removeDraft()
 {
     leaveField();
     const SwingRecord record = m_swingPage->editor().record();
-    m_stack.push(new MakeSwing(m_context, record.swing, MakeSwing::Direction::Remove, tr("removal of the swing of %1").arg(toText(record.swing.date))));
+    m_stack.push(new MakeSwing(
+        m_context, record.swing, MakeSwing::Direction::Remove, tr("removal of the swing of %1").arg(toText(record.swing.date))));
     if (m_swingPage->editor().id().valid())
         return;
     showAircraft(record.aircraft.id, record.compass.id);

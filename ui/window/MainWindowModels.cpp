@@ -5,14 +5,14 @@
 #include <QMenuBar>
 #include <QStackedWidget>
 
-#include "core/record/SwingField.h"
-#include "ui/pages/EarthFieldPage.h"
-#include "ui/pages/IronBenchPage.h"
-#include "ui/pages/PredictionPage.h"
-#include "ui/pages/SensorPage.h"
-#include "ui/pages/SwingPage.h"
-#include "ui/readings/SwingEditor.h"
-#include "ui/style/Words.h"
+#include "core/swing/SwingField.h"
+#include "ui/bench/IronBenchPage.h"
+#include "ui/earth/EarthFieldPage.h"
+#include "ui/earth/PredictionPage.h"
+#include "ui/kit/Words.h"
+#include "ui/sensor/SensorPage.h"
+#include "ui/swing/SwingEditor.h"
+#include "ui/swing/SwingPage.h"
 #include "ui/window/MainWindow.h"
 
 namespace lubberline::ui {
@@ -20,16 +20,22 @@ namespace lubberline::ui {
 void MainWindow::buildModelMenu()
 {
     auto& menu = *menuBar()->addMenu(tr("&Model"));
-    m_compassActions += addCommand(menu, tr("&Sensor model of this compass"), tr("Ctrl+L"), [this] { showSensor(compassShown()); }, "sensorModel");
-    m_compassActions += addCommand(menu, tr("&Iron bench of this compass"), tr("Ctrl+Shift+B"), [this] { showIronBench(compassShown()); }, "ironBench");
-    m_swingActions += addCommand(menu, tr("What it will read at another &base"), tr("Ctrl+B"), [this] { showPrediction(); }, "predict");
-    addCommand(menu, tr("&Earth's field"), tr("Ctrl+Shift+F"), [this] { showEarthField(); }, "earthField");
+    m_compassActions += addCommand(
+        menu, tr("&Sensor model of this compass"), tr("Ctrl+L"), [this] { showSensor(compassShown()); }, "sensorModel");
+    m_compassActions += addCommand(
+        menu, tr("&Iron bench of this compass"), tr("Ctrl+Shift+B"), [this] { showIronBench(compassShown()); }, "ironBench");
+    m_swingActions += addCommand(
+        menu, tr("What it will read at another &base"), tr("Ctrl+B"), [this] { showPrediction(); }, "predict");
+    addCommand(
+        menu, tr("&Earth's field"), tr("Ctrl+Shift+F"), [this] { showEarthField(); }, "earthField");
 }
 
 FileQuestions MainWindow::fileQuestions()
 {
     return {[this](const QString& title, const QString& filter) { return m_services.dialogs.openFile(this, title, filter); },
-        [this](const QString& title, const QString& suggestion, const QString& filter) { return m_services.dialogs.saveFile(this, title, suggestion, filter); }};
+        [this](const QString& title, const QString& suggestion, const QString& filter) {
+            return m_services.dialogs.saveFile(this, title, suggestion, filter);
+        }};
 }
 
 void MainWindow::showSensor(CompassId id)

@@ -9,19 +9,19 @@
 
 #include <algorithm>
 
+#include "ui/due/DueJob.h"
+#include "ui/due/DuePage.h"
+#include "ui/electrical/ElectricalPage.h"
 #include "ui/fleet/FleetPanel.h"
+#include "ui/fleet/RecordEdits.h"
 #include "ui/guided/GuidedPage.h"
-#include "ui/edits/RecordEdits.h"
-#include "ui/pages/DuePage.h"
-#include "ui/pages/ElectricalPage.h"
-#include "ui/pages/InstrumentsPage.h"
-#include "ui/pages/NmeaImportPage.h"
-#include "ui/pages/SitesPage.h"
-#include "ui/pages/SwingPage.h"
-#include "ui/readings/SwingEditor.h"
-#include "ui/storage/DueJob.h"
-#include "ui/style/Words.h"
-#include "ui/window/MessagePanel.h"
+#include "ui/intake/NmeaImportPage.h"
+#include "ui/kit/MessagePanel.h"
+#include "ui/kit/Words.h"
+#include "ui/sites/InstrumentsPage.h"
+#include "ui/sites/SitesPage.h"
+#include "ui/swing/SwingEditor.h"
+#include "ui/swing/SwingPage.h"
 #include "ui/window/MainWindow.h"
 
 namespace lubberline::ui {
@@ -94,7 +94,8 @@ GuidedPage& MainWindow::guidedPage()
 /// Found on a worker after the first paint, and whenever something changed.
 void MainWindow::watchDue()
 {
-    m_dueJob = new DueJob(m_storage, [this] { return nowUtc().substr(0, 10); }, this);
+    m_dueJob = new DueJob(
+        m_storage, [this] { return nowUtc().substr(0, 10); }, this);
     auto* soon = new QTimer(this);
     soon->setSingleShot(true);
     soon->setInterval(kDueDelay_ms);
@@ -124,7 +125,8 @@ DuePage& MainWindow::duePage()
 {
     if (m_duePage)
         return *m_duePage;
-    m_duePage = new DuePage(m_storage, [this] { return nowUtc().substr(0, 10); }, fileQuestions());
+    m_duePage = new DuePage(
+        m_storage, [this] { return nowUtc().substr(0, 10); }, fileQuestions());
     m_pages->addWidget(m_duePage);
     connect(m_duePage, &DuePage::failed, this, &MainWindow::fail);
     connect(m_duePage, &DuePage::done, this, [this](const QString& message) { report({}, message); });
@@ -158,7 +160,9 @@ void MainWindow::offerRecovery()
         if (!subjects.contains(toText(entry.subject)))
             subjects += toText(entry.subject);
     m_messages->add(MessagePanel::Kind::Failure,
-        tr("%n figures or steps could not be stored last time and were kept: %1.", nullptr, static_cast<int>(lost.size())).arg(subjects.join(QStringLiteral("; "))), tr("Put them in"), [this] {
+        tr("%n figures or steps could not be stored last time and were kept: %1.", nullptr, static_cast<int>(lost.size()))
+            .arg(subjects.join(QStringLiteral("; "))),
+        tr("Put them in"), [this] {
             const auto restored = m_recovery.restore(m_storage);
             if (restored.done > 0)
                 m_messages->add(MessagePanel::Kind::Information, tr("%n were put in.", nullptr, restored.done));

@@ -4,8 +4,8 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
-#include "core/format/Exchange.h"
-#include "ui/style/Words.h"
+#include "core/format/exchange/Exchange.h"
+#include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 
@@ -58,7 +58,8 @@ Result<void> writeFile(const QString& path, const std::string& text)
     return {};
 }
 
-Result<JobOutcome> exportFile(const Storage& storage, const std::vector<AircraftId>& aircraft, const QString& path, const Progress& progress)
+Result<JobOutcome> exportFile(
+    const Storage& storage, const std::vector<AircraftId>& aircraft, const QString& path, const Progress& progress)
 {
     auto own = storage.openForWorker();
     if (!own)

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "ui/storage/ImportFile.h"
+#include "ui/intake/ImportFile.h"
+#include "ui/kit/BackgroundJob.h"
 #include "ui/storage/Storage.h"
-#include "ui/window/BackgroundJob.h"
 
 namespace lubberline::ui {
 

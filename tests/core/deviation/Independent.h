@@ -1,6 +1,6 @@
 #pragma once
-/// The same mathematics once more, written without Eigen, FFTW or anything of core/deviation, in long double: what the program is
-/// held against. Normal equations by Gauss elimination, plain sums for Fourier, bisection for the solve.
+/// The same mathematics once more, written without Eigen, FFTW or anything of core/deviation, in long double: what the program
+/// is held against. Normal equations by Gauss elimination, plain sums for Fourier, bisection for the solve.
 
 #include <array>
 #include <cmath>
@@ -18,10 +18,7 @@ struct Pair {
     Real magnetic, compass; ///< rad
 };
 
-inline Real wrapped(Real angle)
-{
-    return std::remainder(angle, kTurn);
-}
+inline Real wrapped(Real angle) { return std::remainder(angle, kTurn); }
 
 /// [P 3] by its definition.
 inline Real exactDeviation(const std::array<Real, 5>& c, Real psi)
@@ -84,7 +81,8 @@ inline std::array<Real, 5> independentExact(const std::vector<Pair>& readings)
 }
 
 /// A swing as a sensor with these exact coefficients would give it, with reading noise [rad].
-inline std::vector<Pair> simulatedSwing(const std::array<Real, 5>& coefficients, int points, Real noise, std::mt19937& random, Real offset = 0)
+inline std::vector<Pair> simulatedSwing(
+    const std::array<Real, 5>& coefficients, int points, Real noise, std::mt19937& random, Real offset = 0)
 {
     std::normal_distribution<double> normal;
     std::vector<Pair> readings;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/deviation/Analysis.h"
+#include "core/swing/Analysis.h"
 #include "tests/core/deviation/Independent.h"
 
 namespace lubberline::test {
@@ -89,7 +89,8 @@ TEST(Independent, aMirroredSwingMirrorsTheSigns)
     const auto readings = observations(simulatedSwing(randomCoefficients(random, 0.2), 12, 0.02L, random));
     std::vector<Observation> mirrored;
     for (const auto& reading : readings)
-        mirrored.push_back({MagneticHeading::fromDegrees(-reading.magnetic.degrees()), CompassHeading::fromDegrees(-reading.compass.degrees())});
+        mirrored.push_back(
+            {MagneticHeading::fromDegrees(-reading.magnetic.degrees()), CompassHeading::fromDegrees(-reading.compass.degrees())});
     const auto a = fitApproximate(readings)->smith(), b = fitApproximate(mirrored)->smith();
     EXPECT_NEAR(b.A_rad, -a.A_rad, 1e-12);
     EXPECT_NEAR(b.B_rad, a.B_rad, 1e-12);
@@ -133,7 +134,8 @@ TEST(Independent, harmonicsOfUnequalHeadingsFindWhatWasPutIn)
     std::vector<HarmonicSample> samples;
     for (int i = 0; i < 24; ++i) {
         const double psi = 2 * kPi * i / 24 + jitter(random);
-        samples.push_back({psi, 0.01 + 0.2 * std::sin(psi) - 0.05 * std::cos(2 * psi) + 0.03 * std::sin(3 * psi) + 0.02 * std::cos(4 * psi)});
+        samples.push_back(
+            {psi, 0.01 + 0.2 * std::sin(psi) - 0.05 * std::cos(2 * psi) + 0.03 * std::sin(3 * psi) + 0.02 * std::cos(4 * psi)});
     }
     const auto result = harmonics(samples);
     ASSERT_TRUE(result);
@@ -162,7 +164,8 @@ TEST(Independent, approximateAndExactConvertBothWays)
     std::mt19937 random(7);
     for (int trial = 0; trial < 100; ++trial) {
         const auto c = randomCoefficients(random, 0.6);
-        const ExactSmith exact{static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2]), static_cast<double>(c[3]), static_cast<double>(c[4])};
+        const ExactSmith exact{static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2]), static_cast<double>(c[3]),
+            static_cast<double>(c[4])};
         const auto approximate = toApproximate(exact);
         ASSERT_TRUE(approximate);
         // [P 5] written out
@@ -183,7 +186,8 @@ TEST(Independent, theCompassIsSolvedBackToTheMagneticHeading)
     std::mt19937 random(8);
     for (int trial = 0; trial < 50; ++trial) {
         const auto c = randomCoefficients(random, 0.4);
-        const ExactSmith smith{static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2]), static_cast<double>(c[3]), static_cast<double>(c[4])};
+        const ExactSmith smith{static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2]), static_cast<double>(c[3]),
+            static_cast<double>(c[4])};
         for (double heading = 0; heading < 360; heading += 22.5) {
             const auto psi = MagneticHeading::fromDegrees(heading);
             const auto solved = magneticHeadingFor(smith, toCompass(psi, deviationAt(smith, psi)));

@@ -86,7 +86,8 @@ TEST(SlipCheck, aDeviationAppliedTheWrongWayRound)
     context.earlier = earlier;
     context.nominal_deg = 270.0;
     // δ = +9 there, so the compass reads 261; 279 is 9° the other way
-    expectNamed(judgeReading({MagneticHeading::fromDegrees(270), CompassHeading::fromDegrees(279)}, context), Slip::WrongSign, SlippedFigure::Compass, 261.0);
+    expectNamed(judgeReading({MagneticHeading::fromDegrees(270), CompassHeading::fromDegrees(279)}, context), Slip::WrongSign,
+        SlippedFigure::Compass, 261.0);
 }
 
 TEST(SlipCheck, whatNothingExplainsIsSaidSo)
@@ -118,7 +119,8 @@ TEST(SlipCheck, probabilitiesAddUp)
     }
 }
 
-/// Swings of aircraft that changed a little since last year, read to a degree: seeded ten-degree slips are found, few others are.
+/// Swings of aircraft that changed a little since last year, read to a degree: seeded ten-degree slips are found, few others
+/// are.
 TEST(SlipCheck, seededSlipsAreFoundAndFewReadingsAreWronglySuspected)
 {
     std::mt19937_64 random(7);

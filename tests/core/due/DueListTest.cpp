@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/due/DueList.h"
-#include "core/format/DueJson.h"
+#include "core/format/results/DueJson.h"
 
 namespace lubberline {
 namespace {
@@ -41,8 +41,8 @@ TEST(DueList, theMostUrgentIsFirst)
 {
     auto struck = compass(4, "4", {"2026-10-01"});
     struck.events = {event("e1", "2026-10-05", DueCause::Lightning, "lightning strike")};
-    const std::vector<DueCompass> fleet{compass(1, "1", {"2026-01-01"}), compass(2, "2", {"2024-12-01"}), compass(3, "3", {"2020-01-01"}), struck,
-        compass(5, "5", {"2024-11-01"}), compass(6, "6", {}), compass(7, "7", {"2019-01-01"})};
+    const std::vector<DueCompass> fleet{compass(1, "1", {"2026-01-01"}), compass(2, "2", {"2024-12-01"}), compass(3, "3", {"2020-01-01"}),
+        struck, compass(5, "5", {"2024-11-01"}), compass(6, "6", {}), compass(7, "7", {"2019-01-01"})};
     std::string order;
     std::vector<std::string> states;
     for (const auto& line : dueList(fleet, kTwoYears, {}, "2026-11-23")) {
@@ -56,7 +56,8 @@ TEST(DueList, theMostUrgentIsFirst)
 TEST(DueList, withoutRulesOnlyEventsCount)
 {
     auto struck = compass(1, "1", {});
-    struck.events = {event("e1", "2026-10-05", DueCause::Lightning, "lightning strike"), event("e2", "2026-10-06", DueCause::Other, "washed")};
+    struck.events
+        = {event("e1", "2026-10-05", DueCause::Lightning, "lightning strike"), event("e2", "2026-10-06", DueCause::Other, "washed")};
     const std::vector<DueCompass> fleet{compass(2, "2", {}), struck};
     const auto lines = dueList(fleet, {}, {}, "2026-11-23");
     EXPECT_EQ(lines[0].answer.state, DueState::Due);
@@ -87,13 +88,16 @@ TEST(DueList, wordsThatDoNotTellTheCauseAreGivenIt)
 
 TEST(DueList, theCrewsWordsTellTheCause)
 {
-    const std::vector<std::pair<const char*, DueCause>> words{{"Struck by LIGHTNING, nose cone", DueCause::Lightning}, {"thunderstorm", DueCause::ElectricalStorm},
-        {"severe electrical storm", DueCause::ElectricalStorm}, {"hail storm at the stand", DueCause::ElectricalStorm}, {"Heavy landing", DueCause::HardLanding},
-        {"engine change, No. 2", DueCause::EngineChange}, {"avionics bay modified", DueCause::Modification}, {"electrical panel changed", DueCause::ElectricalChange},
-        {"magnetic cargo", DueCause::MagneticCargo}, {"magneto changed", DueCause::EngineChange}, {"moved to Singapore", DueCause::Moved},
+    const std::vector<std::pair<const char*, DueCause>> words{{"Struck by LIGHTNING, nose cone", DueCause::Lightning},
+        {"thunderstorm", DueCause::ElectricalStorm}, {"severe electrical storm", DueCause::ElectricalStorm},
+        {"hail storm at the stand", DueCause::ElectricalStorm}, {"Heavy landing", DueCause::HardLanding},
+        {"engine change, No. 2", DueCause::EngineChange}, {"avionics bay modified", DueCause::Modification},
+        {"electrical panel changed", DueCause::ElectricalChange}, {"magnetic cargo", DueCause::MagneticCargo},
+        {"magneto changed", DueCause::EngineChange}, {"moved to Singapore", DueCause::Moved},
         {"flux valve removed", DueCause::PartsReplaced}, {"paint restored", DueCause::Other}, {"a look at its history", DueCause::Other},
-        {"stored two years", DueCause::ParkedOverAYear}, {"parked on 090 since 2024", DueCause::ParkedOverAYear}, {"new compass fitted", DueCause::PartsReplaced},
-        {"compass re-installed", DueCause::PartsReplaced}, {"accuracy suspected", DueCause::AccuracySuspected}, {"washed", DueCause::Other}, {"", DueCause::Other}};
+        {"stored two years", DueCause::ParkedOverAYear}, {"parked on 090 since 2024", DueCause::ParkedOverAYear},
+        {"new compass fitted", DueCause::PartsReplaced}, {"compass re-installed", DueCause::PartsReplaced},
+        {"accuracy suspected", DueCause::AccuracySuspected}, {"washed", DueCause::Other}, {"", DueCause::Other}};
     for (const auto& [text, cause] : words)
         EXPECT_EQ(nameOf(causeInWords(text)), nameOf(cause)) << text;
     for (int i = 1; i < kDueCauses; ++i)
@@ -124,8 +128,10 @@ TEST(DueList, theCalendarHasOneEntryForEachDay)
     for (const auto& entry : entries)
         told.emplace_back(entry.uid, entry.date);
     std::sort(told.begin(), told.end());
-    EXPECT_EQ(told, (std::vector<std::pair<std::string, std::string>>{{"event-e1-compass-1@lubberline", "2026-10-05"}, {"place-compass-2@lubberline", "2026-12-24"},
-        {"swing-compass-1@lubberline", "2026-11-23"}, {"swing-compass-2@lubberline", "2028-01-01"}}));
+    EXPECT_EQ(told,
+        (std::vector<std::pair<std::string, std::string>>{{"event-e1-compass-1@lubberline", "2026-10-05"},
+            {"place-compass-2@lubberline", "2026-12-24"}, {"swing-compass-1@lubberline", "2026-11-23"},
+            {"swing-compass-2@lubberline", "2028-01-01"}}));
     EXPECT_EQ(calendarOf({}).size(), 0u);
 }
 

@@ -23,7 +23,7 @@ TEST(DueRules, calendarOnTheDayItself)
     EXPECT_EQ(on("2026-10-24").state, DueState::DueSoon); // 30 days before
     EXPECT_EQ(on("2026-11-23").state, DueState::DueSoon); // good through the day
     EXPECT_EQ(on("2026-11-24").state, DueState::Due);
-    EXPECT_EQ(on("2026-12-03").state, DueState::Due);     // ten days of grace
+    EXPECT_EQ(on("2026-12-03").state, DueState::Due); // ten days of grace
     EXPECT_EQ(on("2026-12-04").state, DueState::Overdue);
     EXPECT_EQ(on("2026-10-23").nextByCalendar, "2026-11-23");
     EXPECT_EQ(on("2026-10-23").lastSigned, "2024-11-23");

@@ -41,7 +41,7 @@ TEST(Coastlines, capesAreWhereTheyAre)
     EXPECT_LT(nearestCoast_deg(36.0, -5.6), 1.0);   // Tarifa
     EXPECT_LT(nearestCoast_deg(8.1, 77.5), 1.0);    // Cape Comorin
     EXPECT_LT(nearestCoast_deg(-55.0, -67.3), 1.5); // Tierra del Fuego
-    EXPECT_GT(nearestCoast_deg(0.0, -30.0), 5.0);  // the open Atlantic
+    EXPECT_GT(nearestCoast_deg(0.0, -30.0), 5.0);   // the open Atlantic
     EXPECT_GT(nearestCoast_deg(65.0, 100.0), 5.0);  // Siberia
 }
 

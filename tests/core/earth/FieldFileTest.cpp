@@ -43,7 +43,10 @@ TEST(FieldFile, damagedCof)
     refused(good.substr(0, good.size() / 2), "cut short");
     refused(withLine(good, 1, ""), "no header", 1);
     refused(withLine(good, 5, ""), "missing, doubled or out of order", 5);
-    refused(withLine(good, 5, withLine(good, 5, "").substr(0, 0) + "  2  1    2982.0   -2991.6      -7.0     -30.2\n  2  1    2982.0   -2991.6      -7.0     -30.2\n"), "out of order", 6);
+    refused(withLine(good, 5,
+                withLine(good, 5, "").substr(0, 0)
+                    + "  2  1    2982.0   -2991.6      -7.0     -30.2\n  2  1    2982.0   -2991.6      -7.0     -30.2\n"),
+        "out of order", 6);
     refused(withLine(good, 4, "  2  0   -2500.0       0.0     -11.5\n"), "cut short", 4);
     refused(withLine(good, 4, "  2  0   -2500.0       0.0     -11.5  x\n"), "\"x\" is not a number", 4);
     refused(withLine(good, 4, "  2  0   -2500.0       5.0     -11.5  0.0\n"), "order 0", 4);
@@ -83,7 +86,8 @@ TEST(FieldFile, igrfTable)
     EXPECT_EQ(model->lastYear(), 2030.0);
     EXPECT_EQ(model->degree(), 2);
     const auto place = *makePlace(52, 21);
-    const auto a = model->evaluate(place, 2020)->field, b = model->evaluate(place, 2025)->field, middle = model->evaluate(place, 2022.5)->field;
+    const auto a = model->evaluate(place, 2020)->field, b = model->evaluate(place, 2025)->field,
+               middle = model->evaluate(place, 2022.5)->field;
     EXPECT_NEAR(middle.north_nT, (a.north_nT + b.north_nT) / 2, 1e-6);
     EXPECT_NEAR(middle.east_nT, (a.east_nT + b.east_nT) / 2, 1e-6);
 }

@@ -17,7 +17,8 @@ public:
     explicit CoefficientFile(const std::string& text)
     {
         static int count = 0;
-        m_path = std::filesystem::temp_directory_path() / ("lubberline-test-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".cof");
+        m_path = std::filesystem::temp_directory_path()
+            / ("lubberline-test-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".cof");
         std::ofstream(m_path, std::ios::binary) << text;
     }
     ~CoefficientFile()

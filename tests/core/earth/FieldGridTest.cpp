@@ -9,7 +9,8 @@ TEST(FieldGrid, nodesAreTheModelsPoints)
 {
     const auto model = wmm2025();
     ASSERT_TRUE(model);
-    for (const auto element : {FieldElement::Declination, FieldElement::Inclination, FieldElement::Horizontal, FieldElement::Down, FieldElement::Total}) {
+    for (const auto element :
+        {FieldElement::Declination, FieldElement::Inclination, FieldElement::Horizontal, FieldElement::Down, FieldElement::Total}) {
         const auto grid = fieldGrid(*model, 2026.5, element, 15.0);
         ASSERT_TRUE(grid);
         EXPECT_EQ(grid->columns, 25);
@@ -31,7 +32,8 @@ TEST(FieldGrid, nodesAreTheModelsPoints)
 TEST(FieldGrid, cancelAndYears)
 {
     const auto model = wmm2025();
-    EXPECT_EQ(fieldGrid(*model, 2026.5, FieldElement::Total, 2.0, [](double done) { return done < 0.5; }).error().code, ErrorCode::Cancelled);
+    EXPECT_EQ(
+        fieldGrid(*model, 2026.5, FieldElement::Total, 2.0, [](double done) { return done < 0.5; }).error().code, ErrorCode::Cancelled);
     EXPECT_FALSE(fieldGrid(*model, 2020.0, FieldElement::Total));
 }
 

@@ -44,7 +44,8 @@ TEST(FieldModel, wmm2025ReportToItsPrintedDigits)
     }
 }
 
-/// Two independent evaluators agree with these points to 1e-3 nT in X, H and F, 1e-6 in Y, 3e-6 in Z, half a printed unit in D and I.
+/// Two independent evaluators agree with these points to 1e-3 nT in X, H and F, 1e-6 in Y, 3e-6 in Z, half a printed unit in D
+/// and I.
 TEST(FieldModel, wmm2025HundredPoints)
 {
     for (const auto& point : kWmm2025Points) {
@@ -69,7 +70,8 @@ TEST(FieldModel, igrf14AgainstItsAuthorsProgram)
     for (const auto& point : kIgrf14Points) {
         // Geocentric to geodetic by iteration; then the field is turned from the ellipsoid's vertical to the radius.
         const double geocentric = toRadians(90.0 - point.colatitude_deg);
-        const double rho = point.radius_km * std::cos(geocentric), z = point.radius_km * std::sin(geocentric), e2 = kFlattening * (2 - kFlattening);
+        const double rho = point.radius_km * std::cos(geocentric), z = point.radius_km * std::sin(geocentric),
+                     e2 = kFlattening * (2 - kFlattening);
         double latitude = geocentric, height_km = 0;
         for (int i = 0; i < 50; ++i) {
             const double normal = kAxis_km / std::sqrt(1 - e2 * std::pow(std::sin(latitude), 2));
@@ -137,7 +139,8 @@ TEST(FieldModel, polesAndLongitudes)
 {
     EXPECT_TRUE(std::isfinite(at(wmm2025(), 2026, 90, 0, 0).field.total_nT()));
     EXPECT_TRUE(std::isfinite(at(wmm2025(), 2026, -90, 123, 0).field.variation().degrees()));
-    const auto a = at(wmm2025(), 2026, 10, 180, 0).field, b = at(wmm2025(), 2026, 10, 540, 0).field, c = at(wmm2025(), 2026, 10, -180, 0).field;
+    const auto a = at(wmm2025(), 2026, 10, 180, 0).field, b = at(wmm2025(), 2026, 10, 540, 0).field,
+               c = at(wmm2025(), 2026, 10, -180, 0).field;
     EXPECT_EQ(a, b);
     EXPECT_EQ(a, c);
     EXPECT_FALSE(makePlace(91, 0));

@@ -6,6 +6,7 @@
 namespace lubberline::test {
 
 /// World Magnetic Model 2025, test values (NOAA NCEI and BGS, public domain): 100 points. Heights above the WGS84 ellipsoid.
+// clang-format off
 struct WmmPoint {
     double year, height_km, latitude_deg, longitude_deg;
     double D_deg, I_deg, H_nT, X_nT, Y_nT, Z_nT, F_nT;
@@ -202,5 +203,6 @@ inline constexpr std::array<IgrfPoint, 60> kIgrf14Points{{
     {1923.3, 7179.28, 73.3, 337.18, 19500.56053, -6166.75233, 13842.02395},
     {1954.8, 7242.08, 47.3, 32.95, 16489.92125, 289.22375, 27135.19272},
 }};
+// clang-format on
 
 } // namespace lubberline::test

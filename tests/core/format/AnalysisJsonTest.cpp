@@ -4,7 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/format/AnalysisJson.h"
+#include "core/format/results/AnalysisJson.h"
+#include "core/swing/Observations.h"
 #include "tests/core/format/Support.h"
 
 namespace lubberline::test {
@@ -29,7 +30,8 @@ const std::string kCorrection = kHeader + "359,3\n91,85\n178,170\n267,265\n";
 TEST(AnalysisJson, publishedFiguresComeOutWithoutANoisyLastDigit)
 {
     // NGA Handbook of Magnetic Compass Adjustment (2004), art. 501: A 1.0 B 12.0 C 8.0 D 5.0 E 1.5 by the eight-point rules.
-    const std::string text = toJson(analysisOf("compass_heading_deg,deviation_deg\n0,10.5\n45,20.0\n90,11.5\n135,-1.2\n180,-5.5\n225,-8.0\n270,-12.5\n315,-6.8\n"));
+    const std::string text = toJson(
+        analysisOf("compass_heading_deg,deviation_deg\n0,10.5\n45,20.0\n90,11.5\n135,-1.2\n180,-5.5\n225,-8.0\n270,-12.5\n315,-6.8\n"));
     const auto json = nlohmann::json::parse(text);
     EXPECT_EQ(json["point_rules"]["A_deg"], 1.0);
     EXPECT_EQ(json["point_rules"]["B_deg"], 12.0);

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/format/Exchange.h"
+#include "core/format/exchange/Exchange.h"
 #include "tests/core/format/Support.h"
 
 namespace lubberline::test {
@@ -35,7 +35,8 @@ const std::vector<Damage> kDamages = {
         {"swings[0].index_removed_deg: is not known"}},
     {"unknownTopKey", "\"sites\": [", "\"places\": [], \"sites\": [", kFormat, {"places: is not known"}},
     {"unknownKey", "\"maker\": \"maker\"", "\"colour\": \"red\"", kFormat, {"aircraft[0].compasses[0].colour: is not known"}},
-    {"doubledKey", "\"maker\": \"maker\"", "\"maker\": \"a\", \"maker\": \"b\"", kFormat, {"aircraft[0].compasses[0].maker: is there twice"}},
+    {"doubledKey", "\"maker\": \"maker\"", "\"maker\": \"a\", \"maker\": \"b\"", kFormat,
+        {"aircraft[0].compasses[0].maker: is there twice"}},
     {"doubledTopKey", "\"version\": 1", "\"version\": 1, \"version\": 1", kFormat, {"version: is there twice"}},
     {"noRegistration", "\"registration\": \"SP-TST\",", "", kFormat, {"aircraft[0].registration: is missing"}},
     {"emptyRegistration", "\"registration\": \"SP-TST\"", "\"registration\": \"\"", kInvalid, {"aircraft[0].registration: is empty"}},
@@ -46,21 +47,25 @@ const std::vector<Damage> kDamages = {
     {"recordMalformed", "\"record\": \"66666666", "\"record\": \"6666-6666", kInvalid, {"swings[0].record", "UUID"}},
     {"recordInCapitals", "4666-8666-666666666666", "4666-8666-66666666666A", kInvalid, {"swings[0].record", "lower case"}},
     {"numberForText", "\"name\": \"PZL-130\"", "\"name\": 130", kFormat, {"types[0].name", "expected text"}},
-    {"textForNumber", "\"resolution_deg\": 0.5", "\"resolution_deg\": \"0.5\"", kFormat, {"aircraft[0].compasses[0].resolution_deg", "a number"}},
+    {"textForNumber", "\"resolution_deg\": 0.5", "\"resolution_deg\": \"0.5\"", kFormat,
+        {"aircraft[0].compasses[0].resolution_deg", "a number"}},
     {"nullForNumber", "\"resolution_deg\": 0.5", "\"resolution_deg\": null", kFormat, {"resolution_deg", "wrong kind"}},
     {"noResolution", "\"resolution_deg\": 0.5,", "", kFormat, {"resolution_deg: is missing"}},
     {"resolutionZero", "\"resolution_deg\": 0.5", "\"resolution_deg\": 0", kInvalid, {"resolution_deg: 0 is out of range"}},
     {"textForBoolean", "\"demonstration\": true", "\"demonstration\": \"yes\"", kFormat, {"aircraft[0].demonstration", "true or false"}},
     {"objectForArray", "\"events\": []", "\"events\": {}", kFormat, {"aircraft[0].events", "an array"}},
     {"numberForObject", "\"events\": []", "\"events\": [7]", kFormat, {"aircraft[0].events[0]", "not an object"}},
-    {"noSuchKind", "\"kind\": \"calibration\"", "\"kind\": \"swinging\"", kInvalid, {"swings[0].kind", "swinging", "check, correction, calibration or air"}},
+    {"noSuchKind", "\"kind\": \"calibration\"", "\"kind\": \"swinging\"", kInvalid,
+        {"swings[0].kind", "swinging", "check, correction, calibration or air"}},
     {"noKind", "\"kind\": \"calibration\",", "", kFormat, {"swings[0].kind: is missing"}},
     {"noSuchState", "\"state\": \"signed\"", "\"state\": \"frozen\"", kInvalid, {"swings[0].state", "draft, complete or signed"}},
     {"noSuchCompensator", "\"compensator\": \"screws\"", "\"compensator\": \"glue\"", kInvalid, {"compasses[0].compensator", "glue"}},
     {"noSuchDay", "\"date\": \"2024-02-29\"", "\"date\": \"2023-02-29\"", kInvalid, {"swings[0].date", "2023-02-29", "YYYY-MM-DD"}},
-    {"latitudeAbove", "\"latitude_deg\": 51.55", "\"latitude_deg\": 90.5", kInvalid, {"sites[0].latitude_deg: 90.5 is out of range", "-90 to 90"}},
+    {"latitudeAbove", "\"latitude_deg\": 51.55", "\"latitude_deg\": 90.5", kInvalid,
+        {"sites[0].latitude_deg: 90.5 is out of range", "-90 to 90"}},
     {"yearAndAHalf", "\"built_year\": 1994", "\"built_year\": 1994.5", kInvalid, {"aircraft[0].built_year", "whole"}},
-    {"headingAbove", "\"magnetic_heading_deg\": 359.1", "\"magnetic_heading_deg\": 361", kInvalid, {"readings[0].magnetic_heading_deg: 361", "0 to 360"}},
+    {"headingAbove", "\"magnetic_heading_deg\": 359.1", "\"magnetic_heading_deg\": 361", kInvalid,
+        {"readings[0].magnetic_heading_deg: 361", "0 to 360"}},
     {"headingBelow", "\"compass_heading_deg\": 2.7", "\"compass_heading_deg\": -1", kInvalid, {"readings[0].compass_heading_deg: -1"}},
     {"numberTooLarge", "\"pitch_deg\": -1.5", "\"pitch_deg\": 1e400", kInvalid, {"readings[0].pitch_deg: is out of range"}},
     {"notANumber", "\"pitch_deg\": -1.5", "\"pitch_deg\": NaN", kFormat, {"JSON"}},
@@ -94,13 +99,15 @@ TEST_P(DamagedExchange, isRefusedNamingThePath)
     EXPECT_EQ(fleet.error().message.find('\n'), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, DamagedExchange, testing::ValuesIn(kDamages), [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, DamagedExchange, testing::ValuesIn(kDamages), [](const auto& test) { return std::string(test.param.name); });
 
 TEST(DamagedExchangeFile, whatIsNoJsonNamesTheLine)
 {
     EXPECT_EQ(readDamaged("{\n  \"format\": \"lubberline\",\n  oops\n}").error().line, 3);
     EXPECT_EQ(readDamaged("{\"format\": \"lubberline\"").error().line, 1);
-    for (const std::string& text : {std::string(), std::string("  "), std::string("hello"), std::string("\xff\xfe{\0", 4), std::string("\0", 1), std::string("{\"a\": \"\xB0\"}")}) {
+    for (const std::string& text : {std::string(), std::string("  "), std::string("hello"), std::string("\xff\xfe{\0", 4),
+             std::string("\0", 1), std::string("{\"a\": \"\xB0\"}")}) {
         const auto fleet = readDamaged(text);
         ASSERT_FALSE(fleet);
         EXPECT_EQ(fleet.error().code, ErrorCode::Format);

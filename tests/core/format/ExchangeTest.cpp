@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/demo/DemoFleet.h"
-#include "core/format/Exchange.h"
+#include "core/format/exchange/Exchange.h"
 #include "tests/core/format/Support.h"
 
 namespace lubberline::test {
@@ -71,7 +71,8 @@ TEST(Exchange, nothingOfTheDemonstrationFleetIsLost)
     ASSERT_EQ(back->swings.size(), fleet.swings.size());
     EXPECT_EQ(back->events.size(), fleet.events.size());
     for (const Swing& swing : fleet.swings) {
-        const auto same = std::find_if(back->swings.begin(), back->swings.end(), [&](const Swing& one) { return one.record == swing.record; });
+        const auto same
+            = std::find_if(back->swings.begin(), back->swings.end(), [&](const Swing& one) { return one.record == swing.record; });
         ASSERT_NE(same, back->swings.end());
         EXPECT_EQ(same->readings, swing.readings);
         const auto& compass = back->compasses[static_cast<std::size_t>(same->compass.value) - 1];
@@ -88,7 +89,9 @@ TEST(Exchange, hasKeysInAFixedOrderAndLeavesOutWhatIsNotStated)
     reading.compass = CompassHeading::fromDegrees(2.5);
     record.swing.readings = {reading, Reading{}};
     const std::string text = writeExchange(toFleet(record));
-    EXPECT_THAT(text, testing::StartsWith("{\n  \"format\": \"lubberline\",\n  \"version\": 1,\n  \"limits\": [],\n  \"sites\": [],\n  \"types\": [\n    {\n      \"record\": \""));
+    EXPECT_THAT(text,
+        testing::StartsWith(
+            "{\n  \"format\": \"lubberline\",\n  \"version\": 1,\n  \"limits\": [],\n  \"sites\": [],\n  \"types\": [\n    {\n      \"record\": \""));
     EXPECT_THAT(text, testing::HasSubstr("{\"magnetic_heading_deg\": 359, \"compass_heading_deg\": 2.5},\n"));
     EXPECT_THAT(text, testing::HasSubstr("{}\n")); // a row that is laid out and not read yet
     EXPECT_THAT(text, testing::EndsWith("}\n"));
@@ -120,7 +123,9 @@ TEST(Exchange, aPartOfAFleetIsEnough)
     const auto empty = read(R"({"format": "lubberline", "version": 1})");
     ASSERT_TRUE(empty) << describe(empty.error());
     EXPECT_EQ(*empty, Fleet{});
-    const auto sites = read("\xEF\xBB\xBF" R"({"format": "lubberline", "version": 1, "sites": [{"record": "44444444-4444-4444-8444-444444444444", "name": "Mielec"}]})");
+    const auto sites = read(
+        "\xEF\xBB\xBF"
+        R"({"format": "lubberline", "version": 1, "sites": [{"record": "44444444-4444-4444-8444-444444444444", "name": "Mielec"}]})");
     ASSERT_TRUE(sites) << describe(sites.error());
     EXPECT_EQ(sites->sites.at(0).name, "Mielec");
 }

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/format/Exchange.h"
+#include "core/format/exchange/Exchange.h"
 #include "core/record/DerivedId.h"
 #include "tests/core/format/Support.h"
 
@@ -45,26 +45,30 @@ const std::vector<Damage> kDamages = {
     {"stampWithoutModel", "{\"model\": \"WMM2025\", ", "{", kFormat, {"swings[0].field.model: is missing"}},
     {"stampWithoutModelName", "\"model\": \"WMM2025\"", "\"model\": \"\"", kInvalid, {"swings[0].field.model: is empty"}},
     {"stampWithoutPlace", "\"height_m\": 117, ", "", kFormat, {"swings[0].field.height_m: is missing"}},
-    {"stampBeyondThePole", "\"latitude_deg\": 51.55, \"longitude_deg\": 21.89, \"height_m\"", "\"latitude_deg\": 91, \"longitude_deg\": 21.89, \"height_m\"", kInvalid,
-        {"swings[0].field.latitude_deg: 91", "-90 to 90"}},
+    {"stampBeyondThePole", "\"latitude_deg\": 51.55, \"longitude_deg\": 21.89, \"height_m\"",
+        "\"latitude_deg\": 91, \"longitude_deg\": 21.89, \"height_m\"", kInvalid, {"swings[0].field.latitude_deg: 91", "-90 to 90"}},
     {"stampWithoutDate", "\"date\": \"2024-02-29\", \"north", "\"north", kFormat, {"swings[0].field.date: is missing"}},
     {"stampOfAnEmptyDate", "\"date\": \"2024-02-29\", \"north", "\"date\": \"\", \"north", kInvalid, {"swings[0].field.date: is empty"}},
-    {"stampOfNoDay", "\"date\": \"2024-02-29\", \"north", "\"date\": \"2023-02-29\", \"north", kInvalid, {"swings[0].field.date", "YYYY-MM-DD"}},
+    {"stampOfNoDay", "\"date\": \"2024-02-29\", \"north", "\"date\": \"2023-02-29\", \"north", kInvalid,
+        {"swings[0].field.date", "YYYY-MM-DD"}},
     {"fieldOfAMagnet", "\"north_nT\": 18879.125", "\"north_nT\": 1e7", kInvalid, {"swings[0].field.north_nT"}},
     {"stampMisspelt", "\"north_nT\": 18879.125", "\"nort_nT\": 18879.125", kFormat, {"swings[0].field.nort_nT: is not known", "north_nT"}},
     {"stampDoubled", "\"north_nT\": 18879.125", "\"north_nT\": 1, \"north_nT\": 2", kFormat, {"swings[0].field.north_nT: is there twice"}},
     {"stampIsText", "\"field\": {", "\"field\": \"WMM\", \"other\": {", kFormat, {"swings[0].field", "expected"}},
     {"sensorWithoutName", "\"name\": \"as entered\",", "", kFormat, {"sensors[0].name: is missing"}},
     {"sensorsOfOneName", "\"name\": \"iron bench\"", "\"name\": \"as entered\"", kInvalid, {"sensors[1].name", "another sensor model"}},
-    {"sensorOfNoOrigin", "\"origin\": \"iron_bench\"", "\"origin\": \"dreamt\"", kInvalid, {"sensors[1].origin", "entered, loaded, estimated_from_swings or iron_bench"}},
-    {"sensorRecordTwice", "\"record\": \"88888888-8888-4888-8888-888888888888\"", "\"record\": \"33333333-3333-4333-8333-333333333333\"", kInvalid,
-        {"sensors[0].record", "identity of another record"}},
+    {"sensorOfNoOrigin", "\"origin\": \"iron_bench\"", "\"origin\": \"dreamt\"", kInvalid,
+        {"sensors[1].origin", "entered, loaded, estimated_from_swings or iron_bench"}},
+    {"sensorRecordTwice", "\"record\": \"88888888-8888-4888-8888-888888888888\"", "\"record\": \"33333333-3333-4333-8333-333333333333\"",
+        kInvalid, {"sensors[0].record", "identity of another record"}},
     {"modelMissing", "\"model\": {", "\"modell\": {", kFormat, {"sensors[0].model: is missing"}},
-    {"matrixCutShort", "\"hard_iron_nT\": [850, -420, 0.1]", "\"hard_iron_nT\": [850, -420]", kFormat, {"sensors[0].model.hard_iron_nT", "3 numbers"}},
+    {"matrixCutShort", "\"hard_iron_nT\": [850, -420, 0.1]", "\"hard_iron_nT\": [850, -420]", kFormat,
+        {"sensors[0].model.hard_iron_nT", "3 numbers"}},
     {"modelMisspelt", "\"hard_iron_nT\"", "\"hard_irn_nT\"", kFormat, {"sensors[0].model.hard_irn_nT", "did you mean"}},
     {"circuitIncomplete", "\"current_A\": 10, ", "", kFormat, {"sensors[0].model.circuits[0].current_A: is missing"}},
     {"benchIncomplete", "\"diameter_m\": 0.08,", "", kFormat, {"sensors[1].bench.parts[0]", "diameter_m"}},
-    {"statesDoubled", "{\"group\": \"gear\", \"state\": \"extended\"}", "{\"group\": \"gear\", \"state\": \"a\"}, {\"group\": \"gear\", \"state\": \"b\"}", kInvalid,
+    {"statesDoubled", "{\"group\": \"gear\", \"state\": \"extended\"}",
+        "{\"group\": \"gear\", \"state\": \"a\"}, {\"group\": \"gear\", \"state\": \"b\"}", kInvalid,
         {"sensors[1].bench_states[1].group", "twice"}},
     {"indexBeyondATurn", "\"index_removed_deg\": -2.5", "\"index_removed_deg\": 181", kInvalid, {"swings[0].index_removed_deg: 181"}},
     {"sensorsInAnOldFile", "\"version\": 2", "\"version\": 1", kFormat, {"is not known"}},
@@ -145,7 +149,8 @@ TEST_P(DamagedVersion2, isRefusedNamingThePath)
         EXPECT_THAT(fleet.error().message, HasSubstr(words));
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, DamagedVersion2, testing::ValuesIn(kDamages), [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, DamagedVersion2, testing::ValuesIn(kDamages), [](const auto& test) { return std::string(test.param.name); });
 
 TEST(DerivedId, ofSensorsAndFieldsTellsThemApartAndLeavesTheOthersAlone)
 {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/format/JobJson.h"
+#include "core/format/exchange/JobJson.h"
 
 namespace lubberline {
 namespace {
@@ -8,11 +8,13 @@ namespace {
 std::vector<JobEvent> everyEvent()
 {
     const std::string time = "2026-11-23T10:00:00Z";
-    return {{time, job::Ticked{"non-magnetic tools", false}}, {time, job::InterferenceRead{90, "generator", 88.5, 89}}, {time, job::Prepared{"cold"}},
-        {time, job::ReadingTaken{3, {{178, 178.5}, {358}, {170.5}}, 178.125, 170.5, "gusty"}}, {time, job::ReadingRejected{3, "slip"}},
-        {time, job::StationSkipped{4, "fence"}}, {time, job::Adjusted{2, Control::NorthSouth, 170, 176, 176, "half a turn"}},
-        {time, job::NotAdjusted{3, Control::EastWest, "at its stop"}}, {time, job::IndexRemoved{269, 272, 272}}, {time, job::IndexLeft{"riveted"}},
-        {time, job::Accepted{"inspector", "well"}}, {time, job::Faulted{"magnetised"}}, {time, job::Mended{"degaussed"}}, {time, job::Abandoned{"rain"}}};
+    return {{time, job::Ticked{"non-magnetic tools", false}}, {time, job::InterferenceRead{90, "generator", 88.5, 89}},
+        {time, job::Prepared{"cold"}}, {time, job::ReadingTaken{3, {{178, 178.5}, {358}, {170.5}}, 178.125, 170.5, "gusty"}},
+        {time, job::ReadingRejected{3, "slip"}}, {time, job::StationSkipped{4, "fence"}},
+        {time, job::Adjusted{2, Control::NorthSouth, 170, 176, 176, "half a turn"}},
+        {time, job::NotAdjusted{3, Control::EastWest, "at its stop"}}, {time, job::IndexRemoved{269, 272, 272}},
+        {time, job::IndexLeft{"riveted"}}, {time, job::Accepted{"inspector", "well"}}, {time, job::Faulted{"magnetised"}},
+        {time, job::Mended{"degaussed"}}, {time, job::Abandoned{"rain"}}};
 }
 
 TEST(JobJson, everyEventReadsBackEqualFromOneLine)
@@ -48,7 +50,8 @@ TEST(JobJson, faultsNameTheirKey)
     says("{}", "what");
     says(R"({"time_utc":"","what":"danced"})", "danced");
     says(R"({"time_utc":"","what":"adjusted","station":1,"control":"up","before_deg":1,"target_deg":1,"after_deg":1})", "control");
-    says(R"({"time_utc":"","what":"reading_taken","station":1,"magnetic_heading_deg":370,"compass_heading_deg":1})", "magnetic_heading_deg");
+    says(
+        R"({"time_utc":"","what":"reading_taken","station":1,"magnetic_heading_deg":370,"compass_heading_deg":1})", "magnetic_heading_deg");
     says(R"({"time_utc":"","what":"station_skipped","station":1})", "reason");
     says(R"({"time_utc":"","what":"prepared","colour":1})", "colour");
     EXPECT_FALSE(readJobPlan(R"({"procedure":"coefficient","check_points":9,"resolution_deg":1})", "plan"));

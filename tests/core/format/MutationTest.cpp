@@ -4,9 +4,9 @@
 
 #include <random>
 
+#include "core/base/FileText.h"
 #include "core/demo/DemoFleet.h"
-#include "core/format/Exchange.h"
-#include "core/format/FileText.h"
+#include "core/format/exchange/Exchange.h"
 #include "tests/core/format/Support.h"
 #include "tests/fuzz/RoundTrip.h"
 

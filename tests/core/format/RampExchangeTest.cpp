@@ -1,9 +1,10 @@
-// Version 3 of the exchange file: everything of the ramp reads back equal, is written again the same, and damage is named by its path.
+// Version 3 of the exchange file: everything of the ramp reads back equal, is written again the same, and damage is named by
+// its path.
 
 #include <gmock/gmock.h>
 
-#include "core/format/Exchange.h"
-#include "core/format/SignedContent.h"
+#include "core/format/exchange/Exchange.h"
+#include "core/format/exchange/SignedContent.h"
 #include "core/record/SwingDifferences.h"
 
 namespace lubberline {
@@ -128,7 +129,8 @@ TEST(ExchangeOfTheRamp, damageIsNamedByItsPath)
     };
     EXPECT_THAT(refused("\"performer\"", "\"pilot\""), testing::HasSubstr("performer, inspector or authority"));
     EXPECT_THAT(refused("aaaaaaaa", "AAAAAAAA"), testing::HasSubstr("SHA-256"));
-    EXPECT_THAT(refused("\"lightning\",\n          \"cause\": \"lightning\"", "\"lightning\",\n          \"cause\": \"thunder\""), testing::HasSubstr("cause"));
+    EXPECT_THAT(refused("\"lightning\",\n          \"cause\": \"lightning\"", "\"lightning\",\n          \"cause\": \"thunder\""),
+        testing::HasSubstr("cause"));
     EXPECT_THAT(refused("\"half_error\"", "\"whole_error\""), testing::HasSubstr("procedure"));
     EXPECT_THAT(refused("\"selected_deg\": 90", "\"selected_deg\": 91"), testing::HasSubstr("0, 90, 180 and 270"));
     EXPECT_THAT(refused("\"class_2\"", "\"class_9\""), testing::HasSubstr("class_1"));

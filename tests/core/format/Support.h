@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/format/SwingCsv.h"
+#include "core/format/csv/SwingCsv.h"
 #include "core/record/SensorRecord.h"
 
 namespace lubberline::test {
@@ -40,11 +40,14 @@ inline SwingRecord wholeRecord()
 {
     SwingRecord record;
     record.type = {AircraftTypeId{1}, "11111111-1111-4111-8111-111111111111", "PZL-130", "PZL", "a \"type\" note"};
-    record.aircraft = {AircraftId{1}, "22222222-2222-4222-8222-222222222222", AircraftTypeId{1}, "SP-TST", "sn 7", "an operator", 1994, "note\nof two lines", true};
-    record.compass = {CompassId{1}, "33333333-3333-4333-8333-333333333333", AircraftId{1}, "standby compass", CompassKind::RemoteUnstabilised,
-        Compensator::Screws, "maker", "part", "serial", "fin", 0.5, LimitsProfileId{1}};
-    record.site = Site{SiteId{1}, "44444444-4444-4444-8444-444444444444", "D\u0119blin", 51.55, 21.89, 117.0, 7.25, "certificate, 2026.0", "hard stand"};
-    record.limits = LimitsProfile{LimitsProfileId{1}, "55555555-5555-4555-8555-555555555555", "ten", "14 CFR 25.1327", "issue", "scope", 10.0, 5.0};
+    record.aircraft = {AircraftId{1}, "22222222-2222-4222-8222-222222222222", AircraftTypeId{1}, "SP-TST", "sn 7", "an operator", 1994,
+        "note\nof two lines", true};
+    record.compass = {CompassId{1}, "33333333-3333-4333-8333-333333333333", AircraftId{1}, "standby compass",
+        CompassKind::RemoteUnstabilised, Compensator::Screws, "maker", "part", "serial", "fin", 0.5, LimitsProfileId{1}};
+    record.site = Site{
+        SiteId{1}, "44444444-4444-4444-8444-444444444444", "D\u0119blin", 51.55, 21.89, 117.0, 7.25, "certificate, 2026.0", "hard stand"};
+    record.limits
+        = LimitsProfile{LimitsProfileId{1}, "55555555-5555-4555-8555-555555555555", "ten", "14 CFR 25.1327", "issue", "scope", 10.0, 5.0};
     Swing& swing = record.swing;
     swing.id = SwingId{1};
     swing.record = "66666666-6666-4666-8666-666666666666";
@@ -80,10 +83,7 @@ inline SwingRecord wholeRecord()
 }
 
 /// Figures with as many digits as a model gives, and one that no short decimal is.
-inline FieldStamp wholeStamp()
-{
-    return {"WMM2025", {51.55, 21.89, 117.0}, "2024-02-29", {18879.125, 2311.0625, 0.1 + 0.2}};
-}
+inline FieldStamp wholeStamp() { return {"WMM2025", {51.55, 21.89, 117.0}, "2024-02-29", {18879.125, 2311.0625, 0.1 + 0.2}}; }
 
 /// One that was entered, with a circuit, and one of an iron bench with a moving part.
 inline std::vector<SensorRecord> wholeSensors()
@@ -104,8 +104,10 @@ inline std::vector<SensorRecord> wholeSensors()
     bench.record = "99999999-9999-4999-8999-999999999999";
     bench.name = "iron bench";
     bench.origin = ModelOrigin::IronBench;
-    bench.bench = IronBench{{-2, 0, -1}, {{"gear leg", Cylinder{0.08, 0.9}, 50, {0, 0, 0.1}, "gear",
-        {{"retracted", {0, 0, 1}, 0, 0, 0}, {"extended", {0, 0, 1.5}, 0, 1.25, 0}}}, {"box", Box{{0.1, 0.2, 0.3}}, 5, {0, 0, 0}, "", {{"", {1, 1, 1}, 0, 0, 0}}}},
+    bench.bench = IronBench{{-2, 0, -1},
+        {{"gear leg", Cylinder{0.08, 0.9}, 50, {0, 0, 0.1}, "gear",
+             {{"retracted", {0, 0, 1}, 0, 0, 0}, {"extended", {0, 0, 1.5}, 0, 1.25, 0}}},
+            {"box", Box{{0.1, 0.2, 0.3}}, 5, {0, 0, 0}, "", {{"", {1, 1, 1}, 0, 0, 0}}}},
         {{"heater", {WirePath{{{0, 0, 0}, {1, 0, 0}}}, CurrentLoop{{1, 0, 0}, {0, 0, 1}, 0.1, 3}}, 2, true}}};
     bench.benchStates = {{"gear", "extended"}};
     return {entered, bench};

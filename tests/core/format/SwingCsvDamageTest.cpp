@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "core/format/LineReader.h"
+#include "core/base/LineReader.h"
 #include "tests/core/format/Support.h"
 
 namespace lubberline::test {
@@ -32,10 +32,18 @@ const std::vector<Damage> kDamages = {
     {"onlyByteOrderMark", "\xEF\xBB\xBF", kFormat, 0, {"header"}},
     {"onlyKeys", "# aircraft: SP-TST\n", kFormat, 0, {"header"}},
     {"headerOnly", kHeader, kFormat, 0, {"no readings"}},
-    {"binary", std::string("\x7f" "ELF\x02\x01\x00\x00", 8), kFormat, 0, {"binary", "UTF-8"}},
+    {"binary",
+        std::string("\x7f"
+                    "ELF\x02\x01\x00\x00",
+            8),
+        kFormat, 0, {"binary", "UTF-8"}},
     {"nulInARow", row(std::string("90,8\0", 5)), kFormat, 0, {"binary"}},
     {"endlessLine", kHeader + std::string(kMaxLineBytes + 1, '1'), kFormat, 0, {"binary", "1 MiB"}},
-    {"utf16LittleEndian", std::string("\xff\xfe" "m\0a\0", 6), kFormat, 0, {"UTF-16", "UTF-8"}},
+    {"utf16LittleEndian",
+        std::string("\xff\xfe"
+                    "m\0a\0",
+            6),
+        kFormat, 0, {"UTF-16", "UTF-8"}},
     {"utf16BigEndian", std::string("\xfe\xff\0m\0a", 6), kFormat, 0, {"UTF-16"}},
     {"latin1", row("90,88 # 3\xB0"), kFormat, 3, {"UTF-8"}},
     {"noHeader", "0,358\n90,88\n", kFormat, 1, {"no header", "magnetic_heading_deg"}},
@@ -43,11 +51,13 @@ const std::vector<Damage> kDamages = {
     {"onlyOtherColumns", "heading,reading\n0,1\n", kInvalid, 1, {"missing", "heading, reading"}},
     {"trueAndMagneticOnly", "magnetic_heading_deg,true_heading_deg\n0,1\n", kInvalid, 1, {"missing"}},
     {"deviationTwiceOnly", "deviation_deg,indication_error_deg\n1,-1\n", kInvalid, 1, {"missing"}},
-    {"doubledColumn", "magnetic_heading_deg,compass_heading_deg,compass_heading_deg\n0,1,2\n", kInvalid, 1, {"compass_heading_deg", "twice"}},
+    {"doubledColumn", "magnetic_heading_deg,compass_heading_deg,compass_heading_deg\n0,1,2\n", kInvalid, 1,
+        {"compass_heading_deg", "twice"}},
     {"doubledUnknownColumn", "x,magnetic_heading_deg,compass_heading_deg,x\n0,1,2,3\n", kInvalid, 1, {"\"x\"", "twice"}},
     {"namelessColumn", "magnetic_heading_deg,compass_heading_deg,\n0,1,2\n", kFormat, 1, {"column 3"}},
     {"trueWithoutVariation", "true_heading_deg,compass_heading_deg\n0,1\n", kInvalid, 1, {"variation_deg"}},
-    {"variationBelowTheHeader", "true_heading_deg,compass_heading_deg,magnetic_heading_deg\n1,1,1\n# variation_deg: 3\n", kInvalid, 3, {"variation_deg", "above"}},
+    {"variationBelowTheHeader", "true_heading_deg,compass_heading_deg,magnetic_heading_deg\n1,1,1\n# variation_deg: 3\n", kInvalid, 3,
+        {"variation_deg", "above"}},
     {"shortRow", row("90"), kInvalid, 3, {"1 cell", "expected 2"}},
     {"longRow", row("90,88,7"), kInvalid, 3, {"3 cells", "expected 2"}},
     {"decimalCommaBetweenCommas", row("90,5,88"), kInvalid, 3, {"3 cells"}},
@@ -66,7 +76,8 @@ const std::vector<Damage> kDamages = {
     {"pitchAbove", "magnetic_heading_deg,compass_heading_deg,pitch_deg\n0,1,91\n", kInvalid, 2, {"pitch_deg", "91", "-90 to 90"}},
     {"rollLetters", "magnetic_heading_deg,compass_heading_deg,roll_deg\n0,1,level\n", kInvalid, 2, {"roll_deg", "level"}},
     {"nominalAbove", "magnetic_heading_deg,compass_heading_deg,nominal_deg\n0,1,400\n", kInvalid, 2, {"nominal_deg", "400"}},
-    {"contradiction", "magnetic_heading_deg,compass_heading_deg,deviation_deg\n0,358,2\n90,88,-2\n", kInvalid, 3, {"deviation_deg", "-2", "which give 2", "0.05"}},
+    {"contradiction", "magnetic_heading_deg,compass_heading_deg,deviation_deg\n0,358,2\n90,88,-2\n", kInvalid, 3,
+        {"deviation_deg", "-2", "which give 2", "0.05"}},
     {"openQuote", "magnetic_heading_deg,compass_heading_deg,note\n0,1,\"open\n2,3,\n", kFormat, 2, {"not closed"}},
     {"textAfterQuote", "magnetic_heading_deg,compass_heading_deg,note\n0,1,\"a\"b\n", kFormat, 2, {"closing quote"}},
     {"openQuoteInTheHeader", "magnetic_heading_deg,\"compass_heading_deg\n1,2\n", kFormat, 1, {"not closed"}},

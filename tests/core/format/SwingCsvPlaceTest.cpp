@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/earth/FieldModel.h"
-#include "core/record/SwingField.h"
+#include "core/swing/SwingField.h"
 #include "tests/core/format/Support.h"
 
 namespace lubberline::test {
@@ -52,9 +52,8 @@ TEST(SwingCsvPlace, whereNoFieldIsKnownAWarningSaysWhy)
 {
     const std::string place = "# latitude_deg: 51\n# longitude_deg: 21\n";
     const std::pair<std::string, const char*> cases[] = {
-        {place, "no date"},
-        {"# date: 1850-01-01\n" + place, "1900"},                                                   // before every model
-        {"# date: 2026-01-01\n# latitude_deg: 86\n# longitude_deg: 142\n", "H"},                    // blackout zone
+        {place, "no date"}, {"# date: 1850-01-01\n" + place, "1900"},            // before every model
+        {"# date: 2026-01-01\n# latitude_deg: 86\n# longitude_deg: 142\n", "H"}, // blackout zone
     };
     for (const auto& [keys, words] : cases) {
         const auto file = readCsv(keys + kHeader + kRow);
@@ -83,7 +82,8 @@ TEST(SwingCsvPlace, halfAPlaceAndNoPlaceOnEarthAreRefused)
 
 TEST(SwingCsvPlace, goesIntoTheSiteThatItNames)
 {
-    const auto file = readCsv("# aircraft: SP-TST\n# site: Mielec\n# date: 2026-03-10\n# latitude_deg: 50.32\n# longitude_deg: 381.46\n" + kHeader + kRow);
+    const auto file = readCsv(
+        "# aircraft: SP-TST\n# site: Mielec\n# date: 2026-03-10\n# latitude_deg: 50.32\n# longitude_deg: 381.46\n" + kHeader + kRow);
     ASSERT_TRUE(file);
     const auto fleet = toFleet(*file);
     ASSERT_TRUE(fleet);

@@ -3,7 +3,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/deviation/Analysis.h"
+#include "core/swing/Analysis.h"
+#include "core/swing/Observations.h"
 #include "tests/core/format/Support.h"
 
 namespace lubberline::test {
@@ -33,10 +34,11 @@ TEST(SwingCsv, isTheSameInEverySpelling)
     const auto plain = readCsv(kHeader + "359.5,3\n90,85.25\n");
     ASSERT_TRUE(plain);
     for (const std::string& text : {
-             std::string("\xEF\xBB\xBF" "magnetic_heading_deg,compass_heading_deg\r\n359.5,3\r\n90,85.25\r\n"),
-             std::string("magnetic_heading_deg,compass_heading_deg\n359.5,3\n90,85.25"),                 // no newline at the end
+             std::string("\xEF\xBB\xBF"
+                         "magnetic_heading_deg,compass_heading_deg\r\n359.5,3\r\n90,85.25\r\n"),
+             std::string("magnetic_heading_deg,compass_heading_deg\n359.5,3\n90,85.25"), // no newline at the end
              std::string("compass_heading_deg;magnetic_heading_deg\n3;359,5\n85,25;90,0\n"),
-             std::string("compass_heading_deg;magnetic_heading_deg\n3;359.5\n85.25;90\n"),               // semicolons with points
+             std::string("compass_heading_deg;magnetic_heading_deg\n3;359.5\n85.25;90\n"), // semicolons with points
              std::string("magnetic_heading_deg\tcompass_heading_deg\n359,5\t3\n90\t85,25\n"),
              std::string(" magnetic_heading_deg , compass_heading_deg \n\n 359.5 ,\t3 \n   \n90,+85.25\n\n"),
              std::string("\"magnetic_heading_deg\",\"compass_heading_deg\"\n\"359.5\",\"3\"\n\"90\",\"85.25\"\n"),
@@ -95,7 +97,8 @@ TEST(SwingCsv, keysBecomeParticulars)
 {
     const auto file = readCsv("# aircraft: SP-TST\n#type:PZL-130\n# compass : standby compass\n# site: D\u0119blin\n# date: 2024-02-29\n"
                               "# kind: correction\n# stage: as left\n# radio: ON\n# operator: someone: else\n# datum: landing compass\n"
-                              "# engines: running\n# electrics: on\n# inspector: E. Sowa\n# note: calm\n" + kHeader + "1,2\n");
+                              "# engines: running\n# electrics: on\n# inspector: E. Sowa\n# note: calm\n"
+        + kHeader + "1,2\n");
     ASSERT_TRUE(file) << describe(file.error());
     EXPECT_EQ(file->aircraft, "SP-TST");
     EXPECT_EQ(file->type, "PZL-130");
@@ -114,9 +117,11 @@ TEST(SwingCsv, keysBecomeParticulars)
 
 TEST(SwingCsv, otherKeysAreKeptInTheNote)
 {
-    const auto file = readCsv("# weather: rain\n# note: calm\n# see https://example.org/a: no key\n# https://example.org\n# wind_kt: 4\n" + kHeader + "1,2\n# gust: late\n");
+    const auto file = readCsv("# weather: rain\n# note: calm\n# see https://example.org/a: no key\n# https://example.org\n# wind_kt: 4\n"
+        + kHeader + "1,2\n# gust: late\n");
     ASSERT_TRUE(file) << describe(file.error());
-    EXPECT_THAT(file->otherKeys, ElementsAre(testing::Pair("weather", "rain"), testing::Pair("wind_kt", "4"), testing::Pair("gust", "late")));
+    EXPECT_THAT(
+        file->otherKeys, ElementsAre(testing::Pair("weather", "rain"), testing::Pair("wind_kt", "4"), testing::Pair("gust", "late")));
     EXPECT_EQ(file->swing.note, "calm\nweather: rain\nwind_kt: 4\ngust: late");
 }
 
@@ -152,7 +157,8 @@ TEST(SwingCsv, quotedCellsMayHoldLineBreaks)
     ASSERT_TRUE(file) << describe(file.error());
     EXPECT_EQ(file->swing.readings[0].note, "first\n# no comment\nthird");
     ASSERT_EQ(file->swing.readings.size(), 2u);
-    EXPECT_EQ(readCsv("magnetic_heading_deg,compass_heading_deg,note\n1,2,\"a\nb\"\n3,x,\n").error().line, 4); // lines are those of the file
+    EXPECT_EQ(readCsv("magnetic_heading_deg,compass_heading_deg,note\n1,2,\"a\nb\"\n3,x,\n").error().line,
+        4); // lines are those of the file
 }
 
 TEST(SwingCsv, identityIsThatOfTheContent)
@@ -189,7 +195,10 @@ TEST(SwingCsv, largeFilesAreReadInSmallStepsWithProgress)
         text += "123.25,121.75\n";
     std::istringstream stream(text);
     std::vector<double> told;
-    const auto file = readSwingCsv(stream, "large.csv", [&](double fraction) { told.push_back(fraction); return true; });
+    const auto file = readSwingCsv(stream, "large.csv", [&](double fraction) {
+        told.push_back(fraction);
+        return true;
+    });
     ASSERT_TRUE(file) << describe(file.error());
     EXPECT_EQ(file->swing.readings.size(), (text.size() - kHeader.size()) / 14);
     EXPECT_GT(told.size(), 10u);

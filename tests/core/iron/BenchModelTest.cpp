@@ -9,8 +9,8 @@
 
 #include "core/iron/BenchModel.h"
 #include "core/sensor/Attitude.h"
-#include "core/sensor/SensorReading.h"
 #include "core/sensor/PoissonSmith.h"
+#include "core/sensor/SensorReading.h"
 
 using namespace lubberline;
 using std::numbers::pi;
@@ -55,7 +55,8 @@ double deviation_deg(const SensorModel& model, double heading_deg)
 Eigen::Matrix3d sphereSoftIron(double radius_m, double susceptibility, const Eigen::Vector3d& fromCentre_m)
 {
     const Eigen::Vector3d n = fromCentre_m.normalized();
-    return std::pow(radius_m / fromCentre_m.norm(), 3) * susceptibility / (3 + susceptibility) * (3 * n * n.transpose() - Eigen::Matrix3d::Identity());
+    return std::pow(radius_m / fromCentre_m.norm(), 3) * susceptibility / (3 + susceptibility)
+        * (3 * n * n.transpose() - Eigen::Matrix3d::Identity());
 }
 
 } // namespace
@@ -114,9 +115,9 @@ TEST(BenchModel, TensorAndDipoleMeetAtThreeLengths)
     EXPECT_LT((near.model.softIron - far.model.softIron).norm() / far.model.softIron.norm(), 0.05);
 }
 
-/// Ahead of the compass a vertical rod of soft iron is magnetised by Z, its lower end red (north-seeking) in the northern hemisphere.
-/// Level with its blue upper end the north end of the needle is drawn forward: on east that is eastwards, deviation positive.
-/// Level with the red lower end it is pushed back: negative. South of the magnetic equator both turn round.
+/// Ahead of the compass a vertical rod of soft iron is magnetised by Z, its lower end red (north-seeking) in the northern
+/// hemisphere. Level with its blue upper end the north end of the needle is drawn forward: on east that is eastwards, deviation
+/// positive. Level with the red lower end it is pushed back: negative. South of the magnetic equator both turn round.
 TEST(BenchModel, AVerticalRodAheadDrawsTheNeedleByItsBlueEnd)
 {
     IronBench bench;
@@ -151,7 +152,8 @@ TEST(BenchModel, AMagnetAheadPointingAftHasNegativeP)
     EXPECT_GT(deviation_deg(model.model, 270), 0);
 }
 
-/// Remanence along a part's own axes: an attitude's senses. Nose up (pitch 90°) turns forward into up, starboard wing down into down.
+/// Remanence along a part's own axes: an attitude's senses. Nose up (pitch 90°) turns forward into up, starboard wing down into
+/// down.
 TEST(BenchModel, PartsTurnAsAnAircraftDoes)
 {
     IronBench bench;
@@ -193,7 +195,8 @@ TEST(BenchModel, SharesAddUpAndTheirOrderIsTheBenchs)
 {
     IronBench bench;
     for (int i = 0; i < 6; ++i) {
-        bench.parts.push_back(part("part " + std::to_string(i), i % 2 ? Shape(Box{{0.2, 0.1, 0.3}}) : Shape(Sphere{0.1}), 5 + i, {0.4 + 0.3 * i, 0.1, -0.2}));
+        bench.parts.push_back(
+            part("part " + std::to_string(i), i % 2 ? Shape(Box{{0.2, 0.1, 0.3}}) : Shape(Sphere{0.1}), 5 + i, {0.4 + 0.3 * i, 0.1, -0.2}));
         bench.parts.back().remanence_T = {0.001 * i, 0, 0.002};
     }
     const auto model = modelOf(bench);
@@ -212,16 +215,19 @@ TEST(BenchModel, SharesAddUpAndTheirOrderIsTheBenchs)
 TEST(BenchModel, StatesMoveThePartsOfTheirGroup)
 {
     IronBench bench;
-    bench.parts = {part("leg", Cylinder{0.06, 0.9}, 80, {0, 0, 0}), part("door", Box{{0.5, 0.3, 0.002}}, 80, {0, 0, 0}), part("seat", Sphere{0.1}, 50, {2, 1, 1})};
+    bench.parts = {part("leg", Cylinder{0.06, 0.9}, 80, {0, 0, 0}), part("door", Box{{0.5, 0.3, 0.002}}, 80, {0, 0, 0}),
+        part("seat", Sphere{0.1}, 50, {2, 1, 1})};
     for (std::size_t i = 0; i < 2; ++i) {
         bench.parts[i].group = "gear";
-        bench.parts[i].placements = {{"retracted", {1.5, 0.3 * static_cast<double>(i), 0.5}, 0, 0, 0}, {"extended", {1.5, 0.3 * static_cast<double>(i), 1.2}, 0, pi / 2, 0}};
+        bench.parts[i].placements = {{"retracted", {1.5, 0.3 * static_cast<double>(i), 0.5}, 0, 0, 0},
+            {"extended", {1.5, 0.3 * static_cast<double>(i), 1.2}, 0, pi / 2, 0}};
     }
     const auto groups = groupsOf(bench);
     ASSERT_EQ(groups.size(), 1U);
     EXPECT_EQ(groups[0].first, "gear");
     EXPECT_EQ(groups[0].second, (std::vector<std::string>{"retracted", "extended"}));
-    const auto unsaid = modelOf(bench), retracted = modelOf(bench, {{"gear", "retracted"}}), extended = modelOf(bench, {{"gear", "extended"}});
+    const auto unsaid = modelOf(bench), retracted = modelOf(bench, {{"gear", "retracted"}}),
+               extended = modelOf(bench, {{"gear", "extended"}});
     EXPECT_EQ(unsaid.model, retracted.model);
     EXPECT_GT((extended.model.softIron - retracted.model.softIron).norm(), 1e-4);
     EXPECT_EQ(extended.parts[2].softIron, retracted.parts[2].softIron);
@@ -240,15 +246,16 @@ TEST(BenchModel, CircuitsSumTheirConductors)
     bench.circuits = {{"light", {loop, wire}, 12, true}, {"pump", {wire}, 3, false}};
     const auto model = modelOf(bench).model;
     ASSERT_EQ(model.circuits.size(), 2U);
-    EXPECT_EQ(model.circuits[0].field_nT_per_A, Eigen::Vector3d(fieldOfLoop_nT_per_A(loop, bench.sensor_m) + fieldOfWire_nT_per_A(wire, bench.sensor_m)));
+    EXPECT_EQ(model.circuits[0].field_nT_per_A,
+        Eigen::Vector3d(fieldOfLoop_nT_per_A(loop, bench.sensor_m) + fieldOfWire_nT_per_A(wire, bench.sensor_m)));
     EXPECT_EQ(model.circuits[1].field_nT_per_A, fieldOfWire_nT_per_A(wire, bench.sensor_m));
     EXPECT_EQ(model.circuits[0].current_A, 12);
     EXPECT_TRUE(model.circuits[0].on);
     EXPECT_FALSE(model.circuits[1].on);
 }
 
-/// Current forward in a wire above the compass (Ørsted's experiment, aircraft nose north): the field under it points to port, so the
-/// needle's north end goes west: on north the deviation is westerly, negative.
+/// Current forward in a wire above the compass (Ørsted's experiment, aircraft nose north): the field under it points to port,
+/// so the needle's north end goes west: on north the deviation is westerly, negative.
 TEST(BenchModel, CurrentForwardAboveTheCompassTurnsTheNeedleWest)
 {
     IronBench bench;
@@ -309,8 +316,8 @@ TEST(BenchModel, TenThousandPartsCanBeWatchedAndStopped)
 {
     IronBench bench;
     for (int i = 0; i < 10'000; ++i) // every hundredth near enough for a tensor, all of these alike
-        bench.parts.push_back(part("rivet " + std::to_string(i), i % 100 ? Shape(Sphere{0.004 + 1e-6 * i}) : Shape(Box{{0.3, 0.2, 0.1}}), 100,
-            {std::cos(i) * 0.8, std::sin(i) * 0.8, i % 100 ? 0.1 + 1e-4 * i : 0.2}));
+        bench.parts.push_back(part("rivet " + std::to_string(i), i % 100 ? Shape(Sphere{0.004 + 1e-6 * i}) : Shape(Box{{0.3, 0.2, 0.1}}),
+            100, {std::cos(i) * 0.8, std::sin(i) * 0.8, i % 100 ? 0.1 + 1e-4 * i : 0.2}));
     int calls = 0;
     double last = 0;
     const auto all = benchModel(bench, {}, [&](double done) {

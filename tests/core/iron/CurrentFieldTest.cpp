@@ -73,7 +73,8 @@ TEST(CurrentField, NearTheAxisTheLoopIsSmooth)
     for (const double rho : {1e-9, 1e-5, 1e-4})
         EXPECT_NEAR(fieldOfLoop_nT_per_A(loop, {rho, 0, z}).x() / rho / slope, 1, 1e-7) << rho;
     const double at = 1e-3 * (1 + z * z) / 4; // m = 4ρ/β² = 1e-3
-    const double below = fieldOfLoop_nT_per_A(loop, {at * 0.999999, 0, z}).x(), above = fieldOfLoop_nT_per_A(loop, {at * 1.000001, 0, z}).x();
+    const double below = fieldOfLoop_nT_per_A(loop, {at * 0.999999, 0, z}).x(),
+                 above = fieldOfLoop_nT_per_A(loop, {at * 1.000001, 0, z}).x();
     EXPECT_NEAR(above / below, 1.000002, 1e-8);
 }
 
@@ -83,7 +84,8 @@ TEST(CurrentField, OffItsAxisALoopIsAPolygonOfManyWires)
     const int corners = 4000;
     const double sameArea = 0.5 * std::sqrt(2 * pi / corners / std::sin(2 * pi / corners));
     const auto path = polygon(loop, corners, sameArea);
-    for (const Eigen::Vector3d& place : {Eigen::Vector3d(0.9, 0.1, 0.2), {0.2, 0.1, 0.4}, {-0.3, -0.9, 1.5}, {0.12, -0.21, 0.5}, {3, 4, -5}}) {
+    for (const Eigen::Vector3d& place :
+        {Eigen::Vector3d(0.9, 0.1, 0.2), {0.2, 0.1, 0.4}, {-0.3, -0.9, 1.5}, {0.12, -0.21, 0.5}, {3, 4, -5}}) {
         const auto exact = fieldOfLoop_nT_per_A(loop, place);
         EXPECT_LT((fieldOfWire_nT_per_A(path, place) - exact).norm() / exact.norm(), 2e-6) << place.transpose();
     }

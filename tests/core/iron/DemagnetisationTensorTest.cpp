@@ -25,7 +25,8 @@ DemagnetisationTensor tensorOf(const Shape& shape, int cells, double cell_m)
 Eigen::Matrix3d dipole(double volume_m3, const Eigen::Vector3d& place_m)
 {
     const Eigen::Vector3d direction = place_m.normalized();
-    return volume_m3 / (4 * std::numbers::pi * std::pow(place_m.norm(), 3)) * (Eigen::Matrix3d::Identity() - 3 * direction * direction.transpose());
+    return volume_m3 / (4 * std::numbers::pi * std::pow(place_m.norm(), 3))
+        * (Eigen::Matrix3d::Identity() - 3 * direction * direction.transpose());
 }
 
 /// Directions that favour no axis, and the axes.
@@ -133,7 +134,8 @@ TEST(DemagnetisationTensor, KnowsNoScaleAndMirrorsWithTheBody)
 
 TEST(DemagnetisationTensor, FillHoldsTheVolumeOfThinAndRoundBodies)
 {
-    const Shape shapes[] = {Sphere{1}, Box{{0.9, 0.001, 0.3}}, Cylinder{0.013, 0.95}, Cylinder{0.9, 0.004}, Ellipsoid{{0.01, 0.9, 0.02}}, Ellipsoid{{0.9, 0.01, 0.3}}};
+    const Shape shapes[] = {Sphere{1}, Box{{0.9, 0.001, 0.3}}, Cylinder{0.013, 0.95}, Cylinder{0.9, 0.004}, Ellipsoid{{0.01, 0.9, 0.02}},
+        Ellipsoid{{0.9, 0.01, 0.3}}};
     for (const auto& shape : shapes) {
         double sum = 0;
         for (const float part : fillOf(shape, 40, 1 / 36.0)) {
@@ -167,7 +169,10 @@ TEST(DemagnetisationTensor, RefusesWhatDoesNotFitBeforeItTakesMemory)
 TEST(DemagnetisationTensor, StopsWhenAsked)
 {
     double last = -1;
-    const auto tensor = demagnetisationTensor(Sphere{1}, {16, 0.1}, [&](double done) { last = done; return done < 0.4; });
+    const auto tensor = demagnetisationTensor(Sphere{1}, {16, 0.1}, [&](double done) {
+        last = done;
+        return done < 0.4;
+    });
     ASSERT_FALSE(tensor.ok());
     EXPECT_EQ(tensor.error().code, ErrorCode::Cancelled);
     EXPECT_LT(last, 0.7);
@@ -175,7 +180,8 @@ TEST(DemagnetisationTensor, StopsWhenAsked)
 
 TEST(DemagnetisationTensor, WisdomIsKeptAndForeignFilesDoNoHarm)
 {
-    const auto folder = std::filesystem::temp_directory_path() / ("lubberline-wisdom-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()));
+    const auto folder = std::filesystem::temp_directory_path()
+        / ("lubberline-wisdom-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()));
     std::filesystem::create_directories(folder);
     const auto path = (folder / "wisdom").string();
     EXPECT_NO_FATAL_FAILURE(loadFourierWisdom(path)); // not there

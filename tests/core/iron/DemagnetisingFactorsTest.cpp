@@ -11,13 +11,14 @@ using namespace lubberline;
 
 namespace {
 
-/// R. Bozorth, Ferromagnetism (1951), table of demagnetising factors N/4π (from Osborn and Stoner, 1945), along the axis that is m times
-/// the other two (prolate), or along one of the two that are m times the third (oblate). Quoted second-hand: the printed page was not at
-/// hand, and these figures are those that also follow from Osborn's formulas.
+/// R. Bozorth, Ferromagnetism (1951), table of demagnetising factors N/4π (from Osborn and Stoner, 1945), along the axis that
+/// is m times the other two (prolate), or along one of the two that are m times the third (oblate). Quoted second-hand: the
+/// printed page was not at hand, and these figures are those that also follow from Osborn's formulas.
 struct Published {
     double ratio, prolate, oblate;
 };
-constexpr Published kEllipsoids[] = {{2, 0.1735, 0.2364}, {5, 0.0558, 0.1248}, {10, 0.0203, 0.0696}, {20, 0.00675, 0.0369}, {100, 0.000430, 0.00776}};
+constexpr Published kEllipsoids[]
+    = {{2, 0.1735, 0.2364}, {5, 0.0558, 0.1248}, {10, 0.0203, 0.0696}, {20, 0.00675, 0.0369}, {100, 0.000430, 0.00776}};
 
 double unit(double printed) { return std::pow(10, std::floor(std::log10(printed)) - 2); }
 
@@ -27,7 +28,8 @@ TEST(DemagnetisingFactors, EllipsoidsOfRevolutionAreThoseOfBozorthsTable)
 {
     for (const auto& published : kEllipsoids) {
         EXPECT_NEAR(factorsOfEllipsoid({published.ratio, 1, 1}).x(), published.prolate, unit(published.prolate)) << published.ratio;
-        EXPECT_NEAR(factorsOfEllipsoid({published.ratio, published.ratio, 1}).x(), published.oblate, unit(published.oblate)) << published.ratio;
+        EXPECT_NEAR(factorsOfEllipsoid({published.ratio, published.ratio, 1}).x(), published.oblate, unit(published.oblate))
+            << published.ratio;
     }
 }
 
@@ -56,10 +58,12 @@ TEST(DemagnetisingFactors, SquareBarsAgreeWithAharonisShorterForm)
 {
     for (const double p : {0.05, 0.5, 1.0, 2.0, 10.0}) {
         const double p2 = p * p;
-        const double along = ((p - 1 / p) * std::log((std::sqrt(p2 + 2) + 1) / (std::sqrt(p2 + 2) - 1)) + 2 / p * std::log(std::sqrt(2.0) + 1)
-            + p * std::log((std::sqrt(p2 + 1) - 1) / (std::sqrt(p2 + 1) + 1)) + 2 * std::atan(1 / (p * std::sqrt(p2 + 2)))
-            + 2 * (1 - p2 * p) / (3 * p) + 2 * (1 - p2) / (3 * p) * std::sqrt(p2 + 2) + 4 * p * 0.5 * std::sqrt(1 + p2)
-            - std::pow(2, 1.5) / (3 * p) - 2 * std::pow(1 + p2, 1.5) / (3 * p)) / kPi;
+        const double along
+            = ((p - 1 / p) * std::log((std::sqrt(p2 + 2) + 1) / (std::sqrt(p2 + 2) - 1)) + 2 / p * std::log(std::sqrt(2.0) + 1)
+                  + p * std::log((std::sqrt(p2 + 1) - 1) / (std::sqrt(p2 + 1) + 1)) + 2 * std::atan(1 / (p * std::sqrt(p2 + 2)))
+                  + 2 * (1 - p2 * p) / (3 * p) + 2 * (1 - p2) / (3 * p) * std::sqrt(p2 + 2) + 4 * p * 0.5 * std::sqrt(1 + p2)
+                  - std::pow(2, 1.5) / (3 * p) - 2 * std::pow(1 + p2, 1.5) / (3 * p))
+            / kPi;
         EXPECT_NEAR(factorsOfBox({1, 1, p}).z(), along, 1e-12) << p;
     }
 }

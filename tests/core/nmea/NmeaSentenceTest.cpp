@@ -1,4 +1,5 @@
-// Sentences with their checksums as found in public logs and in the manuals of instruments; what they say, and what is no sentence.
+// Sentences with their checksums as found in public logs and in the manuals of instruments; what they say, and what is no
+// sentence.
 
 #include <gtest/gtest.h>
 
@@ -26,9 +27,10 @@ Value read(std::string_view line)
 
 TEST(NmeaSentence, checksumOfPublishedSentences)
 {
-    for (const char* line : {"$HCHDG,98.3,0.0,E,12.6,W*57", "$HCHDG,359.6,0.0,E,2.2,W*59", "$HCHDG,101.1,,,7.1,W*3C", "$IIHDG,097,,,00,E*1C", "$GPHDT,274.07,T*03",
-             "$GPRMC,113745.12,A,5021.9979,N,00407.9635,W,0.0,358.1,310315,2.2,W,A*3B", "$GPVTG,232.7,T,234.9,M,1.3,N,2.4,K,A*2F",
-             "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47", "$HCHDG,338.9, , ,0.7,W*3D"}) {
+    for (const char* line : {"$HCHDG,98.3,0.0,E,12.6,W*57", "$HCHDG,359.6,0.0,E,2.2,W*59", "$HCHDG,101.1,,,7.1,W*3C",
+             "$IIHDG,097,,,00,E*1C", "$GPHDT,274.07,T*03", "$GPRMC,113745.12,A,5021.9979,N,00407.9635,W,0.0,358.1,310315,2.2,W,A*3B",
+             "$GPVTG,232.7,T,234.9,M,1.3,N,2.4,K,A*2F", "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47",
+             "$HCHDG,338.9, , ,0.7,W*3D"}) {
         EXPECT_EQ(parseNmea(line).fault, NmeaFault::None) << line;
         EXPECT_TRUE(parseNmea(line).sentence.hasChecksum) << line;
     }
@@ -93,8 +95,10 @@ TEST(NmeaValues, aVoidFixHasNoTrack)
     EXPECT_FALSE(read<NmeaTrack>("$GPRMC,225446,A,4916.45,N,12311.12,W,000.5,054.7,191194,020.3,E,N").track);
     EXPECT_FALSE(read<NmeaTrack>("$GPVTG,232.7,T,234.9,M,1.3,N,2.4,K,N").track);
     EXPECT_TRUE(read<NmeaTrack>("$GPVTG,232.7,T,234.9,M,1.3,N,2.4,K,A*2F").track);
-    EXPECT_TRUE(std::holds_alternative<std::monostate>(valueOf(sentenceOf("$GPGGA,123519,4807.038,N,01131.000,E,0,08,0.9,545.4,M,46.9,M,,"))));
-    EXPECT_TRUE(std::holds_alternative<std::monostate>(valueOf(sentenceOf("$GPGGA,123519,9107.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,"))));
+    EXPECT_TRUE(
+        std::holds_alternative<std::monostate>(valueOf(sentenceOf("$GPGGA,123519,4807.038,N,01131.000,E,0,08,0.9,545.4,M,46.9,M,,"))));
+    EXPECT_TRUE(
+        std::holds_alternative<std::monostate>(valueOf(sentenceOf("$GPGGA,123519,9107.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,"))));
 }
 
 TEST(NmeaLines, sentencesArriveInPieces)

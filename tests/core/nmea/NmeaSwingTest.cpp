@@ -5,8 +5,9 @@
 #include <cstdio>
 #include <sstream>
 
-#include "core/deviation/Analysis.h"
 #include "core/nmea/NmeaSwing.h"
+#include "core/swing/Analysis.h"
+#include "core/swing/Observations.h"
 
 namespace lubberline {
 namespace {
@@ -23,7 +24,8 @@ std::string text(const char* format, double value)
 std::string rmc(int second, double track_deg, double speed_kt = 8.0, const char* rest = "A,5210.00,N,02057.00,E")
 {
     char body[128];
-    std::snprintf(body, sizeof body, "GPRMC,%02d%02d%02d.00,%s,%.1f,%.2f,231126,,", 10 + second / 3600, second / 60 % 60, second % 60, rest, speed_kt, track_deg);
+    std::snprintf(body, sizeof body, "GPRMC,%02d%02d%02d.00,%s,%.1f,%.2f,231126,,", 10 + second / 3600, second / 60 % 60, second % 60, rest,
+        speed_kt, track_deg);
     return makeNmea(body) + "\r\n";
 }
 
@@ -159,7 +161,8 @@ TEST(NmeaSwing, pastMidnightTheClockGoesOn)
     for (int i = -2; i < 3; ++i) {
         const int second = (86400 + i) % 86400;
         char body[96];
-        std::snprintf(body, sizeof body, "GPRMC,%02d%02d%02d,A,5210.00,N,02057.00,E,8.0,%d.0,%s,,", second / 3600, second / 60 % 60, second % 60, 100 + i, i < 0 ? "231126" : "241126");
+        std::snprintf(body, sizeof body, "GPRMC,%02d%02d%02d,A,5210.00,N,02057.00,E,8.0,%d.0,%s,,", second / 3600, second / 60 % 60,
+            second % 60, 100 + i, i < 0 ? "231126" : "241126");
         log += makeNmea(body) + "\n" + hdg(100 + i);
     }
     const auto swing = read(log, stated(0));
@@ -173,7 +176,8 @@ TEST(NmeaSwing, damageIsCountedAndLeftOut)
 {
     std::string log = circle(0, "HC", 10);
     log.insert(0, "\xff\xfe babble\n$HCHDG,12.0,,,,*00\n");
-    log += "$HCHDG,205.2,,,,\n$II" "HDG,205.2,,,,\n$GPRM"; // HC sends checksums, II none
+    log += "$HCHDG,205.2,,,,\n$II"
+           "HDG,205.2,,,,\n$GPRM"; // HC sends checksums, II none
     const auto swing = read(log, stated(0));
     ASSERT_TRUE(swing);
     EXPECT_EQ(swing->badChecksums, 2);

@@ -41,7 +41,7 @@ TEST(SettlingWindow, silenceAndClocksThatJump)
         window.add(100 + i * 0.1, 45.0);
     EXPECT_TRUE(window.at(106.0)->settled);
     EXPECT_FALSE(window.at(112.0)); // silent
-    window.add(50.0, 47.0);          // set back
+    window.add(50.0, 47.0);         // set back
     const auto anew = window.at(50.0);
     ASSERT_TRUE(anew);
     EXPECT_EQ(anew->count, 1);

@@ -1,4 +1,5 @@
-// What the figures of datum instruments mean: sides, zero, true north, means across north, and figures that cannot be of one heading.
+// What the figures of datum instruments mean: sides, zero, true north, means across north, and figures that cannot be of one
+// heading.
 
 #include <gtest/gtest.h>
 

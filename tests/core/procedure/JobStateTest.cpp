@@ -1,5 +1,6 @@
 // Guided swings played event by event: the published worksheets, the other procedures, and what a crew does wrong.
-// "Worksheet n": Compass Compensation Worksheet, examples Q1–Q3 (to CAP 562); all figures of the sheets, convention magnetic − compass.
+// "Worksheet n": Compass Compensation Worksheet, examples Q1–Q3 (to CAP 562); all figures of the sheets, convention magnetic −
+// compass.
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,8 @@ public:
         if (now.phase == JobPhase::Index)
             tell(job::IndexRemoved{now.turn->compassReads_deg, now.turn->makeCompassRead_deg, now.turn->makeCompassRead_deg});
         else
-            tell(job::Adjusted{now.current, now.turn->control, now.turn->compassReads_deg, now.turn->makeCompassRead_deg, now.turn->makeCompassRead_deg, {}});
+            tell(job::Adjusted{now.current, now.turn->control, now.turn->compassReads_deg, now.turn->makeCompassRead_deg,
+                now.turn->makeCompassRead_deg, {}});
         return *now.turn;
     }
     void skip(const char* reason) { tell(job::StationSkipped{state().current, reason}); }
@@ -73,11 +75,14 @@ struct Worksheet {
 
 const std::array kWorksheets{
     Worksheet{"Q1", {{{359, 3}, {91, 85}, {178, 170}, {267, 265}}}, -6, +2, 176, 263,
-        {{{317, 316}, {0, 358}, {47, 42}, {93, 89}, {135, 134}, {179, 177}, {225, 220}, {273, 269}}}, 3, {1, 43, 89, 137, 181, 223, 269, 317}},
+        {{{317, 316}, {0, 358}, {47, 42}, {93, 89}, {135, 134}, {179, 177}, {225, 220}, {273, 269}}}, 3,
+        {1, 43, 89, 137, 181, 223, 269, 317}},
     Worksheet{"Q2", {{{355, 358}, {92, 92}, {184, 183}, {272, 266}}}, -2, -3, 185, 269,
-        {{{318, 316}, {1, 0}, {49, 47}, {92, 89}, {137, 135}, {182, 181}, {229, 227}, {276, 273}}}, 2, {1, 45, 89, 135, 181, 225, 269, 315}},
+        {{{318, 316}, {1, 0}, {49, 47}, {92, 89}, {137, 135}, {182, 181}, {229, 227}, {276, 273}}}, 2,
+        {1, 45, 89, 135, 181, 225, 269, 315}},
     Worksheet{"Q3", {{{2, 355}, {88, 84}, {182, 185}, {268, 272}}}, 5, 4, 180, 268,
-        {{{317, 316}, {0, 358}, {48, 47}, {89, 89}, {136, 135}, {183, 181}, {224, 223}, {270, 270}}}, 1, {359, 45, 91, 135, 179, 225, 271, 315}},
+        {{{317, 316}, {0, 358}, {48, 47}, {89, 89}, {136, 135}, {183, 181}, {224, 223}, {270, 270}}}, 1,
+        {359, 45, 91, 135, 179, 225, 271, 315}},
 };
 
 TEST(GuidedSwing, theWorksheetsStepByStep)
@@ -134,7 +139,8 @@ TEST(GuidedSwing, halfErrorLeavesTheIndexAlone)
     const double A = 1.5, B = 4.0, C = -6.0;
     double ns = 0, ew = 0; // what the screws have taken out of C and B
     const auto compass = [&](double heading) {
-        return wrap360(heading - (A + (B - ew) * std::round(std::sin(toRadians(heading))) + (C - ns) * std::round(std::cos(toRadians(heading)))));
+        return wrap360(
+            heading - (A + (B - ew) * std::round(std::sin(toRadians(heading))) + (C - ns) * std::round(std::cos(toRadians(heading)))));
     };
     Crew crew({ProcedureKind::HalfError, 8, {}});
     for (const double heading : {0.0, 90.0, 180.0, 270.0}) {
@@ -150,7 +156,8 @@ TEST(GuidedSwing, halfErrorLeavesTheIndexAlone)
     EXPECT_EQ(asFoundSwing(crew.sheet(), crew.state()).readings.size(), 2u);
 }
 
-/// Duncan Aviation (MIL-STD-765A practice), errors indicated − actual: N 006, E 090, S 175, W 276 give +5.5, −3 and index +1.75.
+/// Duncan Aviation (MIL-STD-765A practice), errors indicated − actual: N 006, E 090, S 175, W 276 give +5.5, −3 and index
+/// +1.75.
 TEST(GuidedSwing, fluxValve)
 {
     Crew crew({ProcedureKind::FluxValve, 8, {}});
@@ -272,7 +279,12 @@ TEST(GuidedSwing, stepsThatCannotHaveHappenedAreRefused)
         EXPECT_NE(crew.refusal().find(words), std::string::npos) << crew.refusal();
     };
     refused([](Crew& crew) { crew.tell(job::ReadingTaken{12, {}, 0, 0, {}}); }, "no station 13");
-    refused([](Crew& crew) { crew.read({0, 1}); crew.tell(job::ReadingTaken{0, {}, 0, 0, {}}); }, "not put aside");
+    refused(
+        [](Crew& crew) {
+            crew.read({0, 1});
+            crew.tell(job::ReadingTaken{0, {}, 0, 0, {}});
+        },
+        "not put aside");
     refused([](Crew& crew) { crew.tell(job::ReadingRejected{0, "slip"}); }, "no reading");
     refused([](Crew& crew) { crew.tell(job::StationSkipped{0, ""}); }, "with a reason");
     refused([](Crew& crew) { crew.tell(job::Adjusted{}); }, "was read");
@@ -280,8 +292,18 @@ TEST(GuidedSwing, stepsThatCannotHaveHappenedAreRefused)
     refused([](Crew& crew) { crew.tell(job::Accepted{}); }, "not complete");
     refused([](Crew& crew) { crew.tell(job::Mended{"nothing"}); }, "no fault");
     refused([](Crew& crew) { crew.tell(job::Ticked{"coffee"}); }, "not on the checklist");
-    refused([](Crew& crew) { crew.tell(job::Abandoned{"rain"}); crew.tell(job::Prepared{}); }, "abandoned");
-    refused([](Crew& crew) { crew.tell(job::Faulted{"magnetised longeron"}); crew.tell(job::ReadingTaken{}); }, "not mended");
+    refused(
+        [](Crew& crew) {
+            crew.tell(job::Abandoned{"rain"});
+            crew.tell(job::Prepared{});
+        },
+        "abandoned");
+    refused(
+        [](Crew& crew) {
+            crew.tell(job::Faulted{"magnetised longeron"});
+            crew.tell(job::ReadingTaken{});
+        },
+        "not mended");
     SwingJob unprepared;
     unprepared.checklist = {"tools"};
     unprepared.events.push_back({"", job::Prepared{}});

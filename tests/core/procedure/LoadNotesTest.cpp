@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "core/format/SwingCsv.h"
 #include "core/procedure/LoadNotes.h"
+#include "core/swing/Observations.h"
 
 namespace lubberline::test {
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The whole chain (field → attitude → iron → currents → misalignment → heading) a second time, written from directions in space
-/// instead of rotation matrices, in long double: what the program's chain is held against.
+/// The whole chain (field → attitude → iron → currents → misalignment → heading) a second time, written from directions in
+/// space instead of rotation matrices, in long double: what the program's chain is held against.
 
 #include <array>
 #include <cmath>
@@ -57,17 +57,19 @@ inline Direction withIron(const SensorModel& m, const Direction& B)
 }
 
 struct ChainReading {
-    long double compass_rad = 0;    ///< (−π, π]
+    long double compass_rad = 0; ///< (−π, π]
     long double horizontal_nT = 0, total_nT = 0;
 };
 
-inline ChainReading chainReading(const SensorModel& model, const MeridianField& field, long double heading_rad, long double pitch_rad, long double roll_rad)
+inline ChainReading chainReading(
+    const SensorModel& model, const MeridianField& field, long double heading_rad, long double pitch_rad, long double roll_rad)
 {
     const Direction earth{field.horizontal_nT, 0, field.down_nT};
     const Direction atSensor = withIron(model, seenFrom(axesAt(heading_rad, pitch_rad, roll_rad), earth));
     const Misalignment& turned = model.misalignment;
     const Direction measured = seenFrom(axesAt(turned.yaw_rad, turned.pitch_rad, turned.roll_rad), atSensor);
-    // The system takes the sensor's axes for the body's, and looks where the horizontal part of what it measured lies from the nose.
+    // The system takes the sensor's axes for the body's, and looks where the horizontal part of what it measured lies from the
+    // nose.
     const Axes body = axesAt(0, pitch_rad, roll_rad);
     Direction level{};
     for (std::size_t i = 0; i < 3; ++i)

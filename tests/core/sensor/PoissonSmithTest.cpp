@@ -57,7 +57,8 @@ void expectSwingOf(const SensorModel& model, const MeridianField& field)
     ASSERT_TRUE(smith) << smith.error().message;
     const auto swing = levelSwing(model, field);
     for (const auto& point : swing)
-        EXPECT_NEAR(wrap180(deviationAt(smith->exact, point.magnetic).degrees() - deviationOf(point.magnetic, point.compass).degrees()), 0, 1e-9);
+        EXPECT_NEAR(
+            wrap180(deviationAt(smith->exact, point.magnetic).degrees() - deviationOf(point.magnetic, point.compass).degrees()), 0, 1e-9);
     const auto fit = fitExact(swing);
     ASSERT_TRUE(fit);
     ASSERT_EQ(fit->parameters, 5);
@@ -95,7 +96,8 @@ TEST(PoissonSmith, anExactFoldedCurveStillFollowsTheFormula)
     EXPECT_FALSE(smith->approximate);
     EXPECT_NE(smith->whyNoApproximate.find("coefficient B"), std::string::npos) << smith->whyNoApproximate;
     for (const auto& point : levelSwing(model, field, 36))
-        EXPECT_NEAR(wrap180(deviationAt(smith->exact, point.magnetic).degrees() - deviationOf(point.magnetic, point.compass).degrees()), 0, 1e-9);
+        EXPECT_NEAR(
+            wrap180(deviationAt(smith->exact, point.magnetic).degrees() - deviationOf(point.magnetic, point.compass).degrees()), 0, 1e-9);
 }
 
 TEST(PoissonSmith, termsNameWhereTheyComeFrom)
@@ -108,7 +110,8 @@ TEST(PoissonSmith, termsNameWhereTheyComeFrom)
     const auto smith = smithOf(model, dipField(18500, 67));
     ASSERT_TRUE(smith);
     const auto has = [&](Coefficient coefficient, const std::string& cause) {
-        return std::any_of(smith->terms.begin(), smith->terms.end(), [&](const SmithTerm& term) { return term.coefficient == coefficient && term.cause == cause; });
+        return std::any_of(smith->terms.begin(), smith->terms.end(),
+            [&](const SmithTerm& term) { return term.coefficient == coefficient && term.cause == cause; });
     };
     EXPECT_TRUE(has(Coefficient::A, "soft iron b"));
     EXPECT_TRUE(has(Coefficient::A, "soft iron d"));

@@ -54,7 +54,8 @@ TEST(Signs, aNorthSeekingPoleToPort)
 
 TEST(Signs, aNorthSeekingPoleAboveTellsOnlyWhenTheAircraftHeels)
 {
-    // Its field points to the floor. Level: nothing. Starboard wing down on north, the floor looks to port: the needle goes west.
+    // Its field points to the floor. Level: nothing. Starboard wing down on north, the floor looks to port: the needle goes
+    // west.
     const SensorModel magnet = hardIron(0, 0, 3000);
     for (int heading_deg = 0; heading_deg < 360; heading_deg += 30)
         EXPECT_NEAR(deviation_deg(magnet, heading_deg), 0, 1e-12);

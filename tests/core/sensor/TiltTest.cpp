@@ -1,5 +1,5 @@
-// An unlevelled sensor read as if level: Kayton & Fried, Avionics Navigation Systems, 2nd ed., equations 9.13–9.17 and problem 9.6,
-// as limits of the chain. And what a misaligned mount does to a level swing.
+// An unlevelled sensor read as if level: Kayton & Fried, Avionics Navigation Systems, 2nd ed., equations 9.13–9.17 and
+// problem 9.6, as limits of the chain. And what a misaligned mount does to a level swing.
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,9 @@ namespace {
 double readAsIfLevel_rad(const MeridianField& field, double heading_deg, double pitch_rad, double roll_rad)
 {
     const auto reading = readSensor(SensorModel{}, field, {MagneticHeading::fromDegrees(heading_deg), pitch_rad, roll_rad});
-    return deviationOf(MagneticHeading::fromDegrees(heading_deg),
-        CompassHeading::fromRadians(std::atan2(-reading.field_nT.y(), reading.field_nT.x()))).radians();
+    return deviationOf(
+        MagneticHeading::fromDegrees(heading_deg), CompassHeading::fromRadians(std::atan2(-reading.field_nT.y(), reading.field_nT.x())))
+        .radians();
 }
 
 /// A mount that leans by pitch and roll in a level aircraft sees the same.
@@ -65,7 +66,8 @@ TEST(Tilt, theRemainderIsOfSecondOrder)
 TEST(Tilt, leaningMountAndUnlevelledSensorAreOne)
 {
     for (int i = 0; i < 36; ++i)
-        EXPECT_NEAR(readAsIfLevel_rad(dipField(18500, 67), 10.0 * i, 0.1, -0.2), leaningMount_rad(dipField(18500, 67), 10.0 * i, 0.1, -0.2), 1e-13);
+        EXPECT_NEAR(
+            readAsIfLevel_rad(dipField(18500, 67), 10.0 * i, 0.1, -0.2), leaningMount_rad(dipField(18500, 67), 10.0 * i, 0.1, -0.2), 1e-13);
 }
 
 TEST(Tilt, pitchShowsOnEastAndRollOnNorth)
@@ -110,7 +112,8 @@ TEST(MisalignedSensor, yawAloneIsCoefficientAOfALevelSwing)
     const Orders orders = ordersOf(mounted(0, 0, 3), dipField(18500, 67), 0, 0);
     EXPECT_NEAR(toDegrees(orders.constant_rad), 3, 1e-11);
     EXPECT_LT(orders.first_rad + orders.second_rad + orders.higher_rad, 1e-13);
-    EXPECT_NEAR(readLevel(mounted(0, 0, 3), dipField(18500, 67), 40).deviation->degrees(), -3, 1e-11) << "turned to starboard it reads high";
+    EXPECT_NEAR(readLevel(mounted(0, 0, 3), dipField(18500, 67), 40).deviation->degrees(), -3, 1e-11)
+        << "turned to starboard it reads high";
 }
 
 TEST(MisalignedSensor, yawShowsInTheFirstHarmonicOnceTheAircraftIsTilted)
@@ -125,8 +128,8 @@ TEST(MisalignedSensor, yawShowsInTheFirstHarmonicOnceTheAircraftIsTilted)
     EXPECT_LT(orders.second_rad, 1e-3 * orders.first_rad);
 }
 
-/// [P] finds a misaligned sensor's map dominated by the second harmonic in heading. In this model that is so where the dip is small:
-/// a mount that leans by ε gives a first harmonic ε tan I and a second one of about ε²/4.
+/// [P] finds a misaligned sensor's map dominated by the second harmonic in heading. In this model that is so where the dip is
+/// small: a mount that leans by ε gives a first harmonic ε tan I and a second one of about ε²/4.
 TEST(MisalignedSensor, theSecondHarmonicDominatesWhereTheDipIsSmall)
 {
     for (const auto& model : {mounted(5, 0, 0), mounted(0, 5, 0), mounted(4, -3, 0)})

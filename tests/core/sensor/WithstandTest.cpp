@@ -154,11 +154,13 @@ TEST(Withstand, everyCornerAtOnce)
     for (const double heading_deg : corners_deg)
         for (const double pitch_deg : {-90.0, 0.0, 90.0})
             for (const double roll_deg : corners_deg)
-                for (const auto& field : {MeridianField{0, 0}, MeridianField{0, 60000}, MeridianField{40000, 0}, MeridianField{1e-300, 1e-300}})
+                for (const auto& field :
+                    {MeridianField{0, 0}, MeridianField{0, 60000}, MeridianField{40000, 0}, MeridianField{1e-300, 1e-300}})
                     for (const double singular : {-2.0, -1.0, 0.0, 1e9}) {
                         SensorModel model = hardIron(singular, 0, -singular);
                         model.softIron.setConstant(singular);
-                        expectFinite(readSensor(model, field, {MagneticHeading::fromDegrees(heading_deg), toRadians(pitch_deg), toRadians(roll_deg)}));
+                        expectFinite(readSensor(
+                            model, field, {MagneticHeading::fromDegrees(heading_deg), toRadians(pitch_deg), toRadians(roll_deg)}));
                     }
 }
 

@@ -12,7 +12,8 @@ SurveyPoint total(double value_nT) { return {0, 0, 1, {}, value_nT}; }
 
 TEST(SiteSurvey, extentsOfAGrid)
 {
-    const std::vector<SurveyPoint> points{declination(5.10), declination(5.20), declination(5.15), {10, 0, 1, 5.15, 50000.0}, total(50010.0)};
+    const std::vector<SurveyPoint> points{
+        declination(5.10), declination(5.20), declination(5.15), {10, 0, 1, 5.15, 50000.0}, total(50010.0)};
     const auto summary = summarise(points, 18000);
     ASSERT_TRUE(summary);
     EXPECT_EQ(summary->declination_deg->count, 4);

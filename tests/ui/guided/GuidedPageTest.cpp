@@ -1,5 +1,5 @@
-// A guided swing by keyboard, as a crew does it: the published worksheets figure by figure, slips, repeats, skips, faults, and taking a
-// swing up again. "Worksheet n": Compass Compensation Worksheet, examples Q1–Q3 (to CAP 562).
+// A guided swing by keyboard, as a crew does it: the published worksheets figure by figure, slips, repeats, skips, faults, and
+// taking a swing up again. "Worksheet n": Compass Compensation Worksheet, examples Q1–Q3 (to CAP 562).
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -38,11 +38,14 @@ struct Worksheet {
 
 const std::array kWorksheets{
     Worksheet{"Q1", {{{359, 3}, {91, 85}, {178, 170}, {267, 265}}}, "−6.0", "176°", "+2.0", "263°",
-        {{{317, 316}, {0, 358}, {47, 42}, {93, 89}, {135, 134}, {179, 177}, {225, 220}, {273, 269}}}, "+3.0", {1, 43, 89, 137, 181, 223, 269, 317}},
+        {{{317, 316}, {0, 358}, {47, 42}, {93, 89}, {135, 134}, {179, 177}, {225, 220}, {273, 269}}}, "+3.0",
+        {1, 43, 89, 137, 181, 223, 269, 317}},
     Worksheet{"Q2", {{{355, 358}, {92, 92}, {184, 183}, {272, 266}}}, "−2.0", "185°", "−3.0", "269°",
-        {{{318, 316}, {1, 0}, {49, 47}, {92, 89}, {137, 135}, {182, 181}, {229, 227}, {276, 273}}}, "+2.0", {1, 45, 89, 135, 181, 225, 269, 315}},
+        {{{318, 316}, {1, 0}, {49, 47}, {92, 89}, {137, 135}, {182, 181}, {229, 227}, {276, 273}}}, "+2.0",
+        {1, 45, 89, 135, 181, 225, 269, 315}},
     Worksheet{"Q3", {{{2, 355}, {88, 84}, {182, 185}, {268, 272}}}, "+5.0", "180°", "+4.0", "268°",
-        {{{317, 316}, {0, 358}, {48, 47}, {89, 89}, {136, 135}, {183, 181}, {224, 223}, {270, 270}}}, "+1.0", {359, 45, 91, 135, 179, 225, 271, 315}},
+        {{{317, 316}, {0, 358}, {48, 47}, {89, 89}, {136, 135}, {183, 181}, {224, 223}, {270, 270}}}, "+1.0",
+        {359, 45, 91, 135, 179, 225, 271, 315}},
 };
 
 /// The page with a crew at its keyboard.
@@ -139,7 +142,8 @@ private slots:
         ramp.obey();
         for (const Pair pair : worksheet.check)
             ramp.readAndKeep(pair);
-        QCOMPARE(ramp.text("turnSentence"), QStringLiteral("A = %1°: turn the compass in its mount until the compass reads").arg(worksheet.A));
+        QCOMPARE(
+            ramp.text("turnSentence"), QStringLiteral("A = %1°: turn the compass in its mount until the compass reads").arg(worksheet.A));
         ramp.obey();
         auto& table = ramp.find<QTableWidget>("residuals");
         QCOMPARE(table.rowCount(), 8);
@@ -154,7 +158,8 @@ private slots:
         QVERIFY(qAbs(*record->swing.indexRemoved_deg - QString(worksheet.A).replace(QChar(0x2212), '-').toDouble()) < 1e-9);
         // What was found before any control was turned on it is a swing of its own.
         const auto& others = ramp.fleet.storage.fleet().swings;
-        const auto found = std::find_if(others.begin(), others.end(), [&](const Swing& one) { return one.job == record->swing.job && one.id != made; });
+        const auto found
+            = std::find_if(others.begin(), others.end(), [&](const Swing& one) { return one.job == record->swing.job && one.id != made; });
         QVERIFY(found != others.end());
         QCOMPARE(found->stage, SwingStage::AsFound);
         QCOMPARE(found->readings.size(), 4u);
@@ -200,16 +205,20 @@ private slots:
     {
         QTest::addColumn<QString>("typed");
         QTest::addColumn<QString>("words");
-        QTest::newRow("swapped digits") << "296" << "swapped digits, 269° meant";
-        QTest::newRow("reciprocal") << "089" << "the reciprocal, 269° meant";
-        QTest::newRow("ten degrees") << "279" << "a 10° slip, 269° meant";
+        QTest::newRow("swapped digits") << "296"
+                                        << "swapped digits, 269° meant";
+        QTest::newRow("reciprocal") << "089"
+                                    << "the reciprocal, 269° meant";
+        QTest::newRow("ten degrees") << "279"
+                                     << "a 10° slip, 269° meant";
     }
     void slipsAreNamedBeforeTheyAreKept()
     {
         QFETCH(QString, typed);
         QFETCH(QString, words);
         Ramp ramp;
-        ramp.fleet.addSwing("2025-11-01", {{0, 359}, {45, 44}, {90, 89}, {135, 134}, {180, 179}, {225, 224}, {270, 269}, {315, 314}}); // last year
+        ramp.fleet.addSwing(
+            "2025-11-01", {{0, 359}, {45, 44}, {90, 89}, {135, 134}, {180, 179}, {225, 224}, {270, 269}, {315, 314}}); // last year
         ramp.begin(ProcedureKind::CheckOnly);
         for (const double heading : {0.0, 45.0, 90.0, 135.0, 180.0, 225.0})
             ramp.readAndKeep({heading, wrap360(heading - 1)});
@@ -232,7 +241,8 @@ private slots:
         QVERIFY(ramp.text("guidedMessage").contains("12.0° from 000"));
         ramp.key(Qt::Key_Return); // it stands there all the same
         QCOMPARE(ramp.state().current, 1);
-        QVERIFY(QString::fromStdString(std::get<job::ReadingTaken>(ramp.page.job().job().events.back().what).note).contains("kept as read"));
+        QVERIFY(
+            QString::fromStdString(std::get<job::ReadingTaken>(ramp.page.job().job().events.back().what).note).contains("kept as read"));
         ramp.read({45, 44});
         ramp.type("90");
         ramp.type("nonsense");

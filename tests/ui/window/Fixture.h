@@ -8,12 +8,12 @@
 #include <QTest>
 
 #include "tests/ui/MemoryStorage.h"
-#include "ui/pages/SwingPage.h"
-#include "ui/readings/ReadingsModel.h"
-#include "ui/readings/ReadingsTable.h"
-#include "ui/readings/SwingEditor.h"
+#include "ui/kit/MessagePanel.h"
+#include "ui/swing/ReadingsModel.h"
+#include "ui/swing/ReadingsTable.h"
+#include "ui/swing/SwingEditor.h"
+#include "ui/swing/SwingPage.h"
 #include "ui/window/MainWindow.h"
-#include "ui/window/MessagePanel.h"
 
 namespace lubberline::ui {
 

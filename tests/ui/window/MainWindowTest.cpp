@@ -13,8 +13,8 @@
 #include <QToolButton>
 
 #include "tests/ui/window/Fixture.h"
-#include "ui/pages/PlotTabs.h"
-#include "ui/plots/SwingPlot.h"
+#include "ui/plots/swing/SwingPlot.h"
+#include "ui/swing/PlotTabs.h"
 
 using namespace lubberline;
 using namespace lubberline::ui;
@@ -123,8 +123,8 @@ void MainWindowTest::badFileIsOneMessageThatStays()
 {
     SmallFleet fleet;
     OpenWindow open(fleet.storage);
-    const std::pair<const char*, QByteArray> files[] = {{"empty.csv", ""}, {"binary.csv", QByteArray("\0\1\2\xff", 4)}, {"picture.xyz", "x"},
-        {"half.lubberline.json", "{\"form"}, {"cell.csv", csv(true) + "letters,1\n"}};
+    const std::pair<const char*, QByteArray> files[] = {{"empty.csv", ""}, {"binary.csv", QByteArray("\0\1\2\xff", 4)},
+        {"picture.xyz", "x"}, {"half.lubberline.json", "{\"form"}, {"cell.csv", csv(true) + "letters,1\n"}};
     for (const auto& [name, content] : files) {
         QSignalSpy finished(&open.window, &MainWindow::importFinished);
         drop(open.window, writeFile(open.folder, name, content));

@@ -1,13 +1,14 @@
-// The pages of the sensor in the Earth's field, reached as a person reaches them: from a swing, by menu; undo comes back to them.
+// The pages of the sensor in the Earth's field, reached as a person reaches them: from a swing, by menu; undo comes back to
+// them.
 
 #include <QAction>
 #include <QPushButton>
 
 #include "tests/ui/window/Fixture.h"
-#include "ui/pages/EarthFieldPage.h"
-#include "ui/pages/IronBenchPage.h"
-#include "ui/pages/PredictionPage.h"
-#include "ui/pages/SensorPage.h"
+#include "ui/bench/IronBenchPage.h"
+#include "ui/earth/EarthFieldPage.h"
+#include "ui/earth/PredictionPage.h"
+#include "ui/sensor/SensorPage.h"
 
 using namespace lubberline;
 using namespace lubberline::ui;
@@ -48,7 +49,8 @@ private slots:
         open.window.go(id);
         open.trigger("predict");
         QVERIFY(open.window.findChild<PredictionPage*>()->isVisible());
-        QVERIFY2(open.label("predictionVerdict").contains("field of the swing"), qPrintable(open.label("predictionVerdict"))); // no site is stated
+        QVERIFY2(open.label("predictionVerdict").contains("field of the swing"),
+            qPrintable(open.label("predictionVerdict"))); // no site is stated
         QVERIFY(open.window.messages().messages().isEmpty());
     }
 

@@ -1,4 +1,5 @@
-// The pages of the ramp in the window, with storage in memory: signing, bases, instruments, electrical swings, what cannot be stored.
+// The pages of the ramp in the window, with storage in memory: signing, bases, instruments, electrical swings, what cannot be
+// stored.
 
 #include <QComboBox>
 #include <QPushButton>
@@ -6,13 +7,13 @@
 #include <QTableWidget>
 
 #include "tests/ui/window/Fixture.h"
-#include "ui/pages/ElectricalPage.h"
-#include "ui/pages/InstrumentsPage.h"
-#include "ui/pages/SigningPanel.h"
-#include "ui/pages/SitesPage.h"
-#include "ui/readings/ReadingText.h"
-#include "ui/storage/Recovery.h"
-#include "ui/style/Words.h"
+#include "ui/electrical/ElectricalPage.h"
+#include "ui/kit/Words.h"
+#include "ui/sites/InstrumentsPage.h"
+#include "ui/sites/SitesPage.h"
+#include "ui/swing/ReadingText.h"
+#include "ui/swing/SigningPanel.h"
+#include "ui/window/Recovery.h"
 
 namespace lubberline::ui {
 
@@ -130,7 +131,7 @@ private slots:
         QVERIFY(variation > 5 && variation < 8);
         const QString lines = in<QLabel>(page, "siteLines").text();
         QVERIFY2(lines.contains(signedNumber(4.0 - variation, 2)), qPrintable(lines)); // to be added: less than nothing
-        type(in<QLineEdit>(page, "siteExpiry"), "2026-11-23"); // on the day itself it holds
+        type(in<QLineEdit>(page, "siteExpiry"), "2026-11-23");                         // on the day itself it holds
         QVERIFY(in<QLabel>(page, "siteFitness").text().startsWith("●"));
         stack.undo();
         QCOMPARE(fleet.storage.sites()->front().certificateExpiry, std::string("2026-11-22"));

@@ -1,0 +1,70 @@
+#include "core/format/csv/RowSplitter.h"
+
+#include "core/base/FileText.h"
+
+namespace lubberline {
+
+RowSplitter::State RowSplitter::begin(std::string_view line)
+{
+    m_cells.clear();
+    m_cell.clear();
+    m_place = Place::CellStart;
+    m_bytes = 0;
+    return take(line);
+}
+
+RowSplitter::State RowSplitter::resume(std::string_view line)
+{
+    m_cell += '\n';
+    return take(line);
+}
+
+RowSplitter::State RowSplitter::take(std::string_view line)
+{
+    m_bytes += line.size() + 1;
+    for (const char c : line)
+        if (takeByte(c) == State::TextAfterQuote)
+            return State::TextAfterQuote;
+    if (m_place == Place::Quoted)
+        return State::Open;
+    endCell();
+    return State::Complete;
+}
+
+RowSplitter::State RowSplitter::takeByte(char c)
+{
+    if (m_place == Place::Quoted) {
+        if (c == '"')
+            m_place = Place::AfterQuote;
+        else
+            m_cell += c;
+        return State::Complete;
+    }
+    if (c == m_separator) {
+        endCell();
+    } else if (m_place == Place::AfterQuote) {
+        if (c == '"') { // the second of ""
+            m_cell += c;
+            m_place = Place::Quoted;
+        } else if (c != ' ' && c != '\t') {
+            return State::TextAfterQuote;
+        }
+    } else if (c == '"' && m_place == Place::CellStart) {
+        m_cell.clear();
+        m_place = Place::Quoted;
+    } else {
+        m_cell += c;
+        if (c != ' ' && c != '\t')
+            m_place = Place::Bare;
+    }
+    return State::Complete;
+}
+
+void RowSplitter::endCell()
+{
+    m_cells.push_back(m_place == Place::AfterQuote ? m_cell : std::string(trimmed(m_cell)));
+    m_cell.clear();
+    m_place = Place::CellStart;
+}
+
+} // namespace lubberline

@@ -1,0 +1,56 @@
+#pragma once
+/// Swing CSV: `# key: value` lines, a header of named columns in any order, one reading a row.
+/// Keys, each once: aircraft, type, compass, site, operator, engines, electrics, configuration, datum, datum_serial_number,
+/// datum_reader, cockpit_reader, adjuster, inspector, procedure, work_order, reason, note (text); date, datum_calibration_due
+/// (YYYY-MM-DD); kind (check, correction, calibration, air), stage (as_found, as_left), radio (on, off, not_stated);
+/// variation_deg (east positive; above the header); latitude_deg, longitude_deg and height_m (above the ellipsoid) of the
+/// compass base, which with the date give the swing its field stamp (core/earth/FieldModel.h). Any other key is kept in the
+/// note; a # line without a key is a comment. Columns: two of magnetic_heading_deg, compass_heading_deg, deviation_deg (east
+/// positive, magnetic − compass); or true_heading_deg with `variation_deg` in place of the magnetic heading; or
+/// indication_error_deg (indicated − actual, that is −deviation) in place of deviation_deg; optional pitch_deg, roll_deg,
+/// nominal_deg, note, excluded (the reason). What a row says twice must agree to 0.05°. Unknown columns are kept with the
+/// readings, by name and where they are not empty, and named in a warning. Decimal point or comma (not where commas part the
+/// cells); comma, semicolon or tab between cells; cells in double quotes may hold separators, line breaks and "" for a quote;
+/// UTF-8 with or without BOM; CRLF or LF; blank lines. Headings: 0…360 (360 is 0). Errors name file, line, what is wrong and
+/// what was expected; nothing is guessed.
+
+#include <istream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
+#include "core/record/Fleet.h"
+
+namespace lubberline {
+
+struct SwingFile {
+    Swing swing;          ///< record id derived from the content, so that a second import is told to be the same
+    std::string aircraft; ///< registration, as in the file; empty if not stated (likewise below)
+    std::string type;
+    std::string compass;
+    std::string site;
+    std::string operatorName;
+    std::optional<double> latitude_deg, longitude_deg, height_m; ///< of the compass base
+    std::vector<std::pair<std::string, std::string>> otherKeys;  ///< keys that mean nothing to us, kept in the swing's note
+    std::vector<std::string> warnings;
+};
+
+/// Reads a stream with constant memory besides the readings. `name` is the file named in errors.
+/// Errors: Io, Format (empty, binary, UTF-16, no header, no rows), InvalidInput (a cell), Cancelled.
+Result<SwingFile> readSwingCsv(std::istream& input, const std::string& name, const Progress& progress = {});
+/// Opens and reads; a directory or a missing file is an Io error.
+Result<SwingFile> readSwingCsvFile(const std::string& path, const Progress& progress = {});
+
+/// The compass base that the file names, with what it states of its place; none when it names none.
+[[nodiscard]] std::optional<Site> siteOf(const SwingFile& file);
+
+/// The file as a fleet of one swing: what `import` stores. Errors: InvalidInput when the aircraft is not named.
+Result<Fleet> toFleet(const SwingFile& file);
+
+/// Writes a swing with its particulars; readSwingCsv gives the same readings back. Readings that are not complete yet are left
+/// out, and line breaks of the particulars become spaces. Deviation is derived, so it is not written.
+[[nodiscard]] std::string writeSwingCsv(const SwingRecord& record);
+
+} // namespace lubberline

@@ -1,0 +1,102 @@
+#include "core/format/csv/SwingCsvColumns.h"
+
+#include <algorithm>
+
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
+#include "core/format/csv/RowSplitter.h"
+
+namespace lubberline::csv {
+
+namespace {
+
+constexpr const char* kExpectedColumns = "two of magnetic_heading_deg, compass_heading_deg, deviation_deg "
+                                         "(or true_heading_deg with a line \"# variation_deg: \u2026\" in place of the magnetic heading)";
+
+std::optional<std::size_t> knownColumn(std::string_view name)
+{
+    const auto found = std::find(kColumnNames.begin(), kColumnNames.end(), name);
+    return found == kColumnNames.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - kColumnNames.begin()));
+}
+
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const auto& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return inQuotes(text);
+}
+
+bool looksLikeReadings(const std::vector<std::string>& cells)
+{
+    return std::all_of(
+        cells.begin(), cells.end(), [](const std::string& cell) { return readNumber(cell, true).fault == NumberFault::None; });
+}
+
+/// Magnetic, compass and deviation: two of them give the third.
+Result<void> requireTwoOfThree(const Columns& columns, const std::vector<std::string>& header)
+{
+    const int given = (columns.has(Column::Magnetic) || columns.has(Column::True)) + columns.has(Column::Compass)
+        + (columns.has(Column::Deviation) || columns.has(Column::IndicationError));
+    if (given >= 2)
+        return {};
+    return Error{ErrorCode::InvalidInput, "a column is missing; expected " + std::string(kExpectedColumns) + ", found " + listed(header)};
+}
+
+Result<void> addColumn(Columns& columns, std::size_t place, const std::string& name)
+{
+    const auto known = knownColumn(name);
+    const bool doubled = known
+        ? columns.place[*known].has_value()
+        : std::any_of(columns.unknown.begin(), columns.unknown.end(), [&](const auto& other) { return other.second == name; });
+    if (doubled)
+        return Error{ErrorCode::InvalidInput, "the column " + inQuotes(name) + " is there twice; expected each column once"};
+    if (name.empty())
+        return Error{ErrorCode::Format, "column " + std::to_string(place + 1) + " has no name; expected a name for each column"};
+    if (known)
+        columns.place[*known] = place;
+    else
+        columns.unknown.emplace_back(place, name);
+    return {};
+}
+
+} // namespace
+
+char separatorOf(std::string_view header)
+{
+    char best = ',';
+    std::ptrdiff_t most = -1;
+    std::size_t mostCells = 0;
+    for (const char separator : {',', ';', '\t'}) {
+        RowSplitter splitter(separator);
+        splitter.begin(header);
+        const auto& cells = splitter.cells();
+        const auto known = std::count_if(cells.begin(), cells.end(), [](const std::string& cell) { return knownColumn(cell).has_value(); });
+        // Where none is known, the separator that separates is meant.
+        if (known > most || (known == most && known == 0 && cells.size() > mostCells)) {
+            best = separator;
+            most = known;
+            mostCells = cells.size();
+        }
+    }
+    return best;
+}
+
+Result<Columns> columnsOf(const std::vector<std::string>& header)
+{
+    if (looksLikeReadings(header))
+        return Error{ErrorCode::Format,
+            "there is no header: the first row is numbers; expected a row of column names, " + std::string(kExpectedColumns)};
+    Columns columns;
+    columns.count = header.size();
+    for (std::size_t place = 0; place < header.size(); ++place)
+        if (const auto added = addColumn(columns, place, header[place]); !added)
+            return added.error();
+    if (const auto enough = requireTwoOfThree(columns, header); !enough)
+        return enough.error();
+    // By name, so that a file that is written and read again gives equal readings whatever their order of columns was.
+    std::sort(columns.unknown.begin(), columns.unknown.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    return columns;
+}
+
+} // namespace lubberline::csv

@@ -1,0 +1,212 @@
+#include "core/format/csv/SwingCsvKeys.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
+#include "core/earth/FieldModel.h"
+#include "core/record/RecordWords.h"
+
+namespace lubberline::csv {
+
+namespace {
+
+/// Keys whose value is text as it is. The order is that of the written file.
+struct TextKey {
+    std::string_view key;
+    std::string& (*field)(SwingFile& file);
+};
+constexpr std::array kTextKeys{
+    TextKey{"aircraft", [](SwingFile& file) -> std::string& { return file.aircraft; }},
+    TextKey{"type", [](SwingFile& file) -> std::string& { return file.type; }},
+    TextKey{"compass", [](SwingFile& file) -> std::string& { return file.compass; }},
+    TextKey{"site", [](SwingFile& file) -> std::string& { return file.site; }},
+    TextKey{"operator", [](SwingFile& file) -> std::string& { return file.operatorName; }},
+    TextKey{"engines", [](SwingFile& file) -> std::string& { return file.swing.configuration.engines; }},
+    TextKey{"electrics", [](SwingFile& file) -> std::string& { return file.swing.configuration.electrics; }},
+    TextKey{"configuration", [](SwingFile& file) -> std::string& { return file.swing.configuration.other; }},
+    TextKey{"datum", [](SwingFile& file) -> std::string& { return file.swing.datum.instrument; }},
+    TextKey{"datum_serial_number", [](SwingFile& file) -> std::string& { return file.swing.datum.serialNumber; }},
+    TextKey{"datum_reader", [](SwingFile& file) -> std::string& { return file.swing.people.datumReader; }},
+    TextKey{"cockpit_reader", [](SwingFile& file) -> std::string& { return file.swing.people.cockpitReader; }},
+    TextKey{"adjuster", [](SwingFile& file) -> std::string& { return file.swing.people.adjuster; }},
+    TextKey{"inspector", [](SwingFile& file) -> std::string& { return file.swing.people.inspector; }},
+    TextKey{"procedure", [](SwingFile& file) -> std::string& { return file.swing.procedure; }},
+    TextKey{"work_order", [](SwingFile& file) -> std::string& { return file.swing.workOrder; }},
+    TextKey{"reason", [](SwingFile& file) -> std::string& { return file.swing.reason; }},
+    TextKey{"note", [](SwingFile& file) -> std::string& { return file.swing.note; }},
+};
+
+Error wrongValue(const KeyLine& line, const std::string& expected)
+{
+    return {ErrorCode::InvalidInput, std::string(line.key) + ": " + inQuotes(line.value) + " is not allowed; expected " + expected};
+}
+
+template <class Choice>
+Result<void> takeChoice(const KeyLine& line, Choice& into)
+{
+    const auto choice = choiceOf<Choice>(line.value);
+    if (!choice)
+        return wrongValue(line, allowedWords<Choice>());
+    into = *choice;
+    return {};
+}
+
+Result<void> takeDate(const KeyLine& line, std::string& into)
+{
+    if (!isIsoDate(line.value))
+        return wrongValue(line, "a date of the calendar as YYYY-MM-DD");
+    into = line.value;
+    return {};
+}
+
+Result<void> takeVariation(const KeyLine& line, std::optional<double>& into)
+{
+    const auto number = readNumber(line.value, true); // no separator in this line: a comma is a decimal comma
+    if (number.fault != NumberFault::None || std::abs(number.value) > 180.0)
+        return wrongValue(line, "degrees from -180 to 180, east positive, such as 6.5");
+    into = number.value;
+    return {};
+}
+
+Result<void> takeNumber(const KeyLine& line, double least, double most, const char* expected, std::optional<double>& into)
+{
+    const auto number = readNumber(line.value, true);
+    if (number.fault != NumberFault::None || number.value < least || number.value > most)
+        return wrongValue(line, expected);
+    into = number.value;
+    return {};
+}
+
+struct ValueKey {
+    std::string_view key;
+    Result<void> (*take)(SwingFile& file, const KeyLine& line);
+};
+constexpr std::array kValueKeys{
+    ValueKey{"date", [](SwingFile& file, const KeyLine& line) { return takeDate(line, file.swing.date); }},
+    ValueKey{"kind", [](SwingFile& file, const KeyLine& line) { return takeChoice(line, file.swing.kind); }},
+    ValueKey{"stage", [](SwingFile& file, const KeyLine& line) { return takeChoice(line, file.swing.stage); }},
+    ValueKey{"radio", [](SwingFile& file, const KeyLine& line) { return takeChoice(line, file.swing.configuration.radio); }},
+    ValueKey{"datum_calibration_due", [](SwingFile& file, const KeyLine& line) { return takeDate(line, file.swing.datum.calibrationDue); }},
+    ValueKey{"variation_deg", [](SwingFile& file, const KeyLine& line) { return takeVariation(line, file.swing.variation_deg); }},
+    ValueKey{"latitude_deg",
+        [](SwingFile& file, const KeyLine& line) {
+            return takeNumber(line, -90, 90, "degrees from -90 to 90, north positive", file.latitude_deg);
+        }},
+    ValueKey{"longitude_deg",
+        [](SwingFile& file, const KeyLine& line) {
+            return takeNumber(line, -540, 540, "degrees from -180 to 180, east positive", file.longitude_deg);
+        }},
+    ValueKey{"height_m",
+        [](SwingFile& file, const KeyLine& line) {
+            return takeNumber(line, -10'000, 600'000, "metres from -10000 to 600000", file.height_m);
+        }},
+};
+
+template <std::size_t N, class Key>
+const Key* find(const std::array<Key, N>& keys, std::string_view key)
+{
+    const auto found = std::find_if(keys.begin(), keys.end(), [&](const Key& one) { return one.key == key; });
+    return found == keys.end() ? nullptr : &*found;
+}
+
+bool isKeyCharacter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
+
+void write(std::string& text, std::string_view key, std::string value)
+{
+    // A key line is one line: breaks in a note become spaces.
+    std::replace_if(
+        value.begin(), value.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    if (const auto shown = trimmed(value); !shown.empty())
+        text += "# " + std::string(key) + ": " + std::string(shown) + "\n";
+}
+
+void writePlace(std::string& text, const Place& place)
+{
+    write(text, "latitude_deg", shortestNumber(place.latitude_deg));
+    write(text, "longitude_deg", shortestNumber(place.longitude_deg));
+    write(text, "height_m", shortestNumber(place.height_m));
+}
+
+} // namespace
+
+std::optional<KeyLine> keyLineOf(std::string_view line)
+{
+    const auto content = trimmed(line.substr(std::min(line.find_first_not_of('#'), line.size())));
+    const auto end = std::find_if_not(content.begin(), content.end(), isKeyCharacter);
+    const auto key = content.substr(0, static_cast<std::size_t>(end - content.begin()));
+    const auto rest = trimmed(content.substr(key.size()));
+    if (key.empty() || !rest.starts_with(':') || rest.starts_with("://"))
+        return {};
+    return KeyLine{key, trimmed(rest.substr(1))};
+}
+
+Result<void> KeyReader::take(const KeyLine& line)
+{
+    if (!m_taken.emplace(line.key).second)
+        return Error{ErrorCode::InvalidInput, "the key " + inQuotes(line.key) + " is there twice; expected each key once"};
+    if (const auto* text = find(kTextKeys, line.key)) {
+        text->field(m_file) = line.value;
+        return {};
+    }
+    if (const auto* value = find(kValueKeys, line.key))
+        return line.value.empty() ? Result<void>() : value->take(m_file, line);
+    m_file.otherKeys.emplace_back(line.key, line.value);
+    return {};
+}
+
+Result<void> stampFromKeys(SwingFile& file)
+{
+    if (file.latitude_deg.has_value() != file.longitude_deg.has_value())
+        return Error{ErrorCode::InvalidInput,
+            std::string(file.latitude_deg ? "latitude_deg" : "longitude_deg") + " is stated without "
+                + (file.latitude_deg ? "longitude_deg" : "latitude_deg") + "; expected both or neither"};
+    if (!file.latitude_deg)
+        return {};
+    const auto place = makePlace(*file.latitude_deg, *file.longitude_deg, file.height_m.value_or(0.0));
+    if (!place)
+        return place.error();
+    if (file.swing.date.empty()) {
+        file.warnings.push_back(
+            "the place of the swing is stated, but no date, so the field there is not known; expected a line \"# date: YYYY-MM-DD\"");
+        return {};
+    }
+    if (const auto stamp = stampField(*place, file.swing.date))
+        file.swing.field = *stamp;
+    else
+        file.warnings.push_back("the Earth's field at the swing's place is not known: " + stamp.error().message);
+    return {};
+}
+
+std::string keyLinesOf(const SwingRecord& record)
+{
+    SwingFile file;
+    file.aircraft = record.aircraft.registration;
+    file.type = record.type.name;
+    file.compass = record.compass.name;
+    file.site = record.site ? record.site->name : std::string();
+    file.operatorName = record.aircraft.operatorName;
+    file.swing = record.swing;
+    file.swing.readings.clear();
+
+    std::string text;
+    for (const auto& key : kTextKeys)
+        if (key.key != "note")
+            write(text, key.key, key.field(file));
+    write(text, "date", file.swing.date);
+    write(text, "kind", std::string(fileWord(file.swing.kind)));
+    write(text, "stage", std::string(fileWord(file.swing.stage)));
+    if (file.swing.configuration.radio != RadioState::NotStated)
+        write(text, "radio", std::string(fileWord(file.swing.configuration.radio)));
+    write(text, "datum_calibration_due", file.swing.datum.calibrationDue);
+    if (file.swing.variation_deg)
+        write(text, "variation_deg", shortestNumber(*file.swing.variation_deg));
+    if (file.swing.field)
+        writePlace(text, file.swing.field->place);
+    write(text, "note", file.swing.note);
+    return text;
+}
+
+} // namespace lubberline::csv

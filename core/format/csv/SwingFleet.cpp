@@ -1,0 +1,47 @@
+#include "core/format/csv/SwingCsv.h"
+
+#include "core/record/DerivedId.h"
+
+namespace lubberline {
+
+namespace {
+
+SwingRecord recordOf(const SwingFile& file)
+{
+    SwingRecord record;
+    record.swing = file.swing;
+    record.aircraft.registration = file.aircraft;
+    record.aircraft.operatorName = file.operatorName;
+    record.type.name = file.type;
+    record.compass.name = file.compass;
+    record.site = siteOf(file);
+    return record;
+}
+
+} // namespace
+
+std::optional<Site> siteOf(const SwingFile& file)
+{
+    if (file.site.empty())
+        return {};
+    Site site;
+    site.name = file.site;
+    site.latitude_deg = file.latitude_deg;
+    if (file.longitude_deg)
+        site.longitude_deg = wrap180(*file.longitude_deg);
+    site.elevation_m = file.height_m;
+    return site;
+}
+
+Result<Fleet> toFleet(const SwingFile& file)
+{
+    if (file.aircraft.empty())
+        return Error{ErrorCode::InvalidInput,
+            "the aircraft is not named; expected a line \"# aircraft: REGISTRATION\", or its registration beside the file"};
+    SwingRecord record = recordOf(file);
+    // The names may have been filled in since the file was read: the same readings of two aircraft are two swings.
+    record.swing.record.clear();
+    return toFleet(record);
+}
+
+} // namespace lubberline

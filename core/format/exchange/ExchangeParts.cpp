@@ -1,0 +1,139 @@
+#include "core/format/exchange/ExchangeParts.h"
+
+#include "core/base/FileText.h"
+#include "core/format/exchange/BenchJson.h"
+#include "core/format/exchange/ModelJson.h"
+#include "core/format/exchange/RampJson.h"
+#include "core/format/exchange/Ranges.h"
+
+namespace lubberline::exchange {
+
+namespace {
+
+/// Ten times the field anywhere on Earth.
+constexpr NumberRange kField{-1e6, 1e6};
+
+void readStates(JsonObject& object, BenchStates& states)
+{
+    object.objects("bench_states", [&](JsonObject& one) {
+        one.only({"group", "state"});
+        const std::string group = one.requiredText("group");
+        if (!states.emplace(group, one.requiredText("state")).second)
+            one.fault("group", inQuotes(group) + " is there twice; expected each group once");
+    });
+}
+
+void writeStates(JsonWriter& json, const BenchStates& states)
+{
+    if (states.empty())
+        return;
+    json.beginArray("bench_states");
+    for (const auto& [group, state] : states) {
+        json.beginObject({}, true);
+        json.text("group", group);
+        json.text("state", state);
+        json.end();
+    }
+    json.end();
+}
+
+template <class Angle>
+std::optional<Angle> heading(JsonObject& object, std::string_view key)
+{
+    const auto heading_deg = object.number(key, kHeadingRange);
+    return heading_deg ? std::optional(Angle::fromDegrees(*heading_deg)) : std::nullopt;
+}
+
+std::vector<std::pair<std::string, std::string>> readExtra(JsonObject& object)
+{
+    std::vector<std::pair<std::string, std::string>> extra;
+    object.objects("extra", [&](JsonObject& pair) {
+        auto name = pair.requiredText("name");
+        auto value = pair.text("value");
+        pair.finish();
+        extra.emplace_back(std::move(name), std::move(value));
+    });
+    return extra;
+}
+
+} // namespace
+
+Reading readReading(JsonObject& object, bool withRaw)
+{
+    Reading reading;
+    if (const auto nominal_deg = object.number("nominal_deg", kHeadingRange))
+        reading.nominal_deg = wrap360(*nominal_deg);
+    reading.magnetic = heading<MagneticHeading>(object, "magnetic_heading_deg");
+    reading.compass = heading<CompassHeading>(object, "compass_heading_deg");
+    reading.trueHeading = heading<TrueHeading>(object, "true_heading_deg");
+    reading.pitch_deg = object.number("pitch_deg", {-90, 90});
+    reading.roll_deg = object.number("roll_deg", {-180, 180});
+    if (withRaw) {
+        reading.raw = readRaw(object);
+        reading.timeUtc = object.text("time_utc");
+    }
+    reading.note = object.text("note");
+    if (auto reason = object.optionalText("excluded"))
+        reading.exclusion = Exclusion{std::move(*reason)};
+    reading.extra = readExtra(object);
+    object.finish();
+    return reading;
+}
+
+FieldStamp readStamp(JsonObject& object)
+{
+    object.only({"model", "latitude_deg", "longitude_deg", "height_m", "date", "north_nT", "east_nT", "down_nT"});
+    FieldStamp stamp;
+    stamp.model = object.requiredText("model");
+    stamp.place = {object.requiredNumber("latitude_deg", {-90, 90}), object.requiredNumber("longitude_deg", {-180, 180}),
+        object.requiredNumber("height_m", {-1e5, 1e6})};
+    if (!object.has("date"))
+        object.missing("date", "a day of the calendar as YYYY-MM-DD");
+    stamp.date = object.date("date");
+    if (object.has("date") && stamp.date.empty())
+        object.fault("date", "is empty; expected a day of the calendar as YYYY-MM-DD");
+    stamp.field
+        = {object.requiredNumber("north_nT", kField), object.requiredNumber("east_nT", kField), object.requiredNumber("down_nT", kField)};
+    return stamp;
+}
+
+void writeStamp(JsonWriter& json, std::string_view key, const FieldStamp& stamp)
+{
+    json.beginObject(key, true);
+    json.text("model", stamp.model);
+    json.number("latitude_deg", stamp.place.latitude_deg);
+    json.number("longitude_deg", stamp.place.longitude_deg);
+    json.number("height_m", stamp.place.height_m);
+    json.text("date", stamp.date);
+    json.number("north_nT", stamp.field.north_nT);
+    json.number("east_nT", stamp.field.east_nT);
+    json.number("down_nT", stamp.field.down_nT);
+    json.end();
+}
+
+void readSensorParts(JsonObject& object, SensorRecord& sensor, FirstFault& fault)
+{
+    if (!object.has("model"))
+        object.missing("model", "a sensor model as in a Model JSON, without its field");
+    object.object("model", [&](JsonObject& model) {
+        model.only({"soft_iron", "hard_iron_nT", "soft_constant_nT", "circuits", "misalignment_deg"});
+        sensor.model = readSensorModel(model);
+    });
+    object.object("bench", [&](JsonObject& bench) { sensor.bench = readBench(bench, fault); });
+    readStates(object, sensor.benchStates);
+}
+
+void writeSensorParts(JsonWriter& json, const SensorRecord& sensor)
+{
+    json.beginObject("model");
+    writeSensorModel(json, sensor.model);
+    json.end();
+    if (sensor.bench) {
+        json.beginObject("bench");
+        writeBench(json, *sensor.bench);
+        json.end();
+    }
+    writeStates(json, sensor.benchStates);
+}
+
+} // namespace lubberline::exchange

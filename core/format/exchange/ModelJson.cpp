@@ -1,0 +1,241 @@
+#include "core/format/exchange/ModelJson.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/angle/Angle.h"
+#include "core/angle/WrittenDegrees.h"
+#include "core/base/WholeFile.h"
+#include "core/format/exchange/Ranges.h"
+#include "core/format/json/JsonDocument.h"
+#include "core/format/json/JsonObject.h"
+#include "core/format/json/JsonWriter.h"
+
+namespace lubberline {
+
+namespace {
+
+const std::string kExpectedModel = "a Model JSON (a sensor on an aircraft)";
+
+/// Far beyond any aircraft, and far from what a double cannot square.
+constexpr NumberRange kAny{-1e9, 1e9};
+
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+Eigen::Vector3d readVector(JsonObject& object, std::string_view key)
+{
+    Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+    object.numbers(key, {vector.data(), 3}, kAny);
+    return vector;
+}
+
+Eigen::Matrix3d readMatrix(JsonObject& object, std::string_view key)
+{
+    RowMajor matrix = RowMajor::Zero();
+    object.numberRows(key, {matrix.data(), 9}, 3, kAny);
+    return matrix;
+}
+
+Circuit readSensorCircuit(JsonObject& object)
+{
+    object.only({"name", "field_nT_per_A", "current_A", "on"});
+    for (const auto& [key, expected] :
+        {std::pair{"name", "text"}, {"field_nT_per_A", "[S, T, V]"}, {"current_A", "a number"}, {"on", "true or false"}})
+        if (!object.has(key))
+            object.missing(key, expected);
+    return {object.text("name"), readVector(object, "field_nT_per_A"), object.number("current_A", kAny).value_or(0), object.boolean("on")};
+}
+
+Misalignment readMisalignment(JsonObject& object)
+{
+    object.only({"roll", "pitch", "yaw"});
+    const auto angle_rad = [&](std::string_view key) { return toRadians(object.number(key, kFigureRange).value_or(0)); };
+    return {angle_rad("roll"), angle_rad("pitch"), angle_rad("yaw")};
+}
+
+PlaceAndDate readPlace(JsonObject& object)
+{
+    object.only({"lat_deg", "lon_deg", "alt_m", "date"});
+    const double latitude_deg = object.requiredNumber("lat_deg", {-90, 90});
+    const double longitude_deg = object.requiredNumber("lon_deg", {-1e6, 1e6}); // wrapped
+    const double height_m = object.number("alt_m", kAny).value_or(0);
+    PlaceAndDate field;
+    if (const auto place = makePlace(latitude_deg, longitude_deg, height_m))
+        field.place = *place;
+    else
+        object.fault("alt_m", place.error().message);
+    field.date = object.requiredText("date", "a date as YYYY-MM-DD, or a decimal year as text");
+    if (const auto year = decimalYear(field.date); !year)
+        object.fault("date", year.error().message);
+    return field;
+}
+
+MeridianField readMeridian(JsonObject& object)
+{
+    object.only({"H_nT", "dip_deg", "Z_nT"});
+    const double horizontal_nT = object.requiredNumber("H_nT", {0, 1e9});
+    if (object.has("Z_nT")) {
+        if (object.has("dip_deg"))
+            object.fault("dip_deg", "says again what Z_nT says; expected one of them");
+        return {horizontal_nT, object.number("Z_nT", kAny).value_or(0)};
+    }
+    const double dip_deg = object.requiredNumber("dip_deg", {-90, 90});
+    if (std::abs(dip_deg) == 90)
+        object.fault("dip_deg", "is that of a magnetic pole, where H is 0 and the dip does not tell the field; expected H_nT with Z_nT");
+    return MeridianField::fromDip(horizontal_nT, toRadians(dip_deg));
+}
+
+std::variant<MeridianField, PlaceAndDate> readField(JsonObject& object)
+{
+    for (const char* key : {"lat_deg", "lon_deg", "alt_m", "date"})
+        if (object.has(key))
+            return readPlace(object);
+    return readMeridian(object);
+}
+
+/// The keys of SensorModel, and those before it.
+constexpr std::array<std::string_view, 7> kKeys{
+    "note", "field", "soft_iron", "hard_iron_nT", "soft_constant_nT", "circuits", "misalignment_deg"};
+
+SensorSetup readSetup(JsonObject& object)
+{
+    object.only(kKeys);
+    SensorSetup setup;
+    setup.note = object.text("note");
+    if (!object.has("field"))
+        object.missing("field", "{H_nT, dip_deg} or {lat_deg, lon_deg, alt_m, date}");
+    object.object("field", [&](JsonObject& field) { setup.field = readField(field); });
+    setup.model = readSensorModel(object);
+    return setup;
+}
+
+SensorModel readOnlyModel(JsonObject& object)
+{
+    object.only(std::span(kKeys).subspan(2));
+    return readSensorModel(object);
+}
+
+template <class Value>
+Result<Value> readWith(Value (*read)(JsonObject&), std::string_view text, const std::string& name)
+{
+    const auto document = parseJson(text, name, kExpectedModel);
+    if (!document)
+        return document.error();
+    FirstFault fault(name);
+    const JsonPath root;
+    JsonObject object(*document, root, fault);
+    Value value = read(object);
+    if (fault.error())
+        return *fault.error();
+    return value;
+}
+
+void writePlace(JsonWriter& json, const PlaceAndDate& field)
+{
+    json.number("lat_deg", field.place.latitude_deg);
+    json.number("lon_deg", field.place.longitude_deg);
+    json.number("alt_m", field.place.height_m);
+    json.text("date", field.date);
+}
+
+/// The dip that reads back to the very field, short where a short one does; none where no dip does.
+std::optional<double> writtenDip_deg(const MeridianField& field)
+{
+    const double plain_deg = toDegrees(field.inclination_rad());
+    for (const double dip_deg :
+        {std::round(plain_deg * 1e9) / 1e9, plain_deg, std::nextafter(plain_deg, -90.0), std::nextafter(plain_deg, 90.0)})
+        if (std::abs(dip_deg) < 90 && MeridianField::fromDip(field.horizontal_nT, toRadians(dip_deg)) == field)
+            return dip_deg;
+    return {};
+}
+
+void writeMeridian(JsonWriter& json, const MeridianField& field)
+{
+    json.number("H_nT", field.horizontal_nT);
+    if (const auto dip_deg = writtenDip_deg(field))
+        json.number("dip_deg", *dip_deg);
+    else
+        json.number("Z_nT", field.down_nT);
+}
+
+void writeCircuit(JsonWriter& json, const Circuit& circuit)
+{
+    json.beginObject({}, true);
+    json.text("name", circuit.name);
+    json.numbers("field_nT_per_A", {circuit.field_nT_per_A.data(), 3});
+    json.number("current_A", circuit.current_A);
+    json.boolean("on", circuit.on);
+    json.end();
+}
+
+} // namespace
+
+SensorModel readSensorModel(JsonObject& object)
+{
+    SensorModel model;
+    model.softIron = readMatrix(object, "soft_iron");
+    model.hardIron_nT = readVector(object, "hard_iron_nT");
+    model.softConstant_nT = readVector(object, "soft_constant_nT");
+    object.objects("circuits", [&](JsonObject& circuit) { model.circuits.push_back(readSensorCircuit(circuit)); });
+    object.object("misalignment_deg", [&](JsonObject& misalignment) { model.misalignment = readMisalignment(misalignment); });
+    return model;
+}
+
+void writeSensorModel(JsonWriter& json, const SensorModel& model)
+{
+    const RowMajor softIron = model.softIron;
+    json.beginArray("soft_iron");
+    for (int row = 0; row < 3; ++row)
+        json.numbers({}, {softIron.data() + 3 * row, 3});
+    json.end();
+    json.numbers("hard_iron_nT", {model.hardIron_nT.data(), 3});
+    json.numbers("soft_constant_nT", {model.softConstant_nT.data(), 3});
+    json.beginArray("circuits");
+    for (const auto& circuit : model.circuits)
+        writeCircuit(json, circuit);
+    json.end();
+    json.beginObject("misalignment_deg", true);
+    json.number("roll", writtenDegrees(model.misalignment.roll_rad));
+    json.number("pitch", writtenDegrees(model.misalignment.pitch_rad));
+    json.number("yaw", writtenDegrees(model.misalignment.yaw_rad));
+    json.end();
+}
+
+Result<SensorSetup> readModelJson(std::string_view text, const std::string& name) { return readWith(readSetup, text, name); }
+Result<SensorModel> readSensorModelJson(std::string_view text, const std::string& name) { return readWith(readOnlyModel, text, name); }
+
+Result<SensorSetup> readModelJsonFile(const std::string& path)
+{
+    const auto text = readWholeFile(path, kExpectedModel);
+    if (!text)
+        return text.error();
+    return readModelJson(*text, path);
+}
+
+std::string writeModelJson(const SensorSetup& setup)
+{
+    JsonWriter json;
+    json.beginObject();
+    if (!setup.note.empty())
+        json.text("note", setup.note);
+    json.beginObject("field", true);
+    if (const auto* given = std::get_if<MeridianField>(&setup.field))
+        writeMeridian(json, *given);
+    else
+        writePlace(json, std::get<PlaceAndDate>(setup.field));
+    json.end();
+    writeSensorModel(json, setup.model);
+    json.end();
+    return json.take();
+}
+
+std::string writeSensorModelJson(const SensorModel& model)
+{
+    JsonWriter json;
+    json.beginObject();
+    writeSensorModel(json, model);
+    json.end();
+    return json.take();
+}
+
+} // namespace lubberline

@@ -1,0 +1,144 @@
+#include "core/format/results/AnalysisJson.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace lubberline {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Angles are computed in radians; what rounding leaves of 3.0000000000000004 degrees is cut at 1e-12.
+double clean(double value)
+{
+    const double rounded = std::round(value * 1e12) / 1e12;
+    return std::abs(value) < 1e3 && std::isfinite(rounded) ? rounded + 0.0 : value;
+}
+
+Json degrees(double angle_rad) { return clean(toDegrees(angle_rad)); }
+
+Json degrees(std::optional<double> angle_rad) { return angle_rad ? degrees(*angle_rad) : Json(); }
+
+template <class Heading>
+Json headingJson(Heading heading)
+{
+    const double heading_deg = clean(heading.degrees());
+    return heading_deg < 360.0 ? heading_deg : 0.0;
+}
+
+/// Infinity (the condition of a matrix that has no rank) is null, too.
+Json plain(std::optional<double> value) { return value && std::isfinite(*value) ? Json(*value) : Json(); }
+
+std::string keyOf(Coefficient coefficient, const char* unit) { return letterOf(coefficient) + std::string(unit); }
+
+Json fitJson(const SmithFitReport& fit, const char* unit, Json (*convert)(std::optional<double>))
+{
+    Json json, errors;
+    for (const Coefficient coefficient : kCoefficients) {
+        json[keyOf(coefficient, unit)] = convert(fit.of(coefficient));
+        errors[keyOf(coefficient, unit)] = convert(fit.standardError[indexOf(coefficient)]);
+    }
+    json[std::string("standard_error") + unit] = errors;
+    json["rms_deg"] = fit.fitted() ? degrees(fit.rms_rad) : Json();
+    json["max_abs_residual_deg"] = fit.fitted() ? degrees(fit.maxAbsResidual_rad) : Json();
+    json["condition_number"] = plain(fit.conditionNumber);
+    json["sigma_deg"] = degrees(fit.sigma_rad);
+    json["degrees_of_freedom"] = fit.degreesOfFreedom;
+    json["rank"] = fit.rank;
+    return json;
+}
+
+Json rulesJson(const std::optional<PointRules>& rules)
+{
+    if (!rules)
+        return {};
+    Json json;
+    json["method"] = rules->points == 8 ? "eight-point" : "four-point";
+    json["points"] = rules->points;
+    json["argument"] = rules->argument == HeadingArgument::Magnetic ? "magnetic" : "compass";
+    json["A_deg"] = degrees(rules->A_rad);
+    json["B_deg"] = degrees(rules->B_rad);
+    json["C_deg"] = degrees(rules->C_rad);
+    json["D_deg"] = degrees(rules->D_rad);
+    json["E_deg"] = degrees(rules->E_rad);
+    return json;
+}
+
+Json harmonicsJson(const Harmonics& harmonics)
+{
+    Json json{{"argument", "magnetic"}, {"method", harmonics.method == HarmonicsMethod::Fft ? "fft" : "least squares"},
+        {"highest_resolvable", harmonics.highestResolvable}, {"condition_number", plain(harmonics.conditionNumber)},
+        {"noise_floor_deg", degrees(harmonics.noiseFloor_rad)}, {"orders", Json::array()}};
+    for (const auto& order : harmonics.orders)
+        json["orders"].push_back({{"order", order.order}, {"sin_deg", degrees(order.sin_rad)}, {"cos_deg", degrees(order.cos_rad)},
+            {"amplitude_deg", degrees(order.amplitude_rad())}, {"phase_deg", degrees(order.phase_rad())},
+            {"standard_error_deg", degrees(order.standardError_rad)}, {"nyquist", order.nyquist}});
+    return json;
+}
+
+Json readingJson(const AnalysedReading& reading)
+{
+    return {{"magnetic_heading_deg", headingJson(reading.magnetic)}, {"compass_heading_deg", headingJson(reading.compass)},
+        {"deviation_deg", clean(reading.deviation.degrees())}, {"residual_approximate_deg", degrees(reading.residualApproximate_rad)},
+        {"residual_exact_deg", degrees(reading.residualExact_rad)}, {"studentised_residual", plain(reading.studentised)},
+        {"outlier", reading.suspect}};
+}
+
+Json analysisJson(const Analysis& analysis)
+{
+    Json json;
+    json["readings"] = Json::array();
+    for (const auto& reading : analysis.readings)
+        json["readings"].push_back(readingJson(reading));
+    json["approximate"] = fitJson(analysis.approximate, "_deg", [](std::optional<double> value) { return degrees(value); });
+    json["exact"] = fitJson(analysis.exact, "", plain);
+    json["point_rules"] = rulesJson(analysis.pointRules);
+    json["harmonics"] = harmonicsJson(analysis.harmonics);
+    json["summary"] = {{"max_abs_deviation_deg", degrees(analysis.summary.maxAbsDeviation_rad)},
+        {"at_magnetic_heading_deg", headingJson(analysis.summary.maxAbsDeviationAt)},
+        {"rms_deviation_deg", degrees(analysis.summary.rmsDeviation_rad)},
+        {"min_deviation_deg", degrees(analysis.summary.minDeviation_rad)},
+        {"max_deviation_deg", degrees(analysis.summary.maxDeviation_rad)}, {"spread_deg", degrees(analysis.summary.spread_rad())}};
+    json["warnings"] = analysis.warnings;
+    return json;
+}
+
+} // namespace
+
+std::string toJson(const Analysis& analysis) { return analysisJson(analysis).dump(2); }
+
+std::string toJson(const Analysis& analysis, const Removal& removal)
+{
+    Json json = analysisJson(analysis);
+    Json remaining = Json::array();
+    for (const double left_rad : removal.remaining_rad)
+        remaining.push_back(degrees(left_rad));
+    json["removal"] = {{"remaining_deg", remaining}, {"max_abs_deg", degrees(removal.maxAbs_rad)}, {"rms_deg", degrees(removal.rms_rad)},
+        {"harmonics", harmonicsJson(removal.harmonics)}};
+    return json.dump(2);
+}
+
+std::string toJson(const Card& card)
+{
+    Json json{{"rows", Json::array()}};
+    for (const auto& row : card.rows)
+        json["rows"].push_back({{"for_deg", headingJson(row.magnetic)}, {"steer_deg", headingJson(row.steer)},
+            {"steer_rounded_deg", row.steerRounded_deg()}, {"residual_deg", clean(row.residual.degrees())}});
+    json["residual_max_abs_deg"] = degrees(card.residualMaxAbs_rad);
+    return json.dump(2);
+}
+
+std::string toJson(const Correction& correction)
+{
+    Json json{{"A_deg", degrees(correction.A_rad)}, {"B_deg", degrees(correction.B_rad)}, {"C_deg", degrees(correction.C_rad)},
+        {"steps", Json::array()}};
+    for (const auto& step : correction.steps)
+        json["steps"].push_back({{"coefficient", std::string(1, letterOf(step.coefficient))}, {"on", std::string(1, letterOf(step.on))},
+            {"magnetic_heading_deg", headingJson(step.magnetic)}, {"compass_reads_deg", headingJson(step.compassReads)},
+            {"make_compass_read_deg", headingJson(step.makeCompassRead)}});
+    return json.dump(2);
+}
+
+} // namespace lubberline

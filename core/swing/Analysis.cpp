@@ -1,0 +1,149 @@
+#include "core/swing/Analysis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lubberline {
+
+namespace {
+
+/// A residual smaller than this is no misreading of a compass read by eye, however quiet the others are.
+constexpr double kLeastSuspicious_rad = 1.0 * kRadiansPerDegree;
+/// From here on the coefficients lean visibly on where the readings stand.
+constexpr double kLeaningCondition = 10.0;
+
+struct Arc {
+    double from_deg = 0, to_deg = 0; ///< clockwise
+    [[nodiscard]] double width_deg() const { return to_deg - from_deg; }
+};
+
+Arc largestGap(std::span<const Observation> readings)
+{
+    std::vector<double> headings_deg;
+    for (const auto& reading : readings)
+        headings_deg.push_back(reading.compass.degrees());
+    std::sort(headings_deg.begin(), headings_deg.end());
+    Arc gap{headings_deg.back(), headings_deg.front() + 360.0};
+    for (std::size_t i = 1; i < headings_deg.size(); ++i)
+        if (headings_deg[i] - headings_deg[i - 1] > gap.width_deg())
+            gap = {headings_deg[i - 1], headings_deg[i]};
+    return gap;
+}
+
+std::string degreesText(double heading_deg)
+{
+    const int whole = static_cast<int>(std::lround(heading_deg)) % 360;
+    std::string digits = std::to_string(whole);
+    return digits.insert(0, 3 - digits.size(), '0') + "°";
+}
+
+std::string gapText(std::span<const Observation> readings)
+{
+    const Arc gap = largestGap(readings);
+    return "no reading between " + degreesText(gap.from_deg) + " and " + degreesText(gap.to_deg) + " (compass)";
+}
+
+void warnOfFit(std::vector<std::string>& warnings, const SmithFitReport& fit, const char* name, std::span<const Observation> readings)
+{
+    if (!fit.fitted())
+        warnings.push_back(
+            std::string(name) + " A, B, C, D and E cannot be told: the headings stand too close together; " + gapText(readings));
+    else if (fit.parameters == 3)
+        warnings.push_back(std::string(name) + " D and E cannot be told: they need at least 5 different headings around the compass; "
+            + gapText(readings) + "; whatever there is of them is hidden in A, B and C");
+    if (fit.fitted() && fit.conditionNumber > kLeaningCondition)
+        warnings.push_back(std::string(name) + " coefficients lean on few headings: " + gapText(readings));
+    if (fit.fitted() && fit.degreesOfFreedom == 0)
+        warnings.push_back(std::string(name) + " coefficients have no uncertainty: there are as many of them as readings");
+}
+
+Summary summarise(const std::vector<AnalysedReading>& readings)
+{
+    Summary summary;
+    double sumOfSquares = 0;
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        const double deviation = readings[i].deviation.radians();
+        sumOfSquares += deviation * deviation;
+        // Of two equal ones the smaller heading is named, whatever the order of the readings.
+        const bool larger = std::abs(deviation) > summary.maxAbsDeviation_rad;
+        const bool same
+            = std::abs(deviation) == summary.maxAbsDeviation_rad && readings[i].magnetic.degrees() < summary.maxAbsDeviationAt.degrees();
+        if (i == 0 || larger || same) {
+            summary.maxAbsDeviation_rad = std::abs(deviation);
+            summary.maxAbsDeviationAt = readings[i].magnetic;
+        }
+        summary.minDeviation_rad = i == 0 ? deviation : std::min(summary.minDeviation_rad, deviation);
+        summary.maxDeviation_rad = i == 0 ? deviation : std::max(summary.maxDeviation_rad, deviation);
+    }
+    summary.rmsDeviation_rad = std::sqrt(sumOfSquares / static_cast<double>(readings.size()));
+    return summary;
+}
+
+void addResiduals(Analysis& analysis)
+{
+    const auto studentised = studentisedResiduals(analysis.approximate);
+    const double threshold = suspectThreshold(static_cast<int>(analysis.readings.size()), analysis.approximate.degreesOfFreedom);
+    for (std::size_t i = 0; i < analysis.readings.size(); ++i) {
+        auto& reading = analysis.readings[i];
+        if (analysis.exact.fitted())
+            reading.residualExact_rad = analysis.exact.residual_rad[i];
+        if (!analysis.approximate.fitted())
+            continue;
+        const double residual = analysis.approximate.residual_rad[i];
+        reading.residualApproximate_rad = residual;
+        reading.studentised = studentised[i];
+        if (!studentised[i])
+            continue;
+        const double deleted = residual / (1.0 - analysis.approximate.leverage[i]); // against the fit of the others
+        reading.suspect = std::abs(*studentised[i]) > threshold && std::abs(deleted) >= kLeastSuspicious_rad;
+    }
+}
+
+} // namespace
+
+Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOptions& options)
+{
+    auto approximate = fitApproximate(readings);
+    if (!approximate)
+        return approximate.error();
+    auto exact = fitExact(readings);
+    if (!exact)
+        return exact.error();
+
+    Analysis analysis;
+    std::vector<HarmonicSample> samples;
+    for (const auto& reading : readings) {
+        const Deviation deviation = deviationOf(reading.magnetic, reading.compass);
+        analysis.readings.push_back({reading.magnetic, reading.compass, deviation, {}, {}, {}, false});
+        samples.push_back({reading.magnetic.radians(), deviation.radians()});
+    }
+    auto spectrum = harmonics(samples, options.maxOrder);
+    if (!spectrum)
+        return spectrum.error();
+    analysis.approximate = std::move(approximate.value());
+    analysis.exact = std::move(exact.value());
+    analysis.harmonics = std::move(spectrum.value());
+    analysis.pointRules = pointRules(readings);
+    analysis.summary = summarise(analysis.readings);
+    addResiduals(analysis);
+    warnOfFit(analysis.warnings, analysis.approximate, "approximate", readings);
+    warnOfFit(analysis.warnings, analysis.exact, "exact", readings);
+    return analysis;
+}
+
+Judgement judge(const Summary& summary, const std::optional<LimitsProfile>& limits)
+{
+    // Readings are decimal figures: 10° read must not fail a limit of 10° by the rounding of a conversion.
+    constexpr double kRounding_deg = 1e-9;
+    Judgement judgement;
+    judgement.maxAbsDeviation_deg = toDegrees(summary.maxAbsDeviation_rad);
+    judgement.spread_deg = toDegrees(summary.spread_rad());
+    if (!limits || (!limits->maxDeviation_deg && !limits->maxSpread_deg))
+        return judgement;
+    const bool within = (!limits->maxDeviation_deg || judgement.maxAbsDeviation_deg <= *limits->maxDeviation_deg + kRounding_deg)
+        && (!limits->maxSpread_deg || judgement.spread_deg <= *limits->maxSpread_deg + kRounding_deg);
+    judgement.verdict = within ? Verdict::InLimits : Verdict::OutOfLimits;
+    return judgement;
+}
+
+} // namespace lubberline

@@ -1,0 +1,281 @@
+#include "core/swing/IronSeparation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include <Eigen/Core>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+#include "core/deviation/LeastSquares.h"
+
+namespace lubberline {
+
+namespace {
+
+/// Beyond this, the places are equal but for rounding.
+constexpr double kSamePlaces = 1e6;
+/// Swings that contradict each other more than one set in a hundred would by chance.
+constexpr double kContradiction = 0.99;
+
+std::string digits(double value, int decimals)
+{
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, std::abs(value));
+    return text.data();
+}
+
+/// With a sign, U+2212 for minus; what rounds to zero has none.
+std::string figure(double value, int decimals)
+{
+    const std::string size = digits(value, decimals);
+    const bool zero = size.find_first_not_of("0.") == std::string::npos;
+    return (zero ? "" : value < 0 ? "\u2212" : "+") + size;
+}
+
+std::string withError(double value, double error, int decimals)
+{
+    return error > 0 ? figure(value, decimals) + " \u00b1 " + digits(error, decimals) : figure(value, decimals);
+}
+
+/// (vertical soft iron, hard iron as a part of the mean H) of one coefficient over the swings.
+struct PairFit {
+    Eigen::Vector2d value = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+    double chiSquare = 0;
+};
+
+double widened(const SwingAtPlace& swing, double ExactSmith::*coefficient)
+{
+    return swing.standardError.*coefficient * widening(swing.degreesOfFreedom);
+}
+
+class Separation {
+public:
+    explicit Separation(std::span<const SwingAtPlace> swings) : m_swings(swings)
+    {
+        m_errorsKnown = std::all_of(
+            swings.begin(), swings.end(), [](const auto& swing) { return swing.standardError.B > 0 && swing.standardError.C > 0; });
+    }
+    Result<IronSeparation> make();
+
+private:
+    void makeDesign();
+    Result<double> likeness() const; ///< condition number of the fields alone: how much the readings are worth does not make places alike
+    PairFit fit(double ExactSmith::*coefficient) const;
+    Estimate mean(double ExactSmith::*coefficient) const;
+    void warn(IronSeparation& separation) const;
+    std::string places() const;
+
+    std::span<const SwingAtPlace> m_swings;
+    Eigen::MatrixXd m_design; ///< (tan I, mean H/H) a swing
+    double m_meanH = 0;
+    bool m_errorsKnown = false;
+};
+
+std::string Separation::places() const
+{
+    std::string names;
+    for (const auto& swing : m_swings)
+        names += (names.empty() ? "" : ", ") + swing.label;
+    return names;
+}
+
+void Separation::makeDesign()
+{
+    m_design.resize(static_cast<Eigen::Index>(m_swings.size()), 2);
+    for (const auto& swing : m_swings)
+        m_meanH += swing.field.horizontal_nT / static_cast<double>(m_swings.size());
+    for (std::size_t i = 0; i < m_swings.size(); ++i) {
+        const MeridianField& field = m_swings[i].field;
+        m_design.row(static_cast<Eigen::Index>(i)) << field.down_nT / field.horizontal_nT, m_meanH / field.horizontal_nT;
+    }
+}
+
+Result<double> Separation::likeness() const
+{
+    const Eigen::RowVector2d length = m_design.colwise().norm();
+    if (length.minCoeff() == 0.0) // dip 0 everywhere: vertical soft iron shows nowhere
+        return Error{
+            ErrorCode::Numeric, "the dip is 0 at every place (" + places() + "): vertical soft iron shows nowhere and cannot be told"};
+    const Eigen::MatrixXd scaled = m_design * length.cwiseInverse().asDiagonal();
+    const double condition = conditionNumber(singularValues(scaled));
+    if (!(condition <= kSamePlaces))
+        return Error{ErrorCode::Numeric,
+            "the field is the same at all places (" + places()
+                + "): hard iron and vertical soft iron cannot be told apart; "
+                  "expected swings where H and dip differ"};
+    return condition;
+}
+
+PairFit Separation::fit(double ExactSmith::*coefficient) const
+{
+    const auto count = static_cast<Eigen::Index>(m_swings.size());
+    Eigen::VectorXd weight = Eigen::VectorXd::Ones(count), observed(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto& swing = m_swings[static_cast<std::size_t>(i)];
+        if (m_errorsKnown)
+            weight(i) = 1.0 / widened(swing, coefficient);
+        observed(i) = weight(i) * (swing.exact.*coefficient);
+    }
+    const Eigen::MatrixXd design = weight.asDiagonal() * m_design;
+    const LeastSquares solved = solveLeastSquares(design, observed);
+    PairFit fit;
+    fit.value = solved.solution;
+    fit.chiSquare = (observed - design * solved.solution).squaredNorm();
+    if (m_errorsKnown)
+        fit.covariance = solved.inverseNormal;
+    else if (count > 2)
+        fit.covariance
+            = solved.inverseNormal * (fit.chiSquare / static_cast<double>(count - 2) * std::pow(widening(static_cast<int>(count) - 2), 2));
+    return fit;
+}
+
+Estimate Separation::mean(double ExactSmith::*coefficient) const
+{
+    double weights = 0, sum = 0;
+    const bool known
+        = std::all_of(m_swings.begin(), m_swings.end(), [&](const auto& swing) { return swing.standardError.*coefficient > 0; });
+    for (const auto& swing : m_swings) {
+        const double weight = known ? std::pow(widened(swing, coefficient), -2) : 1.0;
+        weights += weight;
+        sum += weight * (swing.exact.*coefficient);
+    }
+    Estimate estimate{sum / weights, known ? 1.0 / std::sqrt(weights) : 0.0};
+    if (!known && m_swings.size() > 1) {
+        double squares = 0;
+        for (const auto& swing : m_swings)
+            squares += std::pow(swing.exact.*coefficient - estimate.value, 2);
+        const auto count = static_cast<int>(m_swings.size());
+        estimate.standardError = std::sqrt(squares / (count - 1) / count) * widening(count - 1);
+    }
+    return estimate;
+}
+
+void Separation::warn(IronSeparation& separation) const
+{
+    if (separation.conditionNumber > kAlikePlaces)
+        separation.warnings.push_back(
+            "the fields at " + places() + " are too alike: hard iron and vertical soft iron are told apart only roughly");
+    if (!m_errorsKnown && m_swings.size() == 2)
+        separation.warnings.push_back("the swings' own errors are not known, and two swings have no scatter: no errors can be stated");
+    if (m_errorsKnown && separation.degreesOfFreedom > 0
+        && separation.chiSquare > boost::math::quantile(boost::math::chi_squared(separation.degreesOfFreedom), kContradiction))
+        separation.warnings.push_back(
+            "the swings contradict each other beyond their errors: something was changed between them, or a swing is wrong");
+}
+
+Result<IronSeparation> Separation::make()
+{
+    if (m_swings.size() < 2)
+        return Error{ErrorCode::InvalidInput,
+            "one swing cannot tell hard iron from vertical soft iron; expected swings of the compass at two places at least"};
+    for (const auto& swing : m_swings)
+        if (!(swing.field.horizontal_nT > 0) || !std::isfinite(swing.field.down_nT))
+            return Error{ErrorCode::InvalidInput, "the field of " + swing.label + " is not known; expected H above 0 and the dip"};
+    makeDesign();
+    const auto condition = likeness();
+    if (!condition)
+        return condition.error();
+    const PairFit B = fit(&ExactSmith::B), C = fit(&ExactSmith::C);
+    IronSeparation separation;
+    const auto error = [](const PairFit& pair, int i) { return std::sqrt(std::max(0.0, pair.covariance(i, i))); };
+    separation.c = {B.value(0), error(B, 0)};
+    separation.f = {C.value(0), error(C, 0)};
+    separation.P_nT = {B.value(1) * m_meanH, error(B, 1) * m_meanH};
+    separation.Q_nT = {C.value(1) * m_meanH, error(C, 1) * m_meanH};
+    const double product = error(B, 0) * error(B, 1);
+    separation.correlation = product > 0 ? B.covariance(0, 1) / product : 0.0;
+    separation.conditionNumber = *condition;
+    separation.A = mean(&ExactSmith::A);
+    separation.D = mean(&ExactSmith::D);
+    separation.E = mean(&ExactSmith::E);
+    separation.chiSquare = m_errorsKnown ? B.chiSquare + C.chiSquare : 0.0;
+    separation.degreesOfFreedom = 2 * (static_cast<int>(m_swings.size()) - 2);
+    warn(separation);
+    return separation;
+}
+
+SensorModel levelModel(double A, double D, double E)
+{
+    SensorModel model; // lambda = 1
+    model.softIron(0, 0) = D;
+    model.softIron(1, 1) = -D;
+    model.softIron(0, 1) = E - A;
+    model.softIron(1, 0) = E + A;
+    return model;
+}
+
+} // namespace
+
+double widening(int degreesOfFreedom)
+{
+    LUBBERLINE_EXPECT(degreesOfFreedom >= 0, "degrees of freedom are not negative");
+    if (degreesOfFreedom == 0)
+        return 1.0;
+    constexpr double kOneError = 0.841345,
+                     kNineteenOfTwenty = 0.975; // one-sided: the normal distribution's 68.3 % within 1; 95 %
+    const boost::math::students_t student(degreesOfFreedom);
+    return std::max(boost::math::quantile(student, kOneError), boost::math::quantile(student, kNineteenOfTwenty) / 3);
+}
+
+Result<IronSeparation> separateIron(std::span<const SwingAtPlace> swings) { return Separation(swings).make(); }
+
+std::vector<Knowledge> whatSwingsTell(const SwingAtPlace& swing, const std::optional<IronSeparation>& separation)
+{
+    const ExactSmith& value = swing.exact;
+    const ExactSmith& error = swing.standardError;
+    std::vector<Knowledge> list{
+        {true, "(d \u2212 b)/2\u03bb = A = " + withError(value.A, error.A, 4) + " (with the turn of the mount)"},
+        {true, "(a \u2212 e)/2\u03bb = D = " + withError(value.D, error.D, 4)},
+        {true, "(d + b)/2\u03bb = E = " + withError(value.E, error.E, 4)},
+        {true, "(c tan I + P/H)/\u03bb = B = " + withError(value.B, error.B, 4)},
+        {true, "(f tan I + Q/H)/\u03bb = C = " + withError(value.C, error.C, 4)},
+    };
+    if (separation) {
+        list.push_back({true,
+            "vertical soft iron: c/\u03bb = " + withError(separation->c.value, separation->c.standardError, 4)
+                + ", f/\u03bb = " + withError(separation->f.value, separation->f.standardError, 4)});
+        list.push_back({true,
+            "hard iron: P/\u03bb = " + withError(separation->P_nT.value, separation->P_nT.standardError, 0)
+                + " nT, Q/\u03bb = " + withError(separation->Q_nT.value, separation->Q_nT.standardError, 0) + " nT"});
+    } else {
+        list.push_back(
+            {false, "c apart from P, f apart from Q: one place gives their sum; a swing where H and dip differ tells them apart"});
+    }
+    list.push_back({false, "\u03bb, the directive force: a compass shows directions, not sizes"});
+    list.push_back({false, "a and e each, b and d each: on a level heading only a \u2212 e, d + b and d \u2212 b act"});
+    list.push_back({false, "g, h, k and R: they act in pitch and roll only"});
+    list.push_back({false, "the turn of the mount apart from (d \u2212 b)/2\u03bb, and its tilt"});
+    list.push_back({false, "soft-iron constants and currents apart from hard iron: both are constant in body axes"});
+    return list;
+}
+
+Result<SensorModel> modelOf(const ExactSmith& exact, const MeridianField& field, Origin origin)
+{
+    SensorModel model = levelModel(exact.A, exact.D, exact.E);
+    if (origin == Origin::HardIron) {
+        model.hardIron_nT.x() = exact.B * field.horizontal_nT;
+        model.hardIron_nT.y() = exact.C * field.horizontal_nT;
+        return model;
+    }
+    if (field.down_nT == 0.0)
+        return Error{ErrorCode::Numeric, "the dip is 0 there: vertical soft iron cannot have made B and C"};
+    model.softIron(0, 2) = exact.B * field.horizontal_nT / field.down_nT;
+    model.softIron(1, 2) = exact.C * field.horizontal_nT / field.down_nT;
+    return model;
+}
+
+SensorModel modelOf(const IronSeparation& separation)
+{
+    SensorModel model = levelModel(separation.A.value, separation.D.value, separation.E.value);
+    model.softIron(0, 2) = separation.c.value;
+    model.softIron(1, 2) = separation.f.value;
+    model.hardIron_nT.x() = separation.P_nT.value;
+    model.hardIron_nT.y() = separation.Q_nT.value;
+    return model;
+}
+
+} // namespace lubberline

@@ -1,0 +1,45 @@
+#include "core/swing/MoveRule.h"
+
+#include "core/earth/FieldModel.h"
+#include "core/swing/Prediction.h"
+#include "core/swing/SwingPlaces.h"
+
+namespace lubberline {
+
+namespace {
+
+Result<MeridianField> fieldAt(const Site& base, const std::string& today)
+{
+    if (!base.latitude_deg || !base.longitude_deg)
+        return Error{ErrorCode::InvalidInput, "the position of " + base.name + " is not stated; expected latitude and longitude"};
+    const auto place = makePlace(*base.latitude_deg, *base.longitude_deg, base.elevation_m.value_or(0));
+    if (!place)
+        return place.error();
+    const auto year = decimalYear(today);
+    if (!year)
+        return year.error();
+    const auto model = defaultFieldModel(*year);
+    if (!model)
+        return model.error();
+    const auto answer = fieldForCompass(*model, *place, *year);
+    return answer ? Result<MeridianField>(answer->field.meridian()) : Result<MeridianField>(answer.error());
+}
+
+} // namespace
+
+Result<std::string> whySwingAfterMove(const SwingRecord& last, const Site& base, const std::string& today)
+{
+    const auto there = fieldAt(base, today);
+    if (!there)
+        return there.error();
+    const auto swing = swingAtPlace(last);
+    if (!swing)
+        return swing.error();
+    const auto predictedThere = predict(*swing, *there), predictedHere = predict(*swing, swing->field);
+    if (!predictedThere || !predictedHere)
+        return predictedThere ? predictedHere.error() : predictedThere.error();
+    const SwingAgain again = swingAgainAfterMove(*predictedHere, *predictedThere, last.limits);
+    return again.needed ? "based at " + base.name + ": " + again.reason : std::string();
+}
+
+} // namespace lubberline

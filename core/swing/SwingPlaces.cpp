@@ -1,0 +1,35 @@
+#include "core/swing/SwingPlaces.h"
+
+#include "core/swing/Observations.h"
+#include "core/swing/SwingField.h"
+
+namespace lubberline {
+
+Result<SwingAtPlace> swingAtPlace(const SwingRecord& record)
+{
+    const std::string label = (record.site ? record.site->name + ", " : std::string()) + record.swing.date;
+    const auto stamp = record.swing.field ? record.swing.field : stampFor(record.swing, record.site);
+    if (!stamp)
+        return Error{ErrorCode::InvalidInput,
+            "the Earth's field of the swing of " + label
+                + " is not known; expected a site with latitude and longitude, and a date within the magnetic models"};
+    const auto readings = observationsOf(record.swing);
+    const auto fit = fitExact(readings);
+    if (!fit)
+        return fit.error();
+    return swingAtPlace(*fit, stamp->field.meridian(), label);
+}
+
+Result<SwingAtPlace> swingAtPlace(const ExactFit& fit, const MeridianField& field, const std::string& label)
+{
+    if (fit.parameters != static_cast<int>(kCoefficientCount))
+        return Error{ErrorCode::InvalidInput,
+            "the readings of the swing of " + label
+                + " do not tell all five coefficients; expected five headings at least, round the compass"};
+    const auto error = [&fit](Coefficient which) { return fit.standardError[indexOf(which)].value_or(0.0); };
+    return SwingAtPlace{fit.smith(),
+        {error(Coefficient::A), error(Coefficient::B), error(Coefficient::C), error(Coefficient::D), error(Coefficient::E)}, field, label,
+        fit.degreesOfFreedom};
+}
+
+} // namespace lubberline

@@ -1,0 +1,139 @@
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "core/angle/AngleText.h"
+
+namespace lubberline::test {
+
+namespace {
+
+double signedOf(const char* text)
+{
+    const auto angle = parseSignedAngle_deg(text);
+    EXPECT_TRUE(angle.ok()) << text << ": " << (angle.ok() ? "" : angle.error().message);
+    return angle.ok() ? *angle : std::numeric_limits<double>::quiet_NaN();
+}
+
+double headingOf(const char* text)
+{
+    const auto heading = parseHeading_deg(text);
+    EXPECT_TRUE(heading.ok()) << text;
+    return heading.ok() ? *heading : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
+TEST(SignedAngle, isTakenInEveryFormThatCrewsType)
+{
+    for (const char* text : {"3.25", "+3.25", "3.25E", "3.25 e", "3,25", "3\u00B015'E", "3\u00B015\u2032", "3 15", "3:15", "3 15 E",
+             "3:15E", " 3.25 ", "3.25\u00B0", "3\u00B0 15' E"})
+        EXPECT_DOUBLE_EQ(signedOf(text), 3.25) << text;
+    for (const char* text : {"-3.25", "\u22123,25", "3.25W", "3.25 w", "3\u00B015'W", "3 15 W", "3:15W", "-3 15", "-3\u00B015'", "- 3.25"})
+        EXPECT_DOUBLE_EQ(signedOf(text), -3.25) << text;
+}
+
+TEST(SignedAngle, keepsTheSignOfZeroDegreesAndSomeMinutes)
+{
+    EXPECT_DOUBLE_EQ(signedOf("-0 15"), -0.25);
+    EXPECT_DOUBLE_EQ(signedOf("0\u00B015'W"), -0.25);
+    EXPECT_FALSE(std::signbit(signedOf("0W"))); // no minus zero
+}
+
+TEST(SignedAngle, reachesHalfATurnAndNoFurther)
+{
+    EXPECT_EQ(signedOf("180"), 180.0);
+    EXPECT_EQ(signedOf("180W"), -180.0);
+    EXPECT_FALSE(parseSignedAngle_deg("180.1"));
+    EXPECT_FALSE(parseSignedAngle_deg("180 1"));
+}
+
+TEST(SignedAngle, refusesWhatIsNotOneNamingTheText)
+{
+    for (const char* text : {"", " ", "abc", "W", "3.25N", "--3", "3 60", "3.5 15", "3 15 20", "3 15.2.1", "1e2", "0x3", "nan", "inf",
+             "3..2", "3W5", "3 -15", "\u00B0", "'"}) {
+        const auto angle = parseSignedAngle_deg(text);
+        ASSERT_FALSE(angle) << text;
+        EXPECT_EQ(angle.error().code, ErrorCode::InvalidInput);
+        EXPECT_THAT(
+            angle.error().message, testing::AllOf(testing::HasSubstr(std::string("\"") + text + "\""), testing::HasSubstr("expected")));
+    }
+}
+
+TEST(SignedAngle, refusesASignTogetherWithALetter)
+{
+    for (const char* text : {"-3W", "+3E", "-3E", "\u22123\u00B015'W"})
+        EXPECT_THAT(parseSignedAngle_deg(text).error().message, testing::HasSubstr("not both")) << text;
+}
+
+TEST(HeadingText, isTakenInEveryForm)
+{
+    EXPECT_EQ(headingOf("7"), 7.0);
+    EXPECT_EQ(headingOf("007.5"), 7.5);
+    EXPECT_EQ(headingOf("7,5"), 7.5);
+    EXPECT_EQ(headingOf("7\u00B030'"), 7.5);
+    EXPECT_EQ(headingOf("7 30"), 7.5);
+    EXPECT_EQ(headingOf("359.9"), 359.9);
+}
+
+TEST(HeadingText, threeHundredAndSixtyIsNorth)
+{
+    EXPECT_EQ(headingOf("360"), 0.0);
+    EXPECT_EQ(headingOf("360.0\u00B0"), 0.0);
+    EXPECT_EQ(headingOf("0"), 0.0);
+    EXPECT_FALSE(std::signbit(headingOf("-0")));
+}
+
+TEST(HeadingText, refusesWhatIsNone)
+{
+    for (const char* text : {"", "-1", "361", "360.1", "360 1", "7E", "7W", "north", "nan", "7 60"}) {
+        const auto heading = parseHeading_deg(text);
+        ASSERT_FALSE(heading) << text;
+        EXPECT_EQ(heading.error().code, ErrorCode::InvalidInput);
+        EXPECT_THAT(heading.error().message, testing::HasSubstr("expected"));
+    }
+}
+
+TEST(FormatHeading, hasThreeFiguresAndNeverThreeHundredAndSixty)
+{
+    EXPECT_EQ(formatHeading(47.5), "047.5\u00B0");
+    EXPECT_EQ(formatHeading(7), "007.0\u00B0");
+    EXPECT_EQ(formatHeading(123.456, AngleStyle::DecimalDegrees, 2), "123.46\u00B0");
+    EXPECT_EQ(formatHeading(5, AngleStyle::DecimalDegrees, 0), "005\u00B0");
+    EXPECT_EQ(formatHeading(359.94), "359.9\u00B0");
+    EXPECT_EQ(formatHeading(359.96), "000.0\u00B0");
+    EXPECT_EQ(formatHeading(359.6, AngleStyle::DecimalDegrees, 0), "000\u00B0");
+    EXPECT_EQ(formatHeading(360), "000.0\u00B0");
+    EXPECT_EQ(formatHeading(-0.01), "000.0\u00B0");
+}
+
+TEST(FormatHeading, minutesCarryIntoTheDegrees)
+{
+    EXPECT_EQ(formatHeading(47.5, AngleStyle::DegreesMinutes), "047\u00B030'");
+    EXPECT_EQ(formatHeading(7 + 59.96 / 60, AngleStyle::DegreesMinutes), "008\u00B000'");
+    EXPECT_EQ(formatHeading(359 + 59.96 / 60, AngleStyle::DegreesMinutes), "000\u00B000'");
+}
+
+TEST(FormatSignedAngle, hasASignOrALetterButNoneAtZero)
+{
+    EXPECT_EQ(formatSignedAngle(3.25, AngleStyle::DecimalDegrees, 2), "+3.25\u00B0");
+    EXPECT_EQ(formatSignedAngle(-3.25, AngleStyle::DecimalDegrees, 2), "\u22123.25\u00B0");
+    EXPECT_EQ(formatSignedAngle(0), "0.0\u00B0");
+    EXPECT_EQ(formatSignedAngle(-0.04), "0.0\u00B0");
+    EXPECT_EQ(formatSignedAngle(3.25, AngleStyle::DegreesMinutes), "3\u00B015'E");
+    EXPECT_EQ(formatSignedAngle(-3.25, AngleStyle::DegreesMinutes), "3\u00B015'W");
+    EXPECT_EQ(formatSignedAngle(-0.004, AngleStyle::DegreesMinutes), "0\u00B000'");
+    EXPECT_EQ(formatSignedAngle(-2 - 59.96 / 60, AngleStyle::DegreesMinutes), "3\u00B000'W");
+}
+
+TEST(AngleText, whatIsShownReadsBack)
+{
+    for (int minutes = -180 * 60; minutes <= 180 * 60; minutes += 7) {
+        const double angle_deg = minutes / 60.0;
+        for (const auto style : {AngleStyle::DecimalDegrees, AngleStyle::DegreesMinutes})
+            EXPECT_NEAR(signedOf(formatSignedAngle(angle_deg, style, 6).c_str()), angle_deg, 1e-6);
+        EXPECT_NEAR(wrap180(headingOf(formatHeading(angle_deg, AngleStyle::DegreesMinutes).c_str()) - angle_deg), 0.0, 1e-9);
+    }
+}
+
+} // namespace lubberline::test

@@ -1,0 +1,116 @@
+// The small parts that the formats stand on: numbers, UTF-8, dates, rows.
+
+#include <gmock/gmock.h>
+
+#include <clocale>
+#include <limits>
+
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
+#include "core/format/csv/RowSplitter.h"
+#include "core/record/RecordWords.h"
+
+namespace lubberline::test {
+
+TEST(Number, readsWhatIsOne)
+{
+    EXPECT_EQ(readNumber("3.5").value, 3.5);
+    EXPECT_EQ(readNumber("+3.5").value, 3.5);
+    EXPECT_EQ(readNumber("-3.5").value, -3.5);
+    EXPECT_EQ(readNumber("\u22123.5").value, -3.5);
+    EXPECT_EQ(readNumber("1e2").value, 100.0);
+    EXPECT_EQ(readNumber("3,5", true).value, 3.5);
+    EXPECT_EQ(readNumber("3.5", true).value, 3.5);
+}
+
+TEST(Number, refusesWhatIsNone)
+{
+    for (const char* text :
+        {"", " 3", "3 ", "3,5", "a", "nan", "NaN", "inf", "-inf", "infinity", "0x10", "1.2.3", "--1", "+-1", "-+1", "1e", "e5", ".", "-"})
+        EXPECT_EQ(readNumber(text).fault, NumberFault::NotANumber) << text;
+    for (const char* text : {"1.234,5", "1,2,3", ",", "1,5e400x"})
+        EXPECT_EQ(readNumber(text, true).fault, NumberFault::NotANumber) << text;
+    for (const char* text : {"1e400", "-1e400", "1e-400"})
+        EXPECT_EQ(readNumber(text).fault, NumberFault::OutOfRange) << text;
+}
+
+TEST(Number, isWrittenShortAndReadsBackToTheBit)
+{
+    EXPECT_EQ(shortestNumber(359), "359");
+    EXPECT_EQ(shortestNumber(0.1), "0.1");
+    EXPECT_EQ(shortestNumber(-0.0), "0");
+    for (const double value : {0.1 + 0.2, 1.0 / 3, 359.99999999999994, 1e-300, 6.02e23, std::numeric_limits<double>::denorm_min()})
+        EXPECT_EQ(readNumber(shortestNumber(value)).value, value);
+}
+
+TEST(Number, doesNotCareForTheLocale)
+{
+    const std::string before = std::setlocale(LC_ALL, nullptr);
+    for (const char* german : {"de_DE.UTF-8", "pl_PL.UTF-8", ""}) // those that the machine has
+        if (std::setlocale(LC_ALL, german)) {
+            EXPECT_EQ(readNumber("3.5").value, 3.5);
+            EXPECT_EQ(shortestNumber(3.5), "3.5");
+        }
+    std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(Utf8, isToldFromOtherBytes)
+{
+    for (const char* text : {"", "plain", "\u00B0 \u2212 \U0001F9ED", "\xEF\xBF\xBF"})
+        EXPECT_TRUE(isUtf8(text)) << text;
+    // lone continuation, cut short, overlong, surrogate, beyond U+10FFFF, Latin-1
+    for (const char* text :
+        {"\x80", "\xE2\x82", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xF8\x88\x80\x80\x80", "3\xB0"})
+        EXPECT_FALSE(isUtf8(text)) << text;
+}
+
+TEST(IsoDate, isADayOfTheCalendar)
+{
+    for (const char* text : {"2026-11-23", "2024-02-29", "2000-02-29", "1999-12-31"})
+        EXPECT_TRUE(isIsoDate(text)) << text;
+    for (const char* text : {"", "2023-02-29", "1900-02-29", "2026-13-01", "2026-00-10", "2026-04-31", "2026-4-3", "23.11.2026",
+             "2026/11/23", "2026-11-23T00", "2026-11-2a"})
+        EXPECT_FALSE(isIsoDate(text)) << text;
+}
+
+TEST(Quotes, cutLongTextAndHideControlCharacters)
+{
+    EXPECT_EQ(inQuotes("a\tb\x1b"), "\"a?b?\"");
+    const std::string longText(200, 'x');
+    EXPECT_LT(inQuotes(longText).size(), 80u);
+    std::string accents;
+    for (int i = 0; i < 59; ++i)
+        accents += "\u00E9";
+    EXPECT_TRUE(isUtf8(inQuotes("x" + accents))); // never cut inside a character
+}
+
+TEST(RowSplitter, partsCells)
+{
+    RowSplitter splitter(',');
+    EXPECT_EQ(splitter.begin("a, b ,\"c,d\",\"say \"\"yes\"\"\",,5\" pipe"), RowSplitter::State::Complete);
+    EXPECT_THAT(splitter.cells(), testing::ElementsAre("a", "b", "c,d", "say \"yes\"", "", "5\" pipe"));
+    EXPECT_EQ(splitter.begin(" \" kept \" "), RowSplitter::State::Complete);
+    EXPECT_THAT(splitter.cells(), testing::ElementsAre(" kept "));
+}
+
+TEST(RowSplitter, goesOnOverLines)
+{
+    RowSplitter splitter(';');
+    EXPECT_EQ(splitter.begin("1;\"first"), RowSplitter::State::Open);
+    EXPECT_EQ(splitter.resume(""), RowSplitter::State::Open);
+    EXPECT_EQ(splitter.resume("third\";2"), RowSplitter::State::Complete);
+    EXPECT_THAT(splitter.cells(), testing::ElementsAre("1", "first\n\nthird", "2"));
+    EXPECT_EQ(splitter.begin("\"a\"b"), RowSplitter::State::TextAfterQuote);
+}
+
+TEST(RecordWords, areReadInTheFormsThatPeopleWrite)
+{
+    EXPECT_EQ(choiceOf<SwingStage>("as found"), SwingStage::AsFound);
+    EXPECT_EQ(choiceOf<SwingStage>("As-Left"), SwingStage::AsLeft);
+    EXPECT_EQ(choiceOf<SwingKind>(fileWord(SwingKind::Air)), SwingKind::Air);
+    EXPECT_EQ(choiceOf<Compensator>("electronic"), Compensator::Electronic);
+    EXPECT_FALSE(choiceOf<RadioState>("perhaps"));
+    EXPECT_EQ(allowedWords<SwingKind>(), "check, correction, calibration or air");
+}
+
+} // namespace lubberline::test

@@ -1,0 +1,98 @@
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "core/record/DerivedId.h"
+#include "core/record/Fleet.h"
+#include "tests/core/format/Support.h"
+
+namespace lubberline::test {
+
+TEST(DerivedId, differsByKindAndByWhereOneNameEndsAndTheNextBegins)
+{
+    const std::set<RecordId> ids{recordIdOfType("a"), recordIdOfAircraft("a"), recordIdOfSite("a"), recordIdOfLimits("a"),
+        recordIdOfCompass("a", "b"), recordIdOfCompass("ab", ""), recordIdOfCompass("", "ab")};
+    EXPECT_EQ(ids.size(), 7u);
+    for (const auto& id : ids)
+        EXPECT_TRUE(isRecordId(id)) << id;
+}
+
+TEST(DerivedId, ofASwingFollowsEveryReadingAndNote)
+{
+    const Swing swing = wholeRecord().swing;
+    const auto id = [](const Swing& one) { return recordIdOfSwing(one, "SP-TST", "standby", "Mielec"); };
+    Swing other = swing;
+    other.state = SwingState::Draft; // being signed does not make it another swing
+    other.id = SwingId{9};
+    EXPECT_EQ(id(other), id(swing));
+    other = swing;
+    other.readings[1].exclusion = Exclusion{"why"};
+    EXPECT_NE(id(other), id(swing));
+    other = swing;
+    other.readings[0].pitch_deg.reset();
+    EXPECT_NE(id(other), id(swing));
+    EXPECT_NE(recordIdOfSwing(swing, "SP-TST", "standby", ""), id(swing));
+}
+
+TEST(ToFleet, renumbersAndKeepsTheRecords)
+{
+    SwingRecord record = wholeRecord();
+    record.aircraft.id = AircraftId{71};
+    record.compass.limits = LimitsProfileId{5};
+    record.limits->id = LimitsProfileId{5};
+    record.swing.site = SiteId{8};
+    record.site->id = SiteId{8};
+    record.swing.readings[0].id = ReadingId{1234};
+    const Fleet fleet = toFleet(record);
+    EXPECT_EQ(fleet, toFleet(wholeRecord())); // nothing of the database's numbers is left
+    EXPECT_EQ(fleet.swings[0].record, record.swing.record);
+    EXPECT_EQ(fleet.compasses[0].limits, fleet.limits[0].id);
+    EXPECT_EQ(fleet.swings[0].site, fleet.sites[0].id);
+}
+
+TEST(ToFleet, dropsReferencesToWhatTheRecordDoesNotHold)
+{
+    SwingRecord record = wholeRecord();
+    record.site.reset();
+    record.limits.reset();
+    const Fleet fleet = toFleet(record);
+    EXPECT_FALSE(fleet.swings[0].site.valid());
+    EXPECT_FALSE(fleet.compasses[0].limits.valid());
+    EXPECT_TRUE(fleet.sites.empty() && fleet.limits.empty());
+}
+
+TEST(ToFleet, givesIdentitiesToWhatHasNone)
+{
+    SwingRecord record;
+    record.aircraft.registration = "SP-TST";
+    record.site.emplace().name = "Mielec";
+    const Fleet fleet = toFleet(record);
+    for (const RecordId& id :
+        {fleet.types[0].record, fleet.aircraft[0].record, fleet.compasses[0].record, fleet.sites[0].record, fleet.swings[0].record})
+        EXPECT_TRUE(isRecordId(id)) << id;
+    EXPECT_EQ(fleet, toFleet(record));
+}
+
+TEST(ShippedLimits, areThoseWhoseSourceWasRead)
+{
+    // 14 CFR 23/25/27/29.1327: 10 degrees; TM 1-1500-204-23-4, 4-27: spread 5; HSI maintenance page: 2 degrees.
+    int ten = 0, spread = 0, two = 0;
+    std::set<std::string> names, records;
+    for (const auto& profile : shippedLimitsProfiles()) {
+        names.insert(profile.name);
+        records.insert(profile.record);
+        EXPECT_FALSE(profile.document.empty());
+        EXPECT_FALSE(profile.scope.empty());
+        EXPECT_TRUE(isRecordId(profile.record));
+        ten += profile.maxDeviation_deg == 10.0;
+        two += profile.maxDeviation_deg == 2.0;
+        spread += profile.maxSpread_deg == 5.0;
+    }
+    EXPECT_EQ(ten, 4);
+    EXPECT_EQ(two, 1);
+    EXPECT_EQ(spread, 1);
+    EXPECT_EQ(names.size(), 6u);
+    EXPECT_EQ(records.size(), 6u);
+}
+
+} // namespace lubberline::test

@@ -1,0 +1,150 @@
+// What the headings cannot tell is said and left empty; what is read wrong is marked, never dropped.
+
+#include <gmock/gmock.h>
+
+#include "core/deviation/Correction.h"
+#include "core/swing/Analysis.h"
+#include "core/swing/Card.h"
+#include "core/swing/Removal.h"
+
+namespace lubberline::test {
+
+namespace {
+
+Observation at(double magnetic_deg, double deviation_deg)
+{
+    const auto magnetic = MagneticHeading::fromDegrees(magnetic_deg);
+    return {magnetic, toCompass(magnetic, Deviation::fromDegrees(deviation_deg))};
+}
+
+std::vector<Observation> around(int points, double wrongAt = -1, double wrongBy = 0)
+{
+    std::vector<Observation> readings;
+    for (int i = 0; i < points; ++i) {
+        const double psi = 360.0 * i / points;
+        // Read to whole degrees, as a card is.
+        const double delta = std::round(1 + 4 * std::sin(toRadians(psi)) - 2 * std::cos(toRadians(psi)) + std::sin(toRadians(2 * psi)));
+        readings.push_back(at(psi, delta + (psi == wrongAt ? wrongBy : 0)));
+    }
+    return readings;
+}
+
+} // namespace
+
+TEST(Knowledge, threeAndFourHeadingsTellAandBandC)
+{
+    for (const int points : {3, 4}) {
+        const auto analysis = analyse(around(points));
+        ASSERT_TRUE(analysis);
+        EXPECT_EQ(analysis->approximate.parameters, 3);
+        EXPECT_FALSE(analysis->approximate.of(Coefficient::D));
+        EXPECT_FALSE(analysis->exact.of(Coefficient::E));
+        EXPECT_TRUE(analysis->approximate.of(Coefficient::C));
+        EXPECT_FALSE(analysis->warnings.empty());
+    }
+    const auto three = *analyse(around(3));
+    EXPECT_FALSE(three.approximate.standardError[0]); // no degrees of freedom, no uncertainty
+    EXPECT_FALSE(bandHalfWidth_rad(three.approximate, {}));
+}
+
+TEST(Knowledge, headingsOnOneSideTellLessOrNothing)
+{
+    std::vector<Observation> quarter, narrow;
+    for (int i = 0; i < 8; ++i) {
+        quarter.push_back(at(90.0 * i / 7, 2));
+        narrow.push_back(at(40.0 * i / 7, 2));
+    }
+    EXPECT_EQ(analyse(quarter)->approximate.parameters, 3);
+    const auto nothing = *analyse(narrow);
+    EXPECT_EQ(nothing.approximate.parameters, 0);
+    for (const auto& reading : nothing.readings) {
+        EXPECT_FALSE(reading.residualApproximate_rad);
+        EXPECT_FALSE(reading.suspect);
+    }
+    EXPECT_THAT(nothing.warnings, testing::Contains(testing::HasSubstr("no reading between")));
+    EXPECT_EQ(makeCard(nothing, {}).error().code, ErrorCode::Numeric);
+    EXPECT_EQ(removeComponents(nothing, CoefficientSet{1}).error().code, ErrorCode::Numeric);
+}
+
+TEST(Knowledge, tooFewReadingsAreAnErrorWithNumbers)
+{
+    const std::vector<Observation> two{at(0, 1), at(90, 2)};
+    EXPECT_THAT(analyse(two).error().message, testing::AllOf(testing::HasSubstr("2"), testing::HasSubstr("3")));
+    const std::vector<Observation> same(5, at(45, 1));
+    EXPECT_EQ(analyse(same).error().code, ErrorCode::InvalidInput);
+    EXPECT_FALSE(analyse({}));
+}
+
+TEST(Knowledge, northIsOneHeading)
+{
+    auto readings = around(8);
+    const auto first = *analyse(readings);
+    readings[0].magnetic = MagneticHeading::fromDegrees(360);
+    EXPECT_EQ(analyse(readings)->approximate.value, first.approximate.value);
+    EXPECT_EQ(deviationOf(MagneticHeading::fromDegrees(359), CompassHeading::fromDegrees(3)).degrees(), -4.0); // worksheet Q1
+}
+
+TEST(Suspicion, fallsOnTheMisreadFigureOnly)
+{
+    for (const int points : {12, 24}) {
+        const auto analysis = *analyse(around(points, 90, 10));
+        int suspects = 0;
+        for (const auto& reading : analysis.readings) {
+            suspects += reading.suspect;
+            EXPECT_TRUE(std::isfinite(*reading.studentised));
+        }
+        EXPECT_EQ(suspects, 1) << points;
+        EXPECT_TRUE(analysis.readings[static_cast<std::size_t>(points / 4)].suspect);
+        EXPECT_EQ(analysis.readings.size(), static_cast<std::size_t>(points)); // nothing was dropped
+    }
+    for (const int points : {8, 12, 24, 32}) {
+        const auto analysis = *analyse(around(points));
+        for (const auto& reading : analysis.readings)
+            EXPECT_FALSE(reading.suspect);
+    }
+}
+
+TEST(Card, steersForBackThroughTheCompass)
+{
+    const auto analysis = *analyse(around(24));
+    for (const int step : {30, 45}) {
+        const auto card = makeCard(analysis, {step, CardSource::Fit, {}});
+        ASSERT_TRUE(card);
+        EXPECT_EQ(card->rows.size(), static_cast<std::size_t>(360 / step));
+        for (const auto& row : card->rows) // who steers the card's figure flies FOR
+            EXPECT_NEAR(wrap180(magneticHeadingFor(analysis.exact.smith(), row.steer)->degrees() - row.magnetic.degrees()), 0, 1e-9);
+    }
+    EXPECT_EQ(makeCard(analysis, {40, CardSource::Fit, {}}).error().code, ErrorCode::InvalidInput);
+    CardRow north;
+    north.steer = CompassHeading::fromDegrees(359.5);
+    EXPECT_EQ(north.steerRounded_deg(), 0);
+}
+
+TEST(Removal, ofAllThatWasPutInLeavesTheRounding)
+{
+    std::vector<Observation> readings;
+    const ApproximateSmith smith{0.02, 0.1, -0.05, 0.03, 0.01};
+    for (int i = 0; i < 16; ++i) {
+        const auto z = CompassHeading::fromDegrees(22.5 * i);
+        readings.push_back({toMagnetic(z, deviationAt(smith, z)), z});
+    }
+    const auto analysis = *analyse(readings);
+    EXPECT_LT(removeComponents(analysis, CoefficientSet{0b11111})->maxAbs_rad, 1e-12);
+    const auto hard = *removeComponents(analysis, CoefficientSet{0b00110}); // B and C
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        EXPECT_NEAR(hard.remaining_rad[i], deviationAt({0.02, 0, 0, 0.03, 0.01}, readings[i].compass).radians(), 1e-12);
+}
+
+TEST(Judgement, holdsReadingsAgainstTheProfile)
+{
+    const auto summary = analyse(around(8))->summary;
+    EXPECT_EQ(judge(summary, {}).verdict, Verdict::NotKnown);
+    LimitsProfile limits;
+    EXPECT_EQ(judge(summary, limits).verdict, Verdict::NotKnown);
+    limits.maxDeviation_deg = toDegrees(summary.maxAbsDeviation_rad); // exactly at the limit is within it
+    EXPECT_EQ(judge(summary, limits).verdict, Verdict::InLimits);
+    limits.maxSpread_deg = 5.0;
+    EXPECT_EQ(judge(summary, limits).verdict, Verdict::OutOfLimits);
+}
+
+} // namespace lubberline::test

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/swing/ReadingError.h"
+
+namespace lubberline {
+namespace {
+
+/// The check swing of worksheet example Q1: whole degrees that lie on a curve with D and E alone within 0.03°.
+Analysis worksheet()
+{
+    std::vector<Observation> readings;
+    for (const auto& [magnetic, compass] :
+        {std::pair{317, 316}, {0, 358}, {47, 42}, {93, 89}, {135, 134}, {179, 177}, {225, 220}, {273, 269}})
+        readings.push_back({MagneticHeading::fromDegrees(magnetic), CompassHeading::fromDegrees(compass)});
+    return analyse(readings).value();
+}
+
+TEST(ReadingError, isThatOfAUniformDivision)
+{
+    EXPECT_NEAR(toDegrees(readingError_rad(1)), 1 / std::sqrt(12.0), 1e-12);
+    EXPECT_NEAR(toDegrees(readingError_rad(3, 4)), 5 / std::sqrt(12.0), 1e-12);
+    EXPECT_EQ(readingError_rad(0), 0.0);
+}
+
+/// On eight even headings A has the variance σ²/8, B…E σ²/4: with whole degrees 0.289/√8 = 0.102° and 0.144°.
+TEST(ReadingError, aFitIsNoSurerThanItsReadings)
+{
+    Analysis analysis = worksheet();
+    const double before = *analysis.approximate.standardError[0], sigma = *analysis.approximate.sigma_rad;
+    EXPECT_LT(toDegrees(before), 0.02);
+    widenToReadings(analysis, readingError_rad(1));
+    EXPECT_NEAR(toDegrees(*analysis.approximate.standardError[0]), 1 / std::sqrt(12.0 * 8), 0.003);
+    EXPECT_NEAR(toDegrees(*analysis.approximate.standardError[1]), 1 / std::sqrt(12.0 * 4), 0.006);
+    EXPECT_NEAR(std::sqrt(analysis.approximate.covariance(0, 0)), *analysis.approximate.standardError[0], 1e-12);
+    EXPECT_EQ(*analysis.approximate.sigma_rad, sigma); // the scatter is what it is
+    EXPECT_EQ(analysis.readings[0].studentised, worksheet().readings[0].studentised);
+    EXPECT_GT(*bandHalfWidth_rad(analysis.approximate, CompassHeading::fromDegrees(10)),
+        *bandHalfWidth_rad(worksheet().approximate, CompassHeading::fromDegrees(10)));
+}
+
+TEST(ReadingError, aLargerScatterStands)
+{
+    Analysis analysis = worksheet();
+    const Analysis before = analysis;
+    widenToReadings(analysis, *before.approximate.sigma_rad * 0.5);
+    EXPECT_EQ(analysis.approximate.covariance, before.approximate.covariance);
+    EXPECT_EQ(analysis.approximate.standardError, before.approximate.standardError);
+}
+
+} // namespace
+} // namespace lubberline

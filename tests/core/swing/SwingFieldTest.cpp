@@ -1,0 +1,101 @@
+// When a swing has a field stamp, and what changes say about it.
+
+#include <gmock/gmock.h>
+
+#include "core/earth/FieldModel.h"
+#include "core/swing/SwingField.h"
+
+namespace lubberline::test {
+
+namespace {
+
+Site siteAt(double latitude_deg, double longitude_deg, std::optional<double> elevation_m = 117.0)
+{
+    Site site;
+    site.latitude_deg = latitude_deg;
+    site.longitude_deg = longitude_deg;
+    site.elevation_m = elevation_m;
+    return site;
+}
+
+Swing swingOn(const std::string& date)
+{
+    Swing swing;
+    swing.date = date;
+    return swing;
+}
+
+/// At Deblin on a day of 2026, with the stamp of then.
+Swing stamped()
+{
+    Swing swing = swingOn("2026-03-10");
+    swing.field = stampFor(swing, siteAt(51.55, 21.89));
+    return swing;
+}
+
+} // namespace
+
+TEST(SwingField, isThatOfTheSiteOnTheDay)
+{
+    const auto stamp = stampFor(swingOn("2026-03-10"), siteAt(51.55, 21.89));
+    ASSERT_TRUE(stamp);
+    const auto answer = defaultFieldModel(*decimalYear("2026-03-10"))->evaluate({51.55, 21.89, 117}, *decimalYear("2026-03-10"));
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(stamp->field, answer->field);
+    EXPECT_EQ(stamp->model, "WMM2025");
+    EXPECT_EQ(stamp->date, "2026-03-10");
+    EXPECT_EQ(stamp->place, (Place{51.55, 21.89, 117}));
+    EXPECT_EQ(stampFor(swingOn("2005-06-01"), siteAt(51.55, 21.89))->model, "IGRF-14");
+    EXPECT_EQ(stampFor(swingOn("2026-03-10"), siteAt(51.55, 21.89, {}))->place.height_m, 0);
+}
+
+TEST(SwingField, isNoneWhereNothingCanBeSaid)
+{
+    EXPECT_FALSE(stampFor(swingOn("2026-03-10"), std::nullopt));
+    EXPECT_FALSE(stampFor(swingOn(""), siteAt(51.55, 21.89)));
+    EXPECT_FALSE(stampFor(swingOn("1850-01-01"), siteAt(51.55, 21.89)));
+    EXPECT_FALSE(stampFor(swingOn("2026-03-10"), siteAt(86, 142))); // H < 2000 nT
+    EXPECT_FALSE(stampFor(swingOn("2026-03-10"), siteAt(91, 0)));
+    Site half = siteAt(51.55, 21.89);
+    half.longitude_deg.reset();
+    EXPECT_FALSE(stampFor(swingOn("2026-03-10"), half));
+}
+
+TEST(SwingField, isHeldAgainstWhatWouldBeComputedNow)
+{
+    const Site site = siteAt(51.55, 21.89);
+    EXPECT_EQ(stateOf(swingOn("2026-03-10"), site), StampState::None);
+    Swing swing = stamped();
+    EXPECT_EQ(stateOf(swing, site), StampState::Current);
+    EXPECT_EQ(stateOf(swing, std::nullopt), StampState::Current); // nothing to hold it against
+    swing.field->field.north_nT += 0.04;
+    EXPECT_EQ(stateOf(swing, site), StampState::Current);
+    swing.field->field.north_nT += 0.04;
+    EXPECT_EQ(stateOf(swing, site), StampState::ModelChanged);
+}
+
+TEST(SwingField, anotherPlaceOrDayIsToldFromAnotherModel)
+{
+    EXPECT_EQ(stateOf(stamped(), siteAt(52.55, 21.89)), StampState::PlaceChanged);
+    EXPECT_EQ(stateOf(stamped(), siteAt(51.55, 22.89)), StampState::PlaceChanged);
+    EXPECT_EQ(stateOf(stamped(), siteAt(51.55, 21.89, 1117)), StampState::PlaceChanged);
+    EXPECT_EQ(stateOf(stamped(), siteAt(51.550001, 21.89)), StampState::Current); // some centimetres: the same field
+    Swing later = stamped();
+    later.date = "2026-09-10";
+    EXPECT_EQ(stateOf(later, siteAt(51.55, 21.89)), StampState::PlaceChanged);
+}
+
+TEST(SwingField, aVariationIsHeldAgainstTheDeclination)
+{
+    Swing swing = stamped();
+    EXPECT_FALSE(variationBeyondStamp_deg(swing));
+    swing.variation_deg = swing.field->field.variation().degrees() + 1.5;
+    EXPECT_NEAR(*variationBeyondStamp_deg(swing), 1.5, 1e-12);
+    swing.field->field = {-1000, 1, 50000}; // declination near 180
+    swing.variation_deg = -179;
+    EXPECT_NEAR(*variationBeyondStamp_deg(swing), 1.06, 0.01);
+    swing.field.reset();
+    EXPECT_FALSE(variationBeyondStamp_deg(swing));
+}
+
+} // namespace lubberline::test

@@ -1,0 +1,172 @@
+// The live strip as a crew sees it: a source over UDP, settling, two talkers, wrong checksums, silence; a log of a turn as a
+// swing.
+
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUdpSocket>
+
+#include <cmath>
+
+#include "core/nmea/NmeaSentence.h"
+#include "core/swing/Observations.h"
+#include "tests/ui/window/Fixture.h"
+#include "ui/intake/LivePanel.h"
+#include "ui/intake/NmeaImportPage.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+QByteArray line(const std::string& body) { return QByteArray::fromStdString(makeNmea(body)) + "\r\n"; }
+
+template <class Widget>
+Widget& in(QWidget& page, const char* name)
+{
+    auto* widget = page.findChild<Widget*>(QString::fromLatin1(name));
+    if (!widget)
+        qFatal("there is no widget named %s", name);
+    return *widget;
+}
+
+/// A free port for a moment: bound and let go.
+int freePort()
+{
+    QUdpSocket socket;
+    return socket.bind(QHostAddress::LocalHost, 0) ? socket.localPort() : 0;
+}
+
+} // namespace
+
+class LivePanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aSettledHeadingIsTakenAndAMovingOneIsNot()
+    {
+        double now_s = 0;
+        LivePanel panel([&now_s] { return now_s; });
+        panel.show();
+        QSignalSpy datum(&panel, &LivePanel::datumSettled), compass(&panel, &LivePanel::compassSettled), failed(&panel, &LivePanel::failed);
+        const int port = freePort();
+        in<QComboBox>(panel, "liveKind").setCurrentIndex(1);
+        in<QLineEdit>(panel, "liveWhere").setText(QString::number(port));
+        in<QPushButton>(panel, "liveConnect").click();
+        QVERIFY2(panel.input().state() == LiveInput::State::Open, qPrintable(panel.input().words()));
+        QUdpSocket sender;
+        const auto send = [&](const QByteArray& bytes, int sentences) {
+            const int before = panel.heading().sentences();
+            sender.writeDatagram(bytes, QHostAddress::LocalHost, static_cast<quint16>(port));
+            QTRY_VERIFY(panel.heading().sentences() >= before + sentences);
+        };
+        panel.takeDatum();
+        QCOMPARE(failed.count(), 1); // nothing is heard
+        for (; now_s < 6; now_s += 1)
+            send(line("HCHDG," + std::to_string(100 + 5 * int(now_s)) + ",,,6.0,E") + line("GPHDT,271.0,T"), 2);
+        panel.takeCompass();
+        QCOMPARE(compass.count(), 0); // it turns by 5° a second
+        for (; now_s < 14; now_s += 1)
+            send(line("HCHDG,98.3,,,6.0,E") + line("GPHDT,271.0,T"), 2);
+        QCOMPARE(in<QComboBox>(panel, "liveCompassChannel").currentText(), QString("HCHDG"));
+        panel.takeCompass();
+        QCOMPARE(compass.count(), 1);
+        QVERIFY(qAbs(compass.front().front().toDouble() - 98.3) < 1e-9);
+        in<QComboBox>(panel, "liveDatumChannel").setCurrentText("GPHDT");
+        panel.takeDatum();
+        QCOMPARE(datum.count(), 1);
+        QCOMPARE(datum.front().at(1).toBool(), true); // from true north
+        sender.writeDatagram("$HCHDG,12.0,,,,*00\r\n", QHostAddress::LocalHost, static_cast<quint16>(port));
+        QTRY_COMPARE(panel.heading().badChecksums(), 1);
+        now_s += 60; // the laptop slept
+        failed.clear();
+        panel.takeDatum();
+        QCOMPARE(failed.count(), 1);
+        QVERIFY(in<QLabel>(panel, "liveDatum").font().pixelSize() >= 48);
+    }
+
+    /// A line cut short looks like a heading of fewer digits: without its checksum it is none.
+    void halfASentenceIsNoHeading()
+    {
+        double now_s = 0;
+        LiveHeading heading([&now_s] { return now_s; });
+        heading.takeLine("$HCHDG,1");
+        heading.takeLine("$GPHDT,27");
+        QVERIFY(heading.compassChannels().isEmpty() && heading.referenceChannels().isEmpty());
+        heading.takeLine("$HCHDG,98.3,,,6.0,E"); // whole, from a talker without checksums
+        QCOMPARE(heading.heading("HCHDG")->mean_deg, 98.3);
+        heading.takeLine(makeNmea("HCHDG,98.3,,,6.0,E"));
+        heading.takeLine("$HCHDG,9.3,,,6.0,E"); // it sends checksums: this one has lost its own
+        QCOMPARE(heading.heading("HCHDG")->mean_deg, 98.3);
+        QCOMPARE(heading.badChecksums(), 3);
+    }
+
+    void aWrongPortIsRefusedInWords()
+    {
+        LivePanel panel;
+        QSignalSpy failed(&panel, &LivePanel::failed);
+        in<QComboBox>(panel, "liveKind").setCurrentIndex(1);
+        for (const char* wrong : {"", "abc", "0", "70000"}) {
+            in<QLineEdit>(panel, "liveWhere").setText(wrong);
+            in<QPushButton>(panel, "liveConnect").click();
+        }
+        QCOMPARE(failed.count(), 4);
+        in<QComboBox>(panel, "liveKind").setCurrentIndex(0);
+        in<QLineEdit>(panel, "liveWhere").setText("/dev/ttyUSB0 fast");
+        in<QPushButton>(panel, "liveConnect").click();
+        QCOMPARE(failed.count(), 5);
+        QCOMPARE(panel.input().state(), LiveInput::State::Closed);
+    }
+
+    /// δ = 2 + 3 sin ψ' on a slow turn with the variation 6° east; the first samples are too slow to have a track.
+    void aLogOfATurnBecomesASwing()
+    {
+        QTemporaryDir folder;
+        QFile log(folder.filePath("turn.nmea"));
+        QVERIFY(log.open(QIODevice::WriteOnly));
+        for (int i = 0; i < 360; ++i) {
+            const double compass = i, track = compass + 2 + 3 * std::sin(compass * kRadiansPerDegree) + 6;
+            const int seconds = 36000 + i;
+            char rmc[120], hdg[40];
+            std::snprintf(rmc, sizeof rmc, "GPRMC,%02d%02d%02d,A,5133.0,N,02153.4,E,%.1f,%.2f,231126,6.0,E", seconds / 3600,
+                seconds / 60 % 60, seconds % 60, i < 20 ? 0.5 : 8.0, std::fmod(track + 360, 360));
+            std::snprintf(hdg, sizeof hdg, "HCHDG,%.1f,,,6.0,E", compass);
+            log.write(line(rmc) + line(hdg));
+        }
+        log.close();
+        SmallFleet fleet;
+        NmeaImportPage page(fleet.storage, {});
+        page.show();
+        QVERIFY(page.showCompass(fleet.compass));
+        QSignalSpy made(&page, &NmeaImportPage::makeSwing), failed(&page, &NmeaImportPage::failed);
+        page.readLog(log.fileName());
+        QTRY_VERIFY(in<QPushButton>(page, "nmeaMake").isEnabled());
+        QVERIFY2(in<QLabel>(page, "nmeaSummary").text().contains("360 pairs of headings, 340 used"),
+            qPrintable(in<QLabel>(page, "nmeaSummary").text()));
+        in<QPushButton>(page, "nmeaMake").click();
+        QCOMPARE(made.count(), 1);
+        const Swing swing = made.front().front().value<Swing>();
+        QCOMPARE(swing.compass, fleet.compass);
+        QCOMPARE(swing.date, std::string("2026-11-23"));
+        const auto analysis = analyse(observationsOf(swing));
+        QVERIFY(qAbs(toDegrees(*analysis->approximate.of(Coefficient::A)) - 2) < 0.1);
+        QVERIFY(qAbs(toDegrees(*analysis->approximate.of(Coefficient::B)) - 3) < 0.1);
+        QVERIFY(qAbs(toDegrees(*analysis->approximate.of(Coefficient::C))) < 0.1);
+        in<QLineEdit>(page, "nmeaSpeed").setText("fast");
+        QTest::keyClick(&in<QLineEdit>(page, "nmeaSpeed"), Qt::Key_Return);
+        QCOMPARE(failed.count(), 1);
+        page.readLog(folder.filePath("missing.nmea"));
+        in<QLineEdit>(page, "nmeaSpeed").setText("2");
+        page.readLog(folder.filePath("missing.nmea"));
+        QTRY_VERIFY(in<QLabel>(page, "nmeaSummary").text().contains("missing.nmea"));
+    }
+};
+
+} // namespace lubberline::ui
+
+QTEST_MAIN(lubberline::ui::LivePanelTest)
+#include "LivePanelTest.moc"

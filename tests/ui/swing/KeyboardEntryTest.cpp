@@ -1,0 +1,238 @@
+// A swing typed in with nothing but the keyboard.
+
+#include <QAbstractItemModelTester>
+#include <QTableWidget>
+
+#include "tests/ui/window/Fixture.h"
+
+using namespace lubberline;
+using namespace lubberline::ui;
+
+class KeyboardEntryTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void eightPointsInEveryForm();
+    void everyLeftCellIsStored();
+    void badInputStaysAndIsNotStored();
+    void deviationSetsTheCompass();
+    void deviationNeedsTheMagneticHeading();
+    void nominalIsAcceptedOnlyVisibly();
+    void minutesDoNotLoseSeconds();
+    void completeSwingCannotBeTyped();
+    void emptyRowBecomesAReading();
+    void whatIsTypedSurvivesAShortcut();
+
+private:
+    static std::vector<Reading>& stored(SmallFleet& fleet) { return fleet.storage.fleet().swings.front().readings; }
+};
+
+void KeyboardEntryTest::eightPointsInEveryForm()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.storage);
+    open.window.go(fleet.swing);
+    QAbstractItemModelTester tester(open.table().model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    // N … NW: magnetic then compass, in the forms that crews use.
+    const std::pair<const char*, const char*> typed[] = {{"0", "358.5"}, {"45", "42,25"}, {"090.0", "88 30"}, {"135", "134"},
+        {"180", "181.5"}, {"225", "227:15"}, {"270", "271"}, {"315.0", "313.8"}};
+    for (const auto& [magnetic, compass] : typed) {
+        open.type(magnetic);
+        open.press(Qt::Key_Return);
+        open.type(compass);
+        open.press(Qt::Key_Return);
+    }
+    QCOMPARE(stored(fleet).size(), 8u);
+    const double expected_deg[] = {1.5, 2.75, 1.5, 1.0, -1.5, -2.25, -1.0, 1.2};
+    for (std::size_t i = 0; i < 8; ++i)
+        QVERIFY(std::abs(deviationOf(*stored(fleet)[i].magnetic, *stored(fleet)[i].compass).degrees() - expected_deg[i]) < 1e-9);
+    QCOMPARE(open.table().currentIndex().row(), 8); // ready for the ninth
+    QCOMPARE(open.table().currentIndex().column(), int(ReadingColumn::Magnetic));
+    // The rule of eight points gives A as their mean: 0.4°.
+    const auto& coefficients = open.find<QTableWidget>("coefficients");
+    QCOMPARE(coefficients.horizontalHeaderItem(4)->text(), QStringLiteral("8-point (°)"));
+    QCOMPARE(coefficients.item(0, 4)->text(), QStringLiteral("+0.40"));
+    // B = (δE − δW)/2 = 1.25; C = (δN − δS)/2 = 1.5.
+    QCOMPARE(coefficients.item(1, 4)->text(), QStringLiteral("+1.25"));
+    QCOMPARE(coefficients.item(2, 4)->text(), QStringLiteral("+1.50"));
+    QVERIFY2(open.label("meaning").contains("14 CFR 25.1327"), qPrintable(open.label("meaning")));
+}
+
+void KeyboardEntryTest::everyLeftCellIsStored()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.storage);
+    open.window.go(fleet.swing);
+    open.type("45");
+    QCOMPARE(stored(fleet).size(), 0u); // still being typed
+    open.press(Qt::Key_Return);
+    QCOMPARE(stored(fleet).size(), 1u);
+    QVERIFY(!stored(fleet)[0].compass);
+    open.type("42");
+    open.press(Qt::Key_Tab);
+    QCOMPARE(stored(fleet)[0].compass->degrees(), 42.0);
+    open.window.close();
+}
+
+void KeyboardEntryTest::badInputStaysAndIsNotStored()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.storage);
+    open.window.go(fleet.swing);
+    open.type("45");
+    open.press(Qt::Key_Return);
+    for (const char* wrong : {"361", "-1", "north", "12 75", "1e400", "nan", "45W"}) {
+        open.type(wrong);
+        open.press(Qt::Key_Return);
+        QCOMPARE(open.cell(0, ReadingColumn::Compass), QString::fromLatin1(wrong));
+        QVERIFY(open.table().currentIndex().data(ReadingsModel::RejectedRole).toBool());
+        QCOMPARE(open.table().currentIndex().column(), int(ReadingColumn::Compass)); // not passed over
+        QVERIFY2(open.label("readingsMessage").contains("Not stored"), qPrintable(open.label("readingsMessage")));
+        QVERIFY(!stored(fleet)[0].compass);
+    }
+    open.press(Qt::Key_Delete);
+    QVERIFY(open.cell(0, ReadingColumn::Compass).isEmpty());
+    open.type("42");
+    open.press(Qt::Key_Return);
+    QCOMPARE(stored(fleet)[0].compass->degrees(), 42.0);
+    QVERIFY(!open.label("readingsMessage").contains("Not stored"));
+}
+
+void KeyboardEntryTest::deviationSetsTheCompass()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.storage);
+    open.window.go(fleet.swing);
+    open.type("2");
+    open.press(Qt::Key_Return);
+    const std::pair<const char*, double> typed[] = {{"3.25W", 5.25}, {"3 15 E", 358.75}, {"-3.25", 5.25}, {"+3,25", 358.75}, {"0", 2.0}};
+    for (const auto& [text, compass_deg] : typed) {
+        open.table().goTo(0, ReadingColumn::Deviation);
+        open.type(text);
+        open.press(Qt::Key_Return);
+        QVERIFY2(std::abs(stored(fleet)[0].compass->degrees() - compass_deg) < 1e-9, text);
+    }
+}
+
+void KeyboardEntryTest::deviationNeedsTheMagneticHeading()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.storage);
+    open.window.go(fleet.swing);
+    open.table().goTo(0, ReadingColumn::Deviation);
+    open.type("3E");
+    open.press(Qt::Key_Return);
+    QVERIFY(stored(fleet).empty());
+    QVERIFY2(open.label("readingsMessage").contains("magnetic heading first"), qPrintable(open.label("readingsMessage")));
+}
+
+void KeyboardEntryTest::nominalIsAcceptedOnlyVisibly()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.storage);
+    open.window.go(fleet.swing);
+    open.trigger("layout4");
+    QCOMPARE(stored(fleet).size(), 4u);
+    QCOMPARE(*stored(fleet)[3].nominal_deg, 270.0);
+    QVERIFY(!stored(fleet)[0].magnetic);
+    QVERIFY(open.table().model()->index(0, 1).data(ReadingsModel::PlaceholderRole).toBool());
+    // Only the compass typed: nothing is guessed.
+    open.table().goTo(0, ReadingColumn::Compass);
+    open.type("1");
+    open.press(Qt::Key_Return);
+    QVERIFY(!stored(fleet)[0].magnetic);
+    QCOMPARE(open.cell(0, ReadingColumn::State), QStringLiteral("incomplete"));
+    // Enter on the grey heading, "=", and Ctrl+D accept it.
+    QCOMPARE(open.table().currentIndex().row(), 1);
+    open.press(Qt::Key_Return);
+    QCOMPARE(stored(fleet)[1].magnetic->degrees(), 90.0);
+    QCOMPARE(open.table().currentIndex().column(), int(ReadingColumn::Compass));
+    open.table().goTo(2, ReadingColumn::Magnetic);
+    open.type("=");
+    QCOMPARE(stored(fleet)[2].magnetic->degrees(), 180.0);
+    open.table().goTo(3, ReadingColumn::Magnetic);
+    open.trigger("acceptNominal");
+    QCOMPARE(stored(fleet)[3].magnetic->degrees(), 270.0);
+    // Eight points: only those that are missing are added, in their places.
+    open.trigger("layout8");
+    QCOMPARE(stored(fleet).size(), 8u);
+    for (std::size_t i = 0; i < 8; ++i)
+        QCOMPARE(*stored(fleet)[i].nominal_deg, 45.0 * double(i));
+}
+
+void KeyboardEntryTest::minutesDoNotLoseSeconds()
+{
+    SmallFleet fleet;
+    const SwingId id = fleet.addSwing("2026-11-21", {{45.123456, 42.0}});
+    OpenWindow open(fleet.storage);
+    open.window.go(id);
+    open.find<QAction>("minutes").setChecked(true);
+    QVERIFY2(open.cell(0, ReadingColumn::Magnetic).contains(QChar(0xB0)), qPrintable(open.cell(0, ReadingColumn::Magnetic)));
+    open.table().goTo(0, ReadingColumn::Magnetic);
+    open.press(Qt::Key_F2); // opens with 045°07'
+    open.press(Qt::Key_Return);
+    QCOMPARE(fleet.storage.fleet().swings.back().readings[0].magnetic->degrees(), 45.123456);
+    QVERIFY(open.settings.value("view/minutes").toBool());
+}
+
+void KeyboardEntryTest::completeSwingCannotBeTyped()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.storage);
+    const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
+    open.window.go(id);
+    QCOMPARE(open.table().model()->rowCount(), 9);
+    open.trigger("complete");
+    QCOMPARE(fleet.storage.fleet().swings.back().state, SwingState::Complete);
+    QCOMPARE(open.table().model()->rowCount(), 8);
+    open.table().goTo(0, ReadingColumn::Compass);
+    open.type("9");
+    open.press(Qt::Key_Return);
+    QCOMPARE(fleet.storage.fleet().swings.back().readings[0].compass->degrees(), 0.0);
+    QVERIFY(open.label("readOnlyReason").contains("complete"));
+    open.trigger("complete");
+    QCOMPARE(fleet.storage.fleet().swings.back().state, SwingState::Draft);
+    QCOMPARE(open.table().model()->rowCount(), 9);
+}
+
+void KeyboardEntryTest::emptyRowBecomesAReading()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.storage);
+    open.window.go(fleet.swing);
+    QAbstractItemModelTester tester(open.table().model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    // A refused text in the empty row goes with the reading that the row becomes.
+    open.table().goTo(0, ReadingColumn::Compass);
+    open.type("x");
+    open.press(Qt::Key_Return);
+    open.table().goTo(0, ReadingColumn::Nominal);
+    open.type("30");
+    open.press(Qt::Key_Return);
+    QCOMPARE(stored(fleet).size(), 1u);
+    QCOMPARE(open.cell(0, ReadingColumn::Compass), QStringLiteral("x"));
+    QVERIFY(open.cell(1, ReadingColumn::Compass).isEmpty());
+    QCOMPARE(open.table().currentIndex().row(), 0);
+    QCOMPARE(open.table().currentIndex().column(), int(ReadingColumn::Magnetic));
+}
+
+void KeyboardEntryTest::whatIsTypedSurvivesAShortcut()
+{
+    SmallFleet fleet;
+    const SwingId other = fleet.addSwing("2026-11-21", eightPoints());
+    OpenWindow open(fleet.storage);
+    for (const bool leaves : {true, false}) {
+        open.window.go(fleet.swing);
+        open.table().setFocus();
+        open.table().goTo(0, ReadingColumn::Magnetic);
+        open.type(leaves ? "45" : "46");
+        if (leaves)
+            open.window.go(other);
+        else
+            open.trigger("complete");
+        QCOMPARE(stored(fleet).size(), 1u);
+        QCOMPARE(stored(fleet)[0].magnetic->degrees(), leaves ? 45.0 : 46.0);
+    }
+}
+
+QTEST_MAIN(KeyboardEntryTest)
+#include "KeyboardEntryTest.moc"

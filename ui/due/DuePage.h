@@ -1,0 +1,70 @@
+#pragma once
+/// What is due in the fleet: a list with filters, the waivers that answer events, the calendar rules, and the list as a
+/// calendar file.
+
+#include <QWidget>
+
+#include <functional>
+#include <memory>
+
+#include "ui/due/DueWork.h"
+#include "ui/kit/FileQuestions.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace lubberline::ui {
+
+class DueRulesTable;
+
+class DuePage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// @param today ISO 8601, UTC.
+    DuePage(Storage& storage, std::function<std::string()> today, FileQuestions questions, QWidget* parent = nullptr);
+    using QWidget::show;
+    void show(std::shared_ptr<const DueNews> news);
+
+signals:
+    void openCompass(lubberline::AircraftId aircraft, lubberline::CompassId compass);
+    void failed(const QString& message);
+    void done(const QString& message); ///< the calendar is written
+
+private:
+    void build();
+    QWidget* buildList();
+    void fill();
+    void showFlags();
+    void waive();
+    void exportCalendar();
+    [[nodiscard]] bool wanted(const DueLine& line) const;
+    void keepChoice();
+    void offerWaiver();
+    [[nodiscard]] const DueLine* current() const;
+    [[nodiscard]] const DueFlag* currentFlag() const;
+
+    Storage& m_storage;
+    std::function<std::string()> m_today;
+    FileQuestions m_questions;
+    std::shared_ptr<const DueNews> m_news;
+    std::vector<const DueLine*> m_shown;
+    CompassId m_chosen; ///< kept when the list is found anew: a waiver must not slip to another event
+    RecordId m_chosenEvent;
+    QComboBox* m_state;
+    QComboBox* m_type;
+    QLineEdit* m_words;
+    QTableWidget* m_table;
+    QLabel* m_count;
+    QTableWidget* m_flags;
+    QLineEdit* m_reason;
+    QLineEdit* m_by;
+    QPushButton* m_waive;
+    QPushButton* m_open;
+    DueRulesTable* m_rules;
+};
+
+} // namespace lubberline::ui

@@ -1,0 +1,70 @@
+#include "ui/due/DueWork.h"
+
+#include <algorithm>
+
+#include "core/swing/MoveRule.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+/// The last swing of the compass, where it was made elsewhere than at the base.
+Result<std::optional<SwingRecord>> lastSwingElsewhere(Storage& storage, const DueCompass& compass)
+{
+    const auto rows = storage.swingsOf(compass.compass);
+    if (!rows)
+        return rows.error();
+    for (const auto& row : *rows) {
+        if (row.state != SwingState::Signed || row.superseded)
+            continue;
+        auto record = storage.swingRecord(row.id);
+        if (!record)
+            return record.error();
+        if (!record->swing.site.valid() || record->swing.site == compass.base)
+            return std::optional<SwingRecord>();
+        return std::optional(std::move(record.value()));
+    }
+    return std::optional<SwingRecord>();
+}
+
+} // namespace
+
+int DueNews::due() const
+{
+    return static_cast<int>(
+        std::count_if(lines.begin(), lines.end(), [](const DueLine& line) { return line.answer.state >= DueState::Due; }));
+}
+
+Result<DueNews> dueNews(Storage& storage, const std::string& today, const Progress& progress)
+{
+    auto compasses = storage.dueCompasses();
+    auto rules = storage.dueRules();
+    auto sites = storage.sites();
+    if (!compasses || !rules || !sites)
+        return !compasses ? compasses.error() : !rules ? rules.error() : sites.error();
+    DueNews news;
+    std::vector<MovePrediction> moves;
+    for (std::size_t i = 0; i < compasses->size(); ++i) {
+        const DueCompass& compass = (*compasses)[i];
+        if (progress && !progress(static_cast<double>(i) / static_cast<double>(compasses->size())))
+            return Error{ErrorCode::Cancelled, "cancelled"};
+        const auto base = std::find_if(sites->begin(), sites->end(), [&](const Site& site) { return site.id == compass.base; });
+        if (!compass.base.valid() || base == sites->end())
+            continue;
+        const auto last = lastSwingElsewhere(storage, compass);
+        if (!last)
+            return last.error();
+        if (!*last)
+            continue;
+        const auto why = whySwingAfterMove(**last, *base, today);
+        if (!why)
+            news.warnings.push_back(compass.registration + ", " + compass.compassName + ": " + why.error().message);
+        else
+            moves.push_back({compass.compass, *why});
+    }
+    news.rules = std::move(rules.value());
+    news.lines = dueList(*compasses, news.rules, moves, today);
+    return news;
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,63 @@
+#include "ui/earth/FieldText.h"
+
+#include <QCoreApplication>
+#include <QDate>
+
+#include <cmath>
+
+#include "core/angle/AngleText.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(lubberline::ui::FieldText)
+};
+
+Error wrong(const QString& message) { return {ErrorCode::InvalidInput, message.toStdString()}; }
+
+} // namespace
+
+Result<std::string> parseDate(const QString& text, bool mayBeEmpty)
+{
+    const QString typed = text.trimmed();
+    if (typed.isEmpty() && mayBeEmpty)
+        return std::string();
+    const QDate date = QDate::fromString(typed, Qt::ISODate);
+    if (!date.isValid() || typed.size() != 10)
+        return wrong(Words::tr("“%1” is no date; expected year-month-day, as 2026-11-20").arg(typed));
+    return typed.toStdString();
+}
+
+Result<std::optional<double>> parseOptionalAngle_deg(const QString& text)
+{
+    if (text.trimmed().isEmpty())
+        return std::optional<double>();
+    const auto angle_deg = parseSignedAngle_deg(text.trimmed().toStdString());
+    if (!angle_deg)
+        return angle_deg.error();
+    return std::optional<double>(*angle_deg);
+}
+
+Result<double> parsePositive_deg(const QString& text)
+{
+    bool number = false;
+    const double value = QString(text).trimmed().replace(',', '.').toDouble(&number);
+    if (!number || !std::isfinite(value) || value <= 0.0 || value > 90.0)
+        return wrong(Words::tr("“%1” is no size of a division; expected degrees above 0 and up to 90, as 0.5").arg(text.trimmed()));
+    return value;
+}
+
+Result<std::optional<int>> parseYear(const QString& text)
+{
+    if (text.trimmed().isEmpty())
+        return std::optional<int>();
+    bool number = false;
+    const int year = text.trimmed().toInt(&number);
+    if (!number || year < 1900 || year > 2200)
+        return wrong(Words::tr("“%1” is no year; expected four digits, as 1984").arg(text.trimmed()));
+    return std::optional<int>(year);
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,73 @@
+#pragma once
+/// What a compass will read at another base: from one swing between two extremes, or from its swings at several places.
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+#include "core/swing/Prediction.h"
+#include "ui/storage/Storage.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+
+namespace lubberline::ui {
+
+class PredictionPlot;
+
+class PredictionPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PredictionPage(Storage& storage, QWidget* parent = nullptr);
+    /// A line that loses the focus with its window must not tell a page that is half gone.
+    ~PredictionPage() override;
+
+    /// Errors: those of Storage; what was shown stays then.
+    Result<void> showSwing(SwingId id);
+    [[nodiscard]] const std::optional<Prediction>& prediction() const { return m_there; }
+
+signals:
+    void failed(const QString& message);
+    void readOut(const QString& text);
+
+private:
+    void build();
+    QWidget* buildForm();
+    QWidget* buildWords();
+    void loadSites();
+    void takeSite(int index);
+    void useSwings();
+    void recompute();
+    void showNothing(const QString& why);
+    void showPrediction(const Prediction& there, const std::optional<Prediction>& here);
+    void showKnowledge();
+    [[nodiscard]] Result<MeridianField> fieldThere() const;
+    [[nodiscard]] Result<Prediction> predictAt(const MeridianField& field) const;
+
+    Storage& m_storage;
+    std::vector<Site> m_sites; ///< those with a place
+    SwingRecord m_record;
+    std::optional<SwingAtPlace> m_swing;
+    QString m_whyNoSwing;
+    std::optional<IronSeparation> m_separation;
+    std::optional<Prediction> m_there;
+
+    QLabel* m_title;
+    QComboBox* m_basis;
+    QComboBox* m_site;
+    QLineEdit* m_latitude;
+    QLineEdit* m_longitude;
+    QLineEdit* m_date;
+    QLabel* m_field;
+    QLabel* m_verdict;
+    QLabel* m_again;
+    QLabel* m_warnings;
+    QListWidget* m_knowledge;
+    PredictionPlot* m_plot;
+};
+
+} // namespace lubberline::ui

@@ -1,0 +1,69 @@
+#pragma once
+/// Electrical swings of a remote compass: the swing data sheet with its errors, what to turn to which figure, and the tests
+/// that it must pass. Errors here are indicated − selected, as on the sheet; the deviation of the rest of the program is their
+/// negative.
+
+#include <QWidget>
+
+#include <functional>
+
+#include "ui/kit/FormField.h"
+#include "ui/storage/Storage.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace lubberline::ui {
+
+class SwingPlot;
+
+class ElectricalPage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// @param today ISO 8601, UTC.
+    ElectricalPage(Storage& storage, std::function<std::string()> today, QWidget* parent = nullptr);
+    Result<void> showCompass(CompassId compass);
+
+signals:
+    void makeSwing(const lubberline::Swing& swing);
+    void failed(const QString& message);
+    void readOut(const QString& text);
+
+private:
+    void build();
+    QWidget* buildSheet();
+    void reload();
+    void showSwing();
+    void showFourPoints();
+    void showHeadings();
+    void showVerdict();
+    void takeFourPoints(int row, int column);
+    void takeHeading(int row, int column);
+    void store(ElectricalSwing after);
+    void add();
+    void make();
+    [[nodiscard]] ElectricalSwing& current() { return m_swings[static_cast<std::size_t>(m_current)]; }
+
+    Storage& m_storage;
+    std::function<std::string()> m_today;
+    CompassSystem m_compass;
+    std::vector<ElectricalSwing> m_swings;
+    int m_current = -1;
+    FormFields<ElectricalSwing> m_fields;
+    QLabel* m_title;
+    QComboBox* m_chooser;
+    QPushButton *m_add, *m_make;
+    QTableWidget *m_fourPoints, *m_headings;
+    QLabel *m_turn, *m_verdict;
+    SwingPlot* m_plot;
+};
+
+/// What to turn, from table F1: "at 180: half of +0.6° with N–S: 180.6 → 180.3" …; empty where nothing is told yet.
+[[nodiscard]] QStringList electricalSteps(const FourPointTable& table);
+/// As a swing of magnetic = selected, compass = indicated.
+[[nodiscard]] Swing toSwing(const ElectricalSwing& electrical);
+
+} // namespace lubberline::ui

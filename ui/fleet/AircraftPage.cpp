@@ -1,0 +1,369 @@
+#include "ui/fleet/AircraftPage.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+#include "core/deviation/Smith.h"
+#include "ui/earth/FieldText.h"
+#include "ui/fleet/EventsPanel.h"
+#include "ui/fleet/RecordEdits.h"
+#include "ui/kit/Badge.h"
+#include "ui/kit/Words.h"
+#include "ui/plots/swing/HistoryPlot.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+enum SwingColumn { Date, Kind, Stage, State, Readings, Largest, CoefficientA, Standing = CoefficientA + 5, kSwingColumns };
+
+Result<void> takeBuiltYear(Aircraft& aircraft, const QString& text)
+{
+    const auto year = parseYear(text);
+    if (!year)
+        return year.error();
+    aircraft.builtYear = *year;
+    return {};
+}
+
+Result<void> takeResolution(CompassSystem& compass, const QString& text)
+{
+    const auto resolution_deg = parsePositive_deg(text);
+    if (!resolution_deg)
+        return resolution_deg.error();
+    compass.resolution_deg = *resolution_deg;
+    return {};
+}
+
+/// A name by which a record is found cannot be empty.
+template <class Record>
+typename FormFields<Record>::Take takeName(std::string Record::*member, const QString& message)
+{
+    return [member, message](Record& record, const QString& text) -> Result<void> {
+        if (text.trimmed().isEmpty())
+            return Error{ErrorCode::InvalidInput, message.toStdString()};
+        record.*member = text.trimmed().toStdString();
+        return {};
+    };
+}
+
+template <class Record>
+void addText(FormFields<Record>& fields, QFormLayout& form, const QString& title, const QString& name, std::string Record::*member)
+{
+    fields.addLine(
+        form, title, name, [member](const Record& record) { return toText(record.*member); }, takeText(member));
+}
+
+QString deviationText(std::optional<double> angle_deg) { return angle_deg ? signedNumber(*angle_deg, 2) : QStringLiteral("—"); }
+
+} // namespace
+
+AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* parent)
+    : QWidget(parent)
+    , m_context(context)
+    , m_stack(stack)
+    , m_aircraft([this](const Aircraft& after, const QString& field) {
+        m_stack.push(new ChangeRecord<Aircraft>(
+            m_context, after.id, m_aircraft.record(), after, tr("%1 of %2").arg(field, toText(after.registration))));
+    })
+    , m_compass([this](const CompassSystem& after, const QString& field) {
+        m_stack.push(new ChangeRecord<CompassSystem>(
+            m_context, after.aircraft, m_compass.record(), after, tr("%1 of %2").arg(field, toText(after.name))));
+    })
+    , m_title(new QLabel)
+    , m_events(new EventsPanel(context, stack))
+    , m_swingTable(new QTableWidget(0, kSwingColumns))
+{
+    QFont large = font();
+    large.setPointSizeF(large.pointSizeF() * 1.15);
+    large.setBold(true);
+    m_title->setFont(large);
+    m_title->setObjectName(QStringLiteral("aircraftTitle"));
+    auto* tabs = new QTabWidget;
+    tabs->setDocumentMode(true);
+    tabs->addTab(buildAircraftForm(), tr("&Aircraft"));
+    tabs->addTab(buildCompassForm(), tr("&Compass and limits"));
+    tabs->addTab(m_events, tr("E&vents"));
+    auto* splitter = new QSplitter(Qt::Horizontal);
+    splitter->addWidget(tabs);
+    splitter->addWidget(buildSwings());
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({310, 720});
+    splitter->setChildrenCollapsible(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->addWidget(m_title);
+    layout->addWidget(splitter, 1);
+    setFocusProxy(m_swingTable);
+    const auto changed = [this](AircraftId id) {
+        if (id == aircraft())
+            refresh();
+    };
+    connect(&context.storage, &Storage::aircraftChanged, this, changed);
+    connect(&context.storage, &Storage::fleetChanged, this, &AircraftPage::refresh);
+}
+
+QWidget* AircraftPage::buildAircraftForm()
+{
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    m_aircraft.addLine(
+        *form, tr("Registration:"), QStringLiteral("aircraftRegistration"),
+        [](const Aircraft& record) { return toText(record.registration); },
+        takeName(&Aircraft::registration, tr("an aircraft must have a registration or tail number")));
+    addText(m_aircraft, *form, tr("Serial number:"), QStringLiteral("aircraftSerial"), &Aircraft::serialNumber);
+    addText(m_aircraft, *form, tr("Operator:"), QStringLiteral("aircraftOperator"), &Aircraft::operatorName);
+    m_aircraft.addLine(
+        *form, tr("Built:"), QStringLiteral("aircraftBuilt"),
+        [](const Aircraft& record) { return record.builtYear ? QString::number(*record.builtYear) : QString(); }, takeBuiltYear);
+    m_aircraft
+        .addLine(
+            *form, tr("Based at:"), QStringLiteral("aircraftBase"), [this](const Aircraft& record) { return siteName(record.base); },
+            [this](Aircraft& record, const QString& text) -> Result<void> {
+                const auto site = siteNamed(text.trimmed());
+                if (!site)
+                    return site.error();
+                record.base = *site;
+                return {};
+            })
+        ->setToolTip(tr(
+            "A compass base of this database: where another is, the swing is due when the compass is predicted to leave its limits there"));
+    addText(m_aircraft, *form, tr("Note:"), QStringLiteral("aircraftNote"), &Aircraft::note);
+    return page;
+}
+
+QWidget* AircraftPage::buildCompassForm()
+{
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    m_compassChoice = new QComboBox;
+    m_compassChoice->setObjectName(QStringLiteral("compassChoice"));
+    form->addRow(tr("Show:"), m_compassChoice);
+    connect(m_compassChoice, &QComboBox::activated, this, [this](int choice) {
+        if (const auto shown = loadCompass(m_compasses[static_cast<std::size_t>(choice)].id); !shown)
+            emit failed(messageOf(shown.error()));
+    });
+    m_compass.addLine(
+        *form, tr("Name:"), QStringLiteral("compassName"), [](const CompassSystem& record) { return toText(record.name); },
+        takeName(&CompassSystem::name, tr("a compass must have a name, as “standby compass”")));
+    m_compass.addChoice(
+        *form, tr("Kind:"), QStringLiteral("compassKind"), compassKindWords(),
+        [](const CompassSystem& record) { return static_cast<int>(record.kind); },
+        [](CompassSystem& record, int choice) { record.kind = static_cast<CompassKind>(choice); });
+    m_compass.addChoice(
+        *form, tr("Compensator:"), QStringLiteral("compassCompensator"), compensatorWords(),
+        [](const CompassSystem& record) { return static_cast<int>(record.compensator); },
+        [](CompassSystem& record, int choice) { record.compensator = static_cast<Compensator>(choice); });
+    const auto shownLimits = [this](const CompassSystem& record) {
+        const auto found = std::find_if(
+            m_profiles.begin(), m_profiles.end(), [&record](const LimitsProfile& profile) { return profile.id == record.limits; });
+        return found == m_profiles.end() ? 0 : static_cast<int>(found - m_profiles.begin()) + 1;
+    };
+    m_limits = m_compass.addChoice(
+        *form, tr("Limits:"), QStringLiteral("compassLimits"), {tr("none set")}, shownLimits, [this](CompassSystem& record, int choice) {
+            record.limits = choice > 0 ? m_profiles[static_cast<std::size_t>(choice) - 1].id : LimitsProfileId();
+        });
+    m_compass.addLine(
+        *form, tr("Resolution (°):"), QStringLiteral("compassResolution"),
+        [](const CompassSystem& record) { return numberText(record.resolution_deg); }, takeResolution);
+    addText(m_compass, *form, tr("Maker:"), QStringLiteral("compassMaker"), &CompassSystem::maker);
+    addText(m_compass, *form, tr("Part number:"), QStringLiteral("compassPart"), &CompassSystem::partNumber);
+    addText(m_compass, *form, tr("Serial number:"), QStringLiteral("compassSerial"), &CompassSystem::serialNumber);
+    m_compass.addLine(
+        *form, tr("Installed on:"), QStringLiteral("compassInstalled"),
+        [](const CompassSystem& record) { return toText(record.installed); },
+        [](CompassSystem& record, const QString& text) -> Result<void> {
+            const auto date = parseDate(text, true);
+            if (!date)
+                return date.error();
+            record.installed = *date;
+            return {};
+        });
+    addText(m_compass, *form, tr("Location:"), QStringLiteral("compassLocation"), &CompassSystem::location);
+    for (QComboBox* box : page->findChildren<QComboBox*>())
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    return page;
+}
+
+QWidget* AircraftPage::buildSwings()
+{
+    m_swingTable->setObjectName(QStringLiteral("swingTable"));
+    m_swingTable->setAccessibleName(tr("Swings"));
+    m_swingTable->setHorizontalHeaderLabels({tr("Date"), tr("Kind"), tr("Stage"), tr("State"), tr("N"), tr("Largest (°)"), "A (°)", "B (°)",
+        "C (°)", "D (°)", "E (°)", tr("Verdict")});
+    m_swingTable->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_swingTable->horizontalHeader()->setStretchLastSection(true);
+    m_swingTable->verticalHeader()->hide();
+    m_swingTable->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    m_swingTable->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_swingTable->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_swingTable->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_swingTable->setTabKeyNavigation(false);
+    m_swingTable->setAlternatingRowColors(true);
+    connect(m_swingTable, &QTableWidget::cellActivated, this,
+        [this](int row) { emit swingChosen(m_listed.at(static_cast<std::size_t>(row))); });
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_historyPlace = new QVBoxLayout;
+    layout->addLayout(m_historyPlace, 3);
+    auto* hint = new QLabel(tr("Swings of this compass, newest first. Enter or double click opens one."));
+    layout->addWidget(hint);
+    layout->addWidget(m_swingTable, 2);
+    return page;
+}
+
+Result<void> AircraftPage::showAircraft(AircraftId id, CompassId compass) { return load(id, compass); }
+
+void AircraftPage::refresh()
+{
+    if (!aircraft().valid())
+        return;
+    const auto shown = load(aircraft(), compass());
+    if (!shown && shown.error().code != ErrorCode::NotFound)
+        emit failed(messageOf(shown.error()));
+}
+
+QString AircraftPage::typeName(AircraftTypeId id) const
+{
+    const auto types = m_context.storage.types();
+    if (types)
+        for (const TypeRow& type : *types)
+            if (type.id == id)
+                return tr("%1 · ").arg(toText(type.name));
+    return {};
+}
+
+Result<void> AircraftPage::load(AircraftId id, CompassId compass)
+{
+    const auto record = m_context.storage.aircraft(id);
+    if (!record)
+        return record.error();
+    auto compasses = m_context.storage.compassesOf(id);
+    if (!compasses)
+        return compasses.error();
+    m_aircraft.show(*record, !m_context.storage.readOnly());
+    m_title->setText(typeName(record->type) + toText(record->registration) + (record->demonstration ? tr(" · DEMONSTRATION") : QString()));
+    m_compasses = std::move(compasses.value());
+    m_compassChoice->clear();
+    for (const CompassRow& row : m_compasses)
+        m_compassChoice->addItem(badgeIcon(row.status), tr("%1 (swings: %2)").arg(toText(row.name)).arg(row.swings));
+    m_events->showAircraft(id);
+    const bool known = std::any_of(m_compasses.begin(), m_compasses.end(), [compass](const CompassRow& row) { return row.id == compass; });
+    if (known || !m_compasses.empty())
+        return loadCompass(known ? compass : m_compasses.front().id);
+    m_compass.show({}, false);
+    showSwings({}, {});
+    return {};
+}
+
+QString AircraftPage::siteName(SiteId id) const
+{
+    const auto sites = m_context.storage.sites();
+    for (const Site& site : sites ? *sites : std::vector<Site>())
+        if (site.id == id)
+            return toText(site.name);
+    return {};
+}
+
+/// Not valid for no name at all.
+Result<SiteId> AircraftPage::siteNamed(const QString& name) const
+{
+    if (name.isEmpty())
+        return SiteId();
+    const auto sites = m_context.storage.sites();
+    if (!sites)
+        return sites.error();
+    QStringList known;
+    for (const Site& site : *sites) {
+        if (toText(site.name) == name)
+            return site.id;
+        known += toText(site.name);
+    }
+    return Error{ErrorCode::InvalidInput,
+        tr("there is no compass base %1; expected one of: %2").arg(name, known.join(QStringLiteral(", "))).toStdString()};
+}
+
+void AircraftPage::loadLimits()
+{
+    auto profiles = m_context.storage.limitsProfiles();
+    m_profiles = profiles ? std::move(profiles.value()) : std::vector<LimitsProfile>();
+    m_limits->clear();
+    m_limits->addItem(tr("none set"));
+    for (const LimitsProfile& profile : m_profiles) {
+        m_limits->addItem(toText(profile.name));
+        m_limits->setItemData(m_limits->count() - 1, toText(profile.document + ": " + profile.scope), Qt::ToolTipRole);
+    }
+}
+
+Result<void> AircraftPage::loadCompass(CompassId id)
+{
+    const auto record = m_context.storage.compass(id);
+    if (!record)
+        return record.error();
+    const auto swings = m_context.storage.swingsOf(id);
+    if (!swings)
+        return swings.error();
+    loadLimits();
+    m_compass.show(*record, !m_context.storage.readOnly());
+    for (std::size_t i = 0; i < m_compasses.size(); ++i)
+        if (m_compasses[i].id == id)
+            m_compassChoice->setCurrentIndex(static_cast<int>(i));
+    showSwings(*swings, *record);
+    return {};
+}
+
+void AircraftPage::showSwings(const std::vector<SwingRow>& swings, const CompassSystem& compass)
+{
+    m_listed.clear();
+    m_swingTable->setRowCount(static_cast<int>(swings.size()));
+    for (int row = 0; row < static_cast<int>(swings.size()); ++row) {
+        const SwingRow& swing = swings[static_cast<std::size_t>(row)];
+        m_listed.push_back(swing.id);
+        const auto set = [this, row](int column, const QString& text, bool number) {
+            auto* item = new QTableWidgetItem(text);
+            item->setTextAlignment(Qt::AlignVCenter | (number ? Qt::AlignRight : Qt::AlignLeft));
+            m_swingTable->setItem(row, column, item);
+        };
+        set(Date, toText(swing.date), false);
+        set(Kind, wordFor(swing.kind), false);
+        set(Stage, wordFor(swing.stage), false);
+        set(State, wordFor(swing.state), false);
+        set(Readings, QString::number(swing.readings), true);
+        set(Largest, swing.maxAbsDeviation_deg ? QString::number(*swing.maxAbsDeviation_deg, 'f', 2) : QStringLiteral("—"), true);
+        for (const Coefficient coefficient : kCoefficients)
+            set(CoefficientA + static_cast<int>(indexOf(coefficient)), deviationText(swing.coefficient_deg[indexOf(coefficient)]), true);
+        set(Standing, badgeWord(swing.status), false);
+        m_swingTable->item(row, Standing)->setIcon(badgeIcon(swing.status));
+    }
+    showHistory(swings, compass);
+}
+
+void AircraftPage::showHistory(const std::vector<SwingRow>& swings, const CompassSystem& compass)
+{
+    if (!m_history) {
+        m_history = makeHistoryPlot(this);
+        m_historyPlace->addWidget(m_history);
+        connect(m_history, &HistoryPlot::readOut, this, &AircraftPage::readOut);
+        connect(m_history, &HistoryPlot::swingSelected, this,
+            [this](int swing) { emit swingChosen(m_listed.at(static_cast<std::size_t>(swing))); });
+    }
+    std::vector<HistoryPoint> points;
+    for (std::size_t row = swings.size(); row-- > 0;) { // oldest first
+        const QDate date = QDate::fromString(toText(swings[row].date), Qt::ISODate);
+        if (date.isValid())
+            points.push_back({date, static_cast<int>(row), swings[row].coefficient_deg, swings[row].maxAbsDeviation_deg});
+    }
+    const auto profile
+        = std::find_if(m_profiles.begin(), m_profiles.end(), [&compass](const LimitsProfile& one) { return one.id == compass.limits; });
+    m_history->setHistory(points, profile == m_profiles.end() ? std::nullopt : profile->maxDeviation_deg);
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,69 @@
+#pragma once
+/// One aircraft: particulars that are edited in place, its compasses with their limits, its events, the swings of a compass and
+/// its coefficients over the years.
+
+#include <QWidget>
+
+#include "core/record/FleetRows.h"
+#include "ui/kit/EditContext.h"
+#include "ui/kit/FormField.h"
+
+class QLabel;
+class QTableWidget;
+class QUndoStack;
+class QVBoxLayout;
+
+namespace lubberline::ui {
+
+class HistoryPlot;
+class EventsPanel;
+
+class AircraftPage : public QWidget {
+    Q_OBJECT
+
+public:
+    AircraftPage(EditContext& context, QUndoStack& stack, QWidget* parent = nullptr);
+
+    /// @param compass shown first; not valid: the aircraft's first one.
+    Result<void> showAircraft(AircraftId id, CompassId compass);
+    /// Asks storage again for what is shown.
+    void refresh();
+
+    [[nodiscard]] AircraftId aircraft() const { return m_aircraft.record().id; }
+    [[nodiscard]] CompassId compass() const { return m_compass.record().id; }
+
+signals:
+    void swingChosen(lubberline::SwingId id);
+    void readOut(const QString& text);
+    void failed(const QString& message);
+
+private:
+    QWidget* buildAircraftForm();
+    QWidget* buildCompassForm();
+    QWidget* buildSwings();
+    Result<void> load(AircraftId id, CompassId compass);
+    Result<void> loadCompass(CompassId id);
+    void showSwings(const std::vector<SwingRow>& swings, const CompassSystem& compass);
+    void showHistory(const std::vector<SwingRow>& swings, const CompassSystem& compass);
+    void loadLimits();
+    [[nodiscard]] QString siteName(SiteId id) const;
+    [[nodiscard]] Result<SiteId> siteNamed(const QString& name) const;
+    [[nodiscard]] QString typeName(AircraftTypeId id) const; ///< with the separator after it
+
+    EditContext& m_context;
+    QUndoStack& m_stack;
+    FormFields<Aircraft> m_aircraft;
+    FormFields<CompassSystem> m_compass;
+    QLabel* m_title;
+    QComboBox* m_compassChoice = nullptr;
+    QComboBox* m_limits = nullptr;
+    EventsPanel* m_events;
+    QTableWidget* m_swingTable;
+    QVBoxLayout* m_historyPlace = nullptr;
+    HistoryPlot* m_history = nullptr;
+    std::vector<CompassRow> m_compasses;
+    std::vector<LimitsProfile> m_profiles;
+    std::vector<SwingId> m_listed;
+};
+
+} // namespace lubberline::ui

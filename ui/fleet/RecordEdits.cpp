@@ -1,0 +1,74 @@
+#include "ui/fleet/RecordEdits.h"
+
+#include "core/base/Contract.h"
+
+namespace lubberline::ui {
+
+ChangeSwing::ChangeSwing(EditContext& context, Swing before, Swing after, const QString& text)
+    : Edit(context, text)
+    , m_before(std::move(before))
+    , m_after(std::move(after))
+{
+    LUBBERLINE_EXPECT(m_before.readings.size() == m_after.readings.size(), "particulars change no rows");
+}
+
+Result<void> ChangeSwing::store(const Swing& from, const Swing& to) const
+{
+    Swing known = from, particulars = to;
+    known.id = particulars.id = swing();
+    if (auto stored = storage().changeParticulars(known, particulars); !stored)
+        return stored;
+    for (std::size_t row = 0; row < to.readings.size(); ++row) {
+        if (to.readings[row] == from.readings[row])
+            continue;
+        Reading before = from.readings[row], reading = to.readings[row];
+        before.id = reading.id = context().readings.current(reading.id);
+        if (auto stored = storage().saveReading(particulars.id, before, reading); !stored)
+            return stored;
+    }
+    return {};
+}
+
+MakeSwing::MakeSwing(EditContext& context, Swing swing, Direction direction, const QString& text)
+    : Edit(context, text)
+    , m_swing(std::move(swing))
+    , m_direction(direction)
+    , m_exists(direction == Direction::Remove)
+{
+}
+
+Result<void> MakeSwing::make()
+{
+    const SwingId before = context().swings.current(m_swing.id);
+    Swing whole = m_swing;
+    whole.id = {};
+    const auto stored = storage().saveParticulars(whole);
+    if (!stored)
+        return stored.error();
+    m_exists = true;
+    const auto record = storage().swingRecord(*stored);
+    if (!record)
+        return record.error();
+    if (before.valid())
+        context().swings.replace(before, *stored);
+    for (std::size_t row = 0; row < m_swing.readings.size(); ++row)
+        context().readings.replace(context().readings.current(m_swing.readings[row].id), record->swing.readings.at(row).id);
+    m_swing = record->swing;
+    return {};
+}
+
+Result<void> MakeSwing::remove()
+{
+    const SwingId id = swing();
+    // What was entered since it was made comes back with it.
+    const auto record = storage().swingRecord(id);
+    if (!record)
+        return record.error();
+    if (auto removed = storage().removeSwing(id); !removed)
+        return removed;
+    m_swing = record->swing;
+    m_exists = false;
+    return {};
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,117 @@
+#include "ui/intake/LiveHeading.h"
+
+#include <ctime>
+
+namespace lubberline::ui {
+
+namespace {
+
+/// Counts while the machine sleeps, too: what was heard before is old then.
+double sinceBoot_s()
+{
+    std::timespec now = {};
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+/// Without a checksum only a sentence with all its fields is whole: a line cut short looks like a heading of fewer digits.
+bool isWhole(const NmeaSentence& sentence)
+{
+    const std::size_t fields = sentence.type == "HDG" ? 5 : sentence.type == "HDT" || sentence.type == "HDM" ? 2 : 1;
+    return sentence.hasChecksum || sentence.fields.size() >= fields;
+}
+
+} // namespace
+
+LiveHeading::LiveHeading(std::function<double()> now_s, QObject* parent) : QObject(parent), m_now_s(std::move(now_s))
+{
+    if (!m_now_s)
+        m_now_s = sinceBoot_s;
+}
+
+void LiveHeading::setWindow(double length_s, double mostSpread_deg)
+{
+    m_length_s = length_s;
+    m_mostSpread_deg = mostSpread_deg;
+    for (auto& [name, channel] : m_channels)
+        channel.window = SettlingWindow(length_s, mostSpread_deg);
+}
+
+void LiveHeading::clear()
+{
+    m_channels.clear();
+    m_checking.clear();
+    m_variation.reset();
+    m_bad = m_sentences = 0;
+    emit changed();
+}
+
+void LiveHeading::add(const LiveChannel& name, bool compass, bool isTrue, double heading_deg)
+{
+    const auto [found, isNew] = m_channels.try_emplace(name, Channel{compass, isTrue, SettlingWindow(m_length_s, m_mostSpread_deg)});
+    found->second.window.add(m_now_s(), heading_deg);
+}
+
+void LiveHeading::takeLine(std::string_view line)
+{
+    const ParsedNmea parsed = parseNmea(line);
+    if (parsed.fault == NmeaFault::BadChecksum)
+        ++m_bad;
+    if (parsed.fault != NmeaFault::None) {
+        emit changed();
+        return;
+    }
+    if (parsed.sentence.hasChecksum)
+        m_checking.insert(parsed.sentence.talker);
+    if ((!parsed.sentence.hasChecksum && m_checking.contains(parsed.sentence.talker)) || !isWhole(parsed.sentence)) {
+        ++m_bad;
+        emit changed();
+        return;
+    }
+    ++m_sentences;
+    const NmeaValue value = valueOf(parsed.sentence);
+    if (const auto* compass = std::get_if<NmeaCompass>(&value)) {
+        add(compass->talker + compass->type, true, false, compass->heading.degrees());
+        if (compass->variation)
+            m_variation = compass->variation;
+    } else if (const auto* heading = std::get_if<NmeaTrueHeading>(&value)) {
+        add(heading->talker + "HDT", false, true, heading->heading.degrees());
+    } else if (const auto* track = std::get_if<NmeaTrack>(&value)) {
+        if (track->track)
+            add(track->talker + parsed.sentence.type, false, true, track->track->degrees());
+        if (track->variation)
+            m_variation = track->variation;
+    }
+    emit changed();
+}
+
+QStringList LiveHeading::compassChannels() const
+{
+    QStringList names;
+    for (const auto& [name, channel] : m_channels)
+        if (channel.compass)
+            names << QString::fromStdString(name);
+    return names;
+}
+
+QStringList LiveHeading::referenceChannels() const
+{
+    QStringList names;
+    for (const auto& [name, channel] : m_channels)
+        names << QString::fromStdString(name);
+    return names;
+}
+
+std::optional<SettledHeading> LiveHeading::heading(const QString& channel) const
+{
+    const auto found = m_channels.find(channel.toStdString());
+    return found == m_channels.end() ? std::nullopt : found->second.window.at(m_now_s());
+}
+
+bool LiveHeading::isTrue(const QString& channel) const
+{
+    const auto found = m_channels.find(channel.toStdString());
+    return found != m_channels.end() && found->second.isTrue;
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,207 @@
+#include "ui/intake/LivePanel.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QShortcut>
+#include <QTimer>
+
+namespace lubberline::ui {
+
+namespace {
+
+enum Kind { Serial, Udp, Replay };
+constexpr int kFigure_px = 48;
+constexpr int kSecond_ms = 1000;
+
+QString placeFor(int kind)
+{
+    if (kind == Udp)
+        return QString::number(UdpSettings().port);
+    if (kind == Replay)
+        return {};
+    const QStringList ports = LiveInput::serialPorts();
+    return (ports.isEmpty() ? QStringLiteral("/dev/ttyUSB0") : ports.front()) + QStringLiteral(" 4800");
+}
+
+} // namespace
+
+LivePanel::LivePanel(std::function<double()> now_s, QWidget* parent)
+    : QWidget(parent)
+    , m_input(new LiveInput(this))
+    , m_heading(new LiveHeading(std::move(now_s), this))
+    , m_kind(new QComboBox)
+    , m_where(new QLineEdit)
+    , m_connect(new QPushButton)
+    , m_state(new QLabel)
+    , m_datum(new QComboBox)
+    , m_compass(new QComboBox)
+    , m_datumValue(new QLabel)
+    , m_compassValue(new QLabel)
+    , m_useDatum(new QPushButton(tr("Take as datum (F6)")))
+    , m_useCompass(new QPushButton(tr("Take as compass (F7)")))
+    , m_silence(new QTimer(this))
+{
+    build();
+    showState();
+    showHeadings();
+}
+
+void LivePanel::build()
+{
+    m_kind->setObjectName(QStringLiteral("liveKind"));
+    m_kind->addItems({tr("serial port"), tr("UDP port"), tr("replay of a log")});
+    m_where->setObjectName(QStringLiteral("liveWhere"));
+    m_where->setText(placeFor(Serial));
+    m_where->setToolTip(tr("A serial port with its baud rate, as /dev/ttyUSB0 4800; a UDP port, as 10110; or the path of a log"));
+    m_connect->setObjectName(QStringLiteral("liveConnect"));
+    m_state->setObjectName(QStringLiteral("liveState"));
+    m_datum->setObjectName(QStringLiteral("liveDatumChannel"));
+    m_compass->setObjectName(QStringLiteral("liveCompassChannel"));
+    m_datumValue->setObjectName(QStringLiteral("liveDatum"));
+    m_compassValue->setObjectName(QStringLiteral("liveCompass"));
+    m_useDatum->setObjectName(QStringLiteral("liveTakeDatum"));
+    m_useCompass->setObjectName(QStringLiteral("liveTakeCompass"));
+    for (QLabel* value : {m_datumValue, m_compassValue}) {
+        QFont large = value->font();
+        large.setPixelSize(kFigure_px);
+        value->setFont(large);
+        value->setMinimumWidth(260);
+    }
+    auto* grid = new QGridLayout(this);
+    grid->addWidget(m_kind, 0, 0);
+    grid->addWidget(m_where, 0, 1);
+    grid->addWidget(m_connect, 0, 2);
+    grid->addWidget(m_state, 0, 3);
+    grid->addWidget(m_datum, 1, 0);
+    grid->addWidget(m_datumValue, 1, 1);
+    grid->addWidget(m_useDatum, 1, 2);
+    grid->addWidget(m_compass, 2, 0);
+    grid->addWidget(m_compassValue, 2, 1);
+    grid->addWidget(m_useCompass, 2, 2);
+    grid->setColumnStretch(3, 1);
+
+    connect(m_kind, &QComboBox::currentIndexChanged, this, [this](int kind) { m_where->setText(placeFor(kind)); });
+    connect(m_where, &QLineEdit::returnPressed, this, &LivePanel::connectOrClose);
+    connect(m_connect, &QPushButton::clicked, this, &LivePanel::connectOrClose);
+    connect(m_input, &LiveInput::lineReceived, m_heading, &LiveHeading::takeLine);
+    connect(m_input, &LiveInput::stateChanged, this, &LivePanel::showState);
+    connect(m_heading, &LiveHeading::changed, this, &LivePanel::showHeadings);
+    connect(m_useDatum, &QPushButton::clicked, this, &LivePanel::takeDatum);
+    connect(m_useCompass, &QPushButton::clicked, this, &LivePanel::takeCompass);
+    m_silence->setInterval(kSecond_ms);
+    connect(m_silence, &QTimer::timeout, this, [this] {
+        m_silent_s = m_heading->sentences() == m_heard ? m_silent_s + 1 : 0;
+        m_heard = m_heading->sentences();
+        showState();
+        showHeadings(); // what is too old is no heading any more
+    });
+}
+
+void LivePanel::connectOrClose()
+{
+    if (m_input->state() != LiveInput::State::Closed) {
+        m_input->close();
+        m_silence->stop();
+        m_heading->clear();
+        showHeadings();
+        return;
+    }
+    const QStringList parts = m_where->text().split(' ', Qt::SkipEmptyParts);
+    if (parts.isEmpty()) {
+        emit failed(tr("Where does it come from? A port or the path of a log is expected."));
+        return;
+    }
+    bool number = true;
+    if (m_kind->currentIndex() == Udp) {
+        const int port = parts.front().toInt(&number);
+        if (!number || port < 1 || port > 65535) {
+            emit failed(tr("'%1' is no UDP port; expected a number from 1 to 65535").arg(parts.front()));
+            return;
+        }
+        m_input->open(UdpSettings{port});
+    } else if (m_kind->currentIndex() == Replay) {
+        m_input->open(ReplaySettings{m_where->text().trimmed(), 10});
+    } else {
+        const int baud = parts.size() > 1 ? parts[1].toInt(&number) : SerialSettings().baud;
+        if (!number || baud < 300) {
+            emit failed(tr("'%1' is no baud rate; expected one as 4800 or 38400").arg(parts.value(1)));
+            return;
+        }
+        m_input->open(SerialSettings{parts.front(), baud});
+    }
+    m_silent_s = 0;
+    m_heard = 0;
+    m_silence->start();
+}
+
+void LivePanel::showState()
+{
+    m_connect->setText(m_input->state() == LiveInput::State::Closed ? tr("&Connect") : tr("Dis&connect"));
+    QStringList words{m_input->words()};
+    constexpr int kNoticed_s = 3;
+    if (m_input->state() == LiveInput::State::Open && m_silent_s >= kNoticed_s)
+        words += tr("silent for %1 s").arg(m_silent_s);
+    if (m_heading->badChecksums() > 0)
+        words += tr("%n wrong checksums", nullptr, m_heading->badChecksums());
+    words.removeAll(QString());
+    m_state->setText(words.join(QStringLiteral(" · ")));
+}
+
+/// What is chosen stays chosen; a second talker is offered, and not taken by itself.
+void LivePanel::keepChannels(QComboBox& box, const QStringList& channels)
+{
+    QStringList shown;
+    for (int i = 0; i < box.count(); ++i)
+        shown += box.itemText(i);
+    if (shown == channels)
+        return;
+    const QString chosen = box.currentText();
+    box.clear();
+    box.addItems(channels);
+    box.setCurrentIndex(std::max(0, static_cast<int>(channels.indexOf(chosen))));
+}
+
+QString LivePanel::words(const QString& channel) const
+{
+    const auto heading = m_heading->heading(channel);
+    if (channel.isEmpty() || !heading)
+        return QStringLiteral("—");
+    return tr("%1° %2")
+        .arg(heading->mean_deg, 5, 'f', 1, QChar('0'))
+        .arg(heading->settled ? tr("✓") : tr("±%1").arg(heading->spread_deg / 2, 0, 'f', 1));
+}
+
+void LivePanel::showHeadings()
+{
+    keepChannels(*m_datum, m_heading->referenceChannels());
+    keepChannels(*m_compass, m_heading->compassChannels());
+    m_datumValue->setText(words(m_datum->currentText()) + (m_heading->isTrue(m_datum->currentText()) ? tr(" true") : QString()));
+    m_compassValue->setText(words(m_compass->currentText()));
+}
+
+std::optional<SettledHeading> LivePanel::settled(const QComboBox& box)
+{
+    const auto heading = m_heading->heading(box.currentText());
+    if (!heading)
+        emit failed(tr("Nothing is heard: a heading is expected."));
+    else if (!heading->settled)
+        emit failed(tr("The heading has not settled yet: it moves by %1° within the window.").arg(heading->spread_deg, 0, 'f', 1));
+    return heading && heading->settled ? heading : std::nullopt;
+}
+
+void LivePanel::takeDatum()
+{
+    if (const auto heading = settled(*m_datum))
+        emit datumSettled(heading->mean_deg, m_heading->isTrue(m_datum->currentText()));
+}
+
+void LivePanel::takeCompass()
+{
+    if (const auto heading = settled(*m_compass))
+        emit compassSettled(heading->mean_deg);
+}
+
+} // namespace lubberline::ui

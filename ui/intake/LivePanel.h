@@ -1,0 +1,62 @@
+#pragma once
+/// A live source on a strip: where it comes from, what it says, whether it has settled; one key each takes it as datum or
+/// compass.
+
+#include <QWidget>
+
+#include <functional>
+
+#include "core/angle/Heading.h"
+#include "ui/intake/LiveHeading.h"
+#include "ui/intake/LiveInput.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTimer;
+
+namespace lubberline::ui {
+
+class LivePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    /// @param now_s as LiveHeading takes it.
+    explicit LivePanel(std::function<double()> now_s = {}, QWidget* parent = nullptr);
+
+    [[nodiscard]] LiveInput& input() { return *m_input; }
+    [[nodiscard]] LiveHeading& heading() { return *m_heading; }
+    void takeDatum();   ///< F6
+    void takeCompass(); ///< F7
+
+signals:
+    /// A settled heading; from true north where `isTrue`.
+    void datumSettled(double heading_deg, bool isTrue);
+    void compassSettled(double heading_deg);
+    void failed(const QString& message);
+
+private:
+    void build();
+    void connectOrClose();
+    void showState();
+    void showHeadings();
+    void keepChannels(QComboBox& box, const QStringList& channels);
+    [[nodiscard]] QString words(const QString& channel) const;
+    [[nodiscard]] std::optional<SettledHeading> settled(const QComboBox& box);
+
+    LiveInput* m_input;
+    LiveHeading* m_heading;
+    QComboBox* m_kind;
+    QLineEdit* m_where;
+    QPushButton* m_connect;
+    QLabel* m_state;
+    QComboBox *m_datum, *m_compass;
+    QLabel *m_datumValue, *m_compassValue;
+    QPushButton *m_useDatum, *m_useCompass;
+    QTimer* m_silence;
+    int m_heard = 0; ///< sentences when it was looked last
+    int m_silent_s = 0;
+};
+
+} // namespace lubberline::ui

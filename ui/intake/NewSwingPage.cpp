@@ -1,0 +1,296 @@
+#include "ui/intake/NewSwingPage.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+#include "ui/earth/FieldText.h"
+#include "ui/fleet/RecordEdits.h"
+#include "ui/kit/Words.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr int kWidth = 520;
+
+QComboBox* typedChoice(const QString& name, const QString& placeholder)
+{
+    auto* box = new QComboBox;
+    box->setObjectName(name);
+    box->setEditable(true);
+    box->setInsertPolicy(QComboBox::NoInsert);
+    box->lineEdit()->setPlaceholderText(placeholder);
+    return box;
+}
+
+QString typed(const QComboBox& box) { return box.currentText().trimmed(); }
+
+template <class Row>
+const Row* named(const std::vector<Row>& rows, const QString& name, std::string Row::*member)
+{
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return toText(row.*member) == name; });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+template <class Row>
+void fill(QComboBox& box, const std::vector<Row>& rows, std::string Row::*member)
+{
+    box.clear();
+    for (const Row& row : rows)
+        box.addItem(toText(row.*member));
+    box.setCurrentIndex(-1);
+    box.clearEditText();
+}
+
+Error missing(const QString& message) { return {ErrorCode::InvalidInput, message.toStdString()}; }
+
+} // namespace
+
+NewSwingPage::NewSwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
+    : QWidget(parent)
+    , m_context(context)
+    , m_stack(stack)
+    , m_type(typedChoice(QStringLiteral("newType"), tr("pick or type, as Su-22")))
+    , m_aircraft(typedChoice(QStringLiteral("newAircraft"), tr("registration or tail number")))
+    , m_compass(typedChoice(QStringLiteral("newCompass"), tr("as standby compass")))
+    , m_limits(new QComboBox)
+    , m_site(typedChoice(QStringLiteral("newSite"), tr("compass base; may stay empty")))
+    , m_kind(new QComboBox)
+    , m_stage(new QComboBox)
+    , m_date(new QLineEdit)
+    , m_complaint(new QLabel)
+    , m_create(new QPushButton(tr("&Start entering readings")))
+{
+    build();
+}
+
+void NewSwingPage::build()
+{
+    m_kind->setObjectName(QStringLiteral("newKind"));
+    m_kind->addItems(swingKindWords());
+    m_stage->setObjectName(QStringLiteral("newStage"));
+    m_stage->addItems(swingStageWords());
+    m_limits->setObjectName(QStringLiteral("newLimits"));
+    m_limits->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_limits->setToolTip(tr("What a new compass is held against. A known compass keeps its own: see the aircraft's page"));
+    m_date->setObjectName(QStringLiteral("newDate"));
+    m_complaint->setObjectName(QStringLiteral("newComplaint"));
+    m_complaint->setWordWrap(true);
+    m_create->setObjectName(QStringLiteral("createSwing"));
+    m_create->setAutoDefault(true);
+    auto* cancel = new QPushButton(tr("Cancel"));
+    cancel->setAutoDefault(true);
+
+    auto* title = new QLabel(tr("New swing"));
+    QFont large = title->font();
+    large.setPointSizeF(large.pointSizeF() * 1.5);
+    title->setFont(large);
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Type:"), m_type);
+    form->addRow(tr("&Aircraft:"), m_aircraft);
+    form->addRow(tr("&Compass:"), m_compass);
+    form->addRow(tr("&Limits:"), m_limits);
+    form->addRow(tr("S&ite:"), m_site);
+    form->addRow(tr("&Date (UTC):"), m_date);
+    form->addRow(tr("&Kind:"), m_kind);
+    form->addRow(tr("Sta&ge:"), m_stage);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_create);
+    buttons->addWidget(cancel);
+    buttons->addStretch();
+    auto* inner = new QWidget;
+    inner->setFixedWidth(kWidth);
+    auto* column = new QVBoxLayout(inner);
+    column->addWidget(title);
+    column->addLayout(form);
+    column->addWidget(m_complaint);
+    column->addLayout(buttons);
+    auto* layout = new QVBoxLayout(this);
+    layout->addStretch(1);
+    layout->addWidget(inner, 0, Qt::AlignHCenter);
+    layout->addStretch(2);
+    setFocusProxy(m_type);
+
+    connect(m_type, &QComboBox::currentTextChanged, this, &NewSwingPage::loadAircraft);
+    connect(m_aircraft, &QComboBox::currentTextChanged, this, &NewSwingPage::loadCompasses);
+    connect(m_compass, &QComboBox::currentTextChanged, this, &NewSwingPage::updateLimits);
+    for (QLineEdit* line : {m_type->lineEdit(), m_aircraft->lineEdit(), m_compass->lineEdit(), m_site->lineEdit(), m_date})
+        connect(line, &QLineEdit::returnPressed, this, [this] { focusNextChild(); }); // Enter goes on, as in the table
+    connect(m_create, &QPushButton::clicked, this, &NewSwingPage::create);
+    connect(cancel, &QPushButton::clicked, this, &NewSwingPage::cancelled);
+}
+
+void NewSwingPage::begin(AircraftId aircraft, CompassId compass)
+{
+    complain({});
+    m_date->setText(QDateTime::currentDateTimeUtc().date().toString(Qt::ISODate));
+    loadTypes();
+    auto sites = m_context.storage.sites();
+    m_sites = sites ? std::move(sites.value()) : std::vector<Site>();
+    fill(*m_site, m_sites, &Site::name);
+    loadLimits();
+    preselect(aircraft, compass);
+}
+
+void NewSwingPage::loadLimits()
+{
+    auto profiles = m_context.storage.limitsProfiles();
+    m_profiles = profiles ? std::move(profiles.value()) : std::vector<LimitsProfile>();
+    m_limits->clear();
+    m_limits->addItem(tr("none set"));
+    for (const LimitsProfile& profile : m_profiles)
+        m_limits->addItem(toText(profile.name));
+    updateLimits();
+}
+
+void NewSwingPage::updateLimits() { m_limits->setEnabled(!named(m_compasses, typed(*m_compass), &CompassRow::name)); }
+
+void NewSwingPage::preselect(AircraftId aircraft, CompassId compass)
+{
+    const auto record = aircraft.valid() ? m_context.storage.aircraft(aircraft) : Result<Aircraft>(Error{});
+    if (!record)
+        return;
+    for (const TypeRow& type : m_types)
+        if (type.id == record->type)
+            m_type->setCurrentText(toText(type.name));
+    m_aircraft->setCurrentText(toText(record->registration));
+    for (const CompassRow& row : m_compasses)
+        if (row.id == compass || (!compass.valid() && m_compasses.size() == 1))
+            m_compass->setCurrentText(toText(row.name));
+}
+
+void NewSwingPage::loadTypes()
+{
+    auto types = m_context.storage.types();
+    m_types = types ? std::move(types.value()) : std::vector<TypeRow>();
+    fill(*m_type, m_types, &TypeRow::name);
+    loadAircraft();
+}
+
+void NewSwingPage::loadAircraft()
+{
+    m_aircraftRows.clear();
+    if (const TypeRow* type = named(m_types, typed(*m_type), &TypeRow::name))
+        if (auto rows = m_context.storage.aircraftOf(type->id); rows)
+            m_aircraftRows = std::move(rows.value());
+    fill(*m_aircraft, m_aircraftRows, &AircraftRow::registration);
+    loadCompasses();
+}
+
+void NewSwingPage::loadCompasses()
+{
+    m_compasses.clear();
+    if (const AircraftRow* aircraft = named(m_aircraftRows, typed(*m_aircraft), &AircraftRow::registration))
+        if (auto rows = m_context.storage.compassesOf(aircraft->id); rows)
+            m_compasses = std::move(rows.value());
+    const QString kept = typed(*m_compass);
+    fill(*m_compass, m_compasses, &CompassRow::name);
+    if (m_compasses.empty())
+        m_compass->setEditText(kept);
+}
+
+void NewSwingPage::complain(const QString& message)
+{
+    m_complaint->setText(message);
+    m_complaint->setVisible(!message.isEmpty());
+}
+
+Result<AircraftTypeId> NewSwingPage::typeChosen()
+{
+    if (const TypeRow* row = named(m_types, typed(*m_type), &TypeRow::name))
+        return row->id;
+    AircraftType type;
+    type.name = typed(*m_type).toStdString();
+    return m_context.storage.save(type);
+}
+
+Result<AircraftId> NewSwingPage::aircraftChosen()
+{
+    if (const AircraftRow* row = named(m_aircraftRows, typed(*m_aircraft), &AircraftRow::registration))
+        return row->id;
+    const auto type = typeChosen();
+    if (!type)
+        return type.error();
+    Aircraft aircraft;
+    aircraft.type = *type;
+    aircraft.registration = typed(*m_aircraft).toStdString();
+    return m_context.storage.save(aircraft);
+}
+
+Result<CompassId> NewSwingPage::compassChosen(AircraftId aircraft)
+{
+    if (const CompassRow* row = named(m_compasses, typed(*m_compass), &CompassRow::name))
+        return row->id;
+    CompassSystem compass;
+    compass.aircraft = aircraft;
+    compass.name = typed(*m_compass).toStdString();
+    if (m_limits->currentIndex() > 0)
+        compass.limits = m_profiles[static_cast<std::size_t>(m_limits->currentIndex()) - 1].id;
+    return m_context.storage.save(compass);
+}
+
+Result<SiteId> NewSwingPage::siteChosen()
+{
+    if (typed(*m_site).isEmpty())
+        return SiteId();
+    if (const Site* site = named(m_sites, typed(*m_site), &Site::name))
+        return site->id;
+    Site site;
+    site.name = typed(*m_site).toStdString();
+    return m_context.storage.save(site);
+}
+
+Result<SwingId> NewSwingPage::store()
+{
+    Swing swing;
+    const std::pair<QComboBox*, QString> needed[] = {{m_type, tr("Name the type of the aircraft.")},
+        {m_aircraft, tr("Name the aircraft by its registration or tail number.")}, {m_compass, tr("Name the compass that is swung.")}};
+    for (const auto& [box, message] : needed)
+        if (typed(*box).isEmpty()) {
+            box->setFocus();
+            return missing(message);
+        }
+    auto date = parseDate(m_date->text(), false);
+    if (!date) {
+        m_date->setFocus();
+        return date.error();
+    }
+    swing.date = std::move(date.value());
+    const auto aircraft = aircraftChosen();
+    if (!aircraft)
+        return aircraft.error();
+    const auto compass = compassChosen(*aircraft);
+    if (!compass)
+        return compass.error();
+    const auto site = siteChosen();
+    if (!site)
+        return site.error();
+    swing.compass = *compass;
+    swing.site = *site;
+    swing.kind = static_cast<SwingKind>(m_kind->currentIndex());
+    swing.stage = static_cast<SwingStage>(m_stage->currentIndex());
+    auto* edit = new MakeSwing(m_context, swing, MakeSwing::Direction::Make, tr("new swing"));
+    const int before = m_stack.index();
+    m_stack.push(edit); // deletes a refused edit
+    if (m_stack.index() == before)
+        return missing(tr("The swing was not stored."));
+    return edit->swing();
+}
+
+void NewSwingPage::create()
+{
+    const auto stored = store();
+    complain(stored ? QString() : messageOf(stored.error()));
+    if (stored)
+        emit created(*stored);
+}
+
+} // namespace lubberline::ui

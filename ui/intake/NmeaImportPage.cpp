@@ -1,0 +1,298 @@
+#include "ui/intake/NmeaImportPage.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <QtConcurrent/QtConcurrentRun>
+
+#include <cmath>
+
+#include "core/angle/AngleText.h"
+#include "core/swing/Analysis.h"
+#include "core/swing/Observations.h"
+#include "ui/kit/Words.h"
+#include "ui/plots/swing/PictureOf.h"
+#include "ui/plots/swing/SwingPlot.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+Result<double> positive(const QString& text, const QString& what)
+{
+    bool ok = false;
+    const double value = QString(text).replace(',', '.').trimmed().toDouble(&ok);
+    if (!ok || !(value >= 0) || value > 1e6)
+        return Error{ErrorCode::InvalidInput,
+            NmeaImportPage::tr("'%1' is not allowed for %2; expected a number from 0 on").arg(text, what).toStdString()};
+    return value;
+}
+
+Result<NmeaVariation> variationOf(const QString& text)
+{
+    const QString word = text.trimmed().toLower();
+    if (word.isEmpty())
+        return NmeaVariation(VariationFound{});
+    if (word == NmeaImportPage::tr("log"))
+        return NmeaVariation(VariationOfLog{});
+    if (word == NmeaImportPage::tr("model"))
+        return NmeaVariation(VariationOfModel{});
+    const auto angle = parseSignedAngle_deg(text.trimmed().toStdString());
+    if (!angle)
+        return angle.error();
+    return NmeaVariation(Variation::fromDegrees(*angle));
+}
+
+} // namespace
+
+namespace {
+
+/// How many pairs are used, and how many each cut-off takes; one that is both is counted with the slow ones.
+QString cutWords(const NmeaSwing& read, const NmeaOptions& options)
+{
+    int slow = 0, fast = 0;
+    for (const auto& pair : read.pairs) {
+        if (pair.used)
+            continue;
+        const bool isSlow = options.reference == NmeaReference::Track && pair.speed_kt && *pair.speed_kt < options.minSpeed_kt;
+        slow += isSlow;
+        fast += !isSlow && pair.turnRate_deg_s && std::abs(*pair.turnRate_deg_s) > options.maxTurnRate_deg_s;
+    }
+    QString words = NmeaImportPage::tr("%1 pairs of headings, %2 used; %3 slower than %4 kt, %5 in a turn faster than %6°/s")
+                        .arg(read.pairs.size())
+                        .arg(read.used)
+                        .arg(slow)
+                        .arg(options.minSpeed_kt)
+                        .arg(fast)
+                        .arg(options.maxTurnRate_deg_s);
+    if (const auto rest = static_cast<int>(read.pairs.size() - read.used) - slow - fast; rest > 0)
+        words += NmeaImportPage::tr(", %1 left out for another cause (see below)").arg(rest);
+    return words + '.';
+}
+
+} // namespace
+
+NmeaImportPage::NmeaImportPage(Storage& storage, FileQuestions questions, QWidget* parent)
+    : QWidget(parent)
+    , m_storage(storage)
+    , m_questions(std::move(questions))
+    , m_title(new QLabel)
+    , m_summary(new QLabel)
+    , m_reference(new QComboBox)
+    , m_kind(new QComboBox)
+    , m_variation(new QLineEdit)
+    , m_speed(new QLineEdit)
+    , m_rate(new QLineEdit)
+    , m_talker(new QLineEdit)
+    , m_read(new QPushButton(tr("&Open a log…")))
+    , m_cancel(new QPushButton(tr("Cancel")))
+    , m_make(new QPushButton(tr("&Make a swing of it")))
+    , m_plot(makeCurvePlot())
+{
+    build();
+}
+
+NmeaImportPage::~NmeaImportPage()
+{
+    m_watcher.disconnect(this);
+    if (m_cancelled)
+        m_cancelled->store(true);
+    m_watcher.waitForFinished();
+}
+
+void NmeaImportPage::build()
+{
+    const NmeaOptions usual;
+    m_title->setObjectName(QStringLiteral("nmeaTitle"));
+    m_reference->setObjectName(QStringLiteral("nmeaReference"));
+    m_reference->addItems({tr("track over ground (RMC, VTG)"), tr("true heading (HDT)"), tr("another magnetic heading (HDM, HDG)")});
+    m_kind->setObjectName(QStringLiteral("nmeaKind"));
+    m_kind->addItems(swingKindWords());
+    m_kind->setCurrentIndex(static_cast<int>(SwingKind::Calibration));
+    m_variation->setObjectName(QStringLiteral("nmeaVariation"));
+    m_variation->setPlaceholderText(tr("empty: the log's, else the model's; log; model; or degrees, E +"));
+    m_speed->setObjectName(QStringLiteral("nmeaSpeed"));
+    m_speed->setText(QString::number(usual.minSpeed_kt));
+    m_rate->setObjectName(QStringLiteral("nmeaRate"));
+    m_rate->setText(QString::number(usual.maxTurnRate_deg_s));
+    m_talker->setObjectName(QStringLiteral("nmeaTalker"));
+    m_talker->setPlaceholderText(tr("as HC; empty: the only one"));
+    m_read->setObjectName(QStringLiteral("nmeaOpen"));
+    m_cancel->setObjectName(QStringLiteral("nmeaCancel"));
+    m_make->setObjectName(QStringLiteral("nmeaMake"));
+    m_summary->setObjectName(QStringLiteral("nmeaSummary"));
+    m_summary->setWordWrap(true);
+    m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_make->setEnabled(false);
+    m_cancel->hide();
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Reference:"), m_reference);
+    form->addRow(tr("&Variation:"), m_variation);
+    form->addRow(tr("&Slowest used (kt):"), m_speed);
+    form->addRow(tr("&Fastest turn used (°/s):"), m_rate);
+    form->addRow(tr("Compass &talker:"), m_talker);
+    form->addRow(tr("&Kind of swing:"), m_kind);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_read);
+    buttons->addWidget(m_cancel);
+    buttons->addWidget(m_make);
+    buttons->addStretch();
+    auto* left = new QWidget;
+    auto* column = new QVBoxLayout(left);
+    column->addWidget(m_title);
+    column->addLayout(form);
+    column->addLayout(buttons);
+    column->addWidget(m_summary);
+    column->addStretch();
+    auto* splitter = new QSplitter;
+    splitter->addWidget(left);
+    splitter->addWidget(m_plot);
+    splitter->setStretchFactor(1, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(splitter);
+    setFocusProxy(m_read);
+    for (QLineEdit* line : {m_variation, m_speed, m_rate, m_talker})
+        connect(line, &QLineEdit::textEdited, this, [this] { m_make->setEnabled(false); }); // Enter reads it again
+    connect(m_read, &QPushButton::clicked, this, &NmeaImportPage::choose);
+    connect(m_make, &QPushButton::clicked, this, &NmeaImportPage::make);
+    connect(m_cancel, &QPushButton::clicked, this, [this] { m_cancelled->store(true); });
+    connect(&m_watcher, &QFutureWatcherBase::finished, this, &NmeaImportPage::finish);
+    connect(m_plot, &Plot::readOut, this, &NmeaImportPage::readOut);
+    for (QComboBox* box : {m_reference})
+        connect(box, &QComboBox::activated, this, &NmeaImportPage::start);
+    for (QLineEdit* line : {m_variation, m_speed, m_rate, m_talker})
+        connect(line, &QLineEdit::returnPressed, this, &NmeaImportPage::start);
+}
+
+Result<void> NmeaImportPage::showCompass(CompassId compass)
+{
+    const auto system = m_storage.compass(compass);
+    if (!system)
+        return system.error();
+    const auto aircraft = m_storage.aircraft(system->aircraft);
+    if (!aircraft)
+        return aircraft.error();
+    if (m_compass.id != system->id) { // a log is of one aircraft
+        m_swing.reset();
+        m_path.clear();
+        m_summary->clear();
+        m_make->setEnabled(false);
+    }
+    m_compass = *system;
+    m_title->setText(tr("A log of a slow turn as a swing of %1 · %2").arg(toText(aircraft->registration), toText(system->name)));
+    return {};
+}
+
+void NmeaImportPage::choose()
+{
+    const QString path = m_questions.open(tr("Open a log"), tr("NMEA 0183 logs (*.nmea *.log *.txt);;All files (*)"));
+    if (!path.isEmpty())
+        readLog(path);
+}
+
+void NmeaImportPage::readLog(const QString& path)
+{
+    m_path = path;
+    start();
+}
+
+Result<NmeaOptions> NmeaImportPage::options() const
+{
+    NmeaOptions options;
+    options.reference = static_cast<NmeaReference>(m_reference->currentIndex());
+    const auto variation = variationOf(m_variation->text());
+    const auto speed = positive(m_speed->text(), tr("the slowest speed"));
+    const auto rate = positive(m_rate->text(), tr("the fastest turn"));
+    if (!variation || !speed || !rate)
+        return !variation ? variation.error() : !speed ? speed.error() : rate.error();
+    options.variation = *variation;
+    options.minSpeed_kt = *speed;
+    options.maxTurnRate_deg_s = *rate;
+    options.compassTalker = m_talker->text().trimmed().toUpper().toStdString();
+    return options;
+}
+
+void NmeaImportPage::start()
+{
+    if (m_path.isEmpty() || m_watcher.isRunning())
+        return;
+    const auto chosen = options();
+    if (!chosen) {
+        emit failed(messageOf(chosen.error()));
+        return;
+    }
+    m_datum = m_reference->currentText().toStdString();
+    m_used = *chosen;
+    m_cancelled = std::make_shared<std::atomic<bool>>(false);
+    m_cancel->show();
+    m_read->setEnabled(false);
+    m_reference->setEnabled(false);
+    m_make->setEnabled(false);
+    m_summary->setText(tr("Reading %1 …").arg(QFileInfo(m_path).fileName()));
+    m_watcher.setFuture(QtConcurrent::run([path = m_path.toStdString(), chosen = *chosen, cancelled = m_cancelled]() -> Answer {
+        return std::make_shared<Result<NmeaSwing>>(readNmeaSwingFile(path, chosen, [&cancelled](double) { return !cancelled->load(); }));
+    }));
+}
+
+void NmeaImportPage::finish()
+{
+    m_cancel->hide();
+    m_read->setEnabled(true);
+    m_reference->setEnabled(true);
+    const Answer answer = m_watcher.result();
+    if (!*answer) {
+        m_swing.reset();
+        m_summary->setText(messageOf(answer->error()));
+        if (answer->error().code != ErrorCode::Cancelled)
+            emit failed(messageOf(answer->error()));
+        return;
+    }
+    m_swing = std::shared_ptr<const NmeaSwing>(answer, &answer->value());
+    showAnswer();
+}
+
+void NmeaImportPage::showAnswer()
+{
+    const NmeaSwing& read = *m_swing;
+    QStringList lines{tr("%1: %2 sentences, %3 with a wrong checksum, %4 lines that are none.")
+                          .arg(QFileInfo(m_path).fileName())
+                          .arg(read.sentences)
+                          .arg(read.badChecksums)
+                          .arg(read.otherLines),
+        cutWords(read, m_used)};
+    if (read.variation)
+        lines += tr("Variation %1° (E +): %2.").arg(signedNumber(read.variation->degrees(), 2), toText(read.variationSource));
+    for (const auto& warning : read.warnings)
+        lines += toText(warning);
+    SwingRecord record;
+    record.swing = toSwing(read);
+    record.compass = m_compass;
+    std::shared_ptr<const Analysis> analysis;
+    QString why;
+    if (auto made = analyse(observationsOf(record.swing)))
+        analysis = std::make_shared<const Analysis>(std::move(made.value()));
+    else
+        why = toText(made.error().message);
+    if (!why.isEmpty())
+        lines += why;
+    m_summary->setText(lines.join('\n'));
+    m_plot->setPicture(pictureOf(record, analysis, why, nullptr, {}, AngleStyle::DecimalDegrees));
+    m_make->setEnabled(read.used > 0 && !m_storage.readOnly());
+}
+
+void NmeaImportPage::make()
+{
+    Swing swing = toSwing(*m_swing);
+    swing.compass = m_compass.id;
+    swing.kind = static_cast<SwingKind>(m_kind->currentIndex());
+    swing.datum.instrument = m_datum;
+    swing.note = tr("from the log %1").arg(QFileInfo(m_path).fileName()).toStdString();
+    emit makeSwing(swing);
+}
+
+} // namespace lubberline::ui

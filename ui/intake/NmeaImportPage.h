@@ -1,0 +1,65 @@
+#pragma once
+/// A log of a slow turn as a swing: what of it is used, what is cut off and why, and the curve that it gives.
+
+#include <QFutureWatcher>
+#include <QWidget>
+
+#include <atomic>
+#include <memory>
+
+#include "core/nmea/NmeaSwing.h"
+#include "ui/kit/FileQuestions.h"
+#include "ui/storage/Storage.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace lubberline::ui {
+
+class SwingPlot;
+
+class NmeaImportPage : public QWidget {
+    Q_OBJECT
+
+public:
+    NmeaImportPage(Storage& storage, FileQuestions questions, QWidget* parent = nullptr);
+    ~NmeaImportPage() override;
+
+    /// The compass that the swing is to be of. Errors: those of the storage.
+    Result<void> showCompass(CompassId compass);
+    void readLog(const QString& path);
+
+signals:
+    void makeSwing(const lubberline::Swing& swing);
+    void failed(const QString& message);
+    void readOut(const QString& text);
+
+private:
+    using Answer = std::shared_ptr<Result<NmeaSwing>>;
+    void build();
+    void choose();
+    void start();
+    void finish();
+    void showAnswer();
+    void make();
+    [[nodiscard]] Result<NmeaOptions> options() const;
+
+    Storage& m_storage;
+    FileQuestions m_questions;
+    CompassSystem m_compass;
+    QString m_path;
+    NmeaOptions m_used;
+    std::string m_datum; ///< what the answer was held against, in words
+    std::shared_ptr<const NmeaSwing> m_swing;
+    QFutureWatcher<Answer> m_watcher;
+    std::shared_ptr<std::atomic<bool>> m_cancelled;
+    QLabel *m_title, *m_summary;
+    QComboBox *m_reference, *m_kind;
+    QLineEdit *m_variation, *m_speed, *m_rate, *m_talker;
+    QPushButton *m_read, *m_cancel, *m_make;
+    SwingPlot* m_plot;
+};
+
+} // namespace lubberline::ui

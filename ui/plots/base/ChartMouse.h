@@ -1,0 +1,31 @@
+#pragma once
+/// The mouse on a chart: read-out, picking, zoom by frame and wheel, pan, reset.
+
+#include <QObject>
+
+#include "ui/plots/base/Chart.h"
+
+namespace lubberline::ui {
+
+class ChartMouse : public QObject {
+    Q_OBJECT
+
+public:
+    /// Watches all canvases of the chart and is owned by it.
+    explicit ChartMouse(Chart* chart);
+
+signals:
+    void picked(int row);
+    void pressed();
+    void readOut(const QString& text); ///< empty when the pointer leaves
+
+private:
+    void watch(QWidget* canvas);
+
+    Chart* m_chart;
+};
+
+inline constexpr double kZoomStep = 0.8; ///< of a wheel's notch or a key
+void zoomMiddle(Chart& chart, double factor);
+
+} // namespace lubberline::ui

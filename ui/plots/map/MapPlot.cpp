@@ -1,0 +1,58 @@
+#include "ui/plots/map/MapPlot.h"
+
+#include <QPainter>
+
+#include "ui/plots/base/ChartMouse.h"
+#include "ui/plots/map/MapChart.h"
+#include "ui/plots/map/MapPlotRendering.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+void paintOnPaper(MapChart& chart, QPainter& painter, const QRectF& target, MapPicture picture)
+{
+    picture.coarse = false;
+    chart.setFont(paperFont());
+    chart.setColours(paperColours());
+    chart.setPicture(picture);
+    chart.paint(painter, target);
+}
+
+} // namespace
+
+MapPlot::MapPlot(QWidget* parent) : Plot(tr("Map"), parent), m_chart(new MapChart)
+{
+    adopt(m_chart);
+    watchMouse();
+}
+
+void MapPlot::setPicture(const MapPicture& picture)
+{
+    m_picture = picture;
+    m_stale = true;
+    if (isVisible())
+        refresh();
+}
+
+void MapPlot::refresh()
+{
+    if (m_stale)
+        m_chart->setPicture(m_picture);
+    m_stale = false;
+}
+
+void MapPlot::render(QPainter& painter, const QRectF& target) const
+{
+    MapChart paper;
+    paper.takeView(*m_chart);
+    paintOnPaper(paper, painter, target, m_picture);
+}
+
+void renderMap(QPainter& painter, const QRectF& target, const MapPicture& picture)
+{
+    MapChart paper;
+    paintOnPaper(paper, painter, target, picture);
+}
+
+} // namespace lubberline::ui

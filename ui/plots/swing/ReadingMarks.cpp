@@ -1,0 +1,124 @@
+#include "ui/plots/swing/ReadingMarks.h"
+
+#include <QFontMetricsF>
+#include <QLineF>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+
+#include "ui/plots/swing/PictureText.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr double kRadius = 3.5, kRing = 7.5, kHalo = 10, kCap = 3;
+
+void paintBar(QPainter& painter, const QPointF& from, const QPointF& to)
+{
+    const QLineF bar(from, to);
+    if (bar.length() < 2 * kRadius + 3)
+        return; // it would hide behind the point
+    painter.drawLine(bar);
+    const QLineF across = bar.normalVector().unitVector();
+    const QPointF cap = kCap * QPointF(across.dx(), across.dy());
+    painter.drawLine(from - cap, from + cap);
+    painter.drawLine(to - cap, to + cap);
+}
+
+void paintMark(QPainter& painter, const ReadingPoint& point, bool selected, const Projection& project, const PlotColours& colours)
+{
+    const QPointF at = project(point.heading_deg, point.value_deg);
+    const QColor colour = point.excluded ? colours.faint : colours.readings;
+    if (selected) {
+        painter.setPen(QPen(colours.selected, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(at, kHalo, kHalo);
+    }
+    painter.setPen(QPen(colour, 1));
+    if (point.bar_deg > 0) {
+        paintBar(painter, project(point.heading_deg, point.value_deg - point.bar_deg),
+            project(point.heading_deg, point.value_deg + point.bar_deg));
+    }
+    painter.setPen(QPen(colour, 1.4));
+    painter.setBrush(point.excluded ? colours.ground : colour);
+    painter.drawEllipse(at, kRadius, kRadius);
+    if (point.suspect) {
+        painter.setPen(QPen(colours.suspect, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(at, kRing, kRing);
+    }
+}
+
+/// The first of the places beside the point that is free.
+QRectF freePlace(const QPointF& at, const QSizeF& size, const QRectF& within, const std::vector<QRectF>& taken)
+{
+    const double gap = kHalo + 3;
+    const std::array<QPointF, 8> corners{QPointF(gap, -size.height() / 2), QPointF(-gap - size.width(), -size.height() / 2),
+        QPointF(gap * 0.7, -gap * 0.7 - size.height()), QPointF(gap * 0.7, gap * 0.7),
+        QPointF(-gap * 0.7 - size.width(), -gap * 0.7 - size.height()), QPointF(-gap * 0.7 - size.width(), gap * 0.7),
+        QPointF(-size.width() / 2, -gap - size.height()), QPointF(-size.width() / 2, gap)};
+    for (const QPointF& corner : corners) {
+        const QRectF place(at + corner, size);
+        const auto collides = [&place](const QRectF& other) { return other.intersects(place); };
+        if (within.contains(place) && std::none_of(taken.begin(), taken.end(), collides))
+            return place;
+    }
+    QRectF place(at + corners[0], size); // crowded: at least within the plot
+    place.moveRight(std::min(place.right(), within.right()));
+    place.moveBottom(std::min(place.bottom(), within.bottom()));
+    return place;
+}
+
+void paintLabels(QPainter& painter, const std::vector<ReadingPoint>& points, const Projection& project, const LabelRoom& room,
+    const PlotColours& colours, const QFont& font)
+{
+    std::vector<QRectF> taken = room.taken;
+    for (const ReadingPoint& point : points) {
+        const QPointF at = project(point.heading_deg, point.value_deg);
+        const double clear = point.suspect ? kRing + 1 : kRadius + 1;
+        taken.emplace_back(at.x() - clear, at.y() - clear, 2 * clear, 2 * clear);
+    }
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    for (const ReadingPoint& point : points) {
+        const QPointF at = project(point.heading_deg, point.value_deg);
+        if (!point.suspect || point.label.isEmpty() || !room.within.contains(at))
+            continue;
+        const QSizeF size(metrics.horizontalAdvance(point.label) + 6, metrics.height());
+        const QRectF place = freePlace(at, size, room.within, taken);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colours.ground);
+        painter.drawRoundedRect(place, 3, 3);
+        painter.setPen(colours.text);
+        painter.drawText(place, Qt::AlignCenter | Qt::TextSingleLine, point.label);
+        taken.push_back(place);
+    }
+}
+
+} // namespace
+
+std::vector<ReadingPoint> readingPoints(const SwingPicture& picture)
+{
+    std::vector<ReadingPoint> points;
+    points.reserve(picture.readings.size());
+    for (const PlottedReading& reading : picture.readings) {
+        points.push_back({reading.row, reading.magnetic.degrees(), reading.deviation.degrees(), picture.resolution_deg / 2,
+            reading.excluded, reading.suspect, reading.suspect ? suspectLabel(reading) : QString()});
+    }
+    return points;
+}
+
+void paintReadings(QPainter& painter, const std::vector<ReadingPoint>& points, int selectedRow, const Projection& project,
+    const LabelRoom& room, const PlotColours& colours, const QFont& font)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const ReadingPoint& point : points)
+        paintMark(painter, point, point.row == selectedRow, project, colours);
+    paintLabels(painter, points, project, room, colours, font);
+    painter.restore();
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,47 @@
+#pragma once
+/// Readings as they are drawn in every plot: a point with its resolution bar; hollow and faint when excluded, ringed and
+/// labelled when suspect, on a disc when selected.
+
+#include <QFont>
+#include <QPointF>
+#include <QRectF>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+#include "ui/plots/base/PlotColours.h"
+#include "ui/plots/swing/SwingPicture.h"
+
+class QPainter;
+
+namespace lubberline::ui {
+
+/// A reading in the plot's own values.
+struct ReadingPoint {
+    int row = 0;
+    double heading_deg = 0;
+    double value_deg = 0; ///< deviation, or residual
+    double bar_deg = 0;   ///< half the bar
+    bool excluded = false;
+    bool suspect = false;
+    QString label; ///< of a suspect reading
+};
+
+/// The readings at their magnetic headings.
+[[nodiscard]] std::vector<ReadingPoint> readingPoints(const SwingPicture& picture);
+
+/// Where a heading [deg] and a value [deg] lie for the painter.
+using Projection = std::function<QPointF(double heading_deg, double value_deg)>;
+
+/// Where labels may stand.
+struct LabelRoom {
+    QRectF within;
+    std::vector<QRectF> taken = {};
+};
+
+/// Labels keep clear of each other, of the points, and of what is taken, where they can.
+void paintReadings(QPainter& painter, const std::vector<ReadingPoint>& points, int selectedRow, const Projection& project,
+    const LabelRoom& room, const PlotColours& colours, const QFont& font);
+
+} // namespace lubberline::ui

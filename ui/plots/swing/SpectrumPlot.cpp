@@ -1,0 +1,20 @@
+#include "ui/plots/swing/ChartPlot.h"
+#include "ui/plots/swing/PlotRendering.h"
+#include "ui/plots/swing/SpectrumChart.h"
+#include "ui/plots/swing/SwingPlot.h"
+
+namespace lubberline::ui {
+
+SwingPlot* makeSpectrumPlot(QWidget* parent)
+{
+    return new ChartPlot(
+        ChartPlot::tr("Spectrum"), [] { return std::make_unique<SpectrumChart>(); }, parent);
+}
+
+void renderSpectrum(QPainter& painter, const QRectF& target, const SwingPicture& picture)
+{
+    SpectrumChart chart;
+    renderChart(chart, painter, target, picture);
+}
+
+} // namespace lubberline::ui

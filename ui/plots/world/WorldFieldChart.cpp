@@ -1,0 +1,100 @@
+#include "ui/plots/world/WorldFieldChart.h"
+
+#include <qwt_plot_layout.h>
+#include <qwt_scale_draw.h>
+#include <qwt_text.h>
+
+#include "core/base/Contract.h"
+#include "ui/plots/base/CartesianPlot.h"
+#include "ui/plots/base/HeadingScale.h"
+#include "ui/plots/world/WorldFieldItem.h"
+#include "ui/plots/world/WorldFieldText.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+class PlaceScaleDraw : public QwtScaleDraw {
+public:
+    using Text = QString (*)(double value_deg, int decimals);
+    explicit PlaceScaleDraw(Text text) : m_text(text) {}
+    [[nodiscard]] QwtText label(double value_deg) const override { return m_text(value_deg, 0); }
+
+private:
+    Text m_text;
+};
+
+} // namespace
+
+WorldFieldChart::WorldFieldChart(QWidget* parent) : Chart(parent), m_plot(new CartesianPlot(this)), m_item(new WorldFieldItem)
+{
+    m_plot->setObjectName("worldFieldPlot");
+    m_plot->plotLayout()->setCanvasMargin(0);
+    m_plot->plotLayout()->setAlignCanvasToScales(true);
+    m_plot->setContentsMargins(0, 8, 20, 0); // half a label of 90° N and of 180° E
+    for (const int axis : {QwtAxis::XBottom, QwtAxis::YLeft})
+        m_plot->setAxisScaleEngine(axis, new HeadingScaleEngine);
+    m_plot->setAxisScaleDraw(QwtAxis::XBottom, new PlaceScaleDraw(longitudeText));
+    m_plot->setAxisScaleDraw(QwtAxis::YLeft, new PlaceScaleDraw(latitudeText));
+    m_plot->setBase(-180, 180, -90, 90, 0);
+    m_item->attach(m_plot);
+    styleItems();
+    setGrid(nullptr);
+}
+
+void WorldFieldChart::setGrid(std::shared_ptr<const FieldGrid> grid)
+{
+    LUBBERLINE_EXPECT(!grid || (grid->columns >= 2 && grid->rows >= 2), "a grid of the world has at least two nodes each way");
+    m_grid = std::move(grid);
+    m_item->setGrid(m_grid);
+    const QString title = m_grid
+        ? tr("%1, %2, %3").arg(fieldElementTitle(m_grid->element), QString::fromStdString(m_grid->model)).arg(m_grid->year, 0, 'f', 1)
+        : tr("The field is being computed.");
+    m_plot->setTitles(title, {});
+    replotAll();
+}
+
+void WorldFieldChart::setPlace(const std::optional<Place>& place, const QString& label)
+{
+    m_item->setPlace(place, label);
+    replotAll();
+}
+
+std::vector<QWidget*> WorldFieldChart::canvases() const { return {m_plot->canvas()}; }
+
+QString WorldFieldChart::readOutAt(const CanvasPlace& place) const
+{
+    const QPointF at = m_plot->valueAt(place.at);
+    if (!m_grid || !QRectF(-180, -90, 360, 180).contains(at))
+        return {};
+    return worldReadOut(*m_grid, at.y(), at.x());
+}
+
+void WorldFieldChart::zoomInto(const QWidget*, const QRectF& rect) { m_plot->zoomInto(rect); }
+void WorldFieldChart::zoomAt(const CanvasPlace& place, double factor) { m_plot->zoomAt(place.at, factor); }
+void WorldFieldChart::panBy(const QWidget*, const QPointF& by) { m_plot->panBy(by); }
+void WorldFieldChart::resetZoom() { m_plot->resetZoom(); }
+
+void WorldFieldChart::takeView(const Chart& other)
+{
+    Chart::takeView(other);
+    m_plot->takeView(*static_cast<const WorldFieldChart&>(other).m_plot);
+}
+
+void WorldFieldChart::styleItems()
+{
+    m_plot->setLook(colours(), font());
+    m_item->setLook(colours(), font());
+}
+
+void WorldFieldChart::layoutPlots(const QRect& rect) { m_plot->setGeometry(rect); }
+
+void WorldFieldChart::paintPlots(QPainter& painter, const QRectF& device)
+{
+    m_plot->replot();
+    m_plot->paintInto(painter, device);
+}
+
+void WorldFieldChart::replotAll() { m_plot->replot(); }
+
+} // namespace lubberline::ui

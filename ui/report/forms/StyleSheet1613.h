@@ -1,0 +1,28 @@
+#pragma once
+/// A sheet in the style of the US DD Form 1613, "Pilot's compass correction card" (columns after TM 1-1500-204-23-4, pp. 4-27
+/// to 4-29). The form has a sign of its own: its deviation is compass − magnetic; the sheet says so.
+
+#include <QString>
+
+#include "core/record/Fleet.h"
+#include "ui/report/page/Table.h"
+
+class QPagedPaintDevice;
+
+namespace lubberline::ui {
+
+struct StyleSheet1613 {
+    SwingRecord record;           ///< the swing after compensation: the residual swing
+    std::optional<Swing> asFound; ///< the compensating swing
+    QString madeAtUtc;
+};
+
+/// Rows N, NE … NW: rose heading; compensating swing: magnetic (1), compass (2), deviation (2) − (1); residual swing: magnetic
+/// (3), compass (4), "C to M" (3) − (4); computation: "M to C" (4) − (3). Degrees; a dash where nothing was read within 22.5°.
+[[nodiscard]] Table table1613(const StyleSheet1613& sheet);
+
+/// Errors: InvalidInput (an ending other than .pdf), Io, Unsupported (no font).
+Result<void> write1613(const StyleSheet1613& sheet, const QString& path);
+Result<void> print1613(const StyleSheet1613& sheet, QPagedPaintDevice& device);
+
+} // namespace lubberline::ui

@@ -1,0 +1,45 @@
+#include "ui/report/swing/Report.h"
+
+#include <QFileInfo>
+
+#include "core/format/exchange/Exchange.h"
+#include "ui/report/page/DocumentFile.h"
+#include "ui/report/page/Words.h"
+#include "ui/report/swing/ReportContent.h"
+#include "ui/report/swing/ReportData.h"
+#include "ui/report/swing/ReportHtml.h"
+#include "ui/report/swing/ReportPdf.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+Result<QByteArray> reportAs(const QString& ending, const ReportInput& input, const QString& path)
+{
+    if (ending == "pdf")
+        return reportPdf(input);
+    if (ending == "html")
+        return reportHtml(contentOf(input));
+    if (ending == "csv")
+        return reportCsv(input);
+    if (ending == "json")
+        return reportJson(input);
+    return Error{ErrorCode::InvalidInput,
+        Words::tr("a report cannot be written under this name; expected one that ends in .pdf, .html, .csv or .json").toStdString(),
+        path.toStdString()};
+}
+
+} // namespace
+
+Result<void> writeReport(const ReportInput& input, const QString& path)
+{
+    const auto bytes = reportAs(QFileInfo(path).suffix().toLower(), input, path);
+    if (!bytes) {
+        Error error = bytes.error();
+        error.file = path.toStdString();
+        return error;
+    }
+    return writeDocument(path, *bytes);
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,44 @@
+#pragma once
+/// Swing reports: A4 pages with vector plots, HTML with the plots inside, CSV and JSON. All show the same result object.
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+#include "core/angle/AngleText.h"
+#include "core/base/Result.h"
+#include "core/record/Fleet.h"
+#include "core/swing/Analysis.h"
+
+class QPagedPaintDevice;
+
+namespace lubberline::ui {
+
+struct ReportInput {
+    SwingRecord record;
+    Analysis analysis;                      ///< of the record's used readings in their order
+    std::optional<Swing> previous;          ///< last swing of the same compass: drawn behind the curve
+    std::vector<SensorRecord> sensors = {}; ///< of the compass, newest first: the first is reported, with the swing's field if it keeps one
+    std::optional<JobRecord> job = {};      ///< the guided swing that made it
+    std::optional<Swing> superseded = {};   ///< the revision that it amends
+    AngleStyle angleStyle = AngleStyle::DecimalDegrees;
+    QString madeAtUtc;    ///< ISO 8601; printed
+    bool archive = false; ///< PDF/A-1b, which may carry no attachment; else PDF 1.6 with the exchange JSON attached
+};
+
+/// Writes a report; the ending says which: .pdf, .html, .csv or .json. Written beside and renamed: no half file is left.
+/// Errors: InvalidInput (another ending), Io (folder missing or not writable: named), Unsupported (no font for a PDF).
+Result<void> writeReport(const ReportInput& input, const QString& path);
+
+/// Paints the pages of the PDF on any paged device: a QPrinter of the print dialog or preview, in its page size.
+/// Errors: Unsupported (no font), Io (the device takes no painting).
+Result<void> printReport(const ReportInput& input, QPagedPaintDevice& device);
+
+/// How many A4 pages that makes. Errors: Unsupported (no font).
+Result<int> reportPageCount(const ReportInput& input);
+
+/// The exchange JSON inside a report of ours. Errors: Io, Format (not a PDF; no such attachment).
+Result<std::string> exchangeInReport(const QString& path);
+
+} // namespace lubberline::ui

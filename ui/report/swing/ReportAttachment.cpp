@@ -1,0 +1,62 @@
+/// Reading the exchange JSON back out of a report.
+
+#include <QFile>
+#include <QFileInfo>
+
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFEmbeddedFileDocumentHelper.hh>
+
+#include <exception>
+
+#include "ui/report/page/Words.h"
+#include "ui/report/swing/Report.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr char kEnding[] = ".lubberline.json";
+
+Error formatError(const QString& message, const QString& path) { return {ErrorCode::Format, message.toStdString(), path.toStdString()}; }
+
+bool hasEnding(const std::string& name) { return QString::fromStdString(name).endsWith(QLatin1String(kEnding), Qt::CaseInsensitive); }
+
+/// The stream of the first attachment with our ending; null when there is none.
+std::shared_ptr<Buffer> findAttachment(QPDF& pdf)
+{
+    QPDFEmbeddedFileDocumentHelper attachments(pdf);
+    for (const auto& [name, file] : attachments.getEmbeddedFiles())
+        if (hasEnding(name) || hasEnding(file->getFilename()))
+            return file->getEmbeddedFileStream().getStreamData(qpdf_dl_generalized);
+    return nullptr;
+}
+
+} // namespace
+
+Result<std::string> exchangeInReport(const QString& path)
+{
+    QFile file(path);
+    if (QFileInfo(path).isDir() || !file.open(QIODevice::ReadOnly)) {
+        const QString why = QFileInfo(path).isDir() ? Words::tr("it is a folder") : file.errorString();
+        return Error{ErrorCode::Io, Words::tr("cannot be read: %1; expected a report PDF").arg(why).toStdString(), path.toStdString()};
+    }
+    if (file.peek(1024).indexOf("%PDF-") < 0) // where readers look for it (PDF Reference 1.7, appendix H, note 13)
+        return formatError(Words::tr("this is not a PDF; expected a report PDF of this program"), path);
+    file.close();
+    try {
+        QPDF pdf;
+        pdf.setSuppressWarnings(true);
+        pdf.processFile(QFile::encodeName(path).constData());
+        if (const auto data = findAttachment(pdf))
+            return std::string(reinterpret_cast<const char*>(data->getBuffer()), data->getSize());
+    } catch (const std::exception& damage) {
+        return formatError(
+            Words::tr("this PDF cannot be read (%1); expected a report PDF of this program").arg(QString::fromUtf8(damage.what())), path);
+    }
+    return formatError(
+        Words::tr("this PDF carries no exchange data (%1); expected a report PDF of this program that is not an archive (PDF/A) copy")
+            .arg(QLatin1String(kEnding)),
+        path);
+}
+
+} // namespace lubberline::ui

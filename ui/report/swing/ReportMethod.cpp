@@ -1,0 +1,66 @@
+/// Sign convention and methods in words, so that whoever holds the paper can work the figures again.
+
+#include "ui/report/page/Figures.h"
+#include "ui/report/page/Words.h"
+#include "ui/report/swing/ReportContent.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+QString pointRuleWords(const Analysis& analysis)
+{
+    if (!analysis.pointRules)
+        return Words::tr("none: a cardinal point has no reading near enough.");
+    const QString argument = analysis.pointRules->argument == HeadingArgument::Magnetic ? Words::tr("magnetic") : Words::tr("compass");
+    if (analysis.pointRules->points == 4) {
+        return Words::tr("from the readings nearest to N, E, S, W by %1 heading: A mean of the four, B = (E − W)/2, C = (N − S)/2, "
+                         "E = ((N + S) − (E + W))/4; D cannot be told.")
+            .arg(argument);
+    }
+    return Words::tr("from the readings nearest to the eight points by %1 heading: A mean of the eight, B = (E − W)/2, C = (N − S)/2, "
+                     "D = ((NE + SW) − (SE + NW))/4, E = ((N + S) − (E + W))/4.")
+        .arg(argument);
+}
+
+QString errorWords(const Analysis& analysis)
+{
+    const int degreesOfFreedom = analysis.approximate.degreesOfFreedom;
+    if (!analysis.approximate.fitted() || degreesOfFreedom < 2)
+        return Words::tr("there are too few readings for standard errors or for finding suspect readings.");
+    const double threshold = suspectThreshold(static_cast<int>(analysis.readings.size()), degreesOfFreedom);
+    return Words::tr("standard errors are of equal, independent errors. t is the externally studentised residual of the approximate fit; "
+                     "beyond ±%1 in this swing a reading is marked suspect. It stays in use until somebody excludes it with a reason.")
+        .arg(figure(threshold, 2));
+}
+
+QString spectrumWords(const Harmonics& harmonics)
+{
+    const QString method = harmonics.method == HarmonicsMethod::Fft ? Words::tr("fast Fourier transform of equally spaced headings")
+                                                                    : Words::tr("least squares on headings that are not equally spaced");
+    return Words::tr("harmonics of deviation against magnetic heading by %1, up to order %2, which is what these headings resolve.")
+        .arg(method)
+        .arg(harmonics.highestResolvable);
+}
+
+} // namespace
+
+std::vector<Fact> methodWords(const Analysis& analysis)
+{
+    return {
+        {Words::tr("Sign"),
+            Words::tr("Deviation = magnetic heading − compass heading; easterly is positive: the compass reads low, and deviation is "
+                      "added to what it reads to get magnetic heading.")},
+        {Words::tr("Approximate"),
+            Words::tr("least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; ψ′ is the compass heading, A to E are angles. "
+                      "Residual = deviation read − deviation fitted.")},
+        {Words::tr("Exact"),
+            Words::tr("tan δ = (A + B sin ψ + C cos ψ + D sin 2ψ + E cos 2ψ) / (1 + B cos ψ − C sin ψ + D cos 2ψ − E sin 2ψ), multiplied "
+                      "out and fitted by linear least squares; ψ is the magnetic heading, A to E have no unit.")},
+        {Words::tr("Point rules"), pointRuleWords(analysis)},
+        {Words::tr("Errors"), errorWords(analysis)},
+        {Words::tr("Spectrum"), spectrumWords(analysis.harmonics)},
+    };
+}
+
+} // namespace lubberline::ui

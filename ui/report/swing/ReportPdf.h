@@ -1,0 +1,13 @@
+#pragma once
+/// The PDF of a report.
+
+#include <QByteArray>
+
+#include "ui/report/swing/Report.h"
+
+namespace lubberline::ui {
+
+/// Errors: Unsupported (no font), Io.
+Result<QByteArray> reportPdf(const ReportInput& input);
+
+} // namespace lubberline::ui

@@ -1,0 +1,151 @@
+#include "ui/sensor/ParameterCell.h"
+
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QStyle>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr int kSliderSteps = 1000; // each side of the middle: finer than a pixel of the slider
+
+QString plainDigits(QString text) { return text.replace(',', '.').replace(QChar(0x2212), '-'); }
+
+} // namespace
+
+QSize NumberSpin::sizeHint() const
+{
+    const QSize usual = QDoubleSpinBox::sizeHint();
+    const int digits = fontMetrics().horizontalAdvance(QStringLiteral("-00000.0 nT"));
+    return {std::min(usual.width(), digits + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 14), usual.height()};
+}
+
+double NumberSpin::valueFromText(const QString& text) const { return QDoubleSpinBox::valueFromText(plainDigits(text)); }
+
+QString NumberSpin::textFromValue(double value) const
+{
+    // Minus zero is no figure.
+    return QString::number(std::abs(value) < 0.5 * std::pow(10.0, -decimals()) ? 0.0 : value, 'f', decimals());
+}
+
+QValidator::State NumberSpin::validate(QString& text, int& position) const
+{
+    QString plain = plainDigits(text); // as long as what was typed
+    return QDoubleSpinBox::validate(plain, position);
+}
+
+void NumberSpin::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+void PlaySlider::mouseReleaseEvent(QMouseEvent* event)
+{
+    QSlider::mouseReleaseEvent(event);
+    emit letGo();
+}
+
+void PlaySlider::keyReleaseEvent(QKeyEvent* event)
+{
+    QSlider::keyReleaseEvent(event);
+    if (!event->isAutoRepeat())
+        emit letGo();
+}
+
+void PlaySlider::focusOutEvent(QFocusEvent* event)
+{
+    QSlider::focusOutEvent(event);
+    emit letGo();
+}
+
+void PlaySlider::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+ParameterCell::ParameterCell(const ParameterSpec& spec, QWidget* parent)
+    : QWidget(parent)
+    , m_label(new QLabel(spec.label))
+    , m_spin(new NumberSpin)
+    , m_slider(new PlaySlider(Qt::Horizontal))
+    , m_low(spec.low)
+    , m_high(spec.high)
+{
+    m_spin->setLocale(QLocale::c());
+    m_spin->setObjectName(spec.name);
+    m_spin->setAccessibleName(spec.meaning);
+    m_spin->setToolTip(spec.meaning);
+    m_spin->setDecimals(spec.decimals);
+    m_spin->setSuffix(spec.suffix);
+    m_spin->setRange(spec.least, spec.most);
+    m_spin->setSingleStep((spec.high - spec.low) / 200);
+    m_slider->setObjectName(spec.name + QStringLiteral("Slider"));
+    m_slider->setAccessibleName(spec.meaning);
+    m_slider->setToolTip(spec.meaning);
+    m_slider->setRange(-kSliderSteps, kSliderSteps);
+    m_slider->setSingleStep(kSliderSteps / 100);
+    m_slider->setPageStep(kSliderSteps / 10);
+    m_slider->setMinimumWidth(40);
+    m_label->setBuddy(m_spin);
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setHorizontalSpacing(4);
+    layout->setVerticalSpacing(0);
+    layout->addWidget(m_label, 0, 0);
+    layout->addWidget(m_slider, 0, 1);
+    layout->addWidget(m_spin, 1, 0, 1, 2);
+    layout->setColumnStretch(1, 1);
+    setTabOrder(m_spin, m_slider);
+    setFocusProxy(m_spin);
+    setValue(0);
+    connect(m_spin, &QDoubleSpinBox::valueChanged, this, &ParameterCell::playTyped);
+    connect(m_spin, &QDoubleSpinBox::editingFinished, this, &ParameterCell::settled);
+    connect(m_slider, &QSlider::valueChanged, this, &ParameterCell::playSlider);
+    connect(m_slider, &PlaySlider::letGo, this, &ParameterCell::settled);
+}
+
+void ParameterCell::setValue(double value)
+{
+    m_value = value;
+    const bool shown = std::abs(m_spin->value() - value) <= 0.5 * std::pow(10.0, -m_spin->decimals());
+    if (!shown || !m_spin->hasFocus()) { // what is being typed is not written anew
+        const QSignalBlocker noSpin(m_spin);
+        m_spin->setValue(value);
+    }
+    placeSlider();
+}
+
+void ParameterCell::setRange(double low, double high)
+{
+    m_low = low;
+    m_high = high;
+    const QSignalBlocker noSpin(m_spin);
+    m_spin->setRange(low, high);
+    m_spin->setSingleStep((high - low) / 200);
+    setValue(std::clamp(m_value, low, high));
+}
+
+void ParameterCell::placeSlider()
+{
+    const QSignalBlocker noSlider(m_slider);
+    const double part = (2 * m_value - m_low - m_high) / (m_high - m_low);
+    m_slider->setValue(static_cast<int>(std::lround(std::clamp(part, -1.0, 1.0) * kSliderSteps)));
+}
+
+void ParameterCell::playTyped(double value)
+{
+    m_value = value;
+    placeSlider();
+    emit played(value);
+}
+
+void ParameterCell::playSlider(int position)
+{
+    const double part = static_cast<double>(position) / kSliderSteps;
+    const QSignalBlocker noSpin(m_spin);
+    m_spin->setValue(((m_high + m_low) + part * (m_high - m_low)) / 2);
+    m_value = m_spin->value(); // what is read is what acts
+    emit played(m_value);
+}
+
+} // namespace lubberline::ui

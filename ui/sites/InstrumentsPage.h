@@ -1,0 +1,48 @@
+#pragma once
+/// The datum instruments, and what their figures mean, with an example that makes a wrong setting obvious.
+
+#include <QWidget>
+
+#include <functional>
+
+#include "ui/kit/FormField.h"
+#include "ui/storage/Storage.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace lubberline::ui {
+
+/// "rose line", "sighting compass" …, in the order of DatumKind.
+[[nodiscard]] QStringList datumKindWords();
+/// What the instrument's setting makes of a figure: "It reads 358 from ahead: the aircraft heads 178 magnetic."
+[[nodiscard]] QString datumExample(const DatumInstrument& instrument);
+
+class InstrumentsPage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// @param today ISO 8601, UTC.
+    InstrumentsPage(Storage& storage, std::function<std::string()> today, QWidget* parent = nullptr);
+    void reload();
+
+signals:
+    void failed(const QString& message);
+
+private:
+    void build();
+    void showInstrument();
+    void add();
+    void remove();
+
+    Storage& m_storage;
+    std::function<std::string()> m_today;
+    std::vector<DatumInstrument> m_instruments;
+    FormFields<DatumInstrument> m_fields;
+    QListWidget* m_list;
+    QPushButton *m_add, *m_remove;
+    QLabel *m_example, *m_state;
+};
+
+} // namespace lubberline::ui

@@ -1,0 +1,413 @@
+#include "ui/sites/SitesPage.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QSplitter>
+#include <QTableWidget>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+#include "core/site/SiteSurvey.h"
+#include "core/swing/SwingField.h"
+#include "ui/earth/FieldText.h"
+#include "ui/fleet/RecordEdits.h"
+#include "ui/kit/PlaceText.h"
+#include "ui/kit/Words.h"
+#include "ui/sites/SurveyDrawing.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+enum Column { East, North, Height, Declination, Total, kColumns };
+
+QString optionalFigure(std::optional<double> value) { return value ? QString::number(*value, 'g', 8) : QString(); }
+
+FormFields<Site>::Take takeDate(std::string Site::*member)
+{
+    return [member](Site& site, const QString& text) -> Result<void> {
+        const auto date = parseDate(text, true);
+        if (!date)
+            return date.error();
+        site.*member = *date;
+        return {};
+    };
+}
+
+FormFields<Site>::Take takeAngle(std::optional<double> Site::*member, Result<double> (*parse)(const QString&))
+{
+    return [member, parse](Site& site, const QString& text) -> Result<void> {
+        if (text.trimmed().isEmpty()) {
+            (site.*member).reset();
+            return {};
+        }
+        const auto angle = parse(text);
+        if (!angle)
+            return angle.error();
+        site.*member = *angle;
+        return {};
+    };
+}
+
+FormFields<Site>::Take takeVariation(std::optional<double> Site::*member)
+{
+    return [member](Site& site, const QString& text) -> Result<void> {
+        const auto angle = parseOptionalAngle_deg(text);
+        if (!angle)
+            return angle.error();
+        site.*member = *angle;
+        return {};
+    };
+}
+
+/// Cells of a row as a point. Errors: InvalidInput, naming the cell.
+Result<SurveyPoint> pointOf(const QStringList& cells)
+{
+    SurveyPoint point;
+    const auto number = [&](int column, bool needed) -> Result<std::optional<double>> {
+        const QString text = cells.value(column).trimmed().replace(',', '.').replace(QChar(0x2212), '-');
+        if (text.isEmpty() && !needed)
+            return std::optional<double>();
+        bool ok = false;
+        const double value = text.toDouble(&ok);
+        if (!ok || !std::isfinite(value))
+            return Error{ErrorCode::InvalidInput,
+                SitesPage::tr("'%1' is no number; expected metres, degrees or nT").arg(cells.value(column)).toStdString()};
+        return std::optional(value);
+    };
+    const auto east = number(East, true), north = number(North, true), height = number(Height, false),
+               declination = number(Declination, false), total = number(Total, false);
+    for (const auto* each : {&east, &north, &height, &declination, &total})
+        if (!*each)
+            return each->error();
+    point = {**east, **north, (*height).value_or(0), *declination, *total};
+    if (!point.declination_deg && !point.total_nT)
+        return Error{ErrorCode::InvalidInput, SitesPage::tr("a point of a survey has a declination or a total field").toStdString()};
+    return point;
+}
+
+} // namespace
+
+SitesPage::SitesPage(EditContext& context, QUndoStack& stack, std::function<std::string()> today, QWidget* parent)
+    : QWidget(parent)
+    , m_context(context)
+    , m_stack(stack)
+    , m_today(std::move(today))
+    , m_fields([this](const Site& after, const QString& field) { store(after, field); })
+    , m_list(new QListWidget)
+    , m_add(new QPushButton(tr("&New base")))
+    , m_model(new QPushButton(tr("Variation from the &model, today")))
+    , m_fitness(new QLabel)
+    , m_lines(new QLabel)
+    , m_summary(new QLabel)
+    , m_table(new QTableWidget(0, kColumns))
+    , m_drawing(new SurveyDrawing)
+{
+    build();
+}
+
+void SitesPage::build()
+{
+    m_list->setObjectName(QStringLiteral("siteList"));
+    m_add->setObjectName(QStringLiteral("newSite"));
+    m_model->setObjectName(QStringLiteral("siteModel"));
+    m_fitness->setObjectName(QStringLiteral("siteFitness"));
+    m_lines->setObjectName(QStringLiteral("siteLines"));
+    m_summary->setObjectName(QStringLiteral("surveySummary"));
+    for (QLabel* label : {m_fitness, m_lines, m_summary})
+        label->setWordWrap(true);
+    m_table->setObjectName(QStringLiteral("surveyTable"));
+    m_table->setHorizontalHeaderLabels(
+        {tr("east (m)"), tr("north (m)"), tr("height (m)"), tr("declination (°, E +)"), tr("total field (nT)")});
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->setToolTip(tr("From the centre of the base. Paste (Ctrl+V) takes columns from a spreadsheet"));
+    auto* form = new QFormLayout;
+    buildForm(*form);
+    auto* particulars = new QWidget;
+    auto* left = new QVBoxLayout(particulars);
+    left->addLayout(form);
+    left->addWidget(m_model, 0, Qt::AlignLeft);
+    left->addWidget(m_fitness);
+    left->addWidget(m_lines);
+    left->addStretch();
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(particulars);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    auto* survey = new QWidget;
+    auto* right = new QVBoxLayout(survey);
+    right->addWidget(m_table, 1);
+    right->addWidget(m_summary);
+    right->addWidget(m_drawing, 2);
+    auto* chooser = new QWidget;
+    auto* list = new QVBoxLayout(chooser);
+    list->addWidget(m_list);
+    list->addWidget(m_add);
+    auto* splitter = new QSplitter;
+    splitter->addWidget(chooser);
+    splitter->addWidget(scroll);
+    splitter->addWidget(survey);
+    splitter->setSizes({160, 380, 460});
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(splitter);
+    setFocusProxy(m_list);
+    connect(m_list, &QListWidget::currentRowChanged, this, &SitesPage::showSite);
+    connect(m_add, &QPushButton::clicked, this, &SitesPage::addSite);
+    connect(m_model, &QPushButton::clicked, this, &SitesPage::takeModelVariation);
+    connect(m_table, &QTableWidget::cellChanged, this, &SitesPage::takeSurvey, Qt::QueuedConnection);
+    auto* pasting = new QShortcut(QKeySequence::Paste, m_table);
+    pasting->setContext(Qt::WidgetShortcut);
+    connect(pasting, &QShortcut::activated, this, &SitesPage::paste);
+    connect(&m_context.storage, &Storage::sitesChanged, this, [this] {
+        if (isVisible())
+            reload();
+    });
+}
+
+void SitesPage::buildForm(QFormLayout& form)
+{
+    const auto text = [&](const QString& title, const char* name, std::string Site::*member) {
+        m_fields.addLine(
+            form, title, QString::fromLatin1(name), [member](const Site& site) { return toText(site.*member); }, takeText(member));
+    };
+    m_fields.addLine(
+        form, tr("Name:"), QStringLiteral("siteName"), [](const Site& site) { return toText(site.name); },
+        [](Site& site, const QString& name) -> Result<void> {
+            if (name.trimmed().isEmpty())
+                return Error{ErrorCode::InvalidInput, tr("a base must have a name").toStdString()};
+            site.name = name.trimmed().toStdString();
+            return {};
+        });
+    text(tr("Owner:"), "siteOwner", &Site::owner);
+    m_fields.addLine(
+        form, tr("Latitude:"), QStringLiteral("siteLatitude"),
+        [](const Site& site) { return site.latitude_deg ? latitudeToType(*site.latitude_deg) : QString(); },
+        takeAngle(&Site::latitude_deg, parseLatitude_deg));
+    m_fields.addLine(
+        form, tr("Longitude:"), QStringLiteral("siteLongitude"),
+        [](const Site& site) { return site.longitude_deg ? longitudeToType(*site.longitude_deg) : QString(); },
+        takeAngle(&Site::longitude_deg, [](const QString& typed) -> Result<double> {
+            const auto angle = parseLongitude_deg(typed);
+            return angle ? Result<double>(wrap180(*angle)) : angle;
+        }));
+    m_fields.addLine(
+        form, tr("Elevation (m):"), QStringLiteral("siteElevation"), [](const Site& site) { return optionalFigure(site.elevation_m); },
+        takeAngle(&Site::elevation_m, parseHeight_m));
+    m_fields.addLine(
+        form, tr("Variation (°, E +):"), QStringLiteral("siteVariation"),
+        [](const Site& site) { return optionalFigure(site.variation_deg); }, takeVariation(&Site::variation_deg));
+    text(tr("Variation by:"), "siteVariationSource", &Site::variationSource);
+    QStringList classes{tr("none")};
+    for (const ClassRule& rule : classRules())
+        classes
+            += tr("class %1: within %2° (%3)").arg(static_cast<int>(rule.siteClass)).arg(rule.permissible_deg).arg(toText(rule.document));
+    auto* siteClass = m_fields.addChoice(
+        form, tr("Class:"), QStringLiteral("siteClass"), classes, [](const Site& site) { return static_cast<int>(site.siteClass); },
+        [](Site& site, int choice) { site.siteClass = static_cast<SiteClass>(choice); });
+    siteClass->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    text(tr("Certificate:"), "siteCertificate", &Site::certificate);
+    m_fields.addLine(
+        form, tr("Valid to:"), QStringLiteral("siteExpiry"), [](const Site& site) { return toText(site.certificateExpiry); },
+        takeDate(&Site::certificateExpiry));
+    m_fields.addLine(
+        form, tr("Lines painted with (°, E +):"), QStringLiteral("sitePainted"),
+        [](const Site& site) { return optionalFigure(site.paintedVariation_deg); }, takeVariation(&Site::paintedVariation_deg));
+    m_fields.addLine(
+        form, tr("Painted on:"), QStringLiteral("sitePaintedDate"), [](const Site& site) { return toText(site.paintedDate); },
+        takeDate(&Site::paintedDate));
+    m_fields.addLine(
+        form, tr("Surveyed on:"), QStringLiteral("siteSurveyDate"), [](const Site& site) { return toText(site.surveyDate); },
+        takeDate(&Site::surveyDate));
+    text(tr("Surveyed by:"), "siteSurveyor", &Site::surveyor);
+    text(tr("Surveyed with:"), "siteSurveyInstrument", &Site::surveyInstrument);
+    text(tr("Note:"), "siteNote", &Site::note);
+}
+
+void SitesPage::reload()
+{
+    auto sites = m_context.storage.sites();
+    if (!sites) {
+        emit failed(messageOf(sites.error()));
+        return;
+    }
+    const SiteId kept = m_fields.record().id;
+    m_sites = std::move(sites.value());
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    int row = 0;
+    for (std::size_t i = 0; i < m_sites.size(); ++i) {
+        m_list->addItem(toText(m_sites[i].name));
+        if (m_sites[i].id == kept)
+            row = static_cast<int>(i);
+    }
+    m_list->setCurrentRow(row);
+    m_add->setEnabled(!m_context.storage.readOnly());
+    showSite();
+}
+
+void SitesPage::showSite()
+{
+    const int row = m_list->currentRow();
+    const bool there = row >= 0 && row < static_cast<int>(m_sites.size());
+    const bool editable = there && !m_context.storage.readOnly();
+    m_fields.show(there ? m_sites[static_cast<std::size_t>(row)] : Site(), editable);
+    m_model->setEnabled(editable && variationToday().has_value());
+    m_table->setEnabled(editable);
+    showSurvey();
+    showFitness();
+}
+
+std::optional<double> SitesPage::variationToday() const
+{
+    Swing today;
+    today.date = m_today();
+    const auto stamp = stampFor(today, m_fields.record());
+    return stamp ? std::optional(toDegrees(std::atan2(stamp->field.east_nT, stamp->field.north_nT))) : std::nullopt;
+}
+
+void SitesPage::showFitness()
+{
+    const Site& site = m_fields.record();
+    const std::string why = whyUnfit({site.certificateExpiry, site.siteClass, SiteClass::None}, m_today());
+    m_fitness->setText(why.empty() ? tr("● may be used today") : tr("▲ not to be used today: %1").arg(toText(why)));
+    QString lines;
+    if (const auto today = variationToday(); site.paintedVariation_deg && today) {
+        const double offset = paintedLineOffset_deg(Variation::fromDegrees(*site.paintedVariation_deg), Variation::fromDegrees(*today));
+        lines = tr("Painted lines: the variation is %1° today, so that %2° is to be added to what a line says.")
+                    .arg(signedNumber(*today, 2), signedNumber(offset, 2));
+    }
+    m_lines->setText(lines);
+}
+
+void SitesPage::showSurvey()
+{
+    const Site& site = m_fields.record();
+    const QSignalBlocker quiet(m_table);
+    m_table->setRowCount(static_cast<int>(site.survey.size()) + 1);
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const bool there = row < static_cast<int>(site.survey.size());
+        const SurveyPoint point = there ? site.survey[static_cast<std::size_t>(row)] : SurveyPoint();
+        const QStringList cells = there ? QStringList{optionalFigure(point.east_m), optionalFigure(point.north_m),
+                                      optionalFigure(point.height_m), optionalFigure(point.declination_deg), optionalFigure(point.total_nT)}
+                                        : QStringList();
+        for (int column = 0; column < kColumns; ++column)
+            m_table->setItem(row, column, new QTableWidgetItem(cells.value(column)));
+    }
+    m_drawing->setSurvey(site.survey);
+    Swing today;
+    today.date = m_today();
+    const auto stamp = stampFor(today, site);
+    const double horizontal_nT = stamp ? std::hypot(stamp->field.north_nT, stamp->field.east_nT) : 0;
+    const auto summary = site.survey.empty() ? Result<SurveySummary>(Error{}) : summarise(site.survey, horizontal_nT);
+    QStringList lines;
+    if (summary) {
+        if (const auto& d = summary->declination_deg)
+            lines += tr("Declination %1° to %2°, mean %3°, range %4′ of %5 points.")
+                         .arg(d->least, 0, 'f', 3)
+                         .arg(d->most, 0, 'f', 3)
+                         .arg(d->mean, 0, 'f', 3)
+                         .arg(d->range() * 60, 0, 'f', 1)
+                         .arg(d->count);
+        if (const auto& f = summary->total_nT)
+            lines += tr("Total field %1 to %2 nT, mean %3, range %4 nT.")
+                         .arg(f->least, 0, 'f', 1)
+                         .arg(f->most, 0, 'f', 1)
+                         .arg(f->mean, 0, 'f', 1)
+                         .arg(f->range(), 0, 'f', 2);
+        if (summary->equivalent_deg)
+            lines += tr("Half of that range turns a needle by %1° at most.").arg(*summary->equivalent_deg, 0, 'f', 3);
+        lines += summary->meets == SiteClass::None ? tr("Meets no class.") : tr("Meets class %1.").arg(static_cast<int>(summary->meets));
+        if (summary->declination_deg)
+            lines += summary->withinMilitaryRange ? tr("Range within 12′ (MIL-STD-765A, per CNATRAINST 11130.1D).")
+                                                  : tr("Range beyond 12′ (MIL-STD-765A, per CNATRAINST 11130.1D).");
+    } else if (!site.survey.empty()) {
+        lines += messageOf(summary.error());
+    }
+    m_summary->setText(lines.join(QStringLiteral(" ")));
+}
+
+void SitesPage::store(const Site& after, const QString& what)
+{
+    m_stack.push(new ChangeRecord<Site>(m_context, {}, m_fields.record(), after, tr("%1 of %2").arg(what, toText(after.name))));
+    reload();
+}
+
+void SitesPage::addSite()
+{
+    Site site;
+    site.name = tr("New base").toStdString();
+    for (int number = 2; std::any_of(m_sites.begin(), m_sites.end(), [&](const Site& one) { return one.name == site.name; }); ++number)
+        site.name = tr("New base %1").arg(number).toStdString();
+    const auto id = m_context.storage.save(site);
+    if (!id) {
+        emit failed(messageOf(id.error()));
+        return;
+    }
+    site.id = *id;
+    m_fields.show(site, true);
+    reload();
+    findChild<QLineEdit*>(QStringLiteral("siteName"))->setFocus();
+    findChild<QLineEdit*>(QStringLiteral("siteName"))->selectAll();
+}
+
+void SitesPage::takeModelVariation()
+{
+    Site after = m_fields.record();
+    Swing today;
+    today.date = m_today();
+    const auto stamp = stampFor(today, after);
+    if (!stamp)
+        return;
+    after.variation_deg = std::round(toDegrees(std::atan2(stamp->field.east_nT, stamp->field.north_nT)) * 100) / 100;
+    after.variationSource = stamp->model + ", " + stamp->date;
+    store(after, tr("variation"));
+}
+
+/// The survey as the table says it; rows that are empty are left out.
+void SitesPage::takeSurvey()
+{
+    Site after = m_fields.record();
+    after.survey.clear();
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        QStringList cells;
+        for (int column = 0; column < kColumns; ++column)
+            cells += m_table->item(row, column) ? m_table->item(row, column)->text() : QString();
+        if (cells.join(QString()).trimmed().isEmpty())
+            continue;
+        const auto point = pointOf(cells);
+        if (!point) { // a row that is being typed is stored when it is whole
+            m_summary->setText(tr("Row %1 is not stored yet: %2").arg(row + 1).arg(messageOf(point.error())));
+            return;
+        }
+        after.survey.push_back(*point);
+    }
+    if (!(after == m_fields.record()))
+        store(after, tr("survey"));
+}
+
+void SitesPage::paste()
+{
+    Site after = m_fields.record();
+    const QStringList lines = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
+    for (int line = 0; line < lines.size(); ++line) {
+        const auto point = pointOf(lines[line].split(lines[line].contains('\t') ? '\t' : ';'));
+        if (!point) {
+            emit failed(tr("Line %1 of what is pasted: %2").arg(line + 1).arg(messageOf(point.error())));
+            return; // all or nothing
+        }
+        after.survey.push_back(*point);
+    }
+    if (!lines.isEmpty())
+        store(after, tr("survey"));
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,59 @@
+#pragma once
+/// Compass bases: where they are, their class and certificate, what is painted there, and how they were surveyed.
+
+#include <QWidget>
+
+#include <functional>
+
+#include "ui/kit/EditContext.h"
+#include "ui/kit/FormField.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QTableWidget;
+class QUndoStack;
+
+namespace lubberline::ui {
+
+class SurveyDrawing;
+
+class SitesPage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// @param today ISO 8601, UTC.
+    SitesPage(EditContext& context, QUndoStack& stack, std::function<std::string()> today, QWidget* parent = nullptr);
+    void reload();
+
+signals:
+    void failed(const QString& message);
+
+private:
+    void build();
+    void buildForm(QFormLayout& form);
+    void showSite();
+    void showSurvey();
+    void showFitness();
+    void addSite();
+    void takeSurvey();
+    void paste();
+    void takeModelVariation();
+    void store(const Site& after, const QString& what);
+    [[nodiscard]] std::optional<double> variationToday() const; ///< of the model there [deg, east positive]
+
+    EditContext& m_context;
+    QUndoStack& m_stack;
+    std::function<std::string()> m_today;
+    std::vector<Site> m_sites;
+    FormFields<Site> m_fields;
+    QListWidget* m_list;
+    QPushButton* m_add;
+    QPushButton* m_model;
+    QLabel *m_fitness, *m_lines, *m_summary;
+    QTableWidget* m_table;
+    SurveyDrawing* m_drawing;
+    bool m_filling = false;
+};
+
+} // namespace lubberline::ui

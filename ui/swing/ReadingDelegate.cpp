@@ -1,0 +1,63 @@
+#include "ui/swing/ReadingDelegate.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPainter>
+
+#include "ui/swing/ReadingsModel.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+const QColor kRefused(0xC6, 0x28, 0x28);
+
+}
+
+QWidget* ReadingDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const
+{
+    auto* editor = new QLineEdit(parent);
+    editor->setObjectName(QStringLiteral("readingEditor"));
+    editor->setFrame(false);
+    editor->setAlignment(Qt::Alignment(index.data(Qt::TextAlignmentRole).toInt()));
+    return editor;
+}
+
+void ReadingDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const
+{
+    const QString typed = static_cast<QLineEdit*>(editor)->text();
+    // Enter on the grey nominal heading accepts it: what was visible becomes the reading.
+    const bool accepts = typed.isEmpty() && index.data(ReadingsModel::PlaceholderRole).toBool() && editor->property("enter").toBool();
+    model->setData(index, accepts ? QStringLiteral("=") : typed);
+}
+
+void ReadingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    QStyleOptionViewItem look = option;
+    look.font.setItalic(index.data(ReadingsModel::PlaceholderRole).toBool());
+    QStyledItemDelegate::paint(painter, look, index);
+    if (!index.data(ReadingsModel::RejectedRole).toBool())
+        return;
+    painter->save();
+    painter->setPen(QPen(kRefused, 2));
+    painter->drawRect(QRectF(option.rect).adjusted(1, 1, -2, -2));
+    painter->restore();
+}
+
+bool ReadingDelegate::eventFilter(QObject* object, QEvent* event)
+{
+    auto* editor = qobject_cast<QLineEdit*>(object);
+    if (!editor || event->type() != QEvent::KeyPress)
+        return QStyledItemDelegate::eventFilter(object, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key != Qt::Key_Return && key != Qt::Key_Enter)
+        return QStyledItemDelegate::eventFilter(object, event);
+    // At once, not queued as Qt does: a fast typist's next key must find the next cell.
+    editor->setProperty("enter", true);
+    emit commitData(editor);
+    emit closeEditor(editor, NoHint);
+    emit entered();
+    return true;
+}
+
+} // namespace lubberline::ui

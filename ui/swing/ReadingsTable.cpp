@@ -1,0 +1,101 @@
+#include "ui/swing/ReadingsTable.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+
+#include <algorithm>
+
+#include "ui/swing/ReadingDelegate.h"
+#include "ui/swing/ReadingsModel.h"
+
+namespace lubberline::ui {
+
+ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent) : QTableView(parent), m_model(model)
+{
+    setObjectName(QStringLiteral("readingsTable"));
+    setModel(&model);
+    auto* delegate = new ReadingDelegate(this);
+    setItemDelegate(delegate);
+    connect(delegate, &ReadingDelegate::entered, this, &ReadingsTable::advance);
+    setEditTriggers(AnyKeyPressed | DoubleClicked | EditKeyPressed);
+    setSelectionMode(ExtendedSelection);
+    setAlternatingRowColors(true);
+    setTabKeyNavigation(false); // Tab leaves the table; inside an editor it goes to the next cell
+    setCornerButtonEnabled(false);
+    setWordWrap(false);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    verticalHeader()->setMinimumWidth(fontMetrics().horizontalAdvance("000"));
+    horizontalHeader()->setHighlightSections(false);
+    for (int column = 0; column < kReadingColumns; ++column)
+        setColumnWidth(column,
+            fontMetrics().horizontalAdvance(static_cast<ReadingColumn>(column) == ReadingColumn::State ? "suspect, t = −00" : "000°00'W0"));
+    horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance("Note00"));
+    horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::Note), QHeaderView::Stretch);
+}
+
+void ReadingsTable::goTo(int row, ReadingColumn column)
+{
+    if (row >= 0 && row < m_model.rowCount())
+        setCurrentIndex(m_model.index(row, static_cast<int>(column)));
+}
+
+std::vector<int> ReadingsTable::selectedReadings() const
+{
+    std::vector<int> rows;
+    for (const QModelIndex& index : selectionModel()->selectedIndexes())
+        if (!m_model.isNewRow(index.row()))
+            rows.push_back(index.row());
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+}
+
+void ReadingsTable::acceptNominal()
+{
+    leaveCell();
+    const QModelIndex cell = m_model.index(currentIndex().row(), static_cast<int>(ReadingColumn::Magnetic));
+    if (cell.isValid() && m_model.setData(cell, QStringLiteral("=")))
+        goTo(cell.row(), ReadingColumn::Compass);
+}
+
+void ReadingsTable::leaveCell()
+{
+    if (state() == EditingState)
+        setFocus();
+}
+
+void ReadingsTable::advance()
+{
+    const QModelIndex at = currentIndex();
+    if (!at.isValid() || at.data(ReadingsModel::RejectedRole).toBool())
+        return;
+    switch (currentColumn()) {
+    case ReadingColumn::Nominal: goTo(at.row(), ReadingColumn::Magnetic); return;
+    case ReadingColumn::Magnetic: goTo(at.row(), ReadingColumn::Compass); return;
+    case ReadingColumn::Note: goTo(at.row() + 1, ReadingColumn::Note); return;
+    default: goTo(at.row() + 1, ReadingColumn::Magnetic);
+    }
+}
+
+void ReadingsTable::enterCell()
+{
+    if (currentIndex().data(ReadingsModel::PlaceholderRole).toBool())
+        m_model.setData(currentIndex(), QStringLiteral("="));
+    advance();
+}
+
+void ReadingsTable::keyPressEvent(QKeyEvent* event)
+{
+    const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    if (plain && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter))
+        enterCell();
+    else if (plain && event->key() == Qt::Key_Equal)
+        acceptNominal();
+    else if (plain && (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace))
+        m_model.setData(currentIndex(), QString());
+    else
+        QTableView::keyPressEvent(event);
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,266 @@
+#include "ui/swing/SigningPanel.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "core/record/SwingDifferences.h"
+#include "ui/kit/Words.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr int kRowHeight_px = 22, kMostRows = 6;
+
+QTableWidget* readOnlyTable(const char* name, const QStringList& heads)
+{
+    auto* table = new QTableWidget(0, static_cast<int>(heads.size()));
+    table->setObjectName(QString::fromLatin1(name));
+    table->setHorizontalHeaderLabels(heads);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(kRowHeight_px);
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->setTabKeyNavigation(false);
+    return table;
+}
+
+void addRow(QTableWidget& table, const QStringList& cells)
+{
+    const int row = table.rowCount();
+    table.insertRow(row);
+    for (int column = 0; column < cells.size(); ++column) {
+        auto* item = new QTableWidgetItem(cells[column]);
+        item->setToolTip(cells[column]);
+        table.setItem(row, column, item);
+    }
+}
+
+/// As high as its rows, up to a few.
+void fit(QTableWidget& table)
+{
+    table.resizeColumnsToContents();
+    table.setFixedHeight(kRowHeight_px * (std::min(table.rowCount(), kMostRows) + 1) + 6);
+    table.setVisible(table.rowCount() > 0);
+}
+
+QStringList roleWords()
+{
+    return {SigningPanel::tr("swung and adjusted by"), SigningPanel::tr("inspected by"), SigningPanel::tr("released by")};
+}
+
+} // namespace
+
+SigningPanel::SigningPanel(EditContext& context, QWidget* parent)
+    : QFrame(parent)
+    , m_context(context)
+    , m_strip(new QLabel)
+    , m_statement(new QLabel)
+    , m_signatures(readOnlyTable("signatures", {tr("role"), tr("name"), tr("licence"), tr("time (UTC)"), tr("stands for")}))
+    , m_signRow(new QWidget)
+    , m_role(new QComboBox)
+    , m_name(new QLineEdit)
+    , m_licence(new QLineEdit)
+    , m_sign(new QPushButton(tr("&Sign")))
+    , m_reason(new QLineEdit)
+    , m_change(new QPushButton)
+    , m_amend(new QPushButton(tr("Amend in a new &revision")))
+    , m_differences(readOnlyTable("differences", {tr("what"), tr("before"), tr("now")}))
+    , m_showAudit(new QToolButton)
+    , m_audit(readOnlyTable("auditTrail", {tr("time (UTC)"), tr("what was done"), tr("detail")}))
+{
+    build();
+}
+
+void SigningPanel::build()
+{
+    setFrameShape(QFrame::StyledPanel);
+    m_strip->setObjectName(QStringLiteral("stateStrip"));
+    m_strip->setTextFormat(Qt::RichText);
+    m_statement->setObjectName(QStringLiteral("signStatement"));
+    m_statement->setWordWrap(true);
+    m_role->setObjectName(QStringLiteral("signRole"));
+    m_role->addItems(roleWords());
+    m_name->setObjectName(QStringLiteral("signName"));
+    m_name->setPlaceholderText(tr("name"));
+    m_licence->setObjectName(QStringLiteral("signLicence"));
+    m_licence->setPlaceholderText(tr("licence, stamp or service number"));
+    m_sign->setObjectName(QStringLiteral("signButton"));
+    m_reason->setObjectName(QStringLiteral("stateReason"));
+    m_reason->setPlaceholderText(tr("reason"));
+    m_change->setObjectName(QStringLiteral("changeState"));
+    m_amend->setObjectName(QStringLiteral("amendButton"));
+    for (QPushButton* button : {m_sign, m_change, m_amend})
+        button->setAutoDefault(true);
+    m_showAudit->setObjectName(QStringLiteral("showAudit"));
+    m_showAudit->setText(tr("All that was &done to it"));
+    m_showAudit->setCheckable(true);
+    m_showAudit->setArrowType(Qt::RightArrow);
+    m_showAudit->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto* row = new QHBoxLayout(m_signRow);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* part :
+        {static_cast<QWidget*>(m_role), static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_licence), static_cast<QWidget*>(m_sign)})
+        row->addWidget(part);
+    auto* state = new QHBoxLayout;
+    state->addWidget(m_strip, 1);
+    state->addWidget(m_reason);
+    state->addWidget(m_change);
+    state->addWidget(m_amend);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 4, 8, 4);
+    column->addLayout(state);
+    column->addWidget(m_statement);
+    column->addWidget(m_signatures);
+    column->addWidget(m_signRow);
+    column->addWidget(m_differences);
+    column->addWidget(m_showAudit);
+    column->addWidget(m_audit);
+    m_audit->hide();
+    connect(m_name, &QLineEdit::returnPressed, m_licence, qOverload<>(&QWidget::setFocus));
+    connect(m_licence, &QLineEdit::returnPressed, this, &SigningPanel::sign);
+    connect(m_sign, &QPushButton::clicked, this, &SigningPanel::sign);
+    connect(m_change, &QPushButton::clicked, this, &SigningPanel::changeState);
+    connect(m_amend, &QPushButton::clicked, this, &SigningPanel::amend);
+    connect(m_showAudit, &QToolButton::toggled, this, &SigningPanel::showAudit);
+}
+
+void SigningPanel::show(const SwingRecord& record, const QString& meaning)
+{
+    m_record = record;
+    const auto& swing = record.swing;
+    const auto used = usedReadings(swing).size();
+    QString statement = tr("%1 · %2 · %3: %n readings that count. ", nullptr, static_cast<int>(used))
+                            .arg(toText(record.aircraft.registration), toText(record.compass.name), toText(swing.date))
+        + meaning;
+    m_statement->setText(statement);
+    showState();
+    showSignatures();
+    showDifferences();
+    if (m_showAudit->isChecked())
+        showAudit();
+}
+
+void SigningPanel::showState()
+{
+    const SwingState state = m_record.swing.state;
+    QStringList steps;
+    for (const SwingState step : {SwingState::Draft, SwingState::Complete, SwingState::Signed})
+        steps += step == state ? QStringLiteral("<b>● %1</b>").arg(wordFor(step)) : QStringLiteral("○ %1").arg(wordFor(step));
+    QString revision;
+    if (m_record.swing.revision > 1)
+        revision = tr(" · revision %1, because: %2").arg(m_record.swing.revision).arg(toText(m_record.swing.amendment).toHtmlEscaped());
+    m_strip->setText(steps.join(QStringLiteral(" → ")) + revision);
+    const bool writable = !m_context.storage.readOnly();
+    m_change->setText(state == SwingState::Draft ? tr("&Complete") : tr("Open a&gain"));
+    m_change->setVisible(writable && state != SwingState::Signed);
+    m_reason->setVisible(writable && state != SwingState::Draft);
+    m_amend->setVisible(writable && state == SwingState::Signed);
+    m_signRow->setVisible(writable && state != SwingState::Draft);
+    m_role->setCurrentIndex(m_record.swing.signatures.empty() ? 0 : state == SwingState::Signed ? 2 : 1);
+}
+
+void SigningPanel::showSignatures()
+{
+    m_signatures->setRowCount(0);
+    const auto hold = m_context.storage.signaturesHold(m_record.swing.id);
+    const auto& signatures = m_record.swing.signatures;
+    for (std::size_t i = 0; i < signatures.size(); ++i) {
+        const auto& one = signatures[i];
+        const bool holds = hold && i < hold->size() && (*hold)[i];
+        addRow(*m_signatures,
+            {roleWords()[static_cast<int>(one.role)], toText(one.name), toText(one.licence), toText(one.timeUtc),
+                holds ? tr("✓ what the swing says now (%1…)").arg(toText(one.hash.substr(0, 12)))
+                      : tr("✗ no longer: the swing was changed after it")});
+    }
+    fit(*m_signatures);
+}
+
+/// Against the revision that this one amends.
+void SigningPanel::showDifferences()
+{
+    m_differences->setRowCount(0);
+    if (!m_record.swing.supersedes.empty()) {
+        const auto rows = m_context.storage.swingsOf(m_record.compass.id);
+        for (const auto& row : rows ? *rows : std::vector<SwingRow>()) {
+            const auto other = m_context.storage.swingRecord(row.id);
+            if (!other || other->swing.record != m_record.swing.supersedes)
+                continue;
+            for (const auto& one : differencesBetween(other->swing, m_record.swing))
+                addRow(*m_differences, {toText(one.what), toText(one.before), toText(one.after)});
+        }
+    }
+    fit(*m_differences);
+}
+
+void SigningPanel::showAudit()
+{
+    const bool shown = m_showAudit->isChecked();
+    m_showAudit->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+    m_audit->setRowCount(0);
+    if (shown) {
+        const auto rows = m_context.storage.auditOf(m_record.swing.record);
+        for (const auto& row : rows ? *rows : std::vector<AuditRow>())
+            addRow(*m_audit, {toText(row.timeUtc), toText(row.what), toText(row.detail)});
+    }
+    fit(*m_audit);
+}
+
+bool SigningPanel::done(const Result<void>& result)
+{
+    if (!result)
+        emit failed(messageOf(result.error()));
+    else
+        m_reason->clear();
+    return result.ok();
+}
+
+void SigningPanel::changeState()
+{
+    const SwingId id = m_record.swing.id;
+    if (m_record.swing.state == SwingState::Draft)
+        done(m_context.storage.complete(id));
+    else
+        done(m_context.storage.reopen(id, m_reason->text().trimmed().toStdString()));
+}
+
+void SigningPanel::sign()
+{
+    Signature signature;
+    signature.role = static_cast<SignatureRole>(m_role->currentIndex());
+    signature.name = m_name->text().trimmed().toStdString();
+    signature.licence = m_licence->text().trimmed().toStdString();
+    if (done(m_context.storage.sign(m_record.swing.id, std::move(signature)))) {
+        m_name->clear();
+        m_licence->clear();
+        m_name->setFocus();
+    }
+}
+
+void SigningPanel::amend()
+{
+    const auto made = m_context.storage.amend(m_record.swing.id, m_reason->text().trimmed().toStdString());
+    if (!made) {
+        emit failed(messageOf(made.error()));
+        m_reason->setFocus();
+        return;
+    }
+    m_reason->clear();
+    emit openSwing(*made);
+}
+
+void SigningPanel::focusField()
+{
+    if (m_record.swing.state == SwingState::Draft)
+        m_change->setFocus(Qt::OtherFocusReason);
+    else
+        m_name->setFocus(Qt::OtherFocusReason);
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,116 @@
+#include "ui/swing/SlipWords.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/kit/Words.h"
+#include "ui/swing/SwingEditor.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+struct SlipWordsTexts {
+    Q_DECLARE_TR_FUNCTIONS(lubberline::ui::SlipWords)
+};
+
+QString figure(double heading_deg, AngleStyle style)
+{
+    return toText(formatHeading(heading_deg, style, heading_deg == std::round(heading_deg) ? 0 : 1));
+}
+
+/// Nobody types more readings by hand; logs of thousands are judged by their residuals.
+constexpr std::size_t kMostJudged = 64;
+
+QString percent(double probability)
+{
+    return SlipWordsTexts::tr("%1 %").arg(std::min(99, static_cast<int>(std::lround(100 * probability))));
+}
+
+QString nameOf(Slip slip)
+{
+    switch (slip) {
+    case Slip::SwappedDigits: return SlipWordsTexts::tr("swapped digits");
+    case Slip::Reciprocal: return SlipWordsTexts::tr("the reciprocal");
+    case Slip::TenDegrees: return SlipWordsTexts::tr("a 10° slip");
+    case Slip::HundredDegrees: return SlipWordsTexts::tr("a 100° slip");
+    case Slip::WrongSign: return SlipWordsTexts::tr("a deviation applied with the wrong sign");
+    case Slip::WrongRow: return SlipWordsTexts::tr("the wrong row");
+    }
+    return {};
+}
+
+QString candidateWords(const SlipCandidate& candidate, AngleStyle style)
+{
+    const QString meant = figure(candidate.meant_deg, style), chance = percent(candidate.probability);
+    if (candidate.slip == Slip::WrongRow)
+        return SlipWordsTexts::tr("Look again: most likely the wrong row, as it fits %1 (%2)").arg(meant, chance);
+    const QString whose = candidate.figure == SlippedFigure::Datum
+        ? SlipWordsTexts::tr("%1 in the magnetic heading").arg(nameOf(candidate.slip))
+        : nameOf(candidate.slip);
+    return SlipWordsTexts::tr("Look again: most likely %1, %2 meant (%3)").arg(whose, meant, chance);
+}
+
+} // namespace
+
+SlipJudgement judgeRow(const SwingEditor& editor, int row)
+{
+    const auto& readings = editor.readings();
+    std::vector<Observation> others;
+    std::vector<double> nominals;
+    for (int i = 0; i < static_cast<int>(readings.size()); ++i) {
+        if (i == row)
+            continue;
+        const Reading& other = readings[static_cast<std::size_t>(i)];
+        if (other.used())
+            others.push_back({*other.magnetic, *other.compass});
+        if (other.nominal_deg)
+            nominals.push_back(*other.nominal_deg);
+    }
+    SlipContext context;
+    const auto& previous = editor.previousAnalysis();
+    if (previous && previous->approximate.parameters == kCoefficientCount)
+        context.expected = curveAfter(previous->approximate.smith());
+    context.earlier = others;
+    context.resolution_deg = editor.record().compass.resolution_deg;
+    const Reading& reading = readings[static_cast<std::size_t>(row)];
+    context.nominal_deg = reading.nominal_deg;
+    context.otherNominals_deg = nominals;
+    return judgeReading({*reading.magnetic, *reading.compass}, context);
+}
+
+std::optional<int> likeliestSlip(const SwingEditor& editor)
+{
+    const auto& readings = editor.readings();
+    std::optional<int> worst;
+    double least = 1.0;
+    if (readings.size() > kMostJudged)
+        return worst;
+    for (int row = 0; row < static_cast<int>(readings.size()); ++row) {
+        if (!readings[static_cast<std::size_t>(row)].used())
+            continue;
+        const SlipJudgement judgement = judgeRow(editor, row);
+        if (judgement.lookAgain() && judgement.probabilityAsRead < least) {
+            least = judgement.probabilityAsRead;
+            worst = row;
+        }
+    }
+    return worst;
+}
+
+QString slipSentence(const SlipJudgement& judgement, const Reading& reading, AngleStyle style)
+{
+    if (!judgement.lookAgain())
+        return {};
+    const QString reads
+        = SlipWordsTexts::tr("on %1 the compass reads %2; %3 ± %4° is expected.")
+              .arg(figure(reading.magnetic->degrees(), style), figure(reading.compass->degrees(), style),
+                  toText(formatHeading(judgement.expected.degrees(), style, 0)), QString::number(judgement.expectedError_deg, 'f', 1));
+    const bool named = !judgement.candidates.empty() && judgement.candidates.front().probability > judgement.probabilityUnexplained;
+    return reads + ' '
+        + (named ? candidateWords(judgement.candidates.front(), style) : SlipWordsTexts::tr("Look again: no usual slip explains it"));
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,27 @@
+#pragma once
+/// A reading judged as it is made, in words: what slipped, what was meant, and how likely that is.
+
+#include <QString>
+
+#include <optional>
+
+#include "core/angle/AngleText.h"
+#include "core/deviation/SlipCheck.h"
+#include "core/record/Fleet.h"
+
+namespace lubberline::ui {
+
+class SwingEditor;
+
+/// One reading of the swing that is shown, against the last swing's curve and all other readings that count. `row` is complete
+/// and counts.
+[[nodiscard]] SlipJudgement judgeRow(const SwingEditor& editor, int row);
+
+/// The row that is most likely wrong, if any is more likely wrong than right.
+[[nodiscard]] std::optional<int> likeliestSlip(const SwingEditor& editor);
+
+/// "on 270° the compass reads 279°; 269° ± 1° is expected. Look again: most likely a 10° slip, 269° meant (92 %)"; empty unless
+/// lookAgain().
+[[nodiscard]] QString slipSentence(const SlipJudgement& judgement, const Reading& reading, AngleStyle style);
+
+} // namespace lubberline::ui

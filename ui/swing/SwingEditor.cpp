@@ -1,0 +1,233 @@
+#include "ui/swing/SwingEditor.h"
+
+#include <QUndoStack>
+
+#include <algorithm>
+
+#include "core/angle/AngleText.h"
+#include "core/swing/Observations.h"
+#include "core/swing/ReadingError.h"
+#include "ui/fleet/RecordEdits.h"
+#include "ui/kit/Words.h"
+#include "ui/swing/NominalLayout.h"
+#include "ui/swing/ReadingEdits.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+/// "045°" for undo texts: where the reading is.
+QString placeOf(const Reading& reading)
+{
+    const auto heading_deg = reading.magnetic ? std::optional(reading.magnetic->degrees()) : reading.nominal_deg;
+    return heading_deg ? toText(formatHeading(*heading_deg, AngleStyle::DecimalDegrees, 0)) : SwingEditor::tr("a new row");
+}
+
+/// Nothing is wrong with what was typed: the place where it is kept has failed.
+bool isOfTheDrive(ErrorCode code)
+{
+    return code == ErrorCode::Io || code == ErrorCode::Full || code == ErrorCode::Corrupt || code == ErrorCode::Locked;
+}
+
+} // namespace
+
+SwingEditor::SwingEditor(EditContext& context, QUndoStack& stack, QObject* parent) : QObject(parent), m_context(context), m_stack(stack)
+{
+    connect(&context.storage, &Storage::swingChanged, this, &SwingEditor::onSwingChanged);
+    // An aircraft's or a compass's particulars (its limits) are part of what is shown.
+    connect(&context.storage, &Storage::aircraftChanged, this, [this] { onSwingChanged(this->id()); });
+    connect(&context.storage, &Storage::fleetChanged, this, [this] { onSwingChanged(this->id()); });
+}
+
+Result<void> SwingEditor::open(SwingId id)
+{
+    auto record = m_context.storage.swingRecord(id);
+    if (!record)
+        return record.error();
+    m_record = std::move(record.value());
+    analyseRecord();
+    analysePrevious();
+    emit opened();
+    return {};
+}
+
+void SwingEditor::close()
+{
+    m_record = {};
+    analyseRecord();
+    m_previous.reset();
+    m_previousAnalysis.reset();
+    emit closed();
+}
+
+void SwingEditor::onSwingChanged(SwingId id)
+{
+    if (!id.valid() || id != m_record.swing.id)
+        return;
+    auto record = m_context.storage.swingRecord(id);
+    if (!record) {
+        if (record.error().code != ErrorCode::NotFound)
+            m_context.failed(record.error());
+        close();
+        return;
+    }
+    if (record.value() == m_record)
+        return;
+    const bool otherPrevious = record->swing.date != m_record.swing.date || record->swing.compass != m_record.swing.compass;
+    m_record = std::move(record.value());
+    analyseRecord();
+    if (otherPrevious)
+        analysePrevious();
+    emit changed();
+}
+
+void SwingEditor::analyseRecord()
+{
+    m_used = usedReadings(m_record.swing);
+    m_analysis.reset();
+    m_whyNoAnalysis.clear();
+    auto result = analyse(observationsOf(m_record.swing));
+    if (result)
+        widenToReadings(*result, readingError_rad(m_record.compass.resolution_deg));
+    if (result)
+        m_analysis = std::make_shared<const Analysis>(std::move(result.value()));
+    else
+        m_whyNoAnalysis = toText(result.error().message);
+}
+
+void SwingEditor::analysePrevious()
+{
+    m_previous.reset();
+    m_previousAnalysis.reset();
+    auto previous = m_context.storage.previousSwing(id());
+    if (!previous) {
+        m_context.failed(previous.error());
+        return;
+    }
+    m_previous = std::move(previous.value());
+    if (!m_previous)
+        return;
+    if (auto result = analyse(observationsOf(*m_previous)); result)
+        m_previousAnalysis = std::make_shared<const Analysis>(std::move(result.value()));
+}
+
+int SwingEditor::analysedIndex(int row) const
+{
+    const auto found = std::lower_bound(m_used.begin(), m_used.end(), static_cast<std::size_t>(row));
+    const bool used = row >= 0 && found != m_used.end() && *found == static_cast<std::size_t>(row);
+    return used ? static_cast<int>(found - m_used.begin()) : -1;
+}
+
+const AnalysedReading* SwingEditor::analysed(int row) const
+{
+    const int index = analysedIndex(row);
+    return m_analysis && index >= 0 ? &m_analysis->readings[static_cast<std::size_t>(index)] : nullptr;
+}
+
+QString SwingEditor::whyReadOnly() const
+{
+    if (m_context.storage.readOnly())
+        return tr("This database can only be read.");
+    if (m_record.swing.state == SwingState::Signed)
+        return tr("This swing is signed: it is frozen.");
+    if (m_record.swing.state == SwingState::Complete)
+        return tr("This swing is complete. To change a reading, set it back to draft.");
+    return {};
+}
+
+bool SwingEditor::particularsEditable() const
+{
+    return id().valid() && !m_context.storage.readOnly() && m_record.swing.state != SwingState::Signed;
+}
+
+bool SwingEditor::run(QUndoCommand* edit)
+{
+    const auto previouslyFailed = m_context.failed;
+    std::optional<Error> failure;
+    m_context.failed = [&failure](const Error& error) { failure = error; };
+    m_stack.push(edit);
+    m_context.failed = previouslyFailed;
+    m_failure = failure ? messageOf(*failure) : QString();
+    m_lost = failure && isOfTheDrive(failure->code);
+    if (failure)
+        m_context.failed(*failure);
+    if (failure && failure->code == ErrorCode::Conflict)
+        onSwingChanged(id()); // what somebody else has written is shown
+    return !failure;
+}
+
+bool SwingEditor::changeReading(int row, const Reading& after, const QString& what)
+{
+    const Reading& before = readings().at(static_cast<std::size_t>(row));
+    if (before == after)
+        return true;
+    const QString place = placeOf(after.magnetic || after.nominal_deg ? after : before);
+    const bool stored = run(new ChangeReading(m_context, id(), before, after, tr("%1 on %2").arg(what, place)));
+    if (!stored && m_lost)
+        emit notStored(row, after);
+    return stored;
+}
+
+bool SwingEditor::insertReadings(int position, std::vector<Reading> inserted, const QString& what)
+{
+    std::vector<PlacedReading> rows;
+    for (Reading& reading : inserted) {
+        reading.id = {};
+        rows.push_back({position++, std::move(reading)});
+    }
+    if (rows.empty())
+        return true;
+    const auto lost = rows;
+    const bool stored = run(new InsertReadings(m_context, id(), std::move(rows), what));
+    if (!stored && m_lost)
+        for (const auto& row : lost)
+            emit notStored(row.position, row.reading);
+    return stored;
+}
+
+bool SwingEditor::removeReadings(std::vector<int> rows)
+{
+    std::sort(rows.begin(), rows.end());
+    std::vector<PlacedReading> placed;
+    for (const int row : rows)
+        placed.push_back({row, readings().at(static_cast<std::size_t>(row))});
+    if (placed.empty())
+        return true;
+    const QString text = placed.size() == 1 ? tr("removal of the row on %1").arg(placeOf(placed.front().reading))
+                                            : tr("removal of %1 rows").arg(placed.size());
+    return run(new RemoveReadings(m_context, id(), std::move(placed), text));
+}
+
+bool SwingEditor::layOutNominals(int points)
+{
+    auto rows = nominalRows(readings(), points);
+    return rows.empty() || run(new InsertReadings(m_context, id(), std::move(rows), tr("layout of %1 headings").arg(points)));
+}
+
+bool SwingEditor::changeParticulars(const Swing& after, const QString& what)
+{
+    Swing consistent = after;
+    if (after.variation_deg && after.variation_deg != m_record.swing.variation_deg)
+        for (Reading& reading : consistent.readings)
+            if (reading.trueHeading)
+                reading.magnetic = toMagnetic(*reading.trueHeading, Variation::fromDegrees(*after.variation_deg));
+    return consistent == m_record.swing || run(new ChangeSwing(m_context, m_record.swing, consistent, what));
+}
+
+bool SwingEditor::setState(SwingState state)
+{
+    Swing after = m_record.swing;
+    after.state = state;
+    return changeParticulars(after, tr("state “%1”").arg(wordFor(state)));
+}
+
+bool SwingEditor::exclude(int row, const QString& reason)
+{
+    Reading after = readings().at(static_cast<std::size_t>(row));
+    after.exclusion.reset();
+    if (!reason.trimmed().isEmpty())
+        after.exclusion = Exclusion{reason.trimmed().toStdString()};
+    return changeReading(row, after, after.exclusion ? tr("exclusion") : tr("inclusion"));
+}
+
+} // namespace lubberline::ui

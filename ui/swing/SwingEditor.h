@@ -1,0 +1,84 @@
+#pragma once
+/// The swing that is shown: its record as storage has it, its results, and the undoable verbs that change it.
+/// After every change the record is read back from storage: what is on screen is what is on disk.
+
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+#include "core/swing/Analysis.h"
+#include "ui/kit/EditContext.h"
+
+class QUndoStack;
+class QUndoCommand;
+
+namespace lubberline::ui {
+
+class SwingEditor : public QObject {
+    Q_OBJECT
+
+public:
+    SwingEditor(EditContext& context, QUndoStack& stack, QObject* parent = nullptr);
+
+    /// Shows another swing. Errors: those of Storage::swingRecord(); what was shown stays then.
+    Result<void> open(SwingId id);
+    void close();
+
+    [[nodiscard]] SwingId id() const { return m_record.swing.id; }
+    [[nodiscard]] const SwingRecord& record() const { return m_record; }
+    [[nodiscard]] const std::vector<Reading>& readings() const { return m_record.swing.readings; }
+    /// Null while the readings do not allow a result; whyNoAnalysis() then says why.
+    [[nodiscard]] const std::shared_ptr<const Analysis>& analysis() const { return m_analysis; }
+    [[nodiscard]] const QString& whyNoAnalysis() const { return m_whyNoAnalysis; }
+    /// The results of one row; null when it is not used, or without analysis.
+    [[nodiscard]] const AnalysedReading* analysed(int row) const;
+    /// The place of a row among the analysed readings, or −1.
+    [[nodiscard]] int analysedIndex(int row) const;
+    [[nodiscard]] const std::optional<Swing>& previous() const { return m_previous; }
+    [[nodiscard]] const std::shared_ptr<const Analysis>& previousAnalysis() const { return m_previousAnalysis; }
+
+    /// Why nothing can be changed: signed, complete, or a database that can only be read. Empty: it can.
+    [[nodiscard]] QString whyReadOnly() const;
+    [[nodiscard]] bool editable() const { return id().valid() && whyReadOnly().isEmpty(); }
+    /// Particulars and the state may be changed until it is signed.
+    [[nodiscard]] bool particularsEditable() const;
+    [[nodiscard]] const Storage& storage() const { return m_context.storage; }
+    [[nodiscard]] Storage& storage() { return m_context.storage; }
+
+    // Verbs. @return whether it is on disk; if not, failureMessage() says why (and EditContext::failed was told).
+    bool changeReading(int row, const Reading& after, const QString& what);
+    bool insertReadings(int position, std::vector<Reading> readings, const QString& what);
+    bool removeReadings(std::vector<int> rows);
+    bool layOutNominals(int points);
+    bool changeParticulars(const Swing& after, const QString& what);
+    bool setState(SwingState state);
+    bool exclude(int row, const QString& reason); ///< empty reason: counts again
+    [[nodiscard]] const QString& failureMessage() const { return m_failure; }
+
+signals:
+    void opened();  ///< another swing is shown
+    void changed(); ///< the same swing, another record or other results
+    void closed();
+    /// A row that could not be stored because the drive or the database failed: to be kept elsewhere.
+    void notStored(int row, const lubberline::Reading& wanted);
+
+private:
+    void onSwingChanged(SwingId id);
+    void analyseRecord();
+    void analysePrevious();
+    bool run(QUndoCommand* edit);
+
+    EditContext& m_context;
+    QUndoStack& m_stack;
+    SwingRecord m_record;
+    std::vector<std::size_t> m_used;
+    std::shared_ptr<const Analysis> m_analysis;
+    QString m_whyNoAnalysis;
+    std::optional<Swing> m_previous;
+    std::shared_ptr<const Analysis> m_previousAnalysis;
+    QString m_failure;
+    bool m_lost = false; ///< the last failure was of the drive, not of what was typed
+};
+
+} // namespace lubberline::ui

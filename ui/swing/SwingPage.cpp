@@ -1,0 +1,363 @@
+#include "ui/swing/SwingPage.h"
+
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "core/record/Completeness.h"
+#include "ui/kit/Words.h"
+#include "ui/plots/swing/PictureOf.h"
+#include "ui/swing/CoefficientsPanel.h"
+#include "ui/swing/ExclusionPanel.h"
+#include "ui/swing/FieldStampPanel.h"
+#include "ui/swing/PlotTabs.h"
+#include "ui/swing/ReadingsModel.h"
+#include "ui/swing/ReadingsTable.h"
+#include "ui/swing/SigningPanel.h"
+#include "ui/swing/SlipWords.h"
+#include "ui/swing/SwingEditor.h"
+#include "ui/swing/SwingParticulars.h"
+#include "ui/swing/SwingWords.h"
+
+namespace lubberline::ui {
+
+SwingPage::SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
+    : QWidget(parent)
+    , m_context(context)
+    , m_editor(new SwingEditor(context, stack, this))
+    , m_model(new ReadingsModel(*m_editor, this))
+    , m_table(new ReadingsTable(*m_model))
+    , m_plots(new PlotTabs)
+    , m_coefficients(new CoefficientsPanel)
+    , m_exclusion(new ExclusionPanel)
+    , m_title(new QLabel)
+    , m_state(new QLabel)
+    , m_message(new QLabel)
+    , m_meaning(new QLabel)
+    , m_readOnly(new QLabel)
+    , m_showParticulars(new QToolButton)
+    , m_showSigning(new QToolButton)
+    , m_complete(new QPushButton)
+{
+    build();
+    connectParts();
+}
+
+void SwingPage::build()
+{
+    auto* splitter = new QSplitter(Qt::Horizontal);
+    splitter->setObjectName(QStringLiteral("swingSplitter"));
+    splitter->addWidget(buildReadings());
+    splitter->addWidget(buildResults());
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({530, 500});
+    splitter->setChildrenCollapsible(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setSpacing(4);
+    layout->addWidget(buildHeader());
+    layout->addWidget(m_readOnly);
+    layout->addWidget(new FieldStampPanel(*m_editor));
+    layout->addWidget(splitter, 1);
+    setTabOrder(m_showParticulars, m_complete);
+    setTabOrder(m_complete, m_showSigning);
+    setTabOrder(m_showSigning, m_table);
+    setFocusProxy(m_table);
+}
+
+QWidget* SwingPage::buildHeader()
+{
+    QFont large = font();
+    large.setPointSizeF(large.pointSizeF() * 1.15);
+    large.setBold(true);
+    m_title->setFont(large);
+    m_title->setObjectName(QStringLiteral("swingTitle"));
+    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_state->setObjectName(QStringLiteral("swingState"));
+    m_state->setFrameShape(QFrame::StyledPanel);
+    m_state->setMargin(2);
+    m_showParticulars->setObjectName(QStringLiteral("showParticulars"));
+    m_showParticulars->setText(tr("P&articulars"));
+    m_showParticulars->setCheckable(true);
+    m_showParticulars->setArrowType(Qt::RightArrow);
+    m_showParticulars->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_showParticulars->setFocusPolicy(Qt::StrongFocus);
+    m_showSigning->setObjectName(QStringLiteral("showSigning"));
+    m_showSigning->setText(tr("Si&gn"));
+    m_showSigning->setCheckable(true);
+    m_showSigning->setArrowType(Qt::RightArrow);
+    m_showSigning->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_showSigning->setFocusPolicy(Qt::StrongFocus);
+    m_complete->setObjectName(QStringLiteral("completeButton"));
+    m_readOnly->setObjectName(QStringLiteral("readOnlyReason"));
+    m_readOnly->setWordWrap(true);
+    auto* header = new QWidget;
+    auto* layout = new QHBoxLayout(header);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_title, 1);
+    layout->addWidget(m_state);
+    layout->addWidget(m_showParticulars);
+    layout->addWidget(m_complete);
+    layout->addWidget(m_showSigning);
+    return header;
+}
+
+QWidget* SwingPage::buildReadings()
+{
+    m_table->setAccessibleName(tr("Readings"));
+    m_message->setObjectName(QStringLiteral("readingsMessage"));
+    m_message->setWordWrap(true);
+    m_message->setMinimumHeight(fontMetrics().height() + 2);
+    auto* left = new QWidget;
+    auto* layout = new QVBoxLayout(left);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_message);
+    layout->addWidget(m_exclusion);
+    layout->addWidget(m_coefficients);
+    return left;
+}
+
+QWidget* SwingPage::buildResults()
+{
+    auto* meaning = new QGroupBox(tr("What it means"));
+    auto* meaningLayout = new QVBoxLayout(meaning);
+    meaningLayout->setContentsMargins(8, 2, 8, 6);
+    m_meaning->setObjectName(QStringLiteral("meaning"));
+    m_meaning->setWordWrap(true);
+    m_meaning->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    meaningLayout->addWidget(m_meaning);
+    auto* right = new QWidget;
+    auto* layout = new QVBoxLayout(right);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(m_plots, 1);
+    layout->addWidget(meaning);
+    return right;
+}
+
+void SwingPage::connectParts()
+{
+    connect(m_editor, &SwingEditor::opened, this, [this] {
+        m_exclusion->hide();
+        showRecord();
+        m_table->goTo(0, ReadingColumn::Magnetic);
+        m_table->scrollToTop();
+    });
+    connect(m_editor, &SwingEditor::changed, this, &SwingPage::showRecord);
+    connect(m_editor, &SwingEditor::closed, this, &SwingPage::closed);
+    connect(m_model, &QAbstractItemModel::dataChanged, this, &SwingPage::showMessageLine);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &SwingPage::onRowChanged);
+    connect(m_plots, &PlotTabs::rowSelected, this, [this](int row) {
+        m_table->goTo(row, ReadingColumn::Compass);
+        m_table->setFocus();
+    });
+    connect(m_plots, &PlotTabs::readOut, this, &SwingPage::readOut);
+    connect(m_plots, &PlotTabs::failed, this, &SwingPage::failed);
+    connect(
+        m_exclusion, &ExclusionPanel::reasonGiven, m_editor, [this](int row, const QString& reason) { m_editor->exclude(row, reason); });
+    connect(m_exclusion, &ExclusionPanel::closed, m_table, qOverload<>(&QWidget::setFocus));
+    connect(m_complete, &QPushButton::clicked, this, &SwingPage::toggleComplete);
+    connect(m_showParticulars, &QToolButton::toggled, this, &SwingPage::showParticulars);
+    connect(m_showSigning, &QToolButton::toggled, this, &SwingPage::showSigning);
+}
+
+Result<void> SwingPage::showSwing(SwingId id)
+{
+    if (id == m_editor->id())
+        return {};
+    return m_editor->open(id);
+}
+
+void SwingPage::showParticulars(bool visible)
+{
+    m_showParticulars->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
+    if (!m_particulars) {
+        m_particulars = new SwingParticulars(*m_editor);
+        static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_particulars);
+        setTabOrder(m_complete, m_particulars);
+    }
+    m_particulars->setVisible(visible);
+}
+
+void SwingPage::showSigning(bool visible)
+{
+    m_table->leaveCell();
+    m_showSigning->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
+    if (!m_signing) {
+        m_signing = new SigningPanel(m_context);
+        static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_signing);
+        setTabOrder(m_showSigning, m_signing);
+        connect(m_signing, &SigningPanel::failed, this, &SwingPage::failed);
+        connect(m_signing, &SigningPanel::openSwing, this, &SwingPage::openSwing);
+    }
+    m_signing->setVisible(visible);
+    if (visible && m_editor->id().valid())
+        m_signing->show(m_editor->record(), m_meaning->text());
+}
+
+void SwingPage::openSigning()
+{
+    m_showSigning->setChecked(true);
+    m_signing->focusField();
+}
+
+void SwingPage::showRecord()
+{
+    const SwingRecord& record = m_editor->record();
+    m_title->setText(titleOf(record) + (record.aircraft.demonstration ? tr(" · DEMONSTRATION") : QString()));
+    m_title->setToolTip(m_title->text());
+    m_state->setText(wordFor(record.swing.state));
+    const QString why = m_editor->whyReadOnly();
+    m_readOnly->setText(why);
+    m_readOnly->setVisible(!why.isEmpty());
+    m_complete->setText(record.swing.state == SwingState::Draft ? tr("Mark &complete") : tr("Back to &draft"));
+    m_complete->setEnabled(m_editor->particularsEditable());
+    showResults();
+    if (m_signing && m_signing->isVisible())
+        m_signing->show(record, m_meaning->text());
+    emit stateChanged();
+}
+
+void SwingPage::showResults()
+{
+    const auto& analysis = m_editor->analysis();
+    const QString previousLabel = m_editor->previous() ? toText(m_editor->previous()->date) : QString();
+    m_plots->setPicture(
+        pictureOf(m_editor->record(), analysis, m_editor->whyNoAnalysis(), m_editor->previousAnalysis(), previousLabel, m_style));
+    m_coefficients->show(analysis, m_editor->whyNoAnalysis());
+    QString after;
+    if (const auto& index_deg = m_editor->record().swing.indexRemoved_deg)
+        after
+            = tr("After these readings A = %1° was taken out by turning the compass: plots, coefficients and card are as it stands since. ")
+                  .arg(signedNumber(*index_deg, 1));
+    m_meaning->setText(analysis ? after + meaningOf(*analysis, m_editor->record().limits, m_style)
+                                : tr("No result yet: %1.").arg(m_editor->whyNoAnalysis()));
+    showMessageLine();
+}
+
+QString SwingPage::suspicion() const
+{
+    if (const auto row = likeliestSlip(*m_editor))
+        return slipSentence(judgeRow(*m_editor, *row), m_editor->readings()[static_cast<std::size_t>(*row)], m_style);
+    const auto& analysis = m_editor->analysis();
+    if (!analysis)
+        return {};
+    const int current = m_editor->analysedIndex(currentRow());
+    if (current >= 0 && analysis->readings[static_cast<std::size_t>(current)].suspect)
+        return suspicionOf(*analysis, static_cast<std::size_t>(current), m_style);
+    for (std::size_t i = 0; i < analysis->readings.size(); ++i)
+        if (analysis->readings[i].suspect)
+            return suspicionOf(*analysis, i, m_style);
+    return {};
+}
+
+void SwingPage::showMessageLine()
+{
+    QString rejected = m_model->rejection(m_table->currentIndex());
+    if (rejected.isEmpty())
+        rejected = m_model->rejection(m_model->firstRejected());
+    if (!rejected.isEmpty()) {
+        m_message->setText(tr("✗ Not stored: %1").arg(rejected));
+        return;
+    }
+    if (const QString suspect = suspicion(); !suspect.isEmpty()) {
+        m_message->setText(tr("◉ %1").arg(suspect));
+        return;
+    }
+    m_message->setText(
+        m_editor->editable() ? tr("Enter: next cell · = accepts the nominal heading · deviation may be typed as 3.5W") : QString());
+}
+
+int SwingPage::currentRow() const
+{
+    const QModelIndex current = m_table->currentIndex();
+    return current.isValid() && !m_model->isNewRow(current.row()) ? current.row() : -1;
+}
+
+bool SwingPage::rowSelected() const { return currentRow() >= 0; }
+
+void SwingPage::onRowChanged()
+{
+    m_plots->setSelectedRow(currentRow());
+    showMessageLine();
+    emit stateChanged();
+}
+
+void SwingPage::setAngleStyle(AngleStyle style)
+{
+    if (style == m_style)
+        return;
+    m_style = style;
+    m_model->setAngleStyle(style);
+    if (m_editor->id().valid())
+        showResults();
+}
+
+void SwingPage::focusReadings() { m_table->setFocus(); }
+
+void SwingPage::insertRow()
+{
+    m_table->leaveCell();
+    const int row = currentRow();
+    if (row >= 0 && m_editor->editable() && m_editor->insertReadings(row, {Reading()}, tr("new row")))
+        m_table->goTo(row, ReadingColumn::Magnetic);
+}
+
+void SwingPage::deleteRows()
+{
+    m_table->leaveCell();
+    if (m_editor->editable())
+        m_editor->removeReadings(m_table->selectedReadings());
+}
+
+void SwingPage::toggleExcluded()
+{
+    m_table->leaveCell();
+    const int row = currentRow();
+    if (row < 0 || !m_editor->editable())
+        return;
+    const Reading& reading = m_editor->readings()[static_cast<std::size_t>(row)];
+    if (reading.exclusion)
+        m_editor->exclude(row, {});
+    else
+        m_exclusion->ask(row,
+            reading.magnetic ? toText(formatHeading(reading.magnetic->degrees(), AngleStyle::DecimalDegrees, 0))
+                             : tr("row %1").arg(row + 1));
+}
+
+void SwingPage::acceptNominal() { m_table->acceptNominal(); }
+
+void SwingPage::layOut(int points)
+{
+    m_table->leaveCell();
+    if (!m_editor->editable() || !m_editor->layOutNominals(points))
+        return;
+    m_table->setFocus();
+    for (int row = 0; row < static_cast<int>(m_editor->readings().size()); ++row)
+        if (!m_editor->readings()[static_cast<std::size_t>(row)].complete()) {
+            m_table->goTo(row, ReadingColumn::Magnetic);
+            return;
+        }
+}
+
+void SwingPage::toggleComplete()
+{
+    m_table->leaveCell();
+    if (!m_editor->particularsEditable())
+        return;
+    const Swing& swing = m_editor->record().swing;
+    const std::string missing = swing.state == SwingState::Draft ? missingIn(swing) : std::string();
+    if (!missing.empty())
+        emit failed(tr("The swing is not complete: %1").arg(toText(missing)));
+    else
+        m_editor->setState(m_editor->record().swing.state == SwingState::Draft ? SwingState::Complete : SwingState::Draft);
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,93 @@
+#pragma once
+/// One swing: its readings beside its plots, coefficients underneath, and what they mean. Everything follows every stored cell.
+
+#include <QWidget>
+
+#include "core/angle/AngleText.h"
+#include "ui/kit/EditContext.h"
+
+class QLabel;
+class QPushButton;
+class QSplitter;
+class QToolButton;
+class QUndoStack;
+
+namespace lubberline::ui {
+
+class CoefficientsPanel;
+class ExclusionPanel;
+class PlotTabs;
+class ReadingsModel;
+class ReadingsTable;
+class SigningPanel;
+class SwingEditor;
+class SwingParticulars;
+
+class SwingPage : public QWidget {
+    Q_OBJECT
+
+public:
+    SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent = nullptr);
+
+    /// Errors: those of Storage::swingRecord(); what was shown stays then.
+    Result<void> showSwing(SwingId id);
+    void setAngleStyle(AngleStyle style);
+
+    [[nodiscard]] SwingEditor& editor() { return *m_editor; }
+    [[nodiscard]] PlotTabs& plots() { return *m_plots; }
+    [[nodiscard]] AngleStyle angleStyle() const { return m_style; }
+    [[nodiscard]] bool rowSelected() const; ///< a reading, not the empty row
+    void focusReadings();
+
+public slots:
+    void insertRow(); ///< before the current one
+    void deleteRows();
+    void toggleExcluded();
+    void acceptNominal();
+    void layOut(int points);
+    void toggleComplete();
+    void openSigning(); ///< the panel, with the cursor in it
+
+signals:
+    void readOut(const QString& text);
+    void failed(const QString& message);
+    void openSwing(lubberline::SwingId id); ///< another one is to be shown
+    void closed();                          ///< the swing that was shown is no more
+    void stateChanged();                    ///< another swing, record or row: actions may be enabled otherwise now
+
+private:
+    void build();
+    QWidget* buildHeader();
+    QWidget* buildReadings();
+    QWidget* buildResults();
+    void connectParts();
+    void showRecord();
+    void showResults();
+    void showMessageLine();
+    [[nodiscard]] QString suspicion() const;
+    void onRowChanged();
+    void showParticulars(bool visible);
+    void showSigning(bool visible);
+    [[nodiscard]] int currentRow() const; ///< −1: none, or the empty row
+
+    EditContext& m_context;
+    SwingEditor* m_editor;
+    ReadingsModel* m_model;
+    ReadingsTable* m_table;
+    PlotTabs* m_plots;
+    CoefficientsPanel* m_coefficients;
+    ExclusionPanel* m_exclusion;
+    SwingParticulars* m_particulars = nullptr; ///< made when first opened
+    SigningPanel* m_signing = nullptr;         ///< likewise
+    QLabel* m_title;
+    QLabel* m_state;
+    QLabel* m_message;
+    QLabel* m_meaning;
+    QLabel* m_readOnly;
+    QToolButton* m_showParticulars;
+    QToolButton* m_showSigning;
+    QPushButton* m_complete;
+    AngleStyle m_style = AngleStyle::DecimalDegrees;
+};
+
+} // namespace lubberline::ui
