@@ -321,7 +321,7 @@ void FleetMaker::addMagnetometer(const DemoDeployment& deployment, const Aircraf
     }
 }
 
-/// Without a field, which needs a folder for temporary files, there is nothing to read.
+/// Without a field (a year that no model has) there is nothing to read.
 void FleetMaker::addDeployedSwing(const SensorModel& hidden, SiteId site, int day)
 {
     Swing occasion;

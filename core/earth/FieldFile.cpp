@@ -17,7 +17,6 @@ namespace lubberline {
 
 namespace {
 
-constexpr int kMostDegree = 800; // GeographicLib's largest magnetic model has 740
 constexpr std::size_t kMostLines = 700'000;
 
 struct Line {
@@ -152,7 +151,7 @@ Result<FieldTable> FieldFile::readCof()
     const auto degree = readCofRows(rows);
     if (!degree)
         return degree.error();
-    FieldTable table = emptyTable(header.words[1], *epoch, 1, *degree, *degree);
+    FieldTable table = emptyTable(header.words[1], *epoch, 1, *degree);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         table.main[0][i] = rows[i][0];
         table.change[i] = rows[i][1];
@@ -207,7 +206,7 @@ Result<FieldTable> FieldFile::readIgrf()
     }
     if (degree == 0 || m != 0 || !isG)
         return wrong("ends within degree " + std::to_string(n) + ": it is cut short");
-    FieldTable table = emptyTable("IGRF of " + std::to_string(static_cast<int>(epoch.back())), epoch.front(), epochs, degree, degree);
+    FieldTable table = emptyTable("IGRF of " + std::to_string(static_cast<int>(epoch.back())), epoch.front(), epochs, degree);
     for (const Row& row : rows)
         for (int i = 0; i <= epochs; ++i) {
             const auto figure = number(*row.line, static_cast<std::size_t>(3 + i));

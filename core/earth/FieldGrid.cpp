@@ -33,12 +33,9 @@ Result<FieldGrid> fieldGrid(const FieldModel& model, double year, FieldElement e
     for (int row = 0; row < grid.rows; ++row) {
         if (progress && !progress(static_cast<double>(row) / grid.rows))
             return Error{ErrorCode::Cancelled, "the map of the world was cancelled"};
-        const auto circle = model.data().model->Circle(year, grid.latitudeAt_deg(row), 0.0); // the sums over degree are done once a row
-        for (int column = 0; column < grid.columns; ++column) {
-            double east = 0, north = 0, up = 0;
-            circle(grid.longitudeAt_deg(column), east, north, up);
-            grid.values.push_back(valueOf(element, {north, east, -up}));
-        }
+        const auto circle = model.data().model.circle(year, grid.latitudeAt_deg(row), 0.0);
+        for (int column = 0; column < grid.columns; ++column)
+            grid.values.push_back(valueOf(element, circle.at(grid.longitudeAt_deg(column))));
     }
     return grid;
 }

@@ -4,13 +4,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <mutex>
+
+#include <GeographicLib/MagneticModel.hpp>
 
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/earth/FieldModelData.h"
 #include "core/earth/FieldTables.h"
-#include "core/earth/GeographicModel.h"
 
 namespace lubberline {
 
@@ -49,35 +49,7 @@ Error outside(const std::string& model, double firstYear, double lastYear, doubl
         model + " is valid from " + yearText(firstYear) + " to " + yearText(lastYear) + ", and the date is " + yearText(year)};
 }
 
-Result<FieldModel> modelOf(const FieldTable& table)
-{
-    auto model = geographicModel(table);
-    if (!model)
-        return model.error();
-    return FieldModel(std::make_shared<const FieldModel::Data>(
-        FieldModel::Data{table.name, table.firstEpoch, table.lastYear, table.degree, std::move(model.value())}));
-}
-
-/// Made on first use, by whichever thread comes first; a failure (a full disk) is tried again the next time.
-class BuiltIn {
-public:
-    explicit BuiltIn(FieldTable (*table)()) : m_table(table) {}
-    Result<FieldModel> get()
-    {
-        const std::lock_guard lock(m_mutex);
-        if (m_model)
-            return *m_model;
-        auto made = modelOf(m_table());
-        if (made)
-            m_model = *made;
-        return made;
-    }
-
-private:
-    FieldTable (*m_table)();
-    std::mutex m_mutex;
-    std::optional<FieldModel> m_model;
-};
+FieldModel modelOf(const FieldTable& table) { return FieldModel(std::make_shared<const FieldModel::Data>(table)); }
 
 void warnOfSmallHorizontal(FieldAnswer& answer, double horizontal_nT)
 {
@@ -110,32 +82,32 @@ Result<FieldAnswer> FieldModel::evaluate(const Place& place, double year) const
 {
     if (!std::isfinite(year) || year < firstYear() || year > lastYear())
         return outside(name(), firstYear(), lastYear(), year);
-    double east = 0, north = 0, up = 0, eastRate = 0, northRate = 0, upRate = 0;
-    (*m_data->model)(year, place.latitude_deg, place.longitude_deg, place.height_m, east, north, up, eastRate, northRate, upRate);
+    const auto [field, rate] = m_data->model.at(year, place);
     double horizontal = 0, total = 0, declination = 0, inclination = 0;
     FieldAnswer answer;
-    GeographicLib::MagneticModel::FieldComponents(east, north, up, eastRate, northRate, upRate, horizontal, total, declination, inclination,
-        answer.horizontalRate_nT, answer.totalRate_nT, answer.declinationRate_deg, answer.inclinationRate_deg);
+    GeographicLib::MagneticModel::FieldComponents(field.east_nT, field.north_nT, -field.down_nT, rate.east_nT, rate.north_nT, -rate.down_nT,
+        horizontal, total, declination, inclination, answer.horizontalRate_nT, answer.totalRate_nT, answer.declinationRate_deg,
+        answer.inclinationRate_deg);
     answer.model = name();
     answer.place = place;
     answer.year = year;
-    answer.field = {north, east, -up};
-    answer.rate = {northRate, eastRate, -upRate};
+    answer.field = field;
+    answer.rate = rate;
     answer.uncertainty = uncertaintyOf(name(), horizontal);
     warnOfSmallHorizontal(answer, horizontal);
     return answer;
 }
 
-Result<FieldModel> wmm2025()
+FieldModel wmm2025()
 {
-    static BuiltIn model(wmm2025Table);
-    return model.get();
+    static const FieldModel model = modelOf(wmm2025Table());
+    return model;
 }
 
-Result<FieldModel> igrf14()
+FieldModel igrf14()
 {
-    static BuiltIn model(igrf14Table);
-    return model.get();
+    static const FieldModel model = modelOf(igrf14Table());
+    return model;
 }
 
 Result<FieldModel> readFieldModel(const std::string& path)
@@ -161,15 +133,13 @@ Result<FieldModel> fieldModelByName(const std::string& nameOrPath)
 
 Result<FieldModel> defaultFieldModel(double year)
 {
-    const auto newest = wmm2025();
-    if (!newest || (year >= newest->firstYear() && year <= newest->lastYear()))
-        return newest;
-    auto older = igrf14();
-    if (!older || (year >= older->firstYear() && year <= older->lastYear()))
-        return older;
+    const FieldModel newest = wmm2025(), older = igrf14();
+    for (const FieldModel& model : {newest, older})
+        if (year >= model.firstYear() && year <= model.lastYear())
+            return model;
     return Error{ErrorCode::InvalidInput,
-        newest->name() + " is valid from " + yearText(newest->firstYear()) + " to " + yearText(newest->lastYear()) + " and " + older->name()
-            + " from " + yearText(older->firstYear()) + " to " + yearText(older->lastYear()) + "; the date is " + yearText(year)};
+        newest.name() + " is valid from " + yearText(newest.firstYear()) + " to " + yearText(newest.lastYear()) + " and " + older.name()
+            + " from " + yearText(older.firstYear()) + " to " + yearText(older.lastYear()) + "; the date is " + yearText(year)};
 }
 
 Result<FieldAnswer> fieldForCompass(const FieldModel& model, const Place& place, double year)

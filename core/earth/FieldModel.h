@@ -1,5 +1,5 @@
 #pragma once
-/// Spherical-harmonic models of the main field, evaluated by GeographicLib's MagneticModel. Ours is the reading of the
+/// Spherical-harmonic models of the main field, summed by GeographicLib. Ours is the reading of the
 /// published files (WMM and WMMHR `.COF`, IGRF coefficient tables), validity, uncertainty and cautions. WMM2025 (NOAA/BGS,
 /// public domain) and IGRF-14 (IAGA V-MOD, CC BY 4.0, doi 10.5281/zenodo.14012302) are built in.
 
@@ -59,9 +59,9 @@ private:
     std::shared_ptr<const Data> m_data;
 };
 
-/// Built in; made on first use. Errors: Io when no temporary folder can be written (GeographicLib reads its models from files).
-Result<FieldModel> wmm2025();
-Result<FieldModel> igrf14();
+/// Built in; made on first use.
+FieldModel wmm2025();
+FieldModel igrf14();
 
 /// Reads a WMM or WMMHR `.COF` (header: epoch, name, date; five years) or an IGRF table (c/s deg ord …). Told apart by content.
 /// Errors: Io; Format with the line: cut short, coefficients out of order, doubled or missing, not a number, no header.

@@ -1,18 +1,24 @@
 #pragma once
 /// What is inside a FieldModel, for the sources of this folder.
 
-#include <GeographicLib/MagneticCircle.hpp>
-#include <GeographicLib/MagneticModel.hpp>
-
 #include "core/earth/FieldModel.h"
+#include "core/earth/GeographicModel.h"
 
 namespace lubberline {
 
 struct FieldModel::Data {
-    std::string name;
-    double firstYear = 0, lastYear = 0;
-    int degree = 0;
-    std::shared_ptr<const GeographicLib::MagneticModel> model;
+    explicit Data(const FieldTable& table)
+        : name(table.name)
+        , firstYear(table.firstEpoch)
+        , lastYear(table.lastYear)
+        , degree(table.degree)
+        , model(table)
+    {
+    }
+    const std::string name;
+    const double firstYear, lastYear;
+    const int degree;
+    const GeographicModel model;
 };
 
 } // namespace lubberline

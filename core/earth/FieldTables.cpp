@@ -2,16 +2,15 @@
 
 namespace lubberline {
 
-FieldTable emptyTable(const std::string& name, double firstEpoch, int epochs, int degree, int changeDegree)
+FieldTable emptyTable(const std::string& name, double firstEpoch, int epochs, int degree)
 {
     FieldTable table;
     table.name = name;
     table.firstEpoch = firstEpoch;
     table.lastYear = firstEpoch + 5.0 * epochs;
     table.degree = degree;
-    table.changeDegree = changeDegree;
     table.main.assign(static_cast<std::size_t>(epochs), GaussSet(gaussCount(degree)));
-    table.change.assign(gaussCount(changeDegree), Gauss{});
+    table.change.assign(gaussCount(degree), Gauss{});
     return table;
 }
 

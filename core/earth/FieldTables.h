@@ -8,6 +8,9 @@
 
 namespace lubberline {
 
+/// GeographicLib's largest magnetic model has 740.
+inline constexpr int kMostDegree = 800;
+
 /// Schmidt semi-normalised, [nT] or [nT a year].
 struct Gauss {
     double g = 0, h = 0;
@@ -24,12 +27,11 @@ struct FieldTable {
     double firstEpoch = 0, epochStep = 5.0;
     double lastYear = 0; ///< five years after the last epoch
     int degree = 0;
-    int changeDegree = 0;
     std::vector<GaussSet> main; ///< one for each epoch
-    GaussSet change;            ///< a year, of `changeDegree`
+    GaussSet change;            ///< a year
 };
 
-[[nodiscard]] FieldTable emptyTable(const std::string& name, double firstEpoch, int epochs, int degree, int changeDegree);
+[[nodiscard]] FieldTable emptyTable(const std::string& name, double firstEpoch, int epochs, int degree);
 inline void setGauss(GaussSet& set, int n, int m, Gauss value) { set[gaussIndex(n, m)] = value; }
 
 [[nodiscard]] FieldTable wmm2025Table();

@@ -1,110 +1,136 @@
 #include "core/earth/GeographicModel.h"
 
-#include <bit>
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
+#include <cmath>
+
+#include <GeographicLib/Geocentric.hpp>
 
 namespace lubberline {
 
 namespace {
 
-namespace fs = std::filesystem;
+using GeographicLib::Geocentric;
+using GeographicLib::SphericalEngine;
 
-constexpr char kName[] = "field";
-constexpr char kId[] = "LUBBERL1";               // eight characters that stand in both files
 constexpr double kReferenceRadius_m = 6371200.0; // of all WMM and IGRF models (WMM2025 report, section 1.2)
 
-/// A folder of our own that is gone when we are done, whatever happens.
-class TemporaryFolder {
-public:
-    TemporaryFolder()
-    {
-        std::error_code none;
-        for (const fs::path& base : {fs::temp_directory_path(none), fs::path("/dev/shm")}) {
-            std::string pattern = (base / "lubberline-field-XXXXXX").string();
-            if (mkdtemp(pattern.data())) {
-                m_path = pattern;
-                return;
-            }
-        }
-    }
-    ~TemporaryFolder()
-    {
-        std::error_code ignored;
-        if (made())
-            fs::remove_all(m_path, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] bool made() const { return !m_path.empty(); }
-    [[nodiscard]] const fs::path& path() const { return m_path; }
+/// The constructors of GeographicLib's sums make a table of roots, common to all, as long as they need it. Made once for every
+/// degree there is: a model that is loaded later must not lengthen it under a thread that is adding up.
+void makeRoots()
+{
+    static const bool made = (SphericalEngine::RootTable(kMostDegree), true);
+    static_cast<void>(made);
+}
 
-private:
-    fs::path m_path;
+/// The gradient of the sums [1/m of nT], in geocentric axes; the field is −a times it.
+struct Gradient {
+    double x = 0, y = 0, z = 0;
 };
 
-template <class Value>
-void put(std::ofstream& file, Value value)
+/// From geocentric axes (X to 0° N 0° E, Z to the North Pole) to north, east, down of the ellipsoid.
+EarthField turned(const Gradient& gradient, double sinLatitude, double cosLatitude, double sinLongitude, double cosLongitude)
 {
-    file.write(reinterpret_cast<const char*>(&value), sizeof value);
+    const double X = -kReferenceRadius_m * gradient.x, Y = -kReferenceRadius_m * gradient.y, Z = -kReferenceRadius_m * gradient.z;
+    const double outward = cosLongitude * X + sinLongitude * Y; // from the axis
+    return {cosLatitude * Z - sinLatitude * outward, cosLongitude * Y - sinLongitude * X, -(cosLatitude * outward + sinLatitude * Z)};
 }
 
-/// N, M, then C by columns of order, then S without its column 0; degree 0 holds nothing.
-void putSet(std::ofstream& file, const GaussSet& set, int degree)
+/// A place in geocentric coordinates [m], and the vertical of the ellipsoid there.
+struct GeocentricPlace {
+    double X = 0, Y = 0, Z = 0, sinLatitude = 0, cosLatitude = 1;
+};
+
+GeocentricPlace geocentric(double latitude_deg, double longitude_deg, double height_m)
 {
-    put<std::int32_t>(file, degree);
-    put<std::int32_t>(file, degree);
-    for (int m = 0; m <= degree; ++m)
-        for (int n = m; n <= degree; ++n)
-            put<double>(file, n == 0 ? 0.0 : set[gaussIndex(n, m)].g);
-    for (int m = 1; m <= degree; ++m)
-        for (int n = m; n <= degree; ++n)
-            put<double>(file, set[gaussIndex(n, m)].h);
+    GeocentricPlace place;
+    Geocentric::WGS84().Forward(latitude_deg, longitude_deg, height_m, place.X, place.Y, place.Z);
+    GeographicLib::Math::sincosd(GeographicLib::Math::LatFix(latitude_deg), place.sinLatitude, place.cosLatitude);
+    return place;
 }
 
-bool writeMetadata(const fs::path& path, const FieldTable& table)
+GaussSet changeBetween(const GaussSet& from, const GaussSet& to, double years)
 {
-    std::ofstream file(path);
-    file << "WMMF-1\nName " << kName << "\nDescription " << table.name << "\nReleaseDate 2026-01-01\n";
-    file.precision(17);
-    file << "Radius " << kReferenceRadius_m << "\nNumModels " << table.main.size() << "\nEpoch " << table.firstEpoch << "\nDeltaEpoch "
-         << table.epochStep << "\nMinTime " << table.firstEpoch << "\nMaxTime " << table.lastYear
-         << "\nMinHeight -10000\nMaxHeight 600000\nNormalization schmidt\nByteOrder "
-         << (std::endian::native == std::endian::little ? "little" : "big") << "\nID " << kId << "\n";
-    file.close();
-    return file.good();
-}
-
-bool writeCoefficients(const fs::path& path, const FieldTable& table)
-{
-    std::ofstream file(path, std::ios::binary);
-    file.write(kId, 8);
-    for (const auto& set : table.main)
-        putSet(file, set, table.degree);
-    putSet(file, table.change, table.changeDegree);
-    file.close();
-    return file.good();
+    GaussSet change(from.size());
+    for (std::size_t i = 0; i < from.size(); ++i)
+        change[i] = {(to[i].g - from[i].g) / years, (to[i].h - from[i].h) / years};
+    return change;
 }
 
 } // namespace
 
-Result<std::shared_ptr<const GeographicLib::MagneticModel>> geographicModel(const FieldTable& table)
+GeographicModel::Epoch::Epoch(Columns mainColumns, Columns changeColumns, int degree)
+    : main(std::move(mainColumns))
+    , change(std::move(changeColumns))
+    , field(main.g, main.h, degree, change.g, change.h, degree, kReferenceRadius_m, GeographicLib::SphericalHarmonic1::SCHMIDT)
+    , rate(change.g, change.h, degree, kReferenceRadius_m, GeographicLib::SphericalHarmonic::SCHMIDT)
 {
-    const TemporaryFolder folder;
-    if (!folder.made())
-        return Error{ErrorCode::Io, "no temporary folder can be made for the magnetic model; expected one that may be written (TMPDIR)"};
-    const fs::path metadata = folder.path() / (std::string(kName) + ".wmm"), coefficients = metadata.string() + ".cof";
-    if (!writeMetadata(metadata, table) || !writeCoefficients(coefficients, table))
-        return Error{ErrorCode::Io, "the magnetic model cannot be written for GeographicLib; the disk may be full", folder.path().string()};
-    try {
-        return std::make_shared<const GeographicLib::MagneticModel>(kName, folder.path().string());
-    } catch (const std::exception& failure) {
-        return Error{
-            ErrorCode::Io, std::string("GeographicLib does not take the magnetic model: ") + failure.what(), folder.path().string()};
+}
+
+GeographicModel::Columns GeographicModel::columnsOf(const GaussSet& set, int degree)
+{
+    Columns columns;
+    for (int m = 0; m <= degree; ++m)
+        for (int n = m; n <= degree; ++n) {
+            const Gauss gauss = n == 0 ? Gauss{} : set[gaussIndex(n, m)];
+            columns.g.push_back(gauss.g);
+            if (m > 0)
+                columns.h.push_back(gauss.h);
+        }
+    return columns;
+}
+
+GeographicModel::GeographicModel(const FieldTable& table) : m_firstEpoch(table.firstEpoch), m_epochStep(table.epochStep)
+{
+    makeRoots();
+    for (std::size_t i = 0; i < table.main.size(); ++i) {
+        const bool isLast = i + 1 == table.main.size();
+        const GaussSet change = isLast ? table.change : changeBetween(table.main[i], table.main[i + 1], table.epochStep);
+        m_epochs.emplace_back(columnsOf(table.main[i], table.degree), columnsOf(change, table.degree), table.degree);
     }
+}
+
+std::size_t GeographicModel::epochAt(double year) const
+{
+    const double last = static_cast<double>(m_epochs.size() - 1);
+    return static_cast<std::size_t>(std::clamp(std::floor((year - m_firstEpoch) / m_epochStep), 0.0, last));
+}
+
+double GeographicModel::yearsSince(std::size_t epoch, double year) const
+{
+    return year - m_firstEpoch - static_cast<double>(epoch) * m_epochStep;
+}
+
+FieldAndRate GeographicModel::at(double year, const Place& place) const
+{
+    const std::size_t epoch = epochAt(year);
+    const GeocentricPlace there = geocentric(place.latitude_deg, place.longitude_deg, place.height_m);
+    double sinLongitude = 0, cosLongitude = 1;
+    GeographicLib::Math::sincosd(place.longitude_deg, sinLongitude, cosLongitude);
+    Gradient field, rate;
+    m_epochs[epoch].field(yearsSince(epoch, year), there.X, there.Y, there.Z, field.x, field.y, field.z);
+    m_epochs[epoch].rate(there.X, there.Y, there.Z, rate.x, rate.y, rate.z);
+    return {turned(field, there.sinLatitude, there.cosLatitude, sinLongitude, cosLongitude),
+        turned(rate, there.sinLatitude, there.cosLatitude, sinLongitude, cosLongitude)};
+}
+
+FieldCircle GeographicModel::circle(double year, double latitude_deg, double height_m) const
+{
+    const std::size_t epoch = epochAt(year);
+    const GeocentricPlace there = geocentric(latitude_deg, 0.0, height_m); // at longitude 0, X is the distance from the axis
+    FieldCircle circle;
+    circle.m_sinLatitude = there.sinLatitude;
+    circle.m_cosLatitude = there.cosLatitude;
+    circle.m_sums = m_epochs[epoch].field.Circle(yearsSince(epoch, year), there.X, there.Z, true);
+    return circle;
+}
+
+EarthField FieldCircle::at(double longitude_deg) const
+{
+    double sinLongitude = 0, cosLongitude = 1;
+    GeographicLib::Math::sincosd(longitude_deg, sinLongitude, cosLongitude);
+    Gradient gradient;
+    m_sums(sinLongitude, cosLongitude, gradient.x, gradient.y, gradient.z);
+    return turned(gradient, m_sinLatitude, m_cosLatitude, sinLongitude, cosLongitude);
 }
 
 } // namespace lubberline

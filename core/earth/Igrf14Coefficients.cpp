@@ -215,7 +215,7 @@ constexpr double kIgrf14[][kEpochs + 1] = {
 
 FieldTable igrf14Table()
 {
-    FieldTable table = emptyTable("IGRF-14", 1900.0, kEpochs, kDegree, kDegree);
+    FieldTable table = emptyTable("IGRF-14", 1900.0, kEpochs, kDegree);
     table.epochStep = 5.0;
     std::size_t row = 0;
     for (int n = 1; n <= kDegree; ++n)

@@ -29,7 +29,7 @@ constexpr double kWmm2025[][4] = {
 
 FieldTable wmm2025Table()
 {
-    FieldTable table = emptyTable("WMM2025", 2025.0, 1, 12, 12);
+    FieldTable table = emptyTable("WMM2025", 2025.0, 1, 12);
     std::size_t row = 0;
     for (int n = 1; n <= 12; ++n)
         for (int m = 0; m <= n; ++m, ++row) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/earth/FieldModel.h"
 #include "tests/core/earth/FieldFiles.h"
 
@@ -103,18 +105,30 @@ TEST(FieldFile, damagedIgrf)
     refused(withLine(kSmallIgrf, 3, "g/h n m 2020.0 2024.0 2024-29\n"), "five years", 3);
 }
 
-TEST(FieldFile, noTemporaryFolderIsLeft)
+/// A model reads nothing but the file that it is given: it is made where there is no folder for temporary files.
+TEST(FieldFile, builtInModelsNeedNoFiles)
 {
-    const auto count = [] {
-        int found = 0;
-        for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
-            found += entry.path().filename().string().starts_with("lubberline-field-");
-        return found;
-    };
-    const int before = count();
-    ASSERT_TRUE(igrf14());
-    ASSERT_TRUE(wmm2025());
-    EXPECT_LE(count(), before);
+    EXPECT_EQ(wmm2025().degree(), 12);
+    EXPECT_EQ(igrf14().degree(), 13);
+}
+
+/// Degrees far above those of the built-in models: the roots that GeographicLib's sums need are there.
+TEST(FieldFile, highDegrees)
+{
+    constexpr int kDegree = 133; // of WMMHR
+    std::string text = "2025.0 HIGH 1/1/2025\n";
+    for (int n = 1; n <= kDegree; ++n)
+        for (int m = 0; m <= n; ++m)
+            text += std::to_string(n) + " " + std::to_string(m) + (n == 1 && m == 0 ? " -30000 0 10 0\n" : " 0 0 0 0\n");
+    const CoefficientFile file(text + std::string(48, '9') + "\n");
+    const auto model = readFieldModel(file.path());
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_EQ(model->degree(), kDegree);
+    // A dipole along the axis: at the geographic equator H = −g (a/r)³, Z = 0.
+    const auto answer = model->evaluate(*makePlace(0, 33), 2027);
+    EXPECT_NEAR(answer->field.north_nT, 29980.0 * std::pow(6371.2 / 6378.137, 3), 1e-6);
+    EXPECT_NEAR(answer->field.down_nT, 0.0, 1e-9);
+    EXPECT_NEAR(answer->rate.north_nT, -10.0 * std::pow(6371.2 / 6378.137, 3), 1e-9);
 }
 
 } // namespace
