@@ -145,12 +145,13 @@ private:
 /// Cosines and sines at the nodes of an axis, with a multiple of eight of them, so that no vector is left half empty.
 class Circle {
 public:
-    explicit Circle(const MapAxis& axis) : m_padded((static_cast<std::size_t>(axis.nodes) + 7) / 8 * 8), m_values(3 * m_padded)
+    explicit Circle(const MapAxis& axis) : m_padded((static_cast<std::size_t>(axis.nodes) + 7) / 8 * 8), m_values(2 * m_padded)
     {
-        double* angles = &m_values[2 * m_padded];
-        for (std::size_t i = 0; i < m_padded; ++i)
-            angles[i] = toRadians(axis.at_deg(std::min(static_cast<int>(i), axis.nodes - 1)));
-        vectorCircle(angles, m_values.data(), &m_values[m_padded], m_padded);
+        for (std::size_t i = 0; i < m_padded; ++i) {
+            const OnCircle node = onCircle(axis.at_deg(std::min(static_cast<int>(i), axis.nodes - 1)));
+            m_values[i] = node.c;
+            m_values[m_padded + i] = node.s;
+        }
     }
     [[nodiscard]] std::size_t padded() const { return m_padded; }
     [[nodiscard]] const double* cosines() const { return m_values.data(); }
@@ -166,12 +167,6 @@ private:
 double mostActing_nT(const SensorResponse& sensor, const MeridianField& field)
 {
     return sensor.gain.norm() * field.total_nT() + sensor.offset_nT.norm();
-}
-
-/// An upper bound of what turns the compass away from the Earth's field.
-double mostDisturbing_nT(const SensorResponse& sensor, const MeridianField& field)
-{
-    return (sensor.gain - Eigen::Matrix3d::Identity()).norm() * field.total_nT() + sensor.offset_nT.norm();
 }
 
 /// Square of what is left for the compass at a node, as the fast way computes it.
@@ -245,18 +240,13 @@ void computeMap(const SensorResponse& sensor, const MeridianField& field, const 
     const SidesPolynomial sides(sensor, field, request);
     const Circle xCircle(request.x), yCircle(request.y);
     const double weak_nT = kWeakPart * mostActing_nT(sensor, field), weak2 = weak_nT * weak_nT;
-    const bool strong = field.horizontal_nT - mostDisturbing_nT(sensor, field) > weak_nT; // then no angle is weak, nor near 180°
     const auto columns = static_cast<std::size_t>(request.x.nodes);
     for (int y = 0; y < request.y.nodes; ++y) {
         const TrigonometricRow row = sides.at(yCircle.at(y));
         double* deviation = &map.deviation_rad[map.index(0, y)];
         // What is computed beyond a row is overwritten by the next one.
         const bool last = static_cast<std::size_t>(request.y.nodes - 1 - y) * columns < xCircle.padded() - columns;
-        if (strong) {
-            vectorAngles(row, xCircle.cosines(), xCircle.sines(), deviation, last ? columns : xCircle.padded());
-            continue;
-        }
-        const double least = vectorAnglesWithSize(row, xCircle.cosines(), xCircle.sines(), deviation, last ? columns : xCircle.padded());
+        const double least = vectorAngles(row, xCircle.cosines(), xCircle.sines(), deviation, last ? columns : xCircle.padded());
         if (least > weak2) // asked this way round, a field that is not finite is computed plainly, too
             continue;
         for (int x = 0; x < request.x.nodes; ++x)

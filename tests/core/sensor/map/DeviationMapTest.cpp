@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "core/sensor/map/DeviationMap.h"
@@ -268,7 +269,41 @@ TEST(VectorAtan2, isTheLibrarysWithinAFewUnits)
     }
     vectorAtan2(y.data(), x.data(), out.data(), y.size());
     for (std::size_t i = 0; i < y.size(); ++i)
-        EXPECT_NEAR(out[i], std::atan2(y[i], x[i]), 4 * std::abs(std::nextafter(out[i], 10) - out[i])) << y[i] << ' ' << x[i];
+        EXPECT_NEAR(std::remainder(out[i] - std::atan2(y[i], x[i]), 2 * kPi), 0.0, 4 * std::abs(std::nextafter(out[i], 10) - out[i]))
+            << y[i] << ' ' << x[i]; // where the library says −π, ours is π
+}
+
+/// Due south of nothing but rounding: π from either side, never −π, and finite where there is no direction.
+TEST(VectorAtan2, halfATurnIsPositive)
+{
+    const std::vector<double> y{0.0, -0.0, -1e-300, 0.0, 0.0}, x{-1.0, -1.0, -1.0, 1.0, 0.0};
+    std::vector<double> out(y.size());
+    vectorAtan2(y.data(), x.data(), out.data(), y.size());
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(out[i], kPi) << i;
+    EXPECT_EQ(out[3], 0.0);
+    EXPECT_TRUE(std::isfinite(out[4]));
+}
+
+TEST(VectorAtan2, anglesOfARowAndItsWeakestPlace)
+{
+    const TrigonometricRow row{{0.1, 2.0, -0.5, 0.3, 0.2}, {1.0, 0.4, 3.0, -0.2, 0.1}};
+    std::vector<double> cosine, sine, out(777);
+    double least = 1e300;
+    std::vector<double> expected;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const double x = 0.0081 * static_cast<double>(i);
+        cosine.push_back(std::cos(x));
+        sine.push_back(std::sin(x));
+        const double basis[] = {1, std::cos(x), std::sin(x), std::cos(2 * x), std::sin(2 * x)};
+        const double up = std::inner_product(basis, basis + 5, row.sine, 0.0),
+                     across = std::inner_product(basis, basis + 5, row.cosine, 0.0);
+        expected.push_back(std::atan2(up, across));
+        least = std::min(least, up * up + across * across);
+    }
+    EXPECT_NEAR(vectorAngles(row, cosine.data(), sine.data(), out.data(), out.size()), least, 1e-13);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        EXPECT_NEAR(out[i], expected[i], 1e-13) << i;
 }
 
 } // namespace
