@@ -8,7 +8,6 @@
 #include "app/Console.h"
 #include "app/DbStorage.h"
 #include "app/Demonstration.h"
-#include "app/FourierMemory.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "db/Maintenance.h"
@@ -62,7 +61,6 @@ int openWindow(const Invocation& invocation)
     if (!storage)
         return failVisibly(storage.error());
 
-    const FourierMemory fourier;
     ui::DesktopDialogs dialogs;
     QSettings settings;
     ui::MainWindow* opened = nullptr;

@@ -1,7 +1,6 @@
 #include <cstdio>
 
 #include "app/Console.h"
-#include "app/FourierMemory.h"
 #include "app/TextFile.h"
 #include "app/commands/Command.h"
 #include "core/format/exchange/BenchJson.h"
@@ -88,7 +87,6 @@ int ironCommand(const IronArguments& options)
     if (!bench)
         return fail(bench.error());
     const auto states = chosenStates(options, *bench);
-    const FourierMemory fourier;
     const auto model = benchModel(*bench, states, consoleProgress("iron bench"));
     if (!model)
         return fail({model.error().code, model.error().message, options.bench});

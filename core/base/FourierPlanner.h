@@ -4,7 +4,7 @@
 
 namespace lubberline {
 
-/// FFTW runs plans from any thread, but makes plans and keeps its wisdom without any lock: whoever does that holds this one.
+/// FFTW runs plans from any thread, but makes plans without any lock: whoever makes one holds this one.
 inline std::mutex& fourierPlannerMutex()
 {
     static std::mutex mutex;

@@ -3,7 +3,6 @@
 #include <fftw3.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <new>
 
@@ -19,9 +18,9 @@ struct FourierGrid::Plans {
 
 namespace {
 
-/// FFTW tries its ways for each axis for no longer than this [s]: a cancelled computation waits for it.
-constexpr double kPlanningTime_s = 1;
-constexpr unsigned kFlags = FFTW_MEASURE | FFTW_DESTROY_INPUT;
+/// FFTW's first guess: to try its ways takes a second, as much as is won in some sixty tensors, and other ways at other times
+/// would mean other last digits.
+constexpr unsigned kFlags = FFTW_ESTIMATE | FFTW_DESTROY_INPUT;
 
 fftw_complex* asFftw(std::complex<double>* numbers) { return reinterpret_cast<fftw_complex*>(numbers); }
 
@@ -77,14 +76,12 @@ void FourierGrid::plan()
         const fftw_iodim alongZ{N, 1, 1}, alongY{N, row, row}, alongX{N, plane, plane};
         const fftw_iodim halfX{n, plane, plane}, allY{N, row, row}, eachZ{row, 1, 1};
         const fftw_iodim rowsOut[2] = {{n, n * N, plane}, {n, N, row}}, rowsBack[2] = {{n, plane, n * N}, {n, row, N}};
-        fftw_set_timelimit(kPlanningTime_s);
         place->second = {fftw_plan_guru_dft_r2c(1, &alongZ, 2, rowsOut, real(), asFftw(spectrum()), kFlags),
             planLines(asFftw(spectrum()), alongY, halfX, eachZ, FFTW_FORWARD),
             planLines(asFftw(spectrum()), alongX, allY, eachZ, FFTW_FORWARD),
             planLines(asFftw(product()), alongX, allY, eachZ, FFTW_BACKWARD),
             planLines(asFftw(product()), alongY, halfX, eachZ, FFTW_BACKWARD),
             fftw_plan_guru_dft_c2r(1, &alongZ, 2, rowsBack, asFftw(product()), real(), kFlags)};
-        fftw_set_timelimit(FFTW_NO_TIMELIMIT);
     }
     m_plans = &place->second;
 }
@@ -113,24 +110,6 @@ void FourierGrid::backward()
     fftw_execute_dft(m_plans->backwardX, asFftw(product()), asFftw(product()));
     fftw_execute_dft(m_plans->backwardY, asFftw(product()), asFftw(product()));
     fftw_execute_dft_c2r(m_plans->backwardZ, asFftw(product()), real());
-}
-
-void loadFourierWisdom(const std::string& path)
-{
-    const std::lock_guard lock(fourierPlannerMutex());
-    fftw_import_wisdom_from_filename(path.c_str());
-}
-
-void saveFourierWisdom(const std::string& path)
-{
-    // Beside it first: another window of the program may read the file at this moment.
-    const std::string beside = path + ".new";
-    const std::lock_guard lock(fourierPlannerMutex());
-    std::error_code ignored; // wisdom only saves time
-    if (fftw_export_wisdom_to_filename(beside.c_str()))
-        std::filesystem::rename(beside, path, ignored);
-    else
-        std::filesystem::remove(beside, ignored);
 }
 
 } // namespace lubberline

@@ -1,12 +1,11 @@
 #pragma once
 /// Real Fourier transforms by FFTW of a cube that is padded with zeros to twice its side, and back to that cube. Lines that
-/// hold nothing but padding are not transformed: 7 of 12 parts of the work remain. Plans are made once a size (FFTW_MEASURE: it
-/// takes a second where there is no wisdom, so never on the window's thread) and shared by all threads.
+/// hold nothing but padding are not transformed: 7 of 12 parts of the work remain. Plans are made once a size and shared by
+/// all threads.
 
 #include <complex>
 #include <cstddef>
 #include <memory>
-#include <string>
 
 namespace lubberline {
 
@@ -26,7 +25,7 @@ public:
     [[nodiscard]] std::complex<double>* spectrum() { return m_spectrum.get(); } ///< of forward(); kept by backward()
     [[nodiscard]] std::complex<double>* product() { return m_product.get(); }
 
-    /// Plans both transforms if nobody has; what is in the arrays is lost then.
+    /// Plans both transforms if nobody has.
     void plan();
     void forward();  ///< real() → spectrum(), without a scale. @pre the second half of each row is 0
     void backward(); ///< product() → real(), without a scale; destroys product(). The second half of the rows is padding.
@@ -44,9 +43,5 @@ private:
     std::unique_ptr<std::complex<double>[], Free> m_spectrum, m_product;
     const Plans* m_plans = nullptr;
 };
-
-/// Keeps FFTW's wisdom in a file between runs, so that planning is done once a machine. Missing or foreign files are no error.
-void loadFourierWisdom(const std::string& path);
-void saveFourierWisdom(const std::string& path);
 
 } // namespace lubberline

@@ -1,6 +1,6 @@
 // The demagnetisation tensor of 64³ cells, padded to 128³, against the Fourier transforms that it needs: one real one forward
-// and five backward (the sixth component is known from the trace), as bare three-dimensional transforms of 128³ by
-// FFTW_MEASURE. Limit: 1.3 times. Beside it, for knowledge: the same transforms as they are made here, without the lines that
+// and five backward (the sixth component is known from the trace), as bare three-dimensional transforms of 128³ that are
+// planned as ours are. Limit: 1.3 times. Beside it, for knowledge: the same transforms as they are made here, without the lines that
 // hold only padding.
 
 #include <fftw3.h>
@@ -21,8 +21,8 @@ class BareTransforms {
 public:
     BareTransforms()
     {
-        m_forward = fftw_plan_dft_r2c_3d(kSide, kSide, kSide, m_real, m_spectrum, FFTW_MEASURE);
-        m_backward = fftw_plan_dft_c2r_3d(kSide, kSide, kSide, m_spectrum, m_real, FFTW_MEASURE);
+        m_forward = fftw_plan_dft_r2c_3d(kSide, kSide, kSide, m_real, m_spectrum, FFTW_ESTIMATE);
+        m_backward = fftw_plan_dft_c2r_3d(kSide, kSide, kSide, m_spectrum, m_real, FFTW_ESTIMATE);
         std::fill_n(m_real, kSide * kSide * kSide, 0.0);
         std::fill_n(reinterpret_cast<double*>(m_spectrum), kSide * kSide * (kSide + 2), 0.0);
     }

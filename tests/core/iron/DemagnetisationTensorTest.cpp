@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numbers>
 
@@ -176,22 +174,4 @@ TEST(DemagnetisationTensor, StopsWhenAsked)
     ASSERT_FALSE(tensor.ok());
     EXPECT_EQ(tensor.error().code, ErrorCode::Cancelled);
     EXPECT_LT(last, 0.7);
-}
-
-TEST(DemagnetisationTensor, WisdomIsKeptAndForeignFilesDoNoHarm)
-{
-    const auto folder = std::filesystem::temp_directory_path()
-        / ("lubberline-wisdom-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()));
-    std::filesystem::create_directories(folder);
-    const auto path = (folder / "wisdom").string();
-    EXPECT_NO_FATAL_FAILURE(loadFourierWisdom(path)); // not there
-    tensorOf(Sphere{1}, 8, 0.2);
-    saveFourierWisdom(path);
-    EXPECT_GT(std::filesystem::file_size(path), 0U);
-    loadFourierWisdom(path);
-    std::ofstream(path) << "no wisdom at all";
-    loadFourierWisdom(path);
-    saveFourierWisdom((folder / "missing" / "wisdom").string());
-    expectDiagonal(tensorOf(Sphere{1}, 32, 1 / 16.0).averageInside(), Eigen::Vector3d::Constant(1.0 / 3), 3e-4);
-    std::filesystem::remove_all(folder);
 }
