@@ -1,7 +1,7 @@
 #include "core/earth/Coastlines.h"
 
-#include <array>
 #include <cstdint>
+#include <iterator>
 
 namespace lubberline {
 
@@ -11,7 +11,7 @@ namespace {
 /// 0.25° (Douglas and Peucker), rounded to 0.1°; what runs along the edges of the map is no coast and was left out.
 /// For each line the number of its points, then longitude, latitude in tenths of a degree.
 // clang-format off
-constexpr std::array<std::int16_t, 5562> kTenths{
+constexpr std::int16_t kTenths[]{
     656, 1800,650, 1787,645, 1774,646, 1794,630, 1792,623, 1774,625, 1737,617, 1703,599, 1689,606, 1663,598, 1658,602, 1649,597, 1635,599,
     1620,582, 1621,578, 1632,576, 1631,562, 1621,561, 1617,553, 1621,549, 1604,543, 1600,532, 1585,530, 1582,519, 1568,510, 1554,554,
     1559,568, 1568,574, 1568,578, 1584,581, 1637,611, 1645,626, 1633,625, 1627,616, 1601,605, 1593,618, 1567,614, 1542,598, 1550,591,
@@ -295,7 +295,7 @@ constexpr std::array<std::int16_t, 5562> kTenths{
 std::vector<Coastline> unpacked()
 {
     std::vector<Coastline> lines;
-    for (std::size_t i = 0; i < kTenths.size();) {
+    for (std::size_t i = 0; i < std::size(kTenths);) {
         Coastline line(static_cast<std::size_t>(kTenths[i++]));
         for (CoastPoint& point : line) {
             point = {kTenths[i] / 10.0, kTenths[i + 1] / 10.0};
