@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
-#include "core/base/Contract.h"
+#include "core/base/Number.h"
 
 namespace lubberline {
 
@@ -48,6 +47,7 @@ public:
                 return true;
         return false;
     }
+    bool takeMinusSign() { return takeMinus(m_rest); }
     /// Digits with at most one decimal point or comma; no exponent: nobody types one, and E is east.
     std::optional<double> takeNumber()
     {
@@ -61,13 +61,12 @@ public:
             marks += mark;
             figures += mark ? '.' : c;
         }
-        double value = 0;
-        const auto [end, fault] = std::from_chars(figures.data(), figures.data() + figures.size(), value, std::chars_format::fixed);
-        if (marks > 1 || fault != std::errc() || end != figures.data() + figures.size())
+        const FileNumber number = readNumber(figures);
+        if (marks > 1 || number.fault != NumberFault::None)
             return {};
         m_wholeNumber = marks == 0;
         m_rest.remove_prefix(length);
-        return value;
+        return number.value;
     }
     [[nodiscard]] bool lastNumberWasWhole() const { return m_wholeNumber; }
 
@@ -76,13 +75,12 @@ private:
     bool m_wholeNumber = false;
 };
 
-constexpr std::array<std::string_view, 2> kMinusSigns{"-", "\u2212"};
 constexpr std::array<std::string_view, 2> kDegreeSigns{"\u00B0", "\u00BA"};
 constexpr std::array<std::string_view, 3> kMinuteSigns{"'", "\u2032", "\u2019"};
 
 Sign takeSign(Scanner& scanner)
 {
-    if (scanner.takeAny(kMinusSigns))
+    if (scanner.takeMinusSign())
         return Sign::Minus;
     return scanner.take("+") ? Sign::Plus : Sign::None;
 }
@@ -134,16 +132,6 @@ Error notAnAngle(std::string_view text, const char* what, const char* expected)
     return {ErrorCode::InvalidInput, "\"" + std::string(text) + "\" is " + what + "; expected " + expected};
 }
 
-std::string fixed(double value, int decimals)
-{
-    LUBBERLINE_EXPECT(std::isfinite(value) && std::abs(value) < 1e6, "an angle that is shown is finite");
-    LUBBERLINE_EXPECT(decimals >= 0 && decimals <= 12, "0 to 12 decimals");
-    std::array<char, 64> buffer;
-    const auto [end, fault] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
-    LUBBERLINE_EXPECT(fault == std::errc(), "64 characters hold any angle");
-    return {buffer.data(), end};
-}
-
 std::string padded(std::string figures, std::size_t wholeDigits)
 {
     const auto whole = std::min(figures.find('.'), figures.size());
@@ -155,8 +143,6 @@ std::string degreesMinutes(long long minutes, std::size_t wholeDigits)
 {
     return padded(std::to_string(minutes / 60), wholeDigits) + "\u00B0" + padded(std::to_string(minutes % 60), 2) + "'";
 }
-
-bool isZero(const std::string& figures) { return figures.find_first_not_of("-0.") == std::string::npos; }
 
 } // namespace
 
@@ -192,18 +178,17 @@ std::string formatHeading(double heading_deg, AngleStyle style, int decimals)
     const double wrapped_deg = wrap360(heading_deg);
     if (style == AngleStyle::DegreesMinutes)
         return degreesMinutes(std::llround(wrapped_deg * 60.0) % (360 * 60), 3);
-    const std::string figures = fixed(wrapped_deg, decimals);
-    return padded(figures.starts_with("360") ? fixed(0.0, decimals) : figures, 3) + "\u00B0";
+    const std::string figures = figureText(wrapped_deg, decimals);
+    return padded(figures.starts_with("360") ? figureText(0.0, decimals) : figures, 3) + "\u00B0";
 }
 
 std::string formatSignedAngle(double angle_deg, AngleStyle style, int decimals)
 {
-    const std::string figures = fixed(std::abs(angle_deg), decimals);
     if (style == AngleStyle::DegreesMinutes) {
         const auto minutes = std::llround(std::abs(angle_deg) * 60.0);
         return degreesMinutes(minutes, 1) + (minutes == 0 ? "" : angle_deg < 0 ? "W" : "E");
     }
-    return (isZero(figures) ? "" : angle_deg < 0 ? "\u2212" : "+") + figures + "\u00B0";
+    return signedFigureText(angle_deg, decimals) + "\u00B0";
 }
 
 } // namespace lubberline

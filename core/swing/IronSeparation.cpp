@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include <Eigen/Core>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
+#include "core/base/Number.h"
 #include "core/deviation/LeastSquares.h"
 
 namespace lubberline {
@@ -20,24 +20,9 @@ constexpr double kSamePlaces = 1e6;
 /// Swings that contradict each other more than one set in a hundred would by chance.
 constexpr double kContradiction = 0.99;
 
-std::string digits(double value, int decimals)
-{
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, std::abs(value));
-    return text.data();
-}
-
-/// With a sign, U+2212 for minus; what rounds to zero has none.
-std::string figure(double value, int decimals)
-{
-    const std::string size = digits(value, decimals);
-    const bool zero = size.find_first_not_of("0.") == std::string::npos;
-    return (zero ? "" : value < 0 ? "\u2212" : "+") + size;
-}
-
 std::string withError(double value, double error, int decimals)
 {
-    return error > 0 ? figure(value, decimals) + " \u00b1 " + digits(error, decimals) : figure(value, decimals);
+    return error > 0 ? signedFigureText(value, decimals) + " \u00b1 " + figureText(error, decimals) : signedFigureText(value, decimals);
 }
 
 /// (vertical soft iron, hard iron as a part of the mean H) of one coefficient over the swings.

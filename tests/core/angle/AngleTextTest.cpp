@@ -40,6 +40,12 @@ TEST(SignedAngle, keepsTheSignOfZeroDegreesAndSomeMinutes)
     EXPECT_FALSE(std::signbit(signedOf("0W"))); // no minus zero
 }
 
+TEST(SignedAngle, takesEveryMinusThatIsTyped)
+{
+    for (const char* text : {"-3.25", "\u22123.25", "\u20133.25", "\u20103.25", "\u20113\u00B015'"})
+        EXPECT_EQ(signedOf(text), -3.25) << text;
+}
+
 TEST(SignedAngle, reachesHalfATurnAndNoFurther)
 {
     EXPECT_EQ(signedOf("180"), 180.0);

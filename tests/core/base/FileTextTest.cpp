@@ -34,6 +34,35 @@ TEST(Number, refusesWhatIsNone)
         EXPECT_EQ(readNumber(text).fault, NumberFault::OutOfRange) << text;
 }
 
+TEST(Number, takesEveryMinusThatIsTyped)
+{
+    for (const char* text : {"-3.5", "\u22123.5", "\u20133.5", "\u20103.5", "\u20113.5"})
+        EXPECT_EQ(readNumber(text).value, -3.5) << text;
+    for (const char* text : {"\u2212-3", "-\u22123", "\u20143", "1e\u22122"}) // U+2014 is a dash between words
+        EXPECT_EQ(readNumber(text).fault, NumberFault::NotANumber) << text;
+}
+
+TEST(Number, takesThousandsApartOnlyWhereTheyAre)
+{
+    EXPECT_EQ(readNumber("1\u00A0234.5").value, 1234.5);
+    EXPECT_EQ(readNumber("\u221212\u202F345\u202F678,5", true).value, -12345678.5);
+    EXPECT_EQ(readNumber("123\u2009456").value, 123456.0);
+    for (const char* text :
+        {"1\u00A023", "1234\u00A0567", "1\u00A0234\u202F567", "1\u00A02345", "\u00A0123", "123\u00A0", "1.5\u00A0000", "1 234"})
+        EXPECT_EQ(readNumber(text).fault, NumberFault::NotANumber) << text;
+}
+
+TEST(Number, isShownWithItsSign)
+{
+    EXPECT_EQ(signedFigureText(3.46, 1), "+3.5");
+    EXPECT_EQ(signedFigureText(-2.0, 1), "\u22122.0");
+    EXPECT_EQ(signedFigureText(-0.04, 1), "0.0");
+    EXPECT_EQ(signedFigureText(0.04, 1), "0.0");
+    EXPECT_EQ(figureText(-2.0, 0), "\u22122");
+    EXPECT_EQ(figureText(3.5, 2), "3.50");
+    EXPECT_EQ(figureText(-0.0, 1), "0.0");
+}
+
 TEST(Number, isWrittenShortAndReadsBackToTheBit)
 {
     EXPECT_EQ(shortestNumber(359), "359");
