@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
+#include "ui/kit/NumberText.h"
 
 namespace lubberline::ui {
 
@@ -42,11 +43,10 @@ Result<std::optional<double>> parseOptionalAngle_deg(const QString& text)
 
 Result<double> parsePositive_deg(const QString& text)
 {
-    bool number = false;
-    const double value = QString(text).trimmed().replace(',', '.').toDouble(&number);
-    if (!number || !std::isfinite(value) || value <= 0.0 || value > 90.0)
+    const auto value = typedNumber(text);
+    if (!value || *value <= 0.0 || *value > 90.0)
         return wrong(Words::tr("“%1” is no size of a division; expected degrees above 0 and up to 90, as 0.5").arg(text.trimmed()));
-    return value;
+    return *value;
 }
 
 Result<std::optional<int>> parseYear(const QString& text)

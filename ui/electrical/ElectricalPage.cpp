@@ -17,6 +17,7 @@
 #include "core/swing/Analysis.h"
 #include "core/swing/Observations.h"
 #include "ui/earth/FieldText.h"
+#include "ui/kit/NumberText.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
@@ -56,13 +57,12 @@ Result<std::optional<double>> takeFigure(const QString& text)
 FormFields<ElectricalSwing>::Take takeNumber(std::function<std::optional<double>&(ElectricalSwing&)> field, double most)
 {
     return [field = std::move(field), most](ElectricalSwing& swing, const QString& text) -> Result<void> {
-        const QString plain = text.trimmed().replace(',', '.').replace(QChar(0x2212), '-');
-        bool ok = true;
-        const double value = plain.isEmpty() ? 0 : plain.toDouble(&ok);
-        if (!ok || !std::isfinite(value) || std::abs(value) > most)
+        const bool isEmpty = text.trimmed().isEmpty();
+        const auto value = typedNumber(text);
+        if (!isEmpty && (!value || std::abs(*value) > most))
             return Error{ErrorCode::InvalidInput,
                 ElectricalPage::tr("'%1' is not allowed; expected a number from −%2 to %2").arg(text).arg(most).toStdString()};
-        field(swing) = plain.isEmpty() ? std::optional<double>() : std::optional(value);
+        field(swing) = value;
         return {};
     };
 }

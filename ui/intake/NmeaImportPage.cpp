@@ -15,6 +15,7 @@
 #include "core/angle/AngleText.h"
 #include "core/swing/Analysis.h"
 #include "core/swing/Observations.h"
+#include "ui/kit/NumberText.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
@@ -25,12 +26,11 @@ namespace {
 
 Result<double> positive(const QString& text, const QString& what)
 {
-    bool ok = false;
-    const double value = QString(text).replace(',', '.').trimmed().toDouble(&ok);
-    if (!ok || !(value >= 0) || value > 1e6)
+    const auto value = typedNumber(text);
+    if (!value || *value < 0 || *value > 1e6)
         return Error{ErrorCode::InvalidInput,
             NmeaImportPage::tr("'%1' is not allowed for %2; expected a number from 0 on").arg(text, what).toStdString()};
-    return value;
+    return *value;
 }
 
 Result<NmeaVariation> variationOf(const QString& text)

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/angle/AngleText.h"
+#include "ui/kit/NumberText.h"
 #include "ui/plots/world/WorldFieldText.h"
 
 namespace lubberline::ui {
@@ -17,13 +18,6 @@ struct PlaceTextTexts {
 };
 
 Error wrong(const QString& message) { return {ErrorCode::InvalidInput, message.toStdString()}; }
-
-std::optional<double> plainNumber(QString text)
-{
-    bool number = false;
-    const double value = text.trimmed().replace(u',', u'.').replace(QChar(0x2212), u'-').toDouble(&number);
-    return number && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
 
 /// A word of the compass at the end; a null character where there is none.
 QChar letterAtEnd(const QString& text)
@@ -54,7 +48,7 @@ Result<double> parseLatitude_deg(const QString& text)
 
 Result<double> parseLongitude_deg(const QString& text)
 {
-    if (const auto number = plainNumber(text))
+    if (const auto number = typedNumber(text))
         return *number;
     const auto longitude_deg = parseSignedAngle_deg(text.trimmed().toStdString());
     if (!longitude_deg)
@@ -67,7 +61,7 @@ Result<double> parseHeight_m(const QString& text)
 {
     if (text.trimmed().isEmpty())
         return 0.0;
-    const auto height_m = plainNumber(text);
+    const auto height_m = typedNumber(text);
     if (!height_m)
         return wrong(PlaceTextTexts::tr("“%1” is no height; expected metres, as 118").arg(text.trimmed()));
     return *height_m;

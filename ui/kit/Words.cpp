@@ -61,14 +61,6 @@ QString titleOf(const SwingRecord& record)
 
 QString messageOf(const Error& error) { return toText(describe(error)); }
 
-QString signedNumber(double value, int decimals)
-{
-    const QString digits = QString::number(std::abs(value), 'f', decimals);
-    if (digits.toDouble() == 0.0)
-        return digits;
-    return (value < 0 ? QString(QChar(0x2212)) : QStringLiteral("+")) + digits;
-}
-
 QString numberText(std::optional<double> value) { return value ? QString::number(*value, 'g', 10) : QString(); }
 
 } // namespace lubberline::ui

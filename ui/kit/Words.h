@@ -9,6 +9,7 @@
 
 #include "core/base/Result.h"
 #include "core/record/Fleet.h"
+#include "ui/kit/NumberText.h"
 
 namespace lubberline::ui {
 
@@ -29,8 +30,6 @@ namespace lubberline::ui {
 [[nodiscard]] QString titleOf(const SwingRecord& record);
 /// "FILE:LINE: what is wrong and what was expected".
 [[nodiscard]] QString messageOf(const Error& error);
-/// "+1.25" or "−1.25" (U+2212); what rounds to zero has no sign.
-[[nodiscard]] QString signedNumber(double value, int decimals);
 /// "12.5", or empty; never NaN.
 [[nodiscard]] QString numberText(std::optional<double> value);
 

@@ -15,7 +15,13 @@ namespace {
 
 constexpr int kSliderSteps = 1000; // each side of the middle: finer than a pixel of the slider
 
-QString plainDigits(QString text) { return text.replace(',', '.').replace(QChar(0x2212), '-'); }
+/// For Qt's spin box, which reads its own text, with the unit behind it: the signs that core's reader takes.
+QString plainDigits(QString text)
+{
+    for (const char16_t minus : {u'\u2212', u'\u2013', u'\u2010', u'\u2011'})
+        text.replace(QChar(minus), '-');
+    return text.replace(',', '.');
+}
 
 } // namespace
 

@@ -20,6 +20,7 @@
 #include "core/swing/SwingField.h"
 #include "ui/earth/FieldText.h"
 #include "ui/fleet/RecordEdits.h"
+#include "ui/kit/NumberText.h"
 #include "ui/kit/PlaceText.h"
 #include "ui/kit/Words.h"
 #include "ui/sites/SurveyDrawing.h"
@@ -74,15 +75,13 @@ Result<SurveyPoint> pointOf(const QStringList& cells)
 {
     SurveyPoint point;
     const auto number = [&](int column, bool needed) -> Result<std::optional<double>> {
-        const QString text = cells.value(column).trimmed().replace(',', '.').replace(QChar(0x2212), '-');
-        if (text.isEmpty() && !needed)
+        if (cells.value(column).trimmed().isEmpty() && !needed)
             return std::optional<double>();
-        bool ok = false;
-        const double value = text.toDouble(&ok);
-        if (!ok || !std::isfinite(value))
+        const auto value = typedNumber(cells.value(column));
+        if (!value)
             return Error{ErrorCode::InvalidInput,
                 SitesPage::tr("'%1' is no number; expected metres, degrees or nT").arg(cells.value(column)).toStdString()};
-        return std::optional(value);
+        return value;
     };
     const auto east = number(East, true), north = number(North, true), height = number(Height, false),
                declination = number(Declination, false), total = number(Total, false);

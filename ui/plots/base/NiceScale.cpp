@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/Contract.h"
+#include "ui/kit/NumberText.h"
 
 namespace lubberline::ui {
 
@@ -25,20 +26,19 @@ NiceScale niceScale(double maxAbs, int steps, double floor)
     return {std::ceil(held / step - 1e-9) * step, step};
 }
 
-QString plainTick(double value, double step)
-{
-    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(std::abs(step)) - 1e-9)), 0, 6);
-    QString text = QString::number(std::abs(value), 'f', decimals);
-    const bool negative = value < 0 && text.toDouble() != 0.0;
-    return negative ? QChar(0x2212) + text : text;
-}
+namespace {
+
+/// As many as the step needs.
+int decimalsFor(double step) { return std::clamp(static_cast<int>(std::ceil(-std::log10(std::abs(step)) - 1e-9)), 0, 6); }
+
+} // namespace
+
+QString plainTick(double value, double step) { return plainNumber(value, decimalsFor(step)); }
 
 QString signedTick(double value, double step)
 {
-    const QString text = plainTick(value, step);
-    if (text.toDouble() == 0.0 && !text.startsWith(QChar(0x2212)))
-        return QStringLiteral("0");
-    return text.startsWith(QChar(0x2212)) ? text : "+" + text;
+    const QString text = signedNumber(value, decimalsFor(step));
+    return text.front().isDigit() ? QStringLiteral("0") : text; // only zero has no sign
 }
 
 } // namespace lubberline::ui

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ui/kit/NumberText.h"
 #include "ui/plots/swing/PictureCurves.h"
 
 namespace lubberline::ui {
@@ -22,9 +23,7 @@ QString angle(double angle_deg, AngleStyle style, int decimals = 1)
     return QString::fromStdString(formatSignedAngle(angle_deg, style, decimals));
 }
 
-QString minusSigned(double value, int decimals) { return QString::number(value, 'f', decimals).replace('-', QChar(0x2212)); }
-
-QString studentisedText(double t) { return minusSigned(t, std::abs(t) < 10 ? 1 : 0); }
+QString studentisedText(double t) { return plainNumber(t, std::abs(t) < 10 ? 1 : 0); }
 
 QString join(const QStringList& parts) { return parts.join(QStringLiteral(" · ")); }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/kit/NumberText.h"
+
 namespace lubberline::ui {
 
 namespace {
@@ -38,19 +40,12 @@ QString dash() { return QStringLiteral("—"); }
 
 QString figure(std::optional<double> value, int decimals)
 {
-    if (!value || !std::isfinite(*value))
-        return dash();
-    QString text = QString::number(*value, 'f', decimals);
-    if (text.startsWith('-') && text.toDouble() == 0.0)
-        text.remove(0, 1);
-    return text.replace('-', QChar(0x2212));
+    return value && std::isfinite(*value) ? plainNumber(*value, decimals) : dash();
 }
 
 QString signedFigure(std::optional<double> value, int decimals)
 {
-    const QString text = figure(value, decimals);
-    const bool positive = value && std::isfinite(*value) && *value > 0 && text.toDouble() != 0.0;
-    return positive ? '+' + text : text;
+    return value && std::isfinite(*value) ? signedNumber(*value, decimals) : dash();
 }
 
 std::optional<double> inDegrees(std::optional<double> angle_rad) { return angle_rad ? std::optional(toDegrees(*angle_rad)) : std::nullopt; }
