@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
-#include "ui/kit/NumberText.h"
+#include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
 

@@ -15,10 +15,10 @@
 #include "core/angle/AngleText.h"
 #include "core/swing/Analysis.h"
 #include "core/swing/Observations.h"
-#include "ui/kit/NumberText.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
+#include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
 

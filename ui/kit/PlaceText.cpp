@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/angle/AngleText.h"
-#include "ui/kit/NumberText.h"
 #include "ui/plots/world/WorldFieldText.h"
+#include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
 

@@ -9,7 +9,7 @@
 
 #include "core/base/Result.h"
 #include "core/record/Fleet.h"
-#include "ui/kit/NumberText.h"
+#include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
 

@@ -20,10 +20,10 @@
 #include "core/swing/SwingField.h"
 #include "ui/earth/FieldText.h"
 #include "ui/fleet/RecordEdits.h"
-#include "ui/kit/NumberText.h"
 #include "ui/kit/PlaceText.h"
 #include "ui/kit/Words.h"
 #include "ui/sites/SurveyDrawing.h"
+#include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
 

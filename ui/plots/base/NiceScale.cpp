@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/Contract.h"
-#include "ui/kit/NumberText.h"
+#include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
 

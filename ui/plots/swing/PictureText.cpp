@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "ui/kit/NumberText.h"
 #include "ui/plots/swing/PictureCurves.h"
+#include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
 

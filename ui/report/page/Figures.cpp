@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/kit/NumberText.h"
+#include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
 

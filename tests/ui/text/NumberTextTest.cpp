@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "ui/kit/NumberText.h"
+#include "ui/text/NumberText.h"
 
 using namespace lubberline::ui;
 

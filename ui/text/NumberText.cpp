@@ -1,4 +1,4 @@
-#include "ui/kit/NumberText.h"
+#include "ui/text/NumberText.h"
 
 #include <cmath>
 
