@@ -3,24 +3,26 @@
 #include "app/Console.h"
 #include "app/Paths.h"
 #include "core/demo/DemoFleet.h"
+#include "db/transfer/Transfer.h"
 
 namespace lubberline::app {
 
-Result<std::unique_ptr<DbStorage>> openDemonstration(const std::string& option)
+Result<std::unique_ptr<db::Stores>> openDemonstration(const std::string& option)
 {
     const auto path = demonstrationPath(option);
     if (!path)
         return path.error();
-    auto storage = openStorage(path->toStdString(), db::OpenMode::ReadWriteCreate);
-    if (!storage)
-        return storage.error();
-    const auto totals = (*storage)->totals();
+    auto stores = openStores(path->toStdString(), db::OpenMode::ReadWriteCreate);
+    if (!stores)
+        return stores.error();
+    const auto totals = (*stores)->fleet.totals();
     if (!totals)
         return totals.error();
     if (totals->swings == 0)
-        if (const auto imported = (*storage)->importFleet(demoFleet(), consoleProgress("storing the demonstration fleet")); !imported)
+        if (const auto imported = db::importFleet((*stores)->database(), demoFleet(), consoleProgress("storing the demonstration fleet"));
+            !imported)
             return imported.error();
-    return storage;
+    return stores;
 }
 
 } // namespace lubberline::app

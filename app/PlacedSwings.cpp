@@ -1,22 +1,22 @@
 #include "app/PlacedSwings.h"
 
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "core/swing/SwingPlaces.h"
 
 namespace lubberline::app {
 
 Result<PlacedSwings> placedSwings(const std::string& database, const std::vector<std::string>& names)
 {
-    auto storage = openStorage(database, db::OpenMode::ReadOnly);
-    if (!storage)
-        return storage.error();
+    auto stores = openStores(database, db::OpenMode::ReadOnly);
+    if (!stores)
+        return stores.error();
     PlacedSwings placed;
     CompassId compass;
     for (const auto& name : names) {
-        const auto id = (*storage)->swingNamed(name);
+        const auto id = (*stores)->swings.named(name);
         if (!id)
             return id.error();
-        const auto record = (*storage)->swingRecord(*id);
+        const auto record = (*stores)->swings.record(*id);
         if (!record)
             return record.error();
         if (compass.valid() && compass != record->compass.id)

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 
 namespace lubberline::app {
 
@@ -15,6 +15,6 @@ struct ListedSwing {
 };
 
 /// In order of type, aircraft and compass, the newest first. @param aircraft of this registration only; empty: all.
-Result<std::vector<ListedSwing>> listSwings(DbStorage& storage, const std::string& aircraft = {});
+Result<std::vector<ListedSwing>> listSwings(db::Stores& stores, const std::string& aircraft = {});
 
 } // namespace lubberline::app

@@ -6,11 +6,12 @@
 #include <QStandardPaths>
 
 #include "app/Console.h"
-#include "app/DbStorage.h"
 #include "app/Demonstration.h"
+#include "app/OpenStores.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
-#include "db/Maintenance.h"
+#include "db/schema/Schema.h"
+#include "db/transfer/Maintenance.h"
 #include "ui/window/MainWindow.h"
 
 namespace lubberline::app {
@@ -57,18 +58,18 @@ int openWindow(const Invocation& invocation)
     auto session = makeWindowSession(invocation.argc, invocation.argv);
     if (!session)
         return fail(session.error());
-    auto storage = openStorage(invocation.database, db::OpenMode::ReadWriteCreate);
-    if (!storage)
-        return failVisibly(storage.error());
+    auto stores = openStores(invocation.database, db::OpenMode::ReadWriteCreate);
+    if (!stores)
+        return failVisibly(stores.error());
 
     ui::DesktopDialogs dialogs;
     QSettings settings;
     ui::MainWindow* opened = nullptr;
-    const QString path = (*storage)->location();
-    ui::MainWindow window(**storage,
+    const QString path = (*stores)->location();
+    ui::MainWindow window(**stores,
         {dialogs, settings, [&opened] { startDemonstration(*opened); },
             [path](const QString& copy) -> Result<void> { // may run on a worker: a connection of its own
-                auto database = db::Database::open(path, db::OpenMode::ReadOnly);
+                auto database = db::openDatabase(path, db::OpenMode::ReadOnly);
                 return database ? db::backup(*database, copy) : Result<void>(database.error());
             },
             recoveryFiles()});

@@ -4,7 +4,7 @@
 
 #include "app/CardSource.h"
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "app/Paths.h"
 #include "app/QtSession.h"
 #include "app/Tables.h"
@@ -44,15 +44,15 @@ int writeCardFile(const CardArguments& options, ui::CardInput input)
 }
 
 /// The forms that are made of a record of the database alone.
-int writeForm(const CardArguments& options, DbStorage& storage, SwingId swing)
+int writeForm(const CardArguments& options, db::Stores& stores, SwingId swing)
 {
     const QString path = QString::fromStdString(options.output);
     Result<void> written;
     if (options.form == "job") {
-        const auto input = ui::jobCardOf(storage, swing, nowUtc());
+        const auto input = ui::jobCardOf(stores, swing, nowUtc());
         written = input ? ui::writeJobCard(*input, path) : Result<void>(input.error());
     } else {
-        const auto sheet = ui::sheet1613Of(storage, swing, nowUtc());
+        const auto sheet = ui::sheet1613Of(stores, swing, nowUtc());
         written = sheet ? ui::write1613(*sheet, path) : Result<void>(sheet.error());
     }
     if (!written)
@@ -79,15 +79,15 @@ int cardCommand(CardArguments options, const std::string& database)
             files.push_back(options.second);
         sheet = cardFromFiles(files, options.card);
     } else {
-        auto storage = openStorage(database, db::OpenMode::ReadOnly);
-        if (!storage)
-            return fail(storage.error());
-        const auto id = (*storage)->swingNamed(options.swing);
+        auto stores = openStores(database, db::OpenMode::ReadOnly);
+        if (!stores)
+            return fail(stores.error());
+        const auto id = (*stores)->swings.named(options.swing);
         if (!id)
             return fail(id.error());
         if (!placard)
-            return writeForm(options, **storage, *id);
-        auto input = ui::cardOf(**storage, *id, options.card, nowUtc(), true);
+            return writeForm(options, **stores, *id);
+        auto input = ui::cardOf(**stores, *id, options.card, nowUtc(), true);
         sheet = input ? Result<CardSheet>(CardSheet{std::move(input.value()), {}}) : Result<CardSheet>(input.error());
     }
     if (!sheet)

@@ -3,10 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
-#include "db/Maintenance.h"
+#include "db/schema/Schema.h"
+#include "db/transfer/Maintenance.h"
 
 namespace lubberline::app {
 
@@ -22,8 +23,8 @@ template <class Work>
 int onDatabase(const std::string& option, Work work)
 {
     const auto session = makeDrawingSession();
-    auto storage = openStorage(option, db::OpenMode::ReadOnly);
-    return storage ? work((*storage)->database()) : fail(storage.error());
+    auto stores = openStores(option, db::OpenMode::ReadOnly);
+    return stores ? work((*stores)->database()) : fail(stores.error());
 }
 
 int statusCommand(db::Database& database, bool json)

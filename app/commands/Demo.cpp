@@ -25,9 +25,9 @@ struct DemoArguments {
 };
 
 /// The newest swing that has a result and an older one of its compass: its report can show last year's curve.
-Result<SwingId> swingToShow(DbStorage& storage)
+Result<SwingId> swingToShow(db::Stores& stores)
 {
-    const auto swings = listSwings(storage);
+    const auto swings = listSwings(stores);
     if (!swings)
         return swings.error();
     for (std::size_t i = 0; i + 1 < swings->size(); ++i) {
@@ -36,7 +36,7 @@ Result<SwingId> swingToShow(DbStorage& storage)
         if (row.maxAbsDeviation_deg && usual && (*swings)[i + 1].row.compass == row.compass)
             return row.id;
     }
-    return Error{ErrorCode::NotFound, "the demonstration database has no swing with a result", storage.location().toStdString()};
+    return Error{ErrorCode::NotFound, "the demonstration database has no swing with a result", stores.location().toStdString()};
 }
 
 Result<void> writePlots(
@@ -62,12 +62,12 @@ Result<void> writePlots(
     return {};
 }
 
-Result<void> writeDocuments(DbStorage& storage, SwingId id, const QDir& folder)
+Result<void> writeDocuments(db::Stores& stores, SwingId id, const QDir& folder)
 {
-    const auto record = storage.swingRecord(id);
+    const auto record = stores.swings.record(id);
     if (!record)
         return record.error();
-    const auto previous = storage.previousSwing(id);
+    const auto previous = stores.swings.previous(id);
     if (!previous)
         return previous.error();
     auto analysed = analyseSwing({*record, {}, "demonstration swing"});
@@ -79,7 +79,7 @@ Result<void> writeDocuments(DbStorage& storage, SwingId id, const QDir& folder)
     report.record = *record;
     report.analysis = *analysis;
     report.previous = *previous;
-    const auto sensors = storage.sensorsOf(record->compass.id);
+    const auto sensors = stores.sensors.of(record->compass.id);
     if (!sensors)
         return sensors.error();
     report.sensors = *sensors;
@@ -101,19 +101,19 @@ Result<void> writeDocuments(DbStorage& storage, SwingId id, const QDir& folder)
 int demoCommand(const DemoArguments& options, const Invocation& invocation)
 {
     const auto session = makeDrawingSession();
-    auto storage = openDemonstration(invocation.database);
-    if (!storage)
-        return fail(storage.error());
-    const QString path = QFileInfo((*storage)->location()).absoluteFilePath();
+    auto stores = openDemonstration(invocation.database);
+    if (!stores)
+        return fail(stores.error());
+    const QString path = QFileInfo((*stores)->location()).absoluteFilePath();
     const QDir folder(
         options.output.empty() ? QFileInfo(path).absoluteDir().filePath("demonstration") : QString::fromStdString(options.output));
     if (!folder.mkpath("."))
         return fail({ErrorCode::Io, "the folder cannot be made; expected one that may be written", folder.path().toStdString()});
 
-    const auto swing = swingToShow(**storage);
+    const auto swing = swingToShow(**stores);
     if (!swing)
         return fail(swing.error());
-    if (const auto written = writeDocuments(**storage, *swing, folder); !written)
+    if (const auto written = writeDocuments(**stores, *swing, folder); !written)
         return fail(written.error());
     std::printf("database  %s\n", qPrintable(path));
     for (const auto& file : folder.entryInfoList(QDir::Files, QDir::Name))
@@ -126,7 +126,7 @@ int demoCommand(const DemoArguments& options, const Invocation& invocation)
         return kDone;
     }
     // The documents were drawn on the offscreen platform; the window needs an application of its own.
-    storage->reset();
+    stores->reset();
     const std::string program = QCoreApplication::applicationFilePath().toStdString();
     const std::string database = path.toStdString();
     execl(program.c_str(), program.c_str(), "--db", database.c_str(), nullptr);

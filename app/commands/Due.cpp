@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "app/QtSession.h"
 #include "app/TextFile.h"
 #include "app/commands/Command.h"
@@ -83,10 +83,10 @@ int dueCommand(const DueArguments& options, const std::string& database)
     const auto today = dayOr(options.today, "--today");
     if (!today)
         return fail(today.error());
-    auto storage = openStorage(database, db::OpenMode::ReadOnly);
-    if (!storage)
-        return fail(storage.error());
-    const auto news = ui::dueNews(**storage, *today, {});
+    auto stores = openStores(database, db::OpenMode::ReadOnly);
+    if (!stores)
+        return fail(stores.error());
+    const auto news = ui::dueNews(**stores, *today, {});
     if (!news)
         return fail(news.error());
     std::vector<DueLine> lines;
@@ -108,11 +108,11 @@ int dueCommand(const DueArguments& options, const std::string& database)
 }
 
 /// For writing. A database that is not there is an error, not made: what is recorded is of an aircraft that is known.
-Result<std::unique_ptr<DbStorage>> openKnown(const std::string& database)
+Result<std::unique_ptr<db::Stores>> openKnown(const std::string& database)
 {
-    if (const auto there = openStorage(database, db::OpenMode::ReadOnly); !there && there.error().code == ErrorCode::NotFound)
+    if (const auto there = openStores(database, db::OpenMode::ReadOnly); !there && there.error().code == ErrorCode::NotFound)
         return there.error();
-    return openStorage(database, db::OpenMode::ReadWriteCreate);
+    return openStores(database, db::OpenMode::ReadWriteCreate);
 }
 
 Result<DueCause> causeOf(const EventOptions& options)
@@ -140,10 +140,10 @@ int eventCommand(const EventOptions& options, const std::string& database)
     const auto cause = causeOf(options);
     if (!date || !cause)
         return fail(date ? cause.error() : date.error());
-    auto storage = openKnown(database);
-    if (!storage)
-        return fail(storage.error());
-    const auto aircraft = (*storage)->aircraftNamed(options.aircraft);
+    auto stores = openKnown(database);
+    if (!stores)
+        return fail(stores.error());
+    const auto aircraft = (*stores)->fleet.aircraftNamed(options.aircraft);
     if (!aircraft)
         return fail(aircraft.error());
     Event event;
@@ -153,7 +153,7 @@ int eventCommand(const EventOptions& options, const std::string& database)
     event.kind = options.words.empty() ? inWords(*cause) : options.words;
     event.cause = *cause;
     event.note = options.note;
-    if (const auto saved = (*storage)->save(event); !saved)
+    if (const auto saved = (*stores)->fleet.add(event); !saved)
         return fail(saved.error());
     if (options.json) {
         JsonWriter json;
@@ -171,9 +171,9 @@ int eventCommand(const EventOptions& options, const std::string& database)
 }
 
 /// By its record id, or as much of its beginning as tells it apart.
-Result<RecordId> eventNamed(DbStorage& storage, const std::string& id)
+Result<RecordId> eventNamed(db::Stores& stores, const std::string& id)
 {
-    const auto compasses = storage.dueCompasses();
+    const auto compasses = stores.due.compasses();
     if (!compasses)
         return compasses.error();
     std::set<RecordId> found;
@@ -195,14 +195,14 @@ int waiveCommand(const WaiverOptions& options, const std::string& database)
     const auto date = dayOr(options.date, "--date");
     if (!date)
         return fail(date.error());
-    auto storage = openKnown(database);
-    if (!storage)
-        return fail(storage.error());
-    const auto event = eventNamed(**storage, options.event);
+    auto stores = openKnown(database);
+    if (!stores)
+        return fail(stores.error());
+    const auto event = eventNamed(**stores, options.event);
     if (!event)
         return fail(event.error());
     const Waiver waiver{newRecordId(), *event, *date, options.reason, options.by};
-    if (const auto saved = (*storage)->save(waiver); !saved)
+    if (const auto saved = (*stores)->due.add(waiver); !saved)
         return fail(saved.error());
     if (options.json) {
         JsonWriter json;

@@ -1,9 +1,10 @@
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "app/QtSession.h"
 #include "app/TextFile.h"
 #include "app/commands/Command.h"
 #include "core/format/exchange/Exchange.h"
+#include "db/transfer/Transfer.h"
 
 namespace lubberline::app {
 
@@ -17,17 +18,17 @@ struct ExportArguments {
 int exportCommand(const ExportArguments& options, const std::string& database)
 {
     const auto session = makeDrawingSession();
-    auto storage = openStorage(database, db::OpenMode::ReadOnly);
-    if (!storage)
-        return fail(storage.error());
+    auto stores = openStores(database, db::OpenMode::ReadOnly);
+    if (!stores)
+        return fail(stores.error());
     std::vector<AircraftId> aircraft;
     for (const auto& registration : options.aircraft) {
-        const auto id = (*storage)->aircraftNamed(registration);
+        const auto id = (*stores)->fleet.aircraftNamed(registration);
         if (!id)
             return fail(id.error());
         aircraft.push_back(*id);
     }
-    const auto fleet = (*storage)->exportFleet(aircraft, consoleProgress("exporting"));
+    const auto fleet = db::exportFleet((*stores)->database(), aircraft, consoleProgress("exporting"));
     if (!fleet)
         return fail(fleet.error());
     if (const auto written = writeTextFile(options.output, writeExchange(*fleet)); !written)

@@ -4,10 +4,11 @@
 #include <iterator>
 
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "app/QtSession.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
+#include "db/transfer/Transfer.h"
 #include "ui/intake/ImportFile.h"
 
 namespace lubberline::app {
@@ -31,10 +32,10 @@ int importCommand(const ImportArguments& options, const std::string& database)
         fleets.push_back(std::move(read->fleet));
     }
     const auto session = makeDrawingSession();
-    auto storage = openStorage(database, db::OpenMode::ReadWriteCreate);
-    if (!storage)
-        return fail(storage.error());
-    const auto imported = (*storage)->importAll(fleets, consoleProgress("storing"));
+    auto stores = openStores(database, db::OpenMode::ReadWriteCreate);
+    if (!stores)
+        return fail(stores.error());
+    const auto imported = db::importAll((*stores)->database(), fleets, consoleProgress("storing"));
     if (!imported)
         return fail(imported.error());
     say(text("stored %d new swings of %d new aircraft; %d swings were there already", imported->swings, imported->aircraft,

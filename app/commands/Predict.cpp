@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "app/PlacedSwings.h"
 #include "app/QtSession.h"
 #include "app/TextFile.h"

@@ -1,5 +1,5 @@
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "app/Paths.h"
 #include "app/QtSession.h"
 #include "app/SwingSource.h"
@@ -43,13 +43,13 @@ int reportFromFile(const ReportArguments& options)
 
 int reportFromDatabase(const ReportArguments& options, const std::string& database)
 {
-    auto storage = openStorage(database, db::OpenMode::ReadOnly);
-    if (!storage)
-        return fail(storage.error());
-    const auto id = (*storage)->swingNamed(options.swing);
+    auto stores = openStores(database, db::OpenMode::ReadOnly);
+    if (!stores)
+        return fail(stores.error());
+    const auto id = (*stores)->swings.named(options.swing);
     if (!id)
         return fail(id.error());
-    auto input = ui::reportOf(**storage, *id, nowUtc());
+    auto input = ui::reportOf(**stores, *id, nowUtc());
     if (!input) {
         Error error = input.error();
         if (error.file.empty())

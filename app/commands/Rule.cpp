@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/due/DueList.h"
@@ -41,9 +41,9 @@ struct TypeNames {
     }
 };
 
-Result<TypeNames> typesOf(DbStorage& storage)
+Result<TypeNames> typesOf(db::Stores& stores)
 {
-    const auto compasses = storage.dueCompasses();
+    const auto compasses = stores.due.compasses();
     if (!compasses)
         return compasses.error();
     TypeNames types;
@@ -53,25 +53,25 @@ Result<TypeNames> typesOf(DbStorage& storage)
     return types;
 }
 
-Result<void> addKnown(DbStorage& storage, const std::vector<DueRule>& rules)
+Result<void> addKnown(db::Stores& stores, const std::vector<DueRule>& rules)
 {
     for (const DueRule& known : knownRules()) {
         const bool there = std::any_of(rules.begin(), rules.end(), [&](const DueRule& rule) { return rule.name == known.name; });
         if (there)
             continue;
-        if (const auto stored = storage.save(known); !stored)
-            return stored;
+        if (const auto stored = stores.due.add(known); !stored)
+            return stored.error();
     }
     return {};
 }
 
-Result<void> change(DbStorage& storage, const std::vector<DueRule>& rules, const TypeNames& types, const RuleArguments& options)
+Result<void> change(db::Stores& stores, const std::vector<DueRule>& rules, const TypeNames& types, const RuleArguments& options)
 {
     const auto there = std::find_if(rules.begin(), rules.end(), [&](const DueRule& rule) { return rule.name == options.name; });
     if (options.remove && there == rules.end())
         return Error{ErrorCode::NotFound, "there is no rule '" + options.name + "'; expected one that `lubberline rule` lists"};
     if (options.remove)
-        return storage.removeDueRule(there->record);
+        return stores.due.removeRule(there->record);
     DueRule rule = there == rules.end() ? DueRule() : *there;
     rule.name = options.name;
     rule.months = options.months.value_or(rule.months);
@@ -85,7 +85,9 @@ Result<void> change(DbStorage& storage, const std::vector<DueRule>& rules, const
             return type.error();
         rule.type = *type;
     }
-    return storage.save(rule);
+    if (there != rules.end())
+        return stores.due.change(*there, rule);
+    return noValue(stores.due.add(rule));
 }
 
 std::string jsonOf(const std::vector<DueRule>& rules, const TypeNames& types)
@@ -124,20 +126,20 @@ void print(const std::vector<DueRule>& rules, const TypeNames& types)
 int ruleCommand(const RuleArguments& options, const std::string& database)
 {
     const auto session = makeDrawingSession();
-    if (const auto there = openStorage(database, db::OpenMode::ReadOnly); !there && there.error().code == ErrorCode::NotFound)
+    if (const auto there = openStores(database, db::OpenMode::ReadOnly); !there && there.error().code == ErrorCode::NotFound)
         return fail(there.error()); // a rule makes no database
-    auto storage = openStorage(database, options.writes() ? db::OpenMode::ReadWriteCreate : db::OpenMode::ReadOnly);
-    if (!storage)
-        return fail(storage.error());
-    const auto types = typesOf(**storage);
-    auto rules = (*storage)->dueRules();
+    auto stores = openStores(database, options.writes() ? db::OpenMode::ReadWriteCreate : db::OpenMode::ReadOnly);
+    if (!stores)
+        return fail(stores.error());
+    const auto types = typesOf(**stores);
+    auto rules = (*stores)->due.rules();
     if (!types || !rules)
         return fail(types ? rules.error() : types.error());
     if (options.writes()) {
-        const auto done = options.known ? addKnown(**storage, *rules) : change(**storage, *rules, *types, options);
+        const auto done = options.known ? addKnown(**stores, *rules) : change(**stores, *rules, *types, options);
         if (!done)
             return fail(done.error());
-        rules = (*storage)->dueRules();
+        rules = (*stores)->due.rules();
         if (!rules)
             return fail(rules.error());
     }

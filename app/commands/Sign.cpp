@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/Console.h"
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/record/RecordWords.h"
@@ -17,23 +17,23 @@ struct SignArguments {
     bool json = false;
 };
 
-using Act = std::function<int(DbStorage& storage, SwingId swing, const SignArguments& options)>;
+using Act = std::function<int(db::Stores& stores, SwingId swing, const SignArguments& options)>;
 
 int onSwing(const SignArguments& options, const std::string& database, db::OpenMode mode, const Act& act)
 {
     const auto session = makeDrawingSession();
-    auto storage = openStorage(database, mode);
-    if (!storage)
-        return fail(storage.error());
-    const auto swing = (*storage)->swingNamed(options.record);
-    return swing ? act(**storage, *swing, options) : fail(swing.error());
+    auto stores = openStores(database, mode);
+    if (!stores)
+        return fail(stores.error());
+    const auto swing = (*stores)->swings.named(options.record);
+    return swing ? act(**stores, *swing, options) : fail(swing.error());
 }
 
-int told(const Result<void>& done, DbStorage& storage, SwingId swing)
+int told(const Result<void>& done, db::Stores& stores, SwingId swing)
 {
     if (!done)
         return fail(done.error());
-    const auto record = storage.swingRecord(swing);
+    const auto record = stores.swings.record(swing);
     if (!record)
         return fail(record.error());
     std::printf("%s  %s  %s\n", record->swing.record.c_str(), record->aircraft.registration.c_str(),
@@ -41,27 +41,27 @@ int told(const Result<void>& done, DbStorage& storage, SwingId swing)
     return kDone;
 }
 
-int sign(DbStorage& storage, SwingId swing, const SignArguments& options)
+int sign(db::Stores& stores, SwingId swing, const SignArguments& options)
 {
     const auto role = choiceOf<SignatureRole>(options.role);
     if (!role)
         return fail(
             Error{ErrorCode::InvalidInput, "--role: '" + options.role + "' is not known; expected " + allowedWords<SignatureRole>()});
-    return told(storage.sign(swing, Signature{*role, options.name, options.licence, {}, {}}), storage, swing);
+    return told(stores.signing.sign(swing, Signature{*role, options.name, options.licence, {}, {}}), stores, swing);
 }
 
-int amend(DbStorage& storage, SwingId swing, const SignArguments& options)
+int amend(db::Stores& stores, SwingId swing, const SignArguments& options)
 {
-    const auto made = storage.amend(swing, options.reason);
-    return made ? told({}, storage, *made) : fail(made.error());
+    const auto made = stores.signing.amend(swing, options.reason);
+    return made ? told({}, stores, *made) : fail(made.error());
 }
 
-int audit(DbStorage& storage, SwingId swing, const SignArguments& options)
+int audit(db::Stores& stores, SwingId swing, const SignArguments& options)
 {
-    const auto record = storage.recordOf(swing);
+    const auto record = stores.swings.recordOf(swing);
     if (!record)
         return fail(record.error());
-    const auto rows = storage.auditOf(*record);
+    const auto rows = stores.signing.auditOf(*record);
     if (!rows)
         return fail(rows.error());
     if (options.json) {
@@ -95,10 +95,10 @@ void addSign(CLI::App& app, Invocation& invocation)
     constexpr auto kWrite = db::OpenMode::ReadWriteCreate;
     auto options = std::make_shared<SignArguments>();
     add(app, invocation, "complete", "close a draft swing: its readings and particulars are whole", options, kWrite,
-        [](DbStorage& storage, SwingId swing, const SignArguments&) { return told(storage.complete(swing), storage, swing); });
+        [](db::Stores& stores, SwingId swing, const SignArguments&) { return told(stores.signing.complete(swing), stores, swing); });
     auto* reopen = add(app, invocation, "reopen", "make a complete swing a draft again", options, kWrite,
-        [](DbStorage& storage, SwingId swing, const SignArguments& given) {
-            return told(storage.reopen(swing, given.reason), storage, swing);
+        [](db::Stores& stores, SwingId swing, const SignArguments& given) {
+            return told(stores.signing.reopen(swing, given.reason), stores, swing);
         });
     reopen->add_option("--reason", options->reason, "why")->required();
     auto* signing = add(

@@ -53,10 +53,10 @@ std::string jsonOf(const std::vector<ListedSwing>& swings)
 int swingsCommand(const SwingsArguments& options, const std::string& database)
 {
     const auto session = makeDrawingSession();
-    auto storage = openStorage(database, db::OpenMode::ReadOnly);
-    if (!storage)
-        return fail(storage.error());
-    const auto swings = listSwings(**storage, options.aircraft);
+    auto stores = openStores(database, db::OpenMode::ReadOnly);
+    if (!stores)
+        return fail(stores.error());
+    const auto swings = listSwings(**stores, options.aircraft);
     if (!swings)
         return fail(swings.error());
     if (options.json) {

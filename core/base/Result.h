@@ -97,4 +97,11 @@ private:
     Error m_error;
 };
 
+/// Of a call whose value is not wanted: whether it went well.
+template <class T>
+[[nodiscard]] Result<void> noValue(const Result<T>& result)
+{
+    return result ? Result<void>() : Result<void>(result.error());
+}
+
 } // namespace lubberline

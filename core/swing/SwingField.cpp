@@ -38,6 +38,12 @@ std::optional<FieldStamp> stampFor(const Swing& swing, const std::optional<Site>
     return stamp ? std::optional(*stamp) : std::nullopt;
 }
 
+void stampUnlessSigned(Swing& swing, const std::optional<Site>& site)
+{
+    if (!swing.field && swing.state != SwingState::Signed)
+        swing.field = stampFor(swing, site);
+}
+
 StampState stateOf(const Swing& swing, const std::optional<Site>& site)
 {
     if (!swing.field)

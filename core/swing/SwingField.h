@@ -13,6 +13,9 @@ namespace lubberline {
 /// stated, in the blackout zone (H < 2000 nT), and outside the years of every model.
 [[nodiscard]] std::optional<FieldStamp> stampFor(const Swing& swing, const std::optional<Site>& site);
 
+/// What a new swing without a stamp is given; what was signed without one stays so.
+void stampUnlessSigned(Swing& swing, const std::optional<Site>& site);
+
 enum class StampState {
     None,         ///< the swing keeps no stamp
     Current,      ///< what would be computed now; or nothing can be computed to hold it against

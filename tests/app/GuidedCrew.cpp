@@ -13,7 +13,7 @@
 #include <array>
 #include <cstdio>
 
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "ui/guided/GuidedPage.h"
 #include "ui/window/MainWindow.h"
 
@@ -76,12 +76,12 @@ void step(ui::GuidedPage& page)
 int main(int argc, char** argv)
 {
     QApplication application(argc, argv);
-    auto storage = app::openStorage(argv[1], db::OpenMode::ReadWriteCreate);
-    if (!storage || argc < 4)
+    auto stores = app::openStores(argv[1], db::OpenMode::ReadWriteCreate);
+    if (!stores || argc < 4)
         return 1;
     NoDialogs dialogs;
     QSettings settings(QString(argv[1]) + ".ini", QSettings::IniFormat);
-    ui::MainWindow window(**storage, {dialogs, settings, {}, {}});
+    ui::MainWindow window(**stores, {dialogs, settings, {}, {}});
     window.resize(1300, 740);
     window.show();
     if (!QTest::qWaitForWindowActive(&window))

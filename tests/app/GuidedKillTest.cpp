@@ -12,8 +12,9 @@
 #include <random>
 #include <thread>
 
-#include "db/JobRepository.h"
-#include "db/Maintenance.h"
+#include "db/schema/Schema.h"
+#include "db/stores/JobStore.h"
+#include "db/transfer/Maintenance.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -24,7 +25,7 @@ TEST(GuidedKill, aSwingKilledAtAnyStepEndsWithItsCard)
     const QString path = folder.filePath("a.lubberline");
     Stored stored;
     {
-        auto database = db::Database::open(path, db::OpenMode::ReadWriteCreate);
+        auto database = db::openDatabase(path, db::OpenMode::ReadWriteCreate);
         stored = store(*database);
     }
     std::mt19937 random(20261123);
@@ -54,25 +55,25 @@ TEST(GuidedKill, aSwingKilledAtAnyStepEndsWithItsCard)
                 steps = line.mid(6).toInt();
         }
         ASSERT_GT(swing, 0) << "the window did not begin: " << window.exitCode();
-        auto database = db::Database::open(path, db::OpenMode::ReadWriteCreate);
+        auto database = db::openDatabase(path, db::OpenMode::ReadWriteCreate);
         ASSERT_TRUE(database) << describe(database.error());
-        const auto job = db::JobRepository(*database).jobOf(SwingId{swing});
+        const auto job = db::JobStore(*database).jobOf(SwingId{swing});
         ASSERT_TRUE(job && *job);
         EXPECT_GE(static_cast<int>((*job)->job.events.size()), steps) << "a step that was said to be stored is lost";
         EXPECT_TRUE(db::verify(*database, {})->findings.empty());
-        done = done || db::JobRepository(*database).open()->empty(); // killed between the record and its word
+        done = done || db::JobStore(*database).open()->empty(); // killed between the record and its word
     }
     ASSERT_TRUE(done);
     EXPECT_GE(killed, 3);
 
     RecordId record;
     {
-        auto database = db::Database::open(path, db::OpenMode::ReadWriteCreate);
-        const auto made = db::SwingRepository(*database).swing(SwingId{swing});
+        auto database = db::openDatabase(path, db::OpenMode::ReadWriteCreate);
+        const auto made = db::SwingStore(*database).swing(SwingId{swing});
         ASSERT_EQ(made->readings.size(), 8u);
         EXPECT_EQ(made->indexRemoved_deg, 3.0);
         record = made->record;
-        const auto rows = *db::SwingRepository(*database).swingsOf(stored.compass);
+        const auto rows = *db::SwingStore(*database).swingsOf(stored.compass);
         EXPECT_EQ(rows.size(), 2u); // as found, as left; not one of them twice
     }
     QProcess card;

@@ -9,7 +9,8 @@
 #include <random>
 #include <thread>
 
-#include "db/Maintenance.h"
+#include "db/schema/Schema.h"
+#include "db/transfer/Maintenance.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -37,10 +38,10 @@ TEST(WindowKill, losesAtMostTheCellBeingTyped)
     const QString path = folder.filePath("a.lubberline");
     SwingId swing;
     {
-        auto database = db::Database::open(path, db::OpenMode::ReadWriteCreate);
+        auto database = db::openDatabase(path, db::OpenMode::ReadWriteCreate);
         Swing empty = swingOf(store(*database));
         empty.readings.clear();
-        swing = *db::SwingRepository(*database).save(empty);
+        swing = *db::SwingStore(*database).add(empty);
     }
     std::mt19937 random(20261123);
     Typed typed;
@@ -62,9 +63,9 @@ TEST(WindowKill, losesAtMostTheCellBeingTyped)
         killedInEntry += window.exitStatus() == QProcess::CrashExit;
         collect(typed, output + window.readAllStandardOutput());
 
-        auto database = db::Database::open(path, db::OpenMode::ReadWriteCreate);
+        auto database = db::openDatabase(path, db::OpenMode::ReadWriteCreate);
         ASSERT_TRUE(database) << describe(database.error());
-        const auto whole = db::SwingRepository(*database).swing(swing);
+        const auto whole = db::SwingStore(*database).swing(swing);
         ASSERT_TRUE(whole);
         const auto& readings = whole->readings;
         for (const auto& [row, figure] : typed.magnetic) {

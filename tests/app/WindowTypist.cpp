@@ -9,7 +9,7 @@
 
 #include <cstdio>
 
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "ui/window/MainWindow.h"
 
 namespace {
@@ -43,12 +43,12 @@ void typeCell(QTableView& table, double figure)
 int main(int argc, char** argv)
 {
     QApplication application(argc, argv);
-    auto storage = app::openStorage(argv[1], db::OpenMode::ReadWriteCreate);
-    if (!storage)
+    auto stores = app::openStores(argv[1], db::OpenMode::ReadWriteCreate);
+    if (!stores)
         return 1;
     NoDialogs dialogs;
     QSettings settings(QString(argv[1]) + ".ini", QSettings::IniFormat);
-    ui::MainWindow window(**storage, {dialogs, settings, {}, {}});
+    ui::MainWindow window(**stores, {dialogs, settings, {}, {}});
     window.show();
     if (!QTest::qWaitForWindowActive(&window))
         return 2;

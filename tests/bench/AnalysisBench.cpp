@@ -8,7 +8,8 @@
 
 #include "core/swing/Analysis.h"
 #include "core/swing/Observations.h"
-#include "db/Transaction.h"
+#include "db/engine/Transaction.h"
+#include "db/schema/Schema.h"
 #include "tests/bench/BenchFleet.h"
 #include "tests/bench/Ratio.h"
 
@@ -19,13 +20,13 @@ int main(int argc, char** argv)
     const char* wanted = std::getenv("BENCH_SWINGS");
     const int swings = wanted ? std::atoi(wanted) : 100'000;
     const QTemporaryDir folder;
-    auto database = db::Database::open(folder.filePath("bench.lubberline"), db::OpenMode::ReadWriteCreate);
+    auto database = db::openDatabase(folder.filePath("bench.lubberline"), db::OpenMode::ReadWriteCreate);
     bench::fillFleet(*database, swings);
 
     std::vector<std::vector<Observation>> all;
     const auto readAll = [&] {
         all.clear();
-        const auto done = db::SwingRepository(*database).forEach([&](const Swing& swing) {
+        const auto done = db::SwingStore(*database).forEach([&](const Swing& swing) {
             all.push_back(observationsOf(swing));
             return true;
         });

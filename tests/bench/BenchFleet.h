@@ -6,9 +6,9 @@
 #include <string>
 
 #include "core/deviation/Smith.h"
-#include "db/FleetRepository.h"
-#include "db/SwingRepository.h"
-#include "db/Transaction.h"
+#include "db/engine/Transaction.h"
+#include "db/stores/FleetStore.h"
+#include "db/stores/SwingStore.h"
 
 namespace lubberline::bench {
 
@@ -33,24 +33,24 @@ inline Swing noisySwing(CompassId compass, std::mt19937& random, int points)
 inline void fillFleet(db::Database& database, int swings, int points = 24)
 {
     auto transaction = db::Transaction::begin(database);
-    db::FleetRepository fleet(database);
-    db::SwingRepository repository(database);
+    db::FleetStore fleet(database);
+    db::SwingStore repository(database);
     std::mt19937 random(1);
     std::vector<AircraftTypeId> types;
     for (int i = 0; i < 20; ++i)
-        types.push_back(*fleet.save(AircraftType{{}, {}, "Type " + std::to_string(i), "", ""}));
+        types.push_back(*fleet.add(AircraftType{{}, {}, "Type " + std::to_string(i), "", ""}));
     for (int stored = 0, number = 0; stored < swings; ++number) {
         Aircraft aircraft;
         aircraft.type = types[static_cast<std::size_t>(number) % types.size()];
         aircraft.registration = "B-" + std::to_string(number);
-        const auto id = *fleet.save(aircraft);
+        const auto id = *fleet.add(aircraft);
         for (const char* name : {"standby", "remote"}) {
             CompassSystem compass;
             compass.aircraft = id;
             compass.name = name;
-            const auto compassId = *fleet.save(compass);
+            const auto compassId = *fleet.add(compass);
             for (int i = 0; i < 10 && stored < swings; ++i, ++stored)
-                if (!repository.save(noisySwing(compassId, random, points)))
+                if (!repository.add(noisySwing(compassId, random, points)))
                     std::abort();
         }
     }

@@ -15,8 +15,9 @@
 
 #include <cstdlib>
 
-#include "app/DbStorage.h"
+#include "app/OpenStores.h"
 #include "core/demo/DemoFleet.h"
+#include "db/transfer/Transfer.h"
 #include "tests/bench/BenchFleet.h"
 #include "tests/bench/Ratio.h"
 #include "ui/window/MainWindow.h"
@@ -65,11 +66,11 @@ int showOnce(int argc, char** argv)
             QApplication::processEvents();
         return 0;
     }
-    auto storage = app::openStorage(argv[2], db::OpenMode::ReadWriteCreate);
+    auto stores = app::openStores(argv[2], db::OpenMode::ReadWriteCreate);
     NoDialogs dialogs;
     const QTemporaryDir folder;
     QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
-    ui::MainWindow window(**storage, {dialogs, settings, {}, {}});
+    ui::MainWindow window(**stores, {dialogs, settings, {}, {}});
     bool painted = false;
     QObject::connect(&window, &ui::MainWindow::firstPainted, [&] { painted = true; });
     window.resize(1280, 720);
@@ -89,11 +90,11 @@ bool benchStart(const QString& folder)
 {
     const QString demo = folder + "/demo.lubberline", large = folder + "/large.lubberline";
     {
-        auto storage = app::openStorage(demo.toStdString(), db::OpenMode::ReadWriteCreate);
-        if (!(*storage)->importFleet(demoFleet(), {}))
+        auto stores = app::openStores(demo.toStdString(), db::OpenMode::ReadWriteCreate);
+        if (!db::importFleet((*stores)->database(), demoFleet(), {}))
             std::abort();
         const char* wanted = std::getenv("BENCH_SWINGS");
-        auto many = app::openStorage(large.toStdString(), db::OpenMode::ReadWriteCreate);
+        auto many = app::openStores(large.toStdString(), db::OpenMode::ReadWriteCreate);
         bench::fillFleet((*many)->database(), wanted ? std::atoi(wanted) : 100'000, 8);
     }
     const auto bare = [] { run({"bare"}); };
@@ -106,11 +107,11 @@ bool benchStart(const QString& folder)
 
 bool benchKeystroke(const QString& folder)
 {
-    auto storage = app::openStorage((folder + "/keys.lubberline").toStdString(), db::OpenMode::ReadWriteCreate);
-    bench::fillFleet((*storage)->database(), 2, 32);
+    auto stores = app::openStores((folder + "/keys.lubberline").toStdString(), db::OpenMode::ReadWriteCreate);
+    bench::fillFleet((*stores)->database(), 2, 32);
     NoDialogs dialogs;
     QSettings settings(folder + "/keys.ini", QSettings::IniFormat);
-    ui::MainWindow window(**storage, {dialogs, settings, {}, {}});
+    ui::MainWindow window(**stores, {dialogs, settings, {}, {}});
     window.resize(1366, 768);
     window.show();
     if (!QTest::qWaitForWindowActive(&window))

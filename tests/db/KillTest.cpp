@@ -9,7 +9,8 @@
 #include <set>
 #include <thread>
 
-#include "db/Maintenance.h"
+#include "db/schema/Schema.h"
+#include "db/transfer/Maintenance.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -20,8 +21,8 @@ class Kill : public testing::Test {
 protected:
     void SetUp() override
     {
-        auto database = db::Database::open(m_path, db::OpenMode::ReadWriteCreate);
-        m_swing = *db::SwingRepository(*database).save(swingOf(store(*database)));
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+        m_swing = *save(db::SwingStore(*database), swingOf(store(*database)));
     }
 
     /// Starts the writer and kills it some time later: mostly in the middle of writing, now and then while it opens the
@@ -59,10 +60,10 @@ TEST_F(Kill, losesNoReadingThatWasSaidToBeStored)
     for (int round = 0; round < 30; ++round) {
         for (const auto id : writeAndKill(QString::number(m_swing.value), round % 5 == 4))
             acknowledged.insert(id);
-        auto database = db::Database::open(m_path, db::OpenMode::ReadWriteCreate);
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
         ASSERT_TRUE(database) << describe(database.error());
         std::set<std::int64_t> stored;
-        const auto whole = db::SwingRepository(*database).swing(m_swing);
+        const auto whole = db::SwingStore(*database).swing(m_swing);
         ASSERT_TRUE(whole);
         for (const auto& one : whole->readings)
             stored.insert(one.id.value);
@@ -82,9 +83,9 @@ TEST_F(Kill, leavesNoFleetHalfImported)
     for (int round = 0; round < 15; ++round) {
         for (const auto swings : writeAndKill("import", false))
             acknowledged = std::max(acknowledged, swings);
-        auto database = db::Database::open(m_path, db::OpenMode::ReadWriteCreate);
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
         ASSERT_TRUE(database) << describe(database.error());
-        const auto swings = db::FleetRepository(*database).totals()->swings;
+        const auto swings = db::FleetStore(*database).totals()->swings;
         EXPECT_EQ((swings - 1) % kSwingsAtOnce, 0) << "a part of a fleet is stored";
         EXPECT_GE(swings, acknowledged);
         const auto report = db::verify(*database, {});

@@ -3,9 +3,10 @@
 #include <QDir>
 #include <QFile>
 
-#include "db/Maintenance.h"
-#include "db/Statement.h"
-#include "db/Transaction.h"
+#include "db/engine/Statement.h"
+#include "db/engine/Transaction.h"
+#include "db/schema/Schema.h"
+#include "db/transfer/Maintenance.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -13,17 +14,17 @@ namespace lubberline::test {
 TEST(Maintenance, aBackupIsWholeWhileOthersWrite)
 {
     const QTemporaryDir folder;
-    auto database = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadWriteCreate);
+    auto database = db::openDatabase(folder.filePath("a.db"), db::OpenMode::ReadWriteCreate);
     const Stored stored = store(*database);
-    ASSERT_TRUE(db::SwingRepository(*database).save(swingOf(stored)));
-    auto other = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadOnly);
+    ASSERT_TRUE(save(db::SwingStore(*database), swingOf(stored)));
+    auto other = db::openDatabase(folder.filePath("a.db"), db::OpenMode::ReadOnly);
     const QString copy = folder.filePath("copy.db");
     ASSERT_TRUE(db::backup(*other, copy));
     EXPECT_EQ(db::backup(*other, copy).error().code, ErrorCode::Conflict);
     EXPECT_EQ(db::backup(*other, folder.filePath("no/copy.db")).error().code, ErrorCode::Io);
-    auto restored = db::Database::open(copy, db::OpenMode::ReadWriteCreate);
+    auto restored = db::openDatabase(copy, db::OpenMode::ReadWriteCreate);
     ASSERT_TRUE(restored) << describe(restored.error());
-    EXPECT_EQ(db::FleetRepository(*restored).totals()->swings, 1);
+    EXPECT_EQ(db::FleetStore(*restored).totals()->swings, 1);
     EXPECT_EQ(QDir(folder.path()).entryList({"*.partial"}).size(), 0);
 }
 
@@ -31,7 +32,7 @@ TEST(Maintenance, verifyFindsResultsThatAreNotThoseOfTheReadings)
 {
     auto database = inMemory();
     const Stored stored = store(database);
-    ASSERT_TRUE(db::SwingRepository(database).save(swingOf(stored)));
+    ASSERT_TRUE(save(db::SwingStore(database), swingOf(stored)));
     EXPECT_TRUE(db::verify(database, {})->findings.empty());
     EXPECT_EQ(db::verify(database, {})->readings, 8);
     ASSERT_TRUE(db::execute(database, "UPDATE swing SET max_abs_deviation_deg = 1"));
@@ -60,7 +61,7 @@ TEST(Maintenance, verifyNamesEachKindOfDamage)
     };
     for (const auto& [sql, words] : damages) {
         auto database = inMemory();
-        ASSERT_TRUE(db::SwingRepository(database).save(swingOf(store(database))));
+        ASSERT_TRUE(save(db::SwingStore(database), swingOf(store(database))));
         ASSERT_TRUE(db::execute(database, "PRAGMA foreign_keys = OFF"));
         ASSERT_TRUE(db::execute(database, sql)) << sql;
         const auto report = db::verify(database, {});
@@ -72,20 +73,20 @@ TEST(Maintenance, verifyNamesEachKindOfDamage)
 TEST(Maintenance, verifyIsNotMisledByAWriter)
 {
     const QTemporaryDir folder;
-    auto writer = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadWriteCreate);
+    auto writer = db::openDatabase(folder.filePath("a.db"), db::OpenMode::ReadWriteCreate);
     const Stored stored = store(*writer);
     {
         auto all = db::Transaction::begin(*writer);
         for (int i = 0; i < 130; ++i)
-            ASSERT_TRUE(db::SwingRepository(*writer).save(swingOf(stored)));
+            ASSERT_TRUE(save(db::SwingStore(*writer), swingOf(stored)));
         ASSERT_TRUE(all->commit());
     }
-    auto reader = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadOnly);
+    auto reader = db::openDatabase(folder.filePath("a.db"), db::OpenMode::ReadOnly);
     int written = 0;
     const auto report = db::verify(*reader, [&](double fraction) {
         Swing swing = swingOf(stored, "2027-01-01");
         swing.readings[0].compass = CompassHeading::fromDegrees(300);
-        written += fraction < 1.0 && db::SwingRepository(*writer).save(swing);
+        written += fraction < 1.0 && save(db::SwingStore(*writer), swing);
         return true;
     });
     ASSERT_TRUE(report);
@@ -99,15 +100,15 @@ TEST(Maintenance, verifyCanBeCancelled)
     auto database = inMemory();
     const Stored stored = store(database);
     for (int i = 0; i < 64; ++i)
-        ASSERT_TRUE(db::SwingRepository(database).save(swingOf(stored)));
+        ASSERT_TRUE(save(db::SwingStore(database), swingOf(stored)));
     EXPECT_EQ(db::verify(database, [](double) { return false; }).error().code, ErrorCode::Cancelled);
 }
 
 TEST(Maintenance, statusCounts)
 {
     const QTemporaryDir folder;
-    auto database = db::Database::open(folder.filePath("a.db"), db::OpenMode::ReadWriteCreate);
-    ASSERT_TRUE(db::SwingRepository(*database).save(swingOf(store(*database))));
+    auto database = db::openDatabase(folder.filePath("a.db"), db::OpenMode::ReadWriteCreate);
+    ASSERT_TRUE(save(db::SwingStore(*database), swingOf(store(*database))));
     const auto status = db::status(*database);
     ASSERT_TRUE(status);
     EXPECT_EQ(status->schema, db::schemaVersion());

@@ -1,11 +1,12 @@
 #include <gmock/gmock.h>
 
-#include "db/JobRepository.h"
-#include "db/Maintenance.h"
-#include "db/SensorRepository.h"
-#include "db/SigningRepository.h"
-#include "db/Statement.h"
-#include "db/SwingRepository.h"
+#include "db/engine/Statement.h"
+#include "db/schema/Schema.h"
+#include "db/stores/JobStore.h"
+#include "db/stores/SensorStore.h"
+#include "db/stores/SigningStore.h"
+#include "db/stores/SwingStore.h"
+#include "db/transfer/Maintenance.h"
 #include "tests/db/RawDatabase.h"
 #include "tests/db/TestFleet.h"
 
@@ -40,11 +41,11 @@ protected:
 
 TEST_P(OldDatabase, isBroughtUpToDateWithAllThatIsInIt)
 {
-    auto database = Database::open(m_path, OpenMode::ReadWriteCreate);
+    auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
     ASSERT_TRUE(database) << describe(database.error());
     EXPECT_EQ(version(*database), db::schemaVersion());
-    db::FleetRepository fleet(*database);
-    db::SwingRepository swings(*database);
+    db::FleetStore fleet(*database);
+    db::SwingStore swings(*database);
     EXPECT_EQ(fleet.types()->front().name, "Su-22");
     EXPECT_EQ(fleet.types()->front().status, Status::OutOfLimits);
     EXPECT_EQ(fleet.eventsOf(AircraftId{1})->front().kind, "lightning strike");
@@ -59,13 +60,13 @@ TEST_P(OldDatabase, isBroughtUpToDateWithAllThatIsInIt)
     ASSERT_TRUE(report);
     EXPECT_THAT(report->findings, testing::IsEmpty());
     EXPECT_EQ(report->readings, 16);
-    EXPECT_TRUE(swings.save(swingOf({{}, {}, {}, SiteId{1}, CompassId{1}})));
+    EXPECT_TRUE(save(swings, swingOf({{}, {}, {}, SiteId{1}, CompassId{1}})));
 }
 
 TEST_P(OldDatabase, thatMayOnlyBeReadIsLeftAlone)
 {
     const QByteArray before = contents(m_path);
-    const auto database = Database::open(m_path, OpenMode::ReadOnly);
+    const auto database = openDatabase(m_path, OpenMode::ReadOnly);
     ASSERT_FALSE(database);
     EXPECT_EQ(database.error().code, ErrorCode::ReadOnly);
     EXPECT_THAT(describe(database.error()),
@@ -81,40 +82,40 @@ TEST_P(OldDatabase, isLeftAsItWasWhenAStepFails)
     const auto broken = Database::open(m_path, OpenMode::ReadWriteCreate, steps);
     ASSERT_FALSE(broken);
     EXPECT_THAT(broken.error().message, testing::HasSubstr("a step that breaks half-way"));
-    auto again = Database::open(m_path, OpenMode::ReadWriteCreate);
+    auto again = openDatabase(m_path, OpenMode::ReadWriteCreate);
     ASSERT_TRUE(again);
     EXPECT_EQ(version(*again), db::schemaVersion()); // the steps before the broken one are whole
     EXPECT_EQ(db::number(*again, "SELECT COUNT(*) FROM sqlite_master WHERE name = 'half'").value(), 0);
-    EXPECT_EQ(db::FleetRepository(*again).eventsOf(AircraftId{1})->size(), 1u);
+    EXPECT_EQ(db::FleetStore(*again).eventsOf(AircraftId{1})->size(), 1u);
 }
 
 TEST_P(OldDatabase, keepsItsSwingsWithoutAFieldAndTakesOneForTheDraft)
 {
-    auto database = Database::open(m_path, OpenMode::ReadWriteCreate);
+    auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
     ASSERT_TRUE(database) << describe(database.error());
-    db::SwingRepository swings(*database);
+    db::SwingStore swings(*database);
     Swing draft = *swings.swing(SwingId{2});
     const Swing signedOne = *swings.swing(SwingId{1});
     EXPECT_FALSE(draft.indexRemoved_deg || signedOne.field || signedOne.indexRemoved_deg);
     EXPECT_EQ(draft.field.has_value(), GetParam() >= 3); // the fixture of schema 3 has one
     draft.field = FieldStamp{"WMM2025", {51.55, 21.89, 117}, "2026-11-20", {18900, 2300, 46500}};
-    ASSERT_TRUE(swings.save(draft));
+    ASSERT_TRUE(save(swings, draft));
     EXPECT_EQ(swings.swing(SwingId{2})->field, draft.field);
     EXPECT_EQ(db::execute(*database, "UPDATE swing SET index_removed_deg = 1 WHERE id = 1").error().code, ErrorCode::Frozen);
-    EXPECT_EQ(db::SensorRepository(*database).sensorsOf(CompassId{1})->empty(), GetParam() < 3);
+    EXPECT_EQ(db::SensorStore(*database).of(CompassId{1})->empty(), GetParam() < 3);
     EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
 }
 
 TEST_P(OldDatabase, hasNothingOfTheRampAndTakesAllOfIt)
 {
-    auto database = Database::open(m_path, OpenMode::ReadWriteCreate);
+    auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
     ASSERT_TRUE(database) << describe(database.error());
-    db::SwingRepository swings(*database);
+    db::SwingStore swings(*database);
     const Swing signedOne = *swings.swing(SwingId{1});
     EXPECT_EQ(signedOne.revision, 1);
     EXPECT_TRUE(signedOne.signatures.empty()); // signed before signatures were kept: it stays frozen all the same
-    EXPECT_FALSE(*db::JobRepository(*database).jobOf(SwingId{1}));
-    db::SigningRepository signing(*database);
+    EXPECT_FALSE(*db::JobStore(*database).jobOf(SwingId{1}));
+    db::SigningStore signing(*database);
     const auto made = signing.amend(SwingId{1}, "wrong site");
     ASSERT_TRUE(made) << describe(made.error());
     EXPECT_EQ(swings.swing(*made)->supersedes, signedOne.record);
@@ -134,10 +135,10 @@ TEST(Migration, ofANewerProgramIsRefusedByName)
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath("a.db");
-    ASSERT_TRUE(Database::open(path, OpenMode::ReadWriteCreate));
+    ASSERT_TRUE(openDatabase(path, OpenMode::ReadWriteCreate));
     ASSERT_TRUE(RawDatabase(path).run({"PRAGMA user_version = 999"}));
     for (const auto mode : {OpenMode::ReadWriteCreate, OpenMode::ReadOnly}) {
-        const auto database = Database::open(path, mode);
+        const auto database = openDatabase(path, mode);
         ASSERT_FALSE(database);
         EXPECT_EQ(database.error().code, ErrorCode::NewerSchema);
         EXPECT_THAT(describe(database.error()),

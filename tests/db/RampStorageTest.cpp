@@ -3,14 +3,14 @@
 
 #include <gmock/gmock.h>
 
-#include "db/DueRepository.h"
-#include "db/ElectricalRepository.h"
-#include "db/InstrumentRepository.h"
-#include "db/JobRepository.h"
-#include "db/Maintenance.h"
-#include "db/SigningRepository.h"
-#include "db/Statement.h"
-#include "db/Transfer.h"
+#include "db/engine/Statement.h"
+#include "db/stores/DueStore.h"
+#include "db/stores/ElectricalStore.h"
+#include "db/stores/JobStore.h"
+#include "db/stores/SigningStore.h"
+#include "db/stores/SiteStore.h"
+#include "db/transfer/Maintenance.h"
+#include "db/transfer/Transfer.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -49,7 +49,7 @@ protected:
     {
         Swing swing = swingOf(m_stored);
         swing.readings.clear();
-        return *m_swings.save(swing);
+        return *save(m_swings, swing);
     }
     SwingId guided()
     {
@@ -59,17 +59,17 @@ protected:
     }
     SwingId completed()
     {
-        const SwingId id = *m_swings.save(worksheetSwing(m_stored));
+        const SwingId id = *save(m_swings, worksheetSwing(m_stored));
         EXPECT_TRUE(m_signing.complete(id));
         return id;
     }
 
     db::Database m_database = inMemory();
     Stored m_stored = store(m_database);
-    db::SwingRepository m_swings{m_database};
-    db::FleetRepository m_fleet{m_database};
-    db::JobRepository m_jobs{m_database};
-    db::SigningRepository m_signing{m_database};
+    db::SwingStore m_swings{m_database};
+    db::FleetStore m_fleet{m_database};
+    db::JobStore m_jobs{m_database};
+    db::SigningStore m_signing{m_database};
 };
 
 TEST_F(Ramp, aGuidedSwingOnlyGrowsAndASecondWriterIsTold)
@@ -104,7 +104,7 @@ TEST_F(Ramp, aJobIsTakenUpOnAnotherMachineAndComesBack)
     db::Database elsewhere = inMemory();
     const auto there = db::importFleet(elsewhere, sent, {});
     ASSERT_TRUE(there) << describe(there.error());
-    db::JobRepository jobsThere(elsewhere);
+    db::JobStore jobsThere(elsewhere);
     const SwingId swingThere = there->swingIds.back();
     ASSERT_EQ(jobsThere.open()->size(), 1u);
     ASSERT_TRUE(jobsThere.append(swingThere, 2, taken(0)));
@@ -131,10 +131,10 @@ TEST_F(Ramp, aJobThatIsFinishedAndSignedElsewhereComesBackSigned)
     const auto there = db::importFleet(elsewhere, *db::exportFleet(m_database, {}, {}), {});
     ASSERT_TRUE(there) << describe(there.error());
     const SwingId swingThere = there->swingIds.back();
-    ASSERT_TRUE(db::JobRepository(elsewhere).append(swingThere, 1, prepared()));
-    ASSERT_TRUE(db::SwingRepository(elsewhere).replaceReadings(swingThere, worksheetReadings()));
-    ASSERT_TRUE(db::JobRepository(elsewhere).close(swingThere, true));
-    db::SigningRepository signing(elsewhere);
+    ASSERT_TRUE(db::JobStore(elsewhere).append(swingThere, 1, prepared()));
+    ASSERT_TRUE(db::SwingStore(elsewhere).replaceReadings(swingThere, worksheetReadings()));
+    ASSERT_TRUE(db::JobStore(elsewhere).close(swingThere, true));
+    db::SigningStore signing(elsewhere);
     ASSERT_TRUE(signing.complete(swingThere));
     ASSERT_TRUE(signing.sign(swingThere, {SignatureRole::Performer, "Ada", "", "", ""}));
     ASSERT_TRUE(signing.sign(swingThere, {SignatureRole::Inspector, "Ben", "", "", ""}));
@@ -150,25 +150,25 @@ TEST_F(Ramp, aJobThatIsFinishedAndSignedElsewhereComesBackSigned)
 
 TEST_F(Ramp, twoWritersOfOneReading)
 {
-    const SwingId id = *m_swings.save(worksheetSwing(m_stored));
+    const SwingId id = *save(m_swings, worksheetSwing(m_stored));
     const Reading known = m_swings.swing(id)->readings[0];
     Reading mine = known, theirs = known;
     theirs.compass = CompassHeading::fromDegrees(300);
-    ASSERT_TRUE(m_swings.saveReading(id, known, theirs));
+    ASSERT_TRUE(m_swings.changeReading(id, known, theirs));
     mine.compass = CompassHeading::fromDegrees(310);
-    const auto second = m_swings.saveReading(id, known, mine);
+    const auto second = m_swings.changeReading(id, known, mine);
     ASSERT_FALSE(second);
     EXPECT_EQ(second.error().code, ErrorCode::Conflict);
     EXPECT_THAT(second.error().message, testing::HasSubstr("compass 300"));
     EXPECT_EQ(m_swings.swing(id)->readings[0].compass->degrees(), 300);
-    EXPECT_TRUE(m_swings.saveReading(id, known, theirs)); // the same twice is no conflict
+    EXPECT_TRUE(m_swings.changeReading(id, known, theirs)); // the same twice is no conflict
 
     Swing before = *m_swings.swing(id);
     Swing first = before, other = before;
     first.note = "mine";
-    ASSERT_TRUE(m_swings.changeFrom(before, first));
+    ASSERT_TRUE(m_swings.change(before, first));
     other.note = "yours";
-    EXPECT_EQ(m_swings.changeFrom(before, other).error().code, ErrorCode::Conflict);
+    EXPECT_EQ(m_swings.change(before, other).error().code, ErrorCode::Conflict);
     EXPECT_EQ(m_swings.swing(id)->note, "mine");
 }
 
@@ -179,7 +179,7 @@ TEST_F(Ramp, rawFiguresAndTimesAreKept)
     swing.readings[0].timeUtc = "2026-11-23T09:00:00Z";
     swing.startUtc = "2026-11-23T08:00:00Z";
     swing.siteOverride = "expired: only base";
-    const auto stored = *m_swings.swing(*m_swings.save(swing));
+    const auto stored = *m_swings.swing(*save(m_swings, swing));
     EXPECT_EQ(stored.readings[0].raw, swing.readings[0].raw);
     EXPECT_EQ(stored.readings[0].timeUtc, swing.readings[0].timeUtc);
     EXPECT_TRUE(stored.readings[1].raw.empty());
@@ -203,14 +203,14 @@ TEST_F(Ramp, twoPeopleFreezeASwing)
     EXPECT_EQ(*m_signing.hold(id), (std::vector<bool>{true, true}));
     ASSERT_TRUE(m_signing.sign(id, {SignatureRole::Authority, "Cleo", "", "", ""})); // releases it later
     EXPECT_EQ(m_signing.reopen(id, "oops").error().code, ErrorCode::Frozen);
-    EXPECT_EQ(m_swings.saveReading(id, signedOne.readings[0], {}).error().code, ErrorCode::Frozen);
+    EXPECT_EQ(m_swings.changeReading(id, signedOne.readings[0], {}).error().code, ErrorCode::Frozen);
     EXPECT_FALSE(db::execute(m_database, "UPDATE signature SET name = 'x'"));
     EXPECT_FALSE(db::execute(m_database, "DELETE FROM signature"));
     EXPECT_THAT(db::verify(m_database, {})->findings, testing::IsEmpty());
     // Renaming an aircraft is no change of what was signed.
     Aircraft renamed = *m_fleet.aircraft(m_stored.aircraft);
     renamed.registration = "3713A";
-    ASSERT_TRUE(m_fleet.save(renamed));
+    ASSERT_TRUE(save(m_fleet, renamed));
     EXPECT_EQ((*m_signing.hold(id))[0], true);
 }
 
@@ -223,7 +223,7 @@ TEST_F(Ramp, aSignatureNoLongerHoldsOnceTheSwingIsChanged)
     const Reading known = m_swings.swing(id)->readings[0];
     Reading changed = known;
     changed.compass = CompassHeading::fromDegrees(315);
-    ASSERT_TRUE(m_swings.saveReading(id, known, changed));
+    ASSERT_TRUE(m_swings.changeReading(id, known, changed));
     EXPECT_EQ(*m_signing.hold(id), std::vector<bool>{false});
     ASSERT_TRUE(m_signing.complete(id));
     ASSERT_TRUE(m_signing.sign(id, {SignatureRole::Inspector, "Ben", "", "", ""}));
@@ -272,15 +272,15 @@ TEST_F(Ramp, aSwingIsCompleteOnlyWhenItIs)
 {
     Swing swing = worksheetSwing(m_stored);
     swing.readings[2].compass.reset();
-    const SwingId half = *m_swings.save(swing);
+    const SwingId half = *save(m_swings, swing);
     EXPECT_THAT(m_signing.complete(half).error().message, testing::HasSubstr("reading 3 has no compass heading"));
     swing = worksheetSwing(m_stored);
     swing.record.clear();
     swing.readings.resize(3);
-    EXPECT_THAT(m_signing.complete(*m_swings.save(swing)).error().message, testing::HasSubstr("3 readings"));
+    EXPECT_THAT(m_signing.complete(*save(m_swings, swing)).error().message, testing::HasSubstr("3 readings"));
     swing.readings = worksheetReadings();
     swing.date.clear();
-    EXPECT_THAT(m_signing.complete(*m_swings.save(swing)).error().message, testing::HasSubstr("date"));
+    EXPECT_THAT(m_signing.complete(*save(m_swings, swing)).error().message, testing::HasSubstr("date"));
 }
 
 TEST_F(Ramp, lastTimeIsAsItWasLeft)
@@ -288,41 +288,41 @@ TEST_F(Ramp, lastTimeIsAsItWasLeft)
     Swing found = worksheetSwing(m_stored), left = found;
     found.date = left.date = "2025-05-05";
     left.stage = SwingStage::AsLeft;
-    const SwingId leftId = *m_swings.save(left); // stored first, as a guided swing does
+    const SwingId leftId = *save(m_swings, left); // stored first, as a guided swing does
     found.stage = SwingStage::AsFound;
-    const SwingId foundId = *m_swings.save(found);
+    const SwingId foundId = *save(m_swings, found);
     Swing now = worksheetSwing(m_stored);
     now.date = "2026-05-05";
-    EXPECT_EQ(m_swings.previous(*m_swings.save(now))->value().id, leftId);
+    EXPECT_EQ(m_swings.previous(*save(m_swings, now))->value().id, leftId);
     EXPECT_EQ(m_swings.previous(leftId)->value().id, foundId); // nothing older: as it was found that day
 }
 
 TEST_F(Ramp, instrumentsRulesWaiversAndElectricalSwings)
 {
-    db::InstrumentRepository instruments(m_database);
+    db::SiteStore instruments(m_database);
     DatumInstrument instrument;
     instrument.name = "B-16";
     instrument.zero_deg = 0.3;
-    ASSERT_TRUE(instruments.save(instrument));
+    ASSERT_TRUE(save(instruments, instrument));
     auto stored = instruments.instruments()->front();
     stored.ahead = SightingDirection::Reciprocal;
-    ASSERT_TRUE(instruments.save(stored));
+    ASSERT_TRUE(save(instruments, stored));
     EXPECT_EQ(*instruments.instruments(), std::vector{stored});
-    EXPECT_EQ(instruments.save(instrument).error().code, ErrorCode::Conflict); // the name
-    ASSERT_TRUE(instruments.remove(stored.record));
-    EXPECT_EQ(instruments.remove(stored.record).error().code, ErrorCode::NotFound);
+    EXPECT_EQ(save(instruments, instrument).error().code, ErrorCode::Conflict); // the name
+    ASSERT_TRUE(instruments.removeInstrument(stored.record));
+    EXPECT_EQ(instruments.removeInstrument(stored.record).error().code, ErrorCode::NotFound);
 
-    db::DueRepository due(m_database);
-    ASSERT_TRUE(due.save(DueRule{{}, "two years", 24, 0, 30, "", "", {}}));
+    db::DueStore due(m_database);
+    ASSERT_TRUE(save(due, DueRule{{}, "two years", 24, 0, 30, "", "", {}}));
     Event event;
     event.aircraft = m_stored.aircraft;
     event.date = "2026-10-01";
     event.cause = DueCause::Lightning;
-    ASSERT_TRUE(m_fleet.save(event));
+    ASSERT_TRUE(save(m_fleet, event));
     const RecordId struck = m_fleet.eventsOf(m_stored.aircraft)->front().record;
-    EXPECT_EQ(due.save(Waiver{{}, struck, "2026-10-02", "", "Dora"}).error().code, ErrorCode::InvalidInput);
-    EXPECT_EQ(due.save(Waiver{{}, newRecordId(), "2026-10-02", "no change", "Dora"}).error().code, ErrorCode::NotFound);
-    ASSERT_TRUE(due.save(Waiver{{}, struck, "2026-10-02", "no change", "Dora"}));
+    EXPECT_EQ(save(due, Waiver{{}, struck, "2026-10-02", "", "Dora"}).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(save(due, Waiver{{}, newRecordId(), "2026-10-02", "no change", "Dora"}).error().code, ErrorCode::NotFound);
+    ASSERT_TRUE(save(due, Waiver{{}, struck, "2026-10-02", "no change", "Dora"}));
     EXPECT_FALSE(db::execute(m_database, "DELETE FROM waiver"));
     const auto all = *due.compasses();
     ASSERT_EQ(all.size(), 1u);
@@ -331,15 +331,15 @@ TEST_F(Ramp, instrumentsRulesWaiversAndElectricalSwings)
     EXPECT_EQ(all[0].waivers.size(), 1u);
     EXPECT_TRUE(all[0].signedSwings.empty());
 
-    db::ElectricalRepository electrical(m_database);
+    db::ElectricalStore electrical(m_database);
     ElectricalSwing swing;
     swing.date = "2026-11-23";
     swing.before.indicated_deg[2] = 180.6;
-    ASSERT_TRUE(electrical.save(m_stored.compass, swing));
+    ASSERT_TRUE(save(electrical, m_stored.compass, swing));
     auto again = electrical.of(m_stored.compass)->front();
     EXPECT_EQ(again.before, swing.before);
     again.note = "repeated";
-    ASSERT_TRUE(electrical.save(m_stored.compass, again));
+    ASSERT_TRUE(save(electrical, m_stored.compass, again));
     EXPECT_EQ(electrical.of(m_stored.compass)->size(), 1u);
 }
 
@@ -352,11 +352,11 @@ TEST_F(Ramp, aWholeFleetGoesToAnotherDatabaseAndBackTheSame)
     ASSERT_TRUE(m_signing.sign(done, {SignatureRole::Inspector, "Ben", "", "", ""}));
     DatumInstrument instrument;
     instrument.name = "B-16";
-    ASSERT_TRUE(db::InstrumentRepository(m_database).save(instrument));
-    Site site = db::SiteRepository(m_database).sites()->front();
+    ASSERT_TRUE(save(db::SiteStore(m_database), instrument));
+    Site site = db::SiteStore(m_database).sites()->front();
     site.siteClass = SiteClass::Class1;
     site.survey = {{1, 2, 1.5, 6.25, {}}};
-    ASSERT_TRUE(db::SiteRepository(m_database).save(site));
+    ASSERT_TRUE(save(db::SiteStore(m_database), site));
     const Fleet all = *db::exportFleet(m_database, {}, {});
     db::Database elsewhere = inMemory();
     ASSERT_TRUE(db::importFleet(elsewhere, all, {}));

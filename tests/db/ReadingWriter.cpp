@@ -8,7 +8,8 @@
 
 #include <QCoreApplication>
 
-#include "db/Transfer.h"
+#include "db/schema/Schema.h"
+#include "db/transfer/Transfer.h"
 #include "tests/db/TestFleet.h"
 
 namespace {
@@ -23,7 +24,7 @@ void say(std::int64_t number)
 
 int writeReadings(db::Database& database, SwingId swing)
 {
-    db::SwingRepository swings(database);
+    db::SwingStore swings(database);
     for (int i = 0;; ++i) {
         const auto stored = swings.insertReading(swing, i, test::reading(i % 360, (i * 7) % 360));
         if (!stored)
@@ -43,7 +44,7 @@ int importFleets(db::Database& database)
             swing.record = newRecordId();
         if (!db::importFleet(database, *fleet, {}))
             return 2;
-        say(db::FleetRepository(database).totals()->swings);
+        say(db::FleetStore(database).totals()->swings);
     }
 }
 
@@ -52,7 +53,7 @@ int importFleets(db::Database& database)
 int main(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
-    auto database = db::Database::open(argv[1], db::OpenMode::ReadWriteCreate);
+    auto database = db::openDatabase(argv[1], db::OpenMode::ReadWriteCreate);
     if (!database)
         return 1;
     return std::strcmp(argv[2], "import") == 0 ? importFleets(*database) : writeReadings(*database, SwingId{std::atoi(argv[2])});

@@ -11,7 +11,8 @@
 
 #include <functional>
 
-#include "db/Maintenance.h"
+#include "db/schema/Schema.h"
+#include "db/transfer/Maintenance.h"
 #include "tests/db/RawDatabase.h"
 #include "tests/db/TestFleet.h"
 
@@ -65,9 +66,9 @@ class Rights : public testing::Test {
 protected:
     void SetUp() override
     {
-        auto database = Database::open(m_path, OpenMode::ReadWriteCreate);
+        auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
         m_stored = store(*database);
-        ASSERT_TRUE(db::SwingRepository(*database).save(swingOf(m_stored)));
+        ASSERT_TRUE(save(db::SwingStore(*database), swingOf(m_stored)));
     }
     void TearDown() override { mode(m_folder.path(), 0700); }
     static void mode(const QString& path, mode_t mode) { ASSERT_EQ(::chmod(QFile::encodeName(path).constData(), mode), 0); }
@@ -87,7 +88,7 @@ TEST_F(Rights, aProtectedFolderIsReadAndNeverWritten)
     protect();
     for (const auto mode : {OpenMode::ReadWriteCreate, OpenMode::ReadOnly})
         EXPECT_EQ(asNobody([&]() -> std::string {
-            auto database = Database::open(m_path, mode);
+            auto database = openDatabase(m_path, mode);
             if (!database)
                 return describe(database.error());
             if (!database->readOnly())
@@ -95,7 +96,7 @@ TEST_F(Rights, aProtectedFolderIsReadAndNeverWritten)
             const auto report = db::verify(*database, {});
             if (!report || report->swings != 1 || !report->findings.empty())
                 return "it cannot be read whole";
-            return expectError(db::SwingRepository(*database).save(swingOf(m_stored)), ErrorCode::ReadOnly, "a.db");
+            return expectError(save(db::SwingStore(*database), swingOf(m_stored)), ErrorCode::ReadOnly, "a.db");
         }),
             "");
     EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::Files), QStringList{"a.db"});
@@ -105,12 +106,11 @@ TEST_F(Rights, aProtectedFolderTakesNoNewDatabaseAndNoBackup)
 {
     protect();
     const std::string folder = m_folder.path().toStdString();
-    EXPECT_EQ(asNobody([&] {
-        return expectError(Database::open(m_folder.filePath("new.db"), OpenMode::ReadWriteCreate), ErrorCode::Io, folder);
-    }),
+    EXPECT_EQ(
+        asNobody([&] { return expectError(openDatabase(m_folder.filePath("new.db"), OpenMode::ReadWriteCreate), ErrorCode::Io, folder); }),
         "");
     EXPECT_EQ(asNobody([&] {
-        auto database = Database::open(m_path, OpenMode::ReadOnly);
+        auto database = openDatabase(m_path, OpenMode::ReadOnly);
         return expectError(db::backup(*database, m_folder.filePath("copy.db")), ErrorCode::Io, folder);
     }),
         "");
@@ -122,10 +122,10 @@ TEST_F(Rights, aProtectedFileInAnOpenFolderIsRead)
     mode(m_path, 0444);
     mode(m_folder.path(), 0777);
     EXPECT_EQ(asNobody([&]() -> std::string {
-        auto database = Database::open(m_path, OpenMode::ReadWriteCreate);
+        auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
         if (!database)
             return describe(database.error());
-        return expectError(db::SwingRepository(*database).save(swingOf(m_stored)), ErrorCode::ReadOnly, "a.db");
+        return expectError(save(db::SwingStore(*database), swingOf(m_stored)), ErrorCode::ReadOnly, "a.db");
     }),
         "");
 }
@@ -134,30 +134,30 @@ TEST_F(Rights, aFileThatMayNotBeReadIsSaidToBe)
 {
     mode(m_path, 0);
     mode(m_folder.path(), 0755);
-    EXPECT_EQ(asNobody([&] { return expectError(Database::open(m_path, OpenMode::ReadOnly), ErrorCode::Io, "a.db"); }), "");
+    EXPECT_EQ(asNobody([&] { return expectError(openDatabase(m_path, OpenMode::ReadOnly), ErrorCode::Io, "a.db"); }), "");
 }
 
 TEST_F(Rights, whatWasStoredLastIsNotLeftOutSilently)
 {
     const QTemporaryDir other; // a database whose last writer was killed: its log is there and was not folded in
     {
-        auto database = Database::open(m_path, OpenMode::ReadWriteCreate);
-        ASSERT_TRUE(db::SwingRepository(*database).save(swingOf(m_stored)));
+        auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
+        ASSERT_TRUE(save(db::SwingStore(*database), swingOf(m_stored)));
         for (const char* name : {"a.db", "a.db-wal"})
             ASSERT_TRUE(QFile::copy(m_folder.filePath(name), other.filePath(name)));
     }
     ASSERT_GT(QFile(other.filePath("a.db-wal")).size(), 0);
     mode(other.path(), 0555);
     EXPECT_EQ(asNobody([&] {
-        return expectError(Database::open(other.filePath("a.db"), OpenMode::ReadOnly), ErrorCode::Io, "not closed properly");
+        return expectError(openDatabase(other.filePath("a.db"), OpenMode::ReadOnly), ErrorCode::Io, "not closed properly");
     }),
         "");
     mode(other.path(), 0777);
     EXPECT_EQ(asNobody([&]() -> std::string {
-        auto database = Database::open(other.filePath("a.db"), OpenMode::ReadOnly);
+        auto database = openDatabase(other.filePath("a.db"), OpenMode::ReadOnly);
         if (!database)
             return describe(database.error());
-        return db::FleetRepository(*database).totals()->swings == 2 ? "" : "the last swing is missing";
+        return db::FleetStore(*database).totals()->swings == 2 ? "" : "the last swing is missing";
     }),
         "");
     mode(other.path(), 0700);

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "db/Maintenance.h"
-#include "db/Statement.h"
+#include "db/engine/Statement.h"
+#include "db/transfer/Maintenance.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -33,13 +33,13 @@ SensorRecord benchOf(const Stored& stored)
 
 } // namespace
 
-TEST(SensorRepository, aModelComesBackWhole)
+TEST(SensorStore, aModelComesBackWhole)
 {
     auto database = inMemory();
     const Stored stored = store(database);
-    db::SensorRepository sensors(database);
+    db::SensorStore sensors(database);
     for (SensorRecord sensor : {sensorOf(stored), benchOf(stored)}) {
-        const auto id = sensors.save(sensor);
+        const auto id = save(sensors, sensor);
         ASSERT_TRUE(id) << describe(id.error());
         const auto back = sensors.sensor(*id);
         ASSERT_TRUE(back) << describe(back.error());
@@ -48,78 +48,78 @@ TEST(SensorRepository, aModelComesBackWhole)
         sensor.record = back->record;
         EXPECT_EQ(*back, sensor);
     }
-    const auto listed = *sensors.sensorsOf(stored.compass);
+    const auto listed = *sensors.of(stored.compass);
     ASSERT_EQ(listed.size(), 2u);
     EXPECT_EQ(listed[0].name, "bench"); // newest first
-    EXPECT_TRUE(sensors.sensorsOf(CompassId{99})->empty());
+    EXPECT_TRUE(sensors.of(CompassId{99})->empty());
     EXPECT_EQ(sensors.sensor(SensorModelId{99}).error().code, ErrorCode::NotFound);
     EXPECT_EQ(db::status(database)->sensorModels, 2);
     EXPECT_TRUE(db::verify(database, {})->findings.empty());
 }
 
-TEST(SensorRepository, changesAndRemovalStandInTheAuditTrail)
+TEST(SensorStore, changesAndRemovalStandInTheAuditTrail)
 {
     auto database = inMemory();
     const Stored stored = store(database);
-    db::SensorRepository sensors(database);
+    db::SensorStore sensors(database);
     SensorRecord sensor = sensorOf(stored);
-    sensor.id = *sensors.save(sensor);
+    sensor.id = *save(sensors, sensor);
     sensor.model.hardIron_nT.x() = 900;
-    ASSERT_TRUE(sensors.save(sensor));
+    ASSERT_TRUE(save(sensors, sensor));
     EXPECT_EQ(sensors.sensor(sensor.id)->model.hardIron_nT.x(), 900);
     ASSERT_EQ(auditOf(database, "changed sensor model").size(), 1u);
     EXPECT_THAT(auditOf(database, "changed sensor model").front(), testing::AllOf(HasSubstr("850"), HasSubstr("900")));
-    ASSERT_TRUE(sensors.save(sensor)); // nothing changed: nothing is said
+    ASSERT_TRUE(save(sensors, sensor)); // nothing changed: nothing is said
     EXPECT_EQ(auditOf(database, "changed sensor model").size(), 1u);
     ASSERT_TRUE(sensors.remove(sensor.id));
     EXPECT_THAT(auditOf(database, "removed sensor model").front(),
         testing::AllOf(HasSubstr("as entered"), HasSubstr("900"), HasSubstr("landing light")));
-    EXPECT_TRUE(sensors.sensorsOf(stored.compass)->empty());
+    EXPECT_TRUE(sensors.of(stored.compass)->empty());
     EXPECT_EQ(sensors.remove(sensor.id).error().code, ErrorCode::NotFound);
 }
 
-TEST(SensorRepository, aNameIsThereOnceForACompass)
+TEST(SensorStore, aNameIsThereOnceForACompass)
 {
     auto database = inMemory();
     const Stored stored = store(database);
-    db::SensorRepository sensors(database);
-    ASSERT_TRUE(sensors.save(sensorOf(stored)));
-    EXPECT_EQ(sensors.save(sensorOf(stored)).error().code, ErrorCode::Conflict);
-    EXPECT_EQ(sensors.save(sensorOf(stored, "")).error().code, ErrorCode::InvalidInput);
-    CompassSystem other = *db::FleetRepository(database).compass(stored.compass);
+    db::SensorStore sensors(database);
+    ASSERT_TRUE(save(sensors, sensorOf(stored)));
+    EXPECT_EQ(save(sensors, sensorOf(stored)).error().code, ErrorCode::Conflict);
+    EXPECT_EQ(save(sensors, sensorOf(stored, "")).error().code, ErrorCode::InvalidInput);
+    CompassSystem other = *db::FleetStore(database).compass(stored.compass);
     other.id = {};
     other.record.clear();
     other.name = "remote compass";
     SensorRecord sensor = sensorOf(stored);
-    sensor.compass = *db::FleetRepository(database).save(other);
-    EXPECT_TRUE(sensors.save(sensor));
+    sensor.compass = *save(db::FleetStore(database), other);
+    EXPECT_TRUE(save(sensors, sensor));
     sensor.compass = CompassId{99};
     sensor.name = "of no compass";
-    EXPECT_FALSE(sensors.save(sensor));
+    EXPECT_FALSE(save(sensors, sensor));
 }
 
-TEST(SensorRepository, whatCannotBeReadBackIsNotStored)
+TEST(SensorStore, whatCannotBeReadBackIsNotStored)
 {
     auto database = inMemory();
     const Stored stored = store(database);
-    db::SensorRepository sensors(database);
+    db::SensorStore sensors(database);
     SensorRecord sensor = sensorOf(stored);
     sensor.model.circuits[0].current_A = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(sensors.save(sensor).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(save(sensors, sensor).error().code, ErrorCode::InvalidInput);
     sensor = benchOf(stored);
     sensor.bench->parts[0].susceptibility = -1;
-    EXPECT_EQ(sensors.save(sensor).error().code, ErrorCode::InvalidInput);
-    EXPECT_TRUE(sensors.sensorsOf(stored.compass)->empty());
+    EXPECT_EQ(save(sensors, sensor).error().code, ErrorCode::InvalidInput);
+    EXPECT_TRUE(sensors.of(stored.compass)->empty());
 }
 
-TEST(SensorRepository, oneThatDoesNotReadIsNamed)
+TEST(SensorStore, oneThatDoesNotReadIsNamed)
 {
     auto database = inMemory();
     const Stored stored = store(database);
-    db::SensorRepository sensors(database);
-    const auto id = *sensors.save(sensorOf(stored));
+    db::SensorStore sensors(database);
+    const auto id = *save(sensors, sensorOf(stored));
     ASSERT_TRUE(db::execute(database, "UPDATE sensor_model SET model_json = '{\"soft_irn\": 1}'"));
-    for (const Error& error : {sensors.sensor(id).error(), sensors.sensorsOf(stored.compass).error()}) {
+    for (const Error& error : {sensors.sensor(id).error(), sensors.of(stored.compass).error()}) {
         EXPECT_EQ(error.code, ErrorCode::Corrupt);
         EXPECT_THAT(error.message, testing::AllOf(HasSubstr("as entered"), HasSubstr("soft_irn")));
     }
@@ -130,13 +130,13 @@ TEST(FieldOfASwing, isKeptWholeAndFrozenWhenItIsSigned)
 {
     auto database = inMemory();
     const Stored stored = store(database);
-    db::SwingRepository swings(database);
+    db::SwingStore swings(database);
     Swing swing = swingOf(stored);
-    swing.id = *swings.save(swing);
+    swing.id = *save(swings, swing);
     EXPECT_FALSE(swings.swing(swing.id)->field);
     swing.field = stampOf("2026-11-20");
     swing.indexRemoved_deg = -2.25;
-    ASSERT_TRUE(swings.save(swing));
+    ASSERT_TRUE(save(swings, swing));
     EXPECT_EQ(swings.swing(swing.id)->field, swing.field);
     EXPECT_EQ(swings.swing(swing.id)->indexRemoved_deg, -2.25);
     EXPECT_THAT(auditOf(database, "changed swing").front(),
@@ -144,11 +144,11 @@ TEST(FieldOfASwing, isKeptWholeAndFrozenWhenItIsSigned)
     EXPECT_FALSE(db::execute(database, "UPDATE swing SET field_date = NULL")); // whole or not at all
     EXPECT_FALSE(db::execute(database, "UPDATE swing SET field_latitude_deg = 91"));
     swing.field.reset();
-    ASSERT_TRUE(swings.save(swing));
+    ASSERT_TRUE(save(swings, swing));
     EXPECT_FALSE(swings.swing(swing.id)->field);
     swing.field = stampOf("2026-11-20");
     swing.state = SwingState::Signed;
-    ASSERT_TRUE(swings.save(swing));
+    ASSERT_TRUE(save(swings, swing));
     for (const char* change : {"field_model = 'IGRF-14'", "field_latitude_deg = 1", "field_longitude_deg = 1", "field_height_m = 1",
              "field_date = '2026-01-01'", "field_north_nT = 1", "field_east_nT = 1", "field_down_nT = 1", "index_removed_deg = 1"})
         EXPECT_EQ(db::execute(database, QStringLiteral("UPDATE swing SET %1").arg(QLatin1String(change))).error().code, ErrorCode::Frozen)
@@ -162,11 +162,11 @@ TEST(FieldOfASwing, comesInWithASignedOne)
     Swing swing = swingOf(store(database));
     swing.field = stampOf("2026-11-20");
     swing.state = SwingState::Signed;
-    const auto id = db::SwingRepository(database).save(swing);
+    const auto id = save(db::SwingStore(database), swing);
     ASSERT_TRUE(id);
-    EXPECT_EQ(db::SwingRepository(database).swing(*id)->field, swing.field);
+    EXPECT_EQ(db::SwingStore(database).swing(*id)->field, swing.field);
     std::vector<std::optional<FieldStamp>> seen;
-    ASSERT_TRUE(db::SwingRepository(database).forEach([&](const Swing& one) {
+    ASSERT_TRUE(db::SwingStore(database).forEach([&](const Swing& one) {
         seen.push_back(one.field);
         return true;
     }));

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "db/Statement.h"
+#include "db/engine/Statement.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -12,8 +12,8 @@ class Swings : public testing::Test {
 protected:
     db::Database m_database = inMemory();
     Stored m_stored = store(m_database);
-    db::SwingRepository m_swings{m_database};
-    db::FleetRepository m_fleet{m_database};
+    db::SwingStore m_swings{m_database};
+    db::FleetStore m_fleet{m_database};
 
     [[nodiscard]] Status compassStatus() { return m_fleet.compassesOf(m_stored.aircraft)->front().status; }
     [[nodiscard]] std::string lastEntry()
@@ -45,7 +45,7 @@ TEST_F(Swings, comeBackAsTheyWereStored)
     swing.readings[2].extra = {{"temperature", "12"}, {"quote\"", ""}};
     swing.readings[3].trueHeading = TrueHeading::fromDegrees(99.25);
     swing.readings.push_back({}); // an empty row, being entered
-    const auto id = m_swings.save(swing);
+    const auto id = save(m_swings, swing);
     ASSERT_TRUE(id) << describe(id.error());
     auto read = m_swings.swing(*id);
     ASSERT_TRUE(read);
@@ -66,7 +66,7 @@ TEST_F(Swings, comeBackAsTheyWereStored)
 
 TEST_F(Swings, keepTheirResultsBesideThem)
 {
-    const auto id = m_swings.save(swingOf(m_stored));
+    const auto id = save(m_swings, swingOf(m_stored));
     auto row = m_swings.swingsOf(m_stored.compass)->front();
     EXPECT_EQ(row.readings, 8);
     EXPECT_NEAR(*row.maxAbsDeviation_deg, 5.0, 1e-9);
@@ -76,12 +76,12 @@ TEST_F(Swings, keepTheirResultsBesideThem)
     auto swing = m_swings.swing(*id);
     auto before = swing->readings[0];
     swing->readings[0].compass = CompassHeading::fromDegrees(300); // 17° of deviation
-    ASSERT_TRUE(m_swings.saveReading(*id, before, swing->readings[0]));
+    ASSERT_TRUE(m_swings.changeReading(*id, before, swing->readings[0]));
     EXPECT_EQ(compassStatus(), Status::OutOfLimits);
     EXPECT_EQ(m_fleet.types()->front().status, Status::OutOfLimits);
     before = swing->readings[0];
     swing->readings[0].exclusion = Exclusion{"misread"};
-    ASSERT_TRUE(m_swings.saveReading(*id, before, swing->readings[0]));
+    ASSERT_TRUE(m_swings.changeReading(*id, before, swing->readings[0]));
     EXPECT_EQ(compassStatus(), Status::InLimits);
 }
 
@@ -89,23 +89,23 @@ TEST_F(Swings, theLatestWithAResultDecidesTheStatus)
 {
     Swing bad = swingOf(m_stored, "2025-01-01");
     bad.readings[0].compass = CompassHeading::fromDegrees(300);
-    ASSERT_TRUE(m_swings.save(bad));
+    ASSERT_TRUE(save(m_swings, bad));
     EXPECT_EQ(compassStatus(), Status::OutOfLimits);
-    ASSERT_TRUE(m_swings.save(swingOf(m_stored, "2026-01-01")));
+    ASSERT_TRUE(save(m_swings, swingOf(m_stored, "2026-01-01")));
     EXPECT_EQ(compassStatus(), Status::InLimits);
     Swing empty = swingOf(m_stored, "2026-06-01");
     empty.readings.clear();
-    const auto draft = m_swings.save(empty);
+    const auto draft = save(m_swings, empty);
     EXPECT_EQ(compassStatus(), Status::InLimits);
     EXPECT_EQ(m_swings.previous(*draft)->value().date, "2026-01-01");
 }
 
 TEST_F(Swings, changedLimitsChangeTheStatus)
 {
-    ASSERT_TRUE(m_swings.save(swingOf(m_stored)));
-    auto profile = db::SiteRepository(m_database).limitsProfiles()->front();
+    ASSERT_TRUE(save(m_swings, swingOf(m_stored)));
+    auto profile = db::SiteStore(m_database).limitsProfiles()->front();
     profile.maxDeviation_deg = 4.0;
-    ASSERT_TRUE(db::SiteRepository(m_database).save(profile));
+    ASSERT_TRUE(save(db::SiteStore(m_database), profile));
     EXPECT_EQ(compassStatus(), Status::OutOfLimits);
 }
 
@@ -113,7 +113,7 @@ TEST_F(Swings, readingsAreInsertedSavedAndRemovedInOrder)
 {
     Swing swing = swingOf(m_stored);
     swing.readings.resize(3);
-    const auto id = *m_swings.save(swing);
+    const auto id = *save(m_swings, swing);
     const auto inserted = m_swings.insertReading(id, 1, reading(22, 21));
     ASSERT_TRUE(inserted);
     auto readings = m_swings.swing(id)->readings;
@@ -129,7 +129,7 @@ TEST_F(Swings, aNumberThatIsNotFiniteIsRefused)
 {
     Swing swing = swingOf(m_stored);
     swing.readings[0].pitch_deg = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(save(m_swings, swing).error().code, ErrorCode::InvalidInput);
     EXPECT_EQ(m_fleet.totals()->swings, 0);
 }
 
@@ -137,14 +137,14 @@ TEST_F(Swings, whatIsSignedIsFrozenAlsoForRawSql)
 {
     Swing swing = swingOf(m_stored);
     swing.state = SwingState::Signed;
-    const auto id = m_swings.save(swing);
+    const auto id = save(m_swings, swing);
     ASSERT_TRUE(id) << describe(id.error());
     const auto stored = *m_swings.swing(*id);
     EXPECT_EQ(stored.state, SwingState::Signed);
     Swing changed = stored;
     changed.date = "2020-01-01";
-    EXPECT_EQ(m_swings.save(changed).error().code, ErrorCode::Frozen);
-    EXPECT_EQ(m_swings.saveReading(*id, stored.readings[0], stored.readings[0]).error().code, ErrorCode::Frozen);
+    EXPECT_EQ(save(m_swings, changed).error().code, ErrorCode::Frozen);
+    EXPECT_EQ(m_swings.changeReading(*id, stored.readings[0], stored.readings[0]).error().code, ErrorCode::Frozen);
     EXPECT_EQ(m_swings.insertReading(*id, 0, {}).error().code, ErrorCode::Frozen);
     EXPECT_EQ(m_swings.removeReading(*id, stored.readings[0].id).error().code, ErrorCode::Frozen);
     EXPECT_EQ(m_swings.remove(*id).error().code, ErrorCode::Frozen);
@@ -159,8 +159,8 @@ TEST_F(Swings, whatIsSignedIsNotReplacedEither)
 {
     Swing swing = swingOf(m_stored);
     swing.state = SwingState::Signed;
-    const auto id = *m_swings.save(swing);                // swing 1 with readings 1 … 8
-    const auto draft = *m_swings.save(swingOf(m_stored)); // swing 2 with readings 9 … 16
+    const auto id = *save(m_swings, swing);                // swing 1 with readings 1 … 8
+    const auto draft = *save(m_swings, swingOf(m_stored)); // swing 2 with readings 9 … 16
     const auto stored = *m_swings.swing(id);
     const auto trail = db::number(m_database, "SELECT COUNT(*) FROM audit_entry").value();
     ASSERT_TRUE(raw("CREATE TABLE copy AS SELECT * FROM swing WHERE id = 2") && raw("UPDATE copy SET id = 1, record = 'x'"));
@@ -181,26 +181,26 @@ TEST_F(Swings, whatIsSignedIsNotReplacedEither)
 
 TEST_F(Swings, aDraftIsCompletedAndSigned)
 {
-    const auto id = *m_swings.save(swingOf(m_stored));
+    const auto id = *save(m_swings, swingOf(m_stored));
     auto swing = *m_swings.swing(id);
     for (const auto state : {SwingState::Complete, SwingState::Draft, SwingState::Signed}) {
         swing.state = state;
-        ASSERT_TRUE(m_swings.save(swing));
+        ASSERT_TRUE(save(m_swings, swing));
         EXPECT_EQ(m_swings.swing(id)->state, state);
     }
     swing.state = SwingState::Draft;
-    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::Frozen);
+    EXPECT_EQ(save(m_swings, swing).error().code, ErrorCode::Frozen);
 }
 
 TEST_F(Swings, movedToAnotherCompassLeavesNoStatusBehind)
 {
-    const auto id = *m_swings.save(swingOf(m_stored));
+    const auto id = *save(m_swings, swingOf(m_stored));
     CompassSystem other;
     other.aircraft = m_stored.aircraft;
     other.name = "remote compass";
     auto swing = *m_swings.swing(id);
-    swing.compass = *m_fleet.save(other);
-    ASSERT_TRUE(m_swings.save(swing));
+    swing.compass = *save(m_fleet, other);
+    ASSERT_TRUE(save(m_swings, swing));
     const auto rows = *m_fleet.compassesOf(m_stored.aircraft); // by name: remote, standby
     EXPECT_EQ(rows[1].swings, 0);
     EXPECT_EQ(rows[1].status, Status::NotKnown);
@@ -211,52 +211,52 @@ TEST_F(Swings, figuresOutsideTheirRangeAreRefused)
 {
     Swing swing = swingOf(m_stored);
     swing.readings[0].pitch_deg = 91.0;
-    const auto pitch = m_swings.save(swing);
+    const auto pitch = save(m_swings, swing);
     EXPECT_EQ(pitch.error().code, ErrorCode::InvalidInput);
     EXPECT_THAT(pitch.error().message, testing::HasSubstr("pitch_deg"));
     swing.readings[0].pitch_deg.reset();
     swing.readings[0].nominal_deg = 360.0;
-    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(save(m_swings, swing).error().code, ErrorCode::InvalidInput);
     swing.readings[0].nominal_deg = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(save(m_swings, swing).error().code, ErrorCode::InvalidInput);
     swing.readings[0].nominal_deg.reset();
     swing.readings[0].exclusion = Exclusion{};
-    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(save(m_swings, swing).error().code, ErrorCode::InvalidInput);
     swing.readings[0].exclusion.reset();
     swing.compass = {};
-    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(save(m_swings, swing).error().code, ErrorCode::InvalidInput);
     swing.compass = CompassId{99};
-    EXPECT_EQ(m_swings.save(swing).error().code, ErrorCode::Conflict);
+    EXPECT_EQ(save(m_swings, swing).error().code, ErrorCode::Conflict);
     EXPECT_EQ(m_fleet.totals()->swings, 0);
     EXPECT_EQ(db::number(m_database, "SELECT COUNT(*) FROM reading").value(), 0);
 }
 
 TEST_F(Swings, everyChangeIsInTheAuditTrailForEver)
 {
-    const auto id = *m_swings.save(swingOf(m_stored));
+    const auto id = *save(m_swings, swingOf(m_stored));
     auto one = m_swings.swing(id)->readings[0];
     auto before = one;
     one.compass = CompassHeading::fromDegrees(315.5);
-    ASSERT_TRUE(m_swings.saveReading(id, before, one));
+    ASSERT_TRUE(m_swings.changeReading(id, before, one));
     db::Statement last(m_database, "SELECT what, detail FROM audit_entry ORDER BY id DESC LIMIT 1");
     ASSERT_TRUE(last.run() && last.next());
     EXPECT_EQ(last.text(0), "changed reading");
     EXPECT_THAT(last.text(1), testing::AllOf(testing::HasSubstr("compass 316"), testing::HasSubstr("compass 315.5")));
     before = one;
     one.roll_deg = -1.5;
-    ASSERT_TRUE(m_swings.saveReading(id, before, one));
+    ASSERT_TRUE(m_swings.changeReading(id, before, one));
     EXPECT_THAT(lastEntry(), testing::HasSubstr("roll -1.5"));
     const auto entries = db::number(m_database, "SELECT COUNT(*) FROM audit_entry").value();
-    ASSERT_TRUE(m_swings.saveReading(id, one, one)); // nothing changed
+    ASSERT_TRUE(m_swings.changeReading(id, one, one)); // nothing changed
     EXPECT_EQ(db::number(m_database, "SELECT COUNT(*) FROM audit_entry").value(), entries);
     auto swing = *m_swings.swing(id);
     swing.people.inspector = "Dora";
     swing.variation_deg = 6.25;
-    ASSERT_TRUE(m_swings.save(swing));
+    ASSERT_TRUE(save(m_swings, swing));
     EXPECT_EQ(lastEntry(), "changed swing " + swing.record + " inspector: Dora; variation_deg: 6.25");
-    auto site = db::SiteRepository(m_database).sites()->front();
+    auto site = db::SiteStore(m_database).sites()->front();
     site.name = "Deblin North";
-    ASSERT_TRUE(db::SiteRepository(m_database).save(site));
+    ASSERT_TRUE(save(db::SiteStore(m_database), site));
     EXPECT_EQ(lastEntry(), "changed site " + site.record + " name: Deblin -> Deblin North");
     EXPECT_FALSE(raw("DELETE FROM audit_entry"));
     EXPECT_FALSE(raw("UPDATE audit_entry SET what = ''"));
@@ -264,7 +264,7 @@ TEST_F(Swings, everyChangeIsInTheAuditTrailForEver)
 
 TEST_F(Swings, onlyDraftsAreRemovedAndStayReadableInTheTrail)
 {
-    const auto id = *m_swings.save(swingOf(m_stored));
+    const auto id = *save(m_swings, swingOf(m_stored));
     ASSERT_TRUE(m_swings.remove(id));
     EXPECT_EQ(m_fleet.totals()->swings, 0);
     EXPECT_EQ(db::number(m_database, "SELECT COUNT(*) FROM reading").value(), 0);
@@ -273,12 +273,12 @@ TEST_F(Swings, onlyDraftsAreRemovedAndStayReadableInTheTrail)
     EXPECT_EQ(compassStatus(), Status::NotKnown);
     Swing complete = swingOf(m_stored);
     complete.state = SwingState::Complete;
-    EXPECT_EQ(m_swings.remove(*m_swings.save(complete)).error().code, ErrorCode::Frozen);
+    EXPECT_EQ(m_swings.remove(*save(m_swings, complete)).error().code, ErrorCode::Frozen);
 }
 
 TEST_F(Swings, areFoundByWordsAndByRecord)
 {
-    const auto id = *m_swings.save(swingOf(m_stored));
+    const auto id = *save(m_swings, swingOf(m_stored));
     const auto hits = m_fleet.search("3713 deblin 2026", 10);
     ASSERT_TRUE(hits);
     ASSERT_EQ(hits->size(), 1u);
@@ -290,7 +290,7 @@ TEST_F(Swings, areFoundByWordsAndByRecord)
     Swing second = swingOf(m_stored, "2027-01-02");
     second.people = {"Ann", "Bob", "Cid", "Dora"};
     second.note = "100% sure_";
-    const auto newer = *m_swings.save(second);
+    const auto newer = *save(m_swings, second);
     for (const char* words : {"ann", "bob 3713", "cid standby", "DORA", "100%", "sure_", "2027-01 deblin ann"}) {
         const auto found = *m_fleet.search(words, 10);
         ASSERT_EQ(found.size(), 1u) << words;
@@ -310,15 +310,15 @@ TEST_F(Swings, areFoundByWordsAndByRecord)
 
 TEST_F(Swings, twoRecordsOfOneNameAreAConflict)
 {
-    const auto type = m_fleet.save(AircraftType{{}, {}, "Su-22", "", ""});
+    const auto type = save(m_fleet, AircraftType{{}, {}, "Su-22", "", ""});
     EXPECT_EQ(type.error().code, ErrorCode::Conflict);
     EXPECT_EQ(type.error().message, "there is an aircraft type of this name already; expected another");
     CompassSystem compass = *m_fleet.compass(m_stored.compass);
     compass.id = {};
     compass.record.clear();
-    EXPECT_EQ(m_fleet.save(compass).error().message, "there is a compass of this name on this aircraft already; expected another");
-    EXPECT_EQ(m_fleet.save(AircraftType{AircraftTypeId{99}, {}, "An-2", "", ""}).error().code, ErrorCode::NotFound);
-    EXPECT_EQ(m_fleet.save(AircraftType{}).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(save(m_fleet, compass).error().message, "there is a compass of this name on this aircraft already; expected another");
+    EXPECT_EQ(save(m_fleet, AircraftType{AircraftTypeId{99}, {}, "An-2", "", ""}).error().code, ErrorCode::NotFound);
+    EXPECT_EQ(save(m_fleet, AircraftType{}).error().code, ErrorCode::InvalidInput);
 }
 
 } // namespace lubberline::test

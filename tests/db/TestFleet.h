@@ -4,11 +4,13 @@
 #include <QTemporaryDir>
 
 #include "core/record/Fleet.h"
-#include "db/Database.h"
-#include "db/FleetRepository.h"
-#include "db/SensorRepository.h"
-#include "db/SiteRepository.h"
-#include "db/SwingRepository.h"
+#include "db/schema/Schema.h"
+#include "db/stores/DueStore.h"
+#include "db/stores/ElectricalStore.h"
+#include "db/stores/FleetStore.h"
+#include "db/stores/SensorStore.h"
+#include "db/stores/SiteStore.h"
+#include "db/stores/SwingStore.h"
 
 namespace lubberline::test {
 
@@ -29,6 +31,82 @@ inline std::vector<Reading> worksheetReadings()
         reading(273, 269)};
 }
 
+/// A new record, or the changed one, whatever it was before.
+inline Result<SwingId> save(db::SwingStore swings, const Swing& swing)
+{
+    if (!swing.id.valid())
+        return swings.addAsIs(swing);
+    const auto known = swings.swing(swing.id);
+    if (!known)
+        return known.error();
+    const auto changed = swings.replace(*known, swing);
+    return changed ? Result<SwingId>(swing.id) : changed.error();
+}
+inline Result<SensorModelId> save(db::SensorStore sensors, const SensorRecord& sensor)
+{
+    if (!sensor.id.valid())
+        return sensors.add(sensor);
+    const auto changed = sensors.change(*sensors.sensor(sensor.id), sensor);
+    return changed ? Result<SensorModelId>(sensor.id) : changed.error();
+}
+inline Result<AircraftTypeId> save(db::FleetStore fleet, const AircraftType& type)
+{
+    if (!type.id.valid())
+        return fleet.add(type);
+    const auto changed = fleet.change(type, type);
+    return changed ? Result<AircraftTypeId>(type.id) : changed.error();
+}
+inline Result<AircraftId> save(db::FleetStore fleet, const Aircraft& aircraft)
+{
+    if (!aircraft.id.valid())
+        return fleet.add(aircraft);
+    const auto changed = fleet.change(*fleet.aircraft(aircraft.id), aircraft);
+    return changed ? Result<AircraftId>(aircraft.id) : changed.error();
+}
+inline Result<CompassId> save(db::FleetStore fleet, const CompassSystem& compass)
+{
+    if (!compass.id.valid())
+        return fleet.add(compass);
+    const auto changed = fleet.change(*fleet.compass(compass.id), compass);
+    return changed ? Result<CompassId>(compass.id) : changed.error();
+}
+inline Result<EventId> save(db::FleetStore fleet, const Event& event) { return fleet.add(event); }
+inline Result<SiteId> save(db::SiteStore sites, const Site& site)
+{
+    if (!site.id.valid())
+        return sites.add(site);
+    const auto changed = sites.change(**sites.site(site.id), site);
+    return changed ? Result<SiteId>(site.id) : changed.error();
+}
+inline Result<LimitsProfileId> save(db::SiteStore sites, const LimitsProfile& profile)
+{
+    const auto all = *sites.limitsProfiles();
+    for (const auto& known : all)
+        if (known.id == profile.id) {
+            const auto changed = sites.change(known, profile);
+            return changed ? Result<LimitsProfileId>(profile.id) : changed.error();
+        }
+    return sites.add(profile);
+}
+inline Result<void> save(db::SiteStore sites, const DatumInstrument& instrument)
+{
+    const auto all = *sites.instruments();
+    for (const auto& known : all)
+        if (known.record == instrument.record)
+            return sites.change(known, instrument);
+    return noValue(sites.add(instrument));
+}
+inline Result<void> save(db::DueStore due, const DueRule& rule) { return noValue(due.add(rule)); }
+inline Result<void> save(db::DueStore due, const Waiver& waiver) { return due.add(waiver); }
+inline Result<void> save(db::ElectricalStore electrical, CompassId compass, const ElectricalSwing& swing)
+{
+    const auto all = *electrical.of(compass);
+    for (const auto& known : all)
+        if (known.record == swing.record)
+            return electrical.change(compass, known, swing);
+    return noValue(electrical.add(compass, swing));
+}
+
 struct Stored {
     AircraftTypeId type;
     AircraftId aircraft;
@@ -39,34 +117,34 @@ struct Stored {
 
 inline db::Database inMemory()
 {
-    auto database = db::Database::open(":memory:", db::OpenMode::ReadWriteCreate);
+    auto database = db::openDatabase(":memory:", db::OpenMode::ReadWriteCreate);
     LUBBERLINE_EXPECT(database.ok(), "a database in memory opens");
     return std::move(database.value());
 }
 
 inline Stored store(db::Database& database)
 {
-    db::FleetRepository fleet(database);
-    db::SiteRepository sites(database);
+    db::FleetStore fleet(database);
+    db::SiteStore sites(database);
     Stored stored;
-    stored.type = fleet.save(AircraftType{{}, {}, "Su-22", "Sukhoi", ""}).value();
+    stored.type = save(fleet, AircraftType{{}, {}, "Su-22", "Sukhoi", ""}).value();
     Aircraft aircraft;
     aircraft.type = stored.type;
     aircraft.registration = "3713";
-    stored.aircraft = fleet.save(aircraft).value();
+    stored.aircraft = save(fleet, aircraft).value();
     LimitsProfile limits;
     limits.name = "ten degrees";
     limits.maxDeviation_deg = 10.0;
-    stored.limits = sites.save(limits).value();
+    stored.limits = save(sites, limits).value();
     Site site;
     site.name = "Deblin";
     site.variation_deg = 6.5;
-    stored.site = sites.save(site).value();
+    stored.site = save(sites, site).value();
     CompassSystem compass;
     compass.aircraft = stored.aircraft;
     compass.name = "standby compass";
     compass.limits = stored.limits;
-    stored.compass = fleet.save(compass).value();
+    stored.compass = save(fleet, compass).value();
     return stored;
 }
 

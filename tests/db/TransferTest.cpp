@@ -1,7 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "core/format/exchange/Exchange.h"
-#include "db/Transfer.h"
+#include "core/swing/SwingField.h"
+#include "db/transfer/Transfer.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -20,9 +21,9 @@ TEST(Transfer, aFleetComesBackWhole)
     event.aircraft = stored.aircraft;
     event.date = "2026-05-01";
     event.kind = "lightning";
-    ASSERT_TRUE(db::FleetRepository(first).save(event));
+    ASSERT_TRUE(save(db::FleetStore(first), event));
     for (const char* date : {"2024-05-01", "2025-05-01", "2026-05-01"})
-        ASSERT_TRUE(db::SwingRepository(first).save(swingOf(stored, date)));
+        ASSERT_TRUE(save(db::SwingStore(first), swingOf(stored, date)));
     const Fleet fleet = exported(first);
     auto second = inMemory();
     const auto imported = db::importFleet(second, fleet, {});
@@ -33,8 +34,8 @@ TEST(Transfer, aFleetComesBackWhole)
     ASSERT_TRUE(again);
     EXPECT_EQ(again->swings, 0);
     EXPECT_EQ(again->alreadyThere, 3);
-    EXPECT_EQ(db::FleetRepository(second).totals()->swings, 3);
-    EXPECT_EQ(db::FleetRepository(second).types()->front().status, Status::InLimits);
+    EXPECT_EQ(db::FleetStore(second).totals()->swings, 3);
+    EXPECT_EQ(db::FleetStore(second).types()->front().status, Status::InLimits);
     const Fleet round = exported(second);
     ASSERT_EQ(round.swings.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -54,8 +55,8 @@ TEST(Transfer, exchangeFilesAreTheSameAfterARoundThroughADatabase)
     swing.readings[2].exclusion = Exclusion{"misread"};
     swing.readings[3].magnetic = MagneticHeading::fromDegrees(0.1 + 0.2); // no digit is lost
     swing.readings[4].trueHeading = TrueHeading::fromDegrees(100.0 / 3.0);
-    ASSERT_TRUE(db::SwingRepository(first).save(swing));
-    ASSERT_TRUE(db::SwingRepository(first).save(swingOf(stored, "2025-01-01")));
+    ASSERT_TRUE(save(db::SwingStore(first), swing));
+    ASSERT_TRUE(save(db::SwingStore(first), swingOf(stored, "2025-01-01")));
     const std::string written = writeExchange(exported(first));
     const auto read = readExchange(written, "a.lubberline.json");
     ASSERT_TRUE(read) << describe(read.error());
@@ -75,8 +76,8 @@ TEST(Transfer, sensorModelsAndFieldStampsComeAlongByteForByte)
     swing.state = SwingState::Signed;
     swing.field = stampOf("2026-11-20");
     swing.indexRemoved_deg = 1.5;
-    ASSERT_TRUE(db::SwingRepository(first).save(swing));
-    ASSERT_TRUE(db::SensorRepository(first).save(sensorOf(stored)));
+    ASSERT_TRUE(save(db::SwingStore(first), swing));
+    ASSERT_TRUE(save(db::SensorStore(first), sensorOf(stored)));
     const std::string written = writeExchange(exported(first));
     EXPECT_THAT(written, testing::HasSubstr("\"version\": 2"));
     const auto read = readExchange(written, "a.lubberline.json");
@@ -90,41 +91,41 @@ TEST(Transfer, sensorModelsAndFieldStampsComeAlongByteForByte)
     EXPECT_EQ(exported(second).sensors.size(), 1u);
 }
 
-TEST(Transfer, newSwingsArePreparedAndTheSameFileIsStillTheSameAfterwards)
+TEST(Transfer, newSwingsAreStampedAndTheSameFileIsStillTheSameAfterwards)
 {
     auto database = inMemory();
     const Stored stored = store(database);
+    Site placed = **db::SiteStore(database).site(stored.site);
+    placed.latitude_deg = 51.55;
+    placed.longitude_deg = 21.89;
+    ASSERT_TRUE(save(db::SiteStore(database), placed));
     Fleet fleet = exported(database);
     Swing swing = swingOf(stored);
     swing.record = newRecordId();
     fleet.swings = {swing};
-    int prepared = 0;
-    const db::PrepareSwing prepare = [&](Swing& one, const std::optional<Site>& site) {
-        ++prepared;
-        EXPECT_EQ(site->name, "Deblin");
-        one.field = stampOf(one.date);
-    };
-    const auto imported = db::importFleet(database, fleet, {}, prepare);
+    const auto imported = db::importFleet(database, fleet, {});
     ASSERT_TRUE(imported);
-    EXPECT_EQ(db::SwingRepository(database).swing(imported->swingIds.front())->field, stampOf("2026-11-20"));
-    EXPECT_EQ(db::importFleet(database, fleet, {}, prepare)->alreadyThere, 1);
-    EXPECT_EQ(prepared, 1);
-    fleet.swings[0].field = stampOf("2026-11-20"); // by another model: the same place and day
+    const auto site = *db::SiteStore(database).site(stored.site);
+    const auto expected = stampFor(swing, site);
+    ASSERT_TRUE(expected) << "the site of the test has a place";
+    EXPECT_EQ(db::SwingStore(database).swing(imported->swingIds.front())->field, expected);
+    EXPECT_EQ(db::importFleet(database, fleet, {})->alreadyThere, 1);
+    fleet.swings[0].field = expected; // by another model: the same place and day
     fleet.swings[0].field->field.north_nT += 10;
-    EXPECT_EQ(db::importFleet(database, fleet, {}, prepare)->alreadyThere, 1);
+    EXPECT_EQ(db::importFleet(database, fleet, {})->alreadyThere, 1);
     fleet.swings[0].field->place.latitude_deg += 1;
-    EXPECT_EQ(db::importFleet(database, fleet, {}, prepare).error().code, ErrorCode::Conflict);
+    EXPECT_EQ(db::importFleet(database, fleet, {}).error().code, ErrorCode::Conflict);
 }
 
 TEST(Transfer, chosenAircraftTakeAlongWhatTheyReferToAndNoMore)
 {
     auto database = inMemory();
     const Stored stored = store(database);
-    ASSERT_TRUE(db::SwingRepository(database).save(swingOf(stored)));
+    ASSERT_TRUE(save(db::SwingStore(database), swingOf(stored)));
     Aircraft other;
-    other.type = *db::FleetRepository(database).save(AircraftType{{}, {}, "An-2", "", ""});
+    other.type = *save(db::FleetStore(database), AircraftType{{}, {}, "An-2", "", ""});
     other.registration = "SP-ANT";
-    const auto bare = *db::FleetRepository(database).save(other);
+    const auto bare = *save(db::FleetStore(database), other);
     const auto fleet = db::exportFleet(database, {stored.aircraft}, {});
     ASSERT_TRUE(fleet);
     EXPECT_EQ(fleet->aircraft.size(), 1u);
@@ -142,7 +143,7 @@ TEST(Transfer, anotherContentUnderTheSameRecordIsAConflictAndStoresNothing)
 {
     auto database = inMemory();
     const Stored stored = store(database);
-    ASSERT_TRUE(db::SwingRepository(database).save(swingOf(stored)));
+    ASSERT_TRUE(save(db::SwingStore(database), swingOf(stored)));
     Fleet fleet = exported(database);
     Swing fresh = fleet.swings[0];
     fresh.record = newRecordId();
@@ -152,7 +153,7 @@ TEST(Transfer, anotherContentUnderTheSameRecordIsAConflictAndStoresNothing)
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Conflict);
     EXPECT_THAT(refused.error().message, testing::AllOf(testing::HasSubstr("3713"), testing::HasSubstr("2026-11-20")));
-    EXPECT_EQ(db::FleetRepository(database).totals()->swings, 1);
+    EXPECT_EQ(db::FleetStore(database).totals()->swings, 1);
 }
 
 TEST(Transfer, recordsOfOtherIdentityAreKnownByTheirNames)
@@ -166,7 +167,7 @@ TEST(Transfer, recordsOfOtherIdentityAreKnownByTheirNames)
     fleet.types[0].record = fleet.aircraft[0].record = fleet.compasses[0].record = fleet.sites[0].record = fleet.limits[0].record
         = newRecordId();
     ASSERT_TRUE(db::importFleet(database, fleet, {}));
-    const auto totals = *db::FleetRepository(database).totals();
+    const auto totals = *db::FleetStore(database).totals();
     EXPECT_EQ(totals.types, 1);
     EXPECT_EQ(totals.aircraft, 1);
     EXPECT_EQ(totals.compasses, 1);
@@ -185,7 +186,7 @@ TEST(Transfer, canBeCancelledAndThenStoresNothing)
     const auto cancelled = db::importFleet(database, fleet, [](double fraction) { return fraction < 0.5; });
     ASSERT_FALSE(cancelled);
     EXPECT_EQ(cancelled.error().code, ErrorCode::Cancelled);
-    EXPECT_EQ(db::FleetRepository(database).totals()->swings, 0);
+    EXPECT_EQ(db::FleetStore(database).totals()->swings, 0);
 }
 
 } // namespace lubberline::test

@@ -79,14 +79,14 @@ QWidget* BenchResults::buildCoefficients()
     return box;
 }
 
-void BenchResults::showFieldOf(Storage& storage, CompassId compass)
+void BenchResults::showFieldOf(db::Stores& stores, CompassId compass)
 {
-    if (const auto sites = storage.sites())
+    if (const auto sites = stores.sites.sites())
         m_field->setSites(*sites);
-    const auto swings = storage.swingsOf(compass);
+    const auto swings = stores.swings.swingsOf(compass);
     if (!swings || swings->empty())
         return;
-    if (const auto newest = storage.swingRecord(swings->front().id); newest && newest->swing.field)
+    if (const auto newest = stores.swings.record(swings->front().id); newest && newest->swing.field)
         m_field->showTyped(newest->swing.field->field.meridian());
 }
 

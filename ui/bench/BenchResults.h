@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/iron/BenchModel.h"
-#include "ui/storage/Storage.h"
+#include "db/stores/Stores.h"
 
 class QLabel;
 class QTableWidget;
@@ -23,7 +23,7 @@ public:
     explicit BenchResults(QWidget* parent = nullptr);
 
     /// The field of the newest swing of the compass is chosen.
-    void showFieldOf(Storage& storage, CompassId compass);
+    void showFieldOf(db::Stores& stores, CompassId compass);
     void show(const BenchModel& model);
     using QWidget::show;
 

@@ -31,7 +31,7 @@ constexpr int kPatience_ms = 300;
 IronBenchPage::IronBenchPage(EditContext& context, QUndoStack& stack, FileQuestions files, QWidget* parent)
     : QWidget(parent)
     , m_files(std::move(files))
-    , m_storage(context.storage)
+    , m_stores(context.stores)
     , m_editor(new SensorEditor(context, stack, this))
     , m_job(new BenchJob(this))
 {
@@ -127,15 +127,15 @@ void IronBenchPage::connectParts()
 
 Result<void> IronBenchPage::showCompass(CompassId id)
 {
-    const auto compass = m_storage.compass(id);
+    const auto compass = m_stores.fleet.compass(id);
     if (!compass)
         return compass.error();
-    const auto aircraft = m_storage.aircraft(compass->aircraft);
+    const auto aircraft = m_stores.fleet.aircraft(compass->aircraft);
     if (!aircraft)
         return aircraft.error();
     if (const auto opened = m_editor->open(id); !opened)
         return opened.error();
-    m_results->showFieldOf(m_storage, id);
+    m_results->showFieldOf(m_stores, id);
     m_title->setText(tr("Iron bench · %1 · %2").arg(toText(aircraft->registration), toText(compass->name)));
     return {};
 }

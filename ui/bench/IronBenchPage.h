@@ -29,7 +29,7 @@ public:
     /// A line that loses the focus with its window must not tell a page that is half gone.
     ~IronBenchPage() override;
 
-    /// The newest bench of the compass, or an empty one. Errors: those of Storage; what was shown stays then.
+    /// The newest bench of the compass, or an empty one. Errors: those of the stores; what was shown stays then.
     Result<void> showCompass(CompassId id);
     [[nodiscard]] CompassId compass() const { return m_editor->compass(); }
     /// What was computed last.
@@ -58,7 +58,7 @@ private:
     void say(const QString& message, bool wrong);
 
     FileQuestions m_files;
-    Storage& m_storage;
+    db::Stores& m_stores;
     SensorEditor* m_editor;
     BenchJob* m_job;
     IronBench m_bench;

@@ -12,9 +12,9 @@ constexpr int kDayLook_ms = 60'000;
 
 }
 
-DueJob::DueJob(Storage& storage, std::function<std::string()> today, QObject* parent)
+DueJob::DueJob(db::Stores& stores, std::function<std::string()> today, QObject* parent)
     : QObject(parent)
-    , m_storage(storage)
+    , m_stores(stores)
     , m_today(std::move(today))
     , m_cancelled(std::make_shared<std::atomic<bool>>(false))
 {
@@ -40,8 +40,8 @@ void DueJob::start()
     m_again = false;
     m_cancelled = std::make_shared<std::atomic<bool>>(false);
     m_day = m_today();
-    m_watcher.setFuture(QtConcurrent::run([&storage = m_storage, today = m_day, cancelled = m_cancelled]() -> Answer {
-        auto worker = storage.openForWorker();
+    m_watcher.setFuture(QtConcurrent::run([&stores = m_stores, today = m_day, cancelled = m_cancelled]() -> Answer {
+        auto worker = stores.openForWorker();
         if (!worker)
             return std::make_shared<Result<DueNews>>(worker.error());
         return std::make_shared<Result<DueNews>>(dueNews(**worker, today, [&cancelled](double) { return !cancelled->load(); }));

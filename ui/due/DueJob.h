@@ -19,7 +19,7 @@ class DueJob : public QObject {
 
 public:
     /// @param today ISO 8601, UTC.
-    DueJob(Storage& storage, std::function<std::string()> today, QObject* parent = nullptr);
+    DueJob(db::Stores& stores, std::function<std::string()> today, QObject* parent = nullptr);
     ~DueJob() override; ///< waits: the worker holds a connection
 
     void start();
@@ -34,7 +34,7 @@ private:
     using Answer = std::shared_ptr<Result<DueNews>>;
     void finish();
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     std::function<std::string()> m_today;
     QFutureWatcher<Answer> m_watcher;
     std::shared_ptr<std::atomic<bool>> m_cancelled;

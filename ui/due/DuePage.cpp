@@ -45,9 +45,9 @@ void plain(QTableWidget& table, const char* name, const QStringList& heads)
 
 } // namespace
 
-DuePage::DuePage(Storage& storage, std::function<std::string()> today, FileQuestions questions, QWidget* parent)
+DuePage::DuePage(db::Stores& stores, std::function<std::string()> today, FileQuestions questions, QWidget* parent)
     : QWidget(parent)
-    , m_storage(storage)
+    , m_stores(stores)
     , m_today(std::move(today))
     , m_questions(std::move(questions))
     , m_state(new QComboBox)
@@ -60,7 +60,7 @@ DuePage::DuePage(Storage& storage, std::function<std::string()> today, FileQuest
     , m_by(new QLineEdit)
     , m_waive(new QPushButton(tr("&Waive")))
     , m_open(new QPushButton(tr("&Open the compass")))
-    , m_rules(new DueRulesTable(storage))
+    , m_rules(new DueRulesTable(stores))
 {
     build();
 }
@@ -104,7 +104,7 @@ QWidget* DuePage::buildList()
     m_open->setObjectName(QStringLiteral("dueOpen"));
     m_open->setToolTip(tr("Its page, where swings are begun and events recorded"));
     for (QWidget* part : {static_cast<QWidget*>(m_reason), static_cast<QWidget*>(m_by)})
-        part->setEnabled(!m_storage.readOnly());
+        part->setEnabled(!m_stores.readOnly());
     auto* filters = new QHBoxLayout;
     for (QWidget* part :
         {static_cast<QWidget*>(m_state), static_cast<QWidget*>(m_type), static_cast<QWidget*>(m_words), static_cast<QWidget*>(calendar)})
@@ -246,7 +246,7 @@ const DueFlag* DuePage::currentFlag() const
 void DuePage::offerWaiver()
 {
     const DueFlag* flag = currentFlag();
-    m_waive->setEnabled(flag && !flag->event.empty() && !m_storage.readOnly());
+    m_waive->setEnabled(flag && !flag->event.empty() && !m_stores.readOnly());
 }
 
 /// The flag that was chosen stays chosen; else the first that can be waived is.
@@ -293,7 +293,7 @@ void DuePage::waive()
         emit failed(tr("A waiver is kept for ever: state why no swing is needed, and who answers for it."));
         return;
     }
-    if (const auto stored = m_storage.save(waiver); !stored) {
+    if (const auto stored = m_stores.due.add(waiver); !stored) {
         emit failed(messageOf(stored.error()));
         return;
     }

@@ -25,7 +25,7 @@ class DuePage : public QWidget {
 
 public:
     /// @param today ISO 8601, UTC.
-    DuePage(Storage& storage, std::function<std::string()> today, FileQuestions questions, QWidget* parent = nullptr);
+    DuePage(db::Stores& stores, std::function<std::string()> today, FileQuestions questions, QWidget* parent = nullptr);
     using QWidget::show;
     void show(std::shared_ptr<const DueNews> news);
 
@@ -47,7 +47,7 @@ private:
     [[nodiscard]] const DueLine* current() const;
     [[nodiscard]] const DueFlag* currentFlag() const;
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     std::function<std::string()> m_today;
     FileQuestions m_questions;
     std::shared_ptr<const DueNews> m_news;

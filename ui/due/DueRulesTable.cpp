@@ -30,9 +30,9 @@ Result<int> wholeNumber(const QString& text, int least, const QString& what)
 
 } // namespace
 
-DueRulesTable::DueRulesTable(Storage& storage, QWidget* parent)
+DueRulesTable::DueRulesTable(db::Stores& stores, QWidget* parent)
     : QWidget(parent)
-    , m_storage(storage)
+    , m_stores(stores)
     , m_table(new QTableWidget(0, kRuleColumns))
     , m_remove(new QPushButton(tr("&Remove the rule")))
     , m_known(new QPushButton(tr("Take over &known rules")))
@@ -60,8 +60,8 @@ DueRulesTable::DueRulesTable(Storage& storage, QWidget* parent)
 
 void DueRulesTable::reload()
 {
-    auto rules = m_storage.dueRules();
-    const auto compasses = m_storage.dueCompasses();
+    auto rules = m_stores.due.rules();
+    const auto compasses = m_stores.due.compasses();
     if (!rules || !compasses) {
         emit failed(messageOf(rules ? compasses.error() : rules.error()));
         return;
@@ -77,7 +77,7 @@ void DueRulesTable::reload()
 void DueRulesTable::fill()
 {
     const QSignalBlocker quiet(m_table);
-    const bool writable = !m_storage.readOnly();
+    const bool writable = !m_stores.readOnly();
     m_table->setRowCount(static_cast<int>(m_rules.size()) + (writable ? 1 : 0));
     m_table->setEditTriggers(writable
             ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed
@@ -107,7 +107,9 @@ void DueRulesTable::takeCell(int row, int column)
     if (!item)
         return;
     const QString text = item->text().trimmed();
-    DueRule rule = row < static_cast<int>(m_rules.size()) ? m_rules[static_cast<std::size_t>(row)] : DueRule();
+    const bool known = row < static_cast<int>(m_rules.size());
+    const DueRule before = known ? m_rules[static_cast<std::size_t>(row)] : DueRule();
+    DueRule rule = before;
     if (row >= static_cast<int>(m_rules.size()) && column != Name)
         return; // a rule begins with its name
     Result<int> number = 0;
@@ -141,7 +143,9 @@ void DueRulesTable::takeCell(int row, int column)
     }
     default: break;
     }
-    const auto stored = number ? m_storage.save(rule) : Result<void>(number.error());
+    const auto stored = !number ? Result<void>(number.error())
+        : known                 ? m_stores.due.change(before, rule)
+                                : noValue(m_stores.due.add(rule));
     if (!stored)
         emit failed(messageOf(stored.error()));
     reload();
@@ -152,7 +156,7 @@ void DueRulesTable::remove()
     const int row = m_table->currentRow();
     if (row < 0 || row >= static_cast<int>(m_rules.size()))
         return;
-    if (const auto removed = m_storage.removeDueRule(m_rules[static_cast<std::size_t>(row)].record); !removed)
+    if (const auto removed = m_stores.due.removeRule(m_rules[static_cast<std::size_t>(row)].record); !removed)
         emit failed(messageOf(removed.error()));
     reload();
 }
@@ -163,7 +167,7 @@ void DueRulesTable::addKnown()
         const bool there = std::any_of(m_rules.begin(), m_rules.end(), [&](const DueRule& rule) { return rule.name == known.name; });
         if (there)
             continue;
-        if (const auto stored = m_storage.save(known); !stored)
+        if (const auto stored = m_stores.due.add(known); !stored)
             emit failed(messageOf(stored.error()));
     }
     reload();

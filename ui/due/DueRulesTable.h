@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "ui/storage/Storage.h"
+#include "db/stores/Stores.h"
 
 class QPushButton;
 class QTableWidget;
@@ -15,7 +15,7 @@ class DueRulesTable : public QWidget {
     Q_OBJECT
 
 public:
-    explicit DueRulesTable(Storage& storage, QWidget* parent = nullptr);
+    explicit DueRulesTable(db::Stores& stores, QWidget* parent = nullptr);
     void reload();
 
 signals:
@@ -27,7 +27,7 @@ private:
     void remove();
     void addKnown(); ///< those whose source was read
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     std::vector<DueRule> m_rules;
     std::vector<std::pair<RecordId, std::string>> m_typeNames;
     QTableWidget* m_table;

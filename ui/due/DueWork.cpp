@@ -9,15 +9,15 @@ namespace lubberline::ui {
 namespace {
 
 /// The last swing of the compass, where it was made elsewhere than at the base.
-Result<std::optional<SwingRecord>> lastSwingElsewhere(Storage& storage, const DueCompass& compass)
+Result<std::optional<SwingRecord>> lastSwingElsewhere(db::Stores& stores, const DueCompass& compass)
 {
-    const auto rows = storage.swingsOf(compass.compass);
+    const auto rows = stores.swings.swingsOf(compass.compass);
     if (!rows)
         return rows.error();
     for (const auto& row : *rows) {
         if (row.state != SwingState::Signed || row.superseded)
             continue;
-        auto record = storage.swingRecord(row.id);
+        auto record = stores.swings.record(row.id);
         if (!record)
             return record.error();
         if (!record->swing.site.valid() || record->swing.site == compass.base)
@@ -35,11 +35,11 @@ int DueNews::due() const
         std::count_if(lines.begin(), lines.end(), [](const DueLine& line) { return line.answer.state >= DueState::Due; }));
 }
 
-Result<DueNews> dueNews(Storage& storage, const std::string& today, const Progress& progress)
+Result<DueNews> dueNews(db::Stores& stores, const std::string& today, const Progress& progress)
 {
-    auto compasses = storage.dueCompasses();
-    auto rules = storage.dueRules();
-    auto sites = storage.sites();
+    auto compasses = stores.due.compasses();
+    auto rules = stores.due.rules();
+    auto sites = stores.sites.sites();
     if (!compasses || !rules || !sites)
         return !compasses ? compasses.error() : !rules ? rules.error() : sites.error();
     DueNews news;
@@ -51,7 +51,7 @@ Result<DueNews> dueNews(Storage& storage, const std::string& today, const Progre
         const auto base = std::find_if(sites->begin(), sites->end(), [&](const Site& site) { return site.id == compass.base; });
         if (!compass.base.valid() || base == sites->end())
             continue;
-        const auto last = lastSwingElsewhere(storage, compass);
+        const auto last = lastSwingElsewhere(stores, compass);
         if (!last)
             return last.error();
         if (!*last)

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/due/DueList.h"
-#include "ui/storage/Storage.h"
+#include "db/stores/Stores.h"
 
 namespace lubberline::ui {
 
@@ -16,7 +16,7 @@ struct DueNews {
     [[nodiscard]] int due() const;     ///< lines that are due or overdue
 };
 
-/// @param today ISO 8601. Errors: those of the storage; Cancelled.
-Result<DueNews> dueNews(Storage& storage, const std::string& today, const Progress& progress);
+/// @param today ISO 8601. Errors: those of the stores; Cancelled.
+Result<DueNews> dueNews(db::Stores& stores, const std::string& today, const Progress& progress);
 
 } // namespace lubberline::ui

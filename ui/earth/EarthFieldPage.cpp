@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 
+#include "db/stores/Stores.h"
 #include "ui/earth/FieldGridJob.h"
 #include "ui/earth/FieldValues.h"
 #include "ui/kit/FormField.h"
@@ -17,7 +18,6 @@
 #include "ui/kit/Words.h"
 #include "ui/plots/world/WorldFieldPlot.h"
 #include "ui/plots/world/WorldFieldText.h"
-#include "ui/storage/Storage.h"
 
 namespace lubberline::ui {
 
@@ -65,9 +65,9 @@ bool hasPlace(const Site& site) { return site.latitude_deg && site.longitude_deg
 
 } // namespace
 
-EarthFieldPage::EarthFieldPage(Storage& storage, ChooseFile chooseFile, QWidget* parent)
+EarthFieldPage::EarthFieldPage(db::Stores& stores, ChooseFile chooseFile, QWidget* parent)
     : QWidget(parent)
-    , m_storage(storage)
+    , m_stores(stores)
     , m_chooseFile(std::move(chooseFile))
     , m_site(choice(QStringLiteral("fieldSite")))
     , m_latitude(line(QStringLiteral("fieldLatitude"), tr("51.55 N")))
@@ -173,7 +173,7 @@ void EarthFieldPage::showEvent(QShowEvent* event)
 /// What was chosen stays chosen, as long as the site is there.
 void EarthFieldPage::loadSites()
 {
-    auto sites = m_storage.sites();
+    auto sites = m_stores.sites.sites();
     if (!sites)
         emit failed(messageOf(sites.error()));
     m_sites = sites ? std::move(sites.value()) : std::vector<Site>();

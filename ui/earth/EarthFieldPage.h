@@ -13,11 +13,14 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 
+namespace lubberline::db {
+class Stores;
+}
+
 namespace lubberline::ui {
 
 class FieldGridJob;
 class FieldValues;
-class Storage;
 class WorldFieldPlot;
 
 /// The Earth's field at a site or any other place, on a date, by a built-in model or one from a file; and a map of the world of
@@ -29,7 +32,7 @@ public:
     /// The answer is a path; empty: cancelled.
     using ChooseFile = std::function<QString(const QString& title, const QString& filter)>;
 
-    EarthFieldPage(Storage& storage, ChooseFile chooseFile, QWidget* parent = nullptr);
+    EarthFieldPage(db::Stores& stores, ChooseFile chooseFile, QWidget* parent = nullptr);
 
     /// @param label  for the map; a site of that name is chosen in the list. An empty date is today.
     void showPlace(const QString& label, const Place& place, const QString& date);
@@ -59,7 +62,7 @@ private:
     [[nodiscard]] FieldElement element() const;
     void say(const QString& message, bool wrong);
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     ChooseFile m_chooseFile;
     std::vector<Site> m_sites;        ///< those with a place
     std::vector<FieldModel> m_loaded; ///< from files

@@ -49,7 +49,7 @@ QString verdictWords(const Prediction& prediction, const std::optional<LimitsPro
 
 } // namespace
 
-PredictionPage::PredictionPage(Storage& storage, QWidget* parent) : QWidget(parent), m_storage(storage)
+PredictionPage::PredictionPage(db::Stores& stores, QWidget* parent) : QWidget(parent), m_stores(stores)
 {
     build();
     showNothing(tr("Choose a swing, then the base that the aircraft moves to."));
@@ -141,7 +141,7 @@ void PredictionPage::loadSites()
     m_site->clear();
     m_sites.clear();
     m_site->addItem(tr("(typed below)"));
-    const auto sites = m_storage.sites();
+    const auto sites = m_stores.sites.sites();
     if (!sites) {
         emit failed(messageOf(sites.error()));
         return;
@@ -157,7 +157,7 @@ void PredictionPage::loadSites()
 
 Result<void> PredictionPage::showSwing(SwingId id)
 {
-    auto record = m_storage.swingRecord(id);
+    auto record = m_stores.swings.record(id);
     if (!record)
         return record.error();
     m_record = std::move(record.value());
@@ -186,14 +186,14 @@ void PredictionPage::useSwings()
 {
     m_separation.reset();
     if (m_basis->currentIndex() == 1) {
-        const auto rows = m_storage.swingsOf(m_record.compass.id);
+        const auto rows = m_stores.swings.swingsOf(m_record.compass.id);
         if (!rows) {
             emit failed(messageOf(rows.error()));
             return;
         }
         std::vector<SwingAtPlace> swings;
         for (std::size_t i = 0; i < rows->size() && i < kMostSwings; ++i)
-            if (const auto record = m_storage.swingRecord((*rows)[i].id))
+            if (const auto record = m_stores.swings.record((*rows)[i].id))
                 if (auto swing = swingAtPlace(*record)) // what tells nothing of iron is passed over
                     swings.push_back(std::move(swing.value()));
         auto separation = separateIron(swings);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/swing/Prediction.h"
-#include "ui/storage/Storage.h"
+#include "db/stores/Stores.h"
 
 class QComboBox;
 class QLabel;
@@ -22,11 +22,11 @@ class PredictionPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PredictionPage(Storage& storage, QWidget* parent = nullptr);
+    explicit PredictionPage(db::Stores& stores, QWidget* parent = nullptr);
     /// A line that loses the focus with its window must not tell a page that is half gone.
     ~PredictionPage() override;
 
-    /// Errors: those of Storage; what was shown stays then.
+    /// Errors: those of the stores; what was shown stays then.
     Result<void> showSwing(SwingId id);
     [[nodiscard]] const std::optional<Prediction>& prediction() const { return m_there; }
 
@@ -48,7 +48,7 @@ private:
     [[nodiscard]] Result<MeridianField> fieldThere() const;
     [[nodiscard]] Result<Prediction> predictAt(const MeridianField& field) const;
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     std::vector<Site> m_sites; ///< those with a place
     SwingRecord m_record;
     std::optional<SwingAtPlace> m_swing;

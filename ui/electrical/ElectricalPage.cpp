@@ -110,9 +110,9 @@ Swing toSwing(const ElectricalSwing& electrical)
     return swing;
 }
 
-ElectricalPage::ElectricalPage(Storage& storage, std::function<std::string()> today, QWidget* parent)
+ElectricalPage::ElectricalPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent)
     : QWidget(parent)
-    , m_storage(storage)
+    , m_stores(stores)
     , m_today(std::move(today))
     , m_fields([this](const ElectricalSwing& after, const QString&) { store(after); })
     , m_title(new QLabel)
@@ -239,10 +239,10 @@ QWidget* ElectricalPage::buildSheet()
 
 Result<void> ElectricalPage::showCompass(CompassId compass)
 {
-    const auto system = m_storage.compass(compass);
+    const auto system = m_stores.fleet.compass(compass);
     if (!system)
         return system.error();
-    const auto aircraft = m_storage.aircraft(system->aircraft);
+    const auto aircraft = m_stores.fleet.aircraft(system->aircraft);
     if (!aircraft)
         return aircraft.error();
     m_compass = *system;
@@ -254,7 +254,7 @@ Result<void> ElectricalPage::showCompass(CompassId compass)
 
 void ElectricalPage::reload()
 {
-    auto swings = m_storage.electricalSwingsOf(m_compass.id);
+    auto swings = m_stores.electrical.of(m_compass.id);
     if (!swings) {
         emit failed(messageOf(swings.error()));
         return;
@@ -274,9 +274,9 @@ void ElectricalPage::reload()
 
 void ElectricalPage::showSwing()
 {
-    const bool there = m_current >= 0, editable = there && !m_storage.readOnly();
+    const bool there = m_current >= 0, editable = there && !m_stores.readOnly();
     m_fields.show(there ? current() : ElectricalSwing(), editable);
-    m_add->setEnabled(!m_storage.readOnly());
+    m_add->setEnabled(!m_stores.readOnly());
     for (QTableWidget* table : {m_fourPoints, m_headings})
         table->setEnabled(editable);
     showFourPoints();
@@ -321,7 +321,7 @@ void ElectricalPage::showHeadings()
     const QString why = made ? QString() : toText(made.error().message);
     m_plot->setPicture(pictureOf(
         record, made ? std::make_shared<const Analysis>(std::move(made.value())) : nullptr, why, nullptr, {}, AngleStyle::DecimalDegrees));
-    m_make->setEnabled(!record.swing.readings.empty() && !m_storage.readOnly());
+    m_make->setEnabled(!record.swing.readings.empty() && !m_stores.readOnly());
 }
 
 void ElectricalPage::showVerdict()
@@ -355,7 +355,10 @@ void ElectricalPage::showVerdict()
 /// On disk when the cell is left.
 void ElectricalPage::store(ElectricalSwing after)
 {
-    if (const auto stored = m_storage.save(m_compass.id, after); !stored)
+    const bool known = m_current >= 0 && current().record == after.record;
+    const auto stored
+        = known ? m_stores.electrical.change(m_compass.id, current(), after) : noValue(m_stores.electrical.add(m_compass.id, after));
+    if (!stored)
         emit failed(messageOf(stored.error()));
     reload();
 }

@@ -7,8 +7,8 @@
 
 #include <functional>
 
+#include "db/stores/Stores.h"
 #include "ui/kit/FormField.h"
-#include "ui/storage/Storage.h"
 
 class QComboBox;
 class QLabel;
@@ -24,7 +24,7 @@ class ElectricalPage : public QWidget {
 
 public:
     /// @param today ISO 8601, UTC.
-    ElectricalPage(Storage& storage, std::function<std::string()> today, QWidget* parent = nullptr);
+    ElectricalPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent = nullptr);
     Result<void> showCompass(CompassId compass);
 
 signals:
@@ -47,7 +47,7 @@ private:
     void make();
     [[nodiscard]] ElectricalSwing& current() { return m_swings[static_cast<std::size_t>(m_current)]; }
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     std::function<std::string()> m_today;
     CompassSystem m_compass;
     std::vector<ElectricalSwing> m_swings;

@@ -106,8 +106,8 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
         if (id == aircraft())
             refresh();
     };
-    connect(&context.storage, &Storage::aircraftChanged, this, changed);
-    connect(&context.storage, &Storage::fleetChanged, this, &AircraftPage::refresh);
+    connect(&context.stores.changes(), &db::Changes::aircraftChanged, this, changed);
+    connect(&context.stores.changes(), &db::Changes::fleetChanged, this, &AircraftPage::refresh);
 }
 
 QWidget* AircraftPage::buildAircraftForm()
@@ -233,7 +233,7 @@ void AircraftPage::refresh()
 
 QString AircraftPage::typeName(AircraftTypeId id) const
 {
-    const auto types = m_context.storage.types();
+    const auto types = m_context.stores.fleet.types();
     if (types)
         for (const TypeRow& type : *types)
             if (type.id == id)
@@ -243,13 +243,13 @@ QString AircraftPage::typeName(AircraftTypeId id) const
 
 Result<void> AircraftPage::load(AircraftId id, CompassId compass)
 {
-    const auto record = m_context.storage.aircraft(id);
+    const auto record = m_context.stores.fleet.aircraft(id);
     if (!record)
         return record.error();
-    auto compasses = m_context.storage.compassesOf(id);
+    auto compasses = m_context.stores.fleet.compassesOf(id);
     if (!compasses)
         return compasses.error();
-    m_aircraft.show(*record, !m_context.storage.readOnly());
+    m_aircraft.show(*record, !m_context.stores.readOnly());
     m_title->setText(typeName(record->type) + toText(record->registration) + (record->demonstration ? tr(" · DEMONSTRATION") : QString()));
     m_compasses = std::move(compasses.value());
     m_compassChoice->clear();
@@ -266,7 +266,7 @@ Result<void> AircraftPage::load(AircraftId id, CompassId compass)
 
 QString AircraftPage::siteName(SiteId id) const
 {
-    const auto sites = m_context.storage.sites();
+    const auto sites = m_context.stores.sites.sites();
     for (const Site& site : sites ? *sites : std::vector<Site>())
         if (site.id == id)
             return toText(site.name);
@@ -278,7 +278,7 @@ Result<SiteId> AircraftPage::siteNamed(const QString& name) const
 {
     if (name.isEmpty())
         return SiteId();
-    const auto sites = m_context.storage.sites();
+    const auto sites = m_context.stores.sites.sites();
     if (!sites)
         return sites.error();
     QStringList known;
@@ -293,7 +293,7 @@ Result<SiteId> AircraftPage::siteNamed(const QString& name) const
 
 void AircraftPage::loadLimits()
 {
-    auto profiles = m_context.storage.limitsProfiles();
+    auto profiles = m_context.stores.sites.limitsProfiles();
     m_profiles = profiles ? std::move(profiles.value()) : std::vector<LimitsProfile>();
     m_limits->clear();
     m_limits->addItem(tr("none set"));
@@ -305,14 +305,14 @@ void AircraftPage::loadLimits()
 
 Result<void> AircraftPage::loadCompass(CompassId id)
 {
-    const auto record = m_context.storage.compass(id);
+    const auto record = m_context.stores.fleet.compass(id);
     if (!record)
         return record.error();
-    const auto swings = m_context.storage.swingsOf(id);
+    const auto swings = m_context.stores.swings.swingsOf(id);
     if (!swings)
         return swings.error();
     loadLimits();
-    m_compass.show(*record, !m_context.storage.readOnly());
+    m_compass.show(*record, !m_context.stores.readOnly());
     for (std::size_t i = 0; i < m_compasses.size(); ++i)
         if (m_compasses[i].id == id)
             m_compassChoice->setCurrentIndex(static_cast<int>(i));

@@ -80,7 +80,7 @@ EventsPanel::EventsPanel(EditContext& context, QUndoStack& stack, QWidget* paren
 void EventsPanel::showAircraft(AircraftId aircraft)
 {
     m_aircraft = aircraft;
-    const bool editable = aircraft.valid() && !m_context.storage.readOnly();
+    const bool editable = aircraft.valid() && !m_context.stores.readOnly();
     for (QWidget* widget : {static_cast<QWidget*>(m_date), static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_cause),
              static_cast<QWidget*>(m_note), static_cast<QWidget*>(m_add)})
         widget->setEnabled(editable);
@@ -92,7 +92,7 @@ void EventsPanel::showAircraft(AircraftId aircraft)
 
 void EventsPanel::showEvents()
 {
-    auto events = m_context.storage.eventsOf(m_aircraft);
+    auto events = m_context.stores.fleet.eventsOf(m_aircraft);
     if (!events)
         m_message->setText(messageOf(events.error()));
     m_events = events ? std::move(events.value()) : std::vector<Event>();
@@ -106,7 +106,7 @@ void EventsPanel::showEvents()
         cause->addItems(dueCauseWords());
         cause->setItemText(0, tr("no"));
         cause->setCurrentIndex(static_cast<int>(event.cause));
-        cause->setEnabled(!m_context.storage.readOnly());
+        cause->setEnabled(!m_context.stores.readOnly());
         cause->setToolTip(cause->currentText());
         connect(
             cause, &QComboBox::activated, this, [this, row](int choice) { changeCause(row, choice); }, Qt::QueuedConnection);
@@ -141,7 +141,7 @@ void EventsPanel::add()
     event.cause = static_cast<DueCause>(m_cause->currentIndex());
     if (!apply(event, EventDate, m_date->text()) || !apply(event, EventKind, m_kind->text()) || !apply(event, EventNote, m_note->text()))
         return;
-    if (const auto stored = m_context.storage.save(event); !stored) {
+    if (const auto stored = m_context.stores.fleet.add(event); !stored) {
         m_message->setText(messageOf(stored.error()));
         return;
     }

@@ -51,7 +51,7 @@ QString badgeText(const QString& state, DueState due)
 
 } // namespace
 
-FleetModel::FleetModel(Storage& storage, QObject* parent) : QAbstractItemModel(parent), m_storage(storage), m_root(std::make_unique<Node>())
+FleetModel::FleetModel(db::Stores& stores, QObject* parent) : QAbstractItemModel(parent), m_stores(stores), m_root(std::make_unique<Node>())
 {
     m_root->mayHaveChildren = true;
 }
@@ -116,25 +116,25 @@ Result<std::vector<std::unique_ptr<FleetModel::Node>>> FleetModel::ask(const Nod
         return nodes.back().get();
     };
     if (std::holds_alternative<std::monostate>(parent.item)) {
-        const auto rows = m_storage.types();
+        const auto rows = m_stores.fleet.types();
         if (!rows)
             return rows.error();
         for (const TypeRow& row : *rows)
             add(row.id, toText(row.name), tr("aircraft: %1").arg(row.aircraft), row.status, row.aircraft > 0);
     } else if (const auto* type = std::get_if<AircraftTypeId>(&parent.item)) {
-        const auto rows = m_storage.aircraftOf(*type);
+        const auto rows = m_stores.fleet.aircraftOf(*type);
         if (!rows)
             return rows.error();
         for (const AircraftRow& row : *rows)
             add(row.id, toText(row.registration), row.demonstration ? tr("demonstration data: invented") : QString(), row.status, true);
     } else if (const auto* aircraft = std::get_if<AircraftId>(&parent.item)) {
-        const auto rows = m_storage.compassesOf(*aircraft);
+        const auto rows = m_stores.fleet.compassesOf(*aircraft);
         if (!rows)
             return rows.error();
         for (const CompassRow& row : *rows)
             add(row.id, toText(row.name), tr("swings: %1").arg(row.swings), row.status, row.swings > 0);
     } else if (const auto* compass = std::get_if<CompassId>(&parent.item)) {
-        const auto rows = m_storage.swingsOf(*compass);
+        const auto rows = m_stores.swings.swingsOf(*compass);
         if (!rows)
             return rows.error();
         for (const SwingRow& row : *rows)

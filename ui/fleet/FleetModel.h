@@ -1,5 +1,5 @@
 #pragma once
-/// The fleet as a tree: type → aircraft → compass → swings. Storage is asked for children only when a branch is opened, so that
+/// The fleet as a tree: type → aircraft → compass → swings. The stores are asked for children only when a branch is opened, so that
 /// a database of 100,000 swings opens as fast as an empty one.
 
 #include <QAbstractItemModel>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/due/DueList.h"
-#include "ui/storage/Storage.h"
+#include "db/stores/Stores.h"
 
 namespace lubberline::ui {
 
@@ -23,7 +23,7 @@ class FleetModel : public QAbstractItemModel {
 public:
     enum Column { Name, Badge, kColumns };
 
-    explicit FleetModel(Storage& storage, QObject* parent = nullptr);
+    explicit FleetModel(db::Stores& stores, QObject* parent = nullptr);
     ~FleetModel() override;
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -59,7 +59,7 @@ private:
     void removeMissing(Node& parent, const std::vector<std::unique_ptr<Node>>& fresh);
     void merge(Node& parent, std::vector<std::unique_ptr<Node>> fresh);
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     [[nodiscard]] DueState dueOf(const FleetItem& item) const;
     std::unique_ptr<Node> m_root;
     std::map<AircraftTypeId, DueState> m_dueTypes;

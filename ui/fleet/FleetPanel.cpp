@@ -32,10 +32,10 @@ FleetItem itemOf(const SearchHit& hit)
 
 } // namespace
 
-FleetPanel::FleetPanel(Storage& storage, QWidget* parent)
+FleetPanel::FleetPanel(db::Stores& stores, QWidget* parent)
     : QWidget(parent)
-    , m_storage(storage)
-    , m_model(new FleetModel(storage, this))
+    , m_stores(stores)
+    , m_model(new FleetModel(stores, this))
     , m_words(new QLineEdit)
     , m_stack(new QStackedWidget)
     , m_tree(new QTreeView)
@@ -62,9 +62,9 @@ FleetPanel::FleetPanel(Storage& storage, QWidget* parent)
     m_refreshSoon->setInterval(kRefreshDelay_ms);
     connect(m_refreshSoon, &QTimer::timeout, m_model, &FleetModel::refresh);
     const auto refreshSoon = [this] { m_refreshSoon->start(); };
-    connect(&storage, &Storage::swingChanged, this, refreshSoon);
-    connect(&storage, &Storage::aircraftChanged, this, refreshSoon);
-    connect(&storage, &Storage::fleetChanged, m_model, &FleetModel::refresh);
+    connect(&stores.changes(), &db::Changes::swingChanged, this, refreshSoon);
+    connect(&stores.changes(), &db::Changes::aircraftChanged, this, refreshSoon);
+    connect(&stores.changes(), &db::Changes::fleetChanged, m_model, &FleetModel::refresh);
     connect(m_model, &FleetModel::failed, this, &FleetPanel::failed);
 }
 
@@ -143,7 +143,7 @@ void FleetPanel::search()
     m_hitItems.clear();
     if (words.isEmpty())
         return;
-    const auto hits = m_storage.search(words.toStdString(), kMaxHits);
+    const auto hits = m_stores.fleet.search(words.toStdString(), kMaxHits);
     if (!hits) {
         emit failed(messageOf(hits.error()));
         return;

@@ -18,7 +18,7 @@ class FleetPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit FleetPanel(Storage& storage, QWidget* parent = nullptr);
+    explicit FleetPanel(db::Stores& stores, QWidget* parent = nullptr);
 
     /// Fills the first level: called after the window's first paint.
     void populate();
@@ -43,7 +43,7 @@ private:
     void search();
     void chooseHit(int row);
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     FleetModel* m_model;
     QLineEdit* m_words;
     QStackedWidget* m_stack;

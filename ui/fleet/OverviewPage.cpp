@@ -37,9 +37,9 @@ QTableWidgetItem* fixedItem(const QString& text)
 
 } // namespace
 
-OverviewPage::OverviewPage(Storage& storage, QWidget* parent)
+OverviewPage::OverviewPage(db::Stores& stores, QWidget* parent)
     : QWidget(parent)
-    , m_storage(storage)
+    , m_stores(stores)
     , m_title(largeLabel(QStringLiteral("overviewTitle"), 1.5))
     , m_counts(largeLabel(QStringLiteral("overviewCounts"), 1.1))
     , m_listTitle(largeLabel(QStringLiteral("overviewListTitle"), 1.1))
@@ -98,7 +98,7 @@ void OverviewPage::refresh()
 {
     m_list->setRowCount(0);
     m_listed.clear();
-    const auto types = m_storage.types();
+    const auto types = m_stores.fleet.types();
     if (!types) {
         emit failed(messageOf(types.error()));
         return;
@@ -113,7 +113,7 @@ void OverviewPage::refresh()
 void OverviewPage::fillFleet(const std::vector<TypeRow>& types)
 {
     m_title->setText(tr("Fleet"));
-    const auto totals = m_storage.totals();
+    const auto totals = m_stores.fleet.totals();
     if (!totals) {
         emit failed(messageOf(totals.error()));
         return;
@@ -126,7 +126,7 @@ void OverviewPage::fillFleet(const std::vector<TypeRow>& types)
     for (const TypeRow& type : types) {
         if (type.status != Status::OutOfLimits)
             continue;
-        const auto aircraft = m_storage.aircraftOf(type.id);
+        const auto aircraft = m_stores.fleet.aircraftOf(type.id);
         if (!aircraft) {
             emit failed(messageOf(aircraft.error()));
             return;
@@ -144,7 +144,7 @@ void OverviewPage::fillType(const TypeRow& type)
     m_title->setText(toText(type.name));
     m_counts->setText(tr("aircraft: %1").arg(type.aircraft));
     m_listTitle->setText(tr("All aircraft of this type"));
-    const auto aircraft = m_storage.aircraftOf(type.id);
+    const auto aircraft = m_stores.fleet.aircraftOf(type.id);
     if (!aircraft) {
         emit failed(messageOf(aircraft.error()));
         return;

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "ui/storage/Storage.h"
+#include "db/stores/Stores.h"
 
 class QLabel;
 class QTableWidget;
@@ -14,7 +14,7 @@ class OverviewPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit OverviewPage(Storage& storage, QWidget* parent = nullptr);
+    explicit OverviewPage(db::Stores& stores, QWidget* parent = nullptr);
 
     void showFleet();
     void showType(AircraftTypeId type);
@@ -32,7 +32,7 @@ private:
     void fillType(const TypeRow& type);
     void add(const TypeRow& type, const AircraftRow& aircraft);
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     AircraftTypeId m_type; ///< not valid: the whole fleet
     QLabel* m_title;
     QLabel* m_counts;

@@ -16,14 +16,14 @@ Result<void> ChangeSwing::store(const Swing& from, const Swing& to) const
 {
     Swing known = from, particulars = to;
     known.id = particulars.id = swing();
-    if (auto stored = storage().changeParticulars(known, particulars); !stored)
+    if (auto stored = stores().swings.change(known, particulars); !stored)
         return stored;
     for (std::size_t row = 0; row < to.readings.size(); ++row) {
         if (to.readings[row] == from.readings[row])
             continue;
         Reading before = from.readings[row], reading = to.readings[row];
         before.id = reading.id = context().readings.current(reading.id);
-        if (auto stored = storage().saveReading(particulars.id, before, reading); !stored)
+        if (auto stored = stores().swings.changeReading(particulars.id, before, reading); !stored)
             return stored;
     }
     return {};
@@ -42,11 +42,11 @@ Result<void> MakeSwing::make()
     const SwingId before = context().swings.current(m_swing.id);
     Swing whole = m_swing;
     whole.id = {};
-    const auto stored = storage().saveParticulars(whole);
+    const auto stored = stores().swings.add(whole);
     if (!stored)
         return stored.error();
     m_exists = true;
-    const auto record = storage().swingRecord(*stored);
+    const auto record = stores().swings.record(*stored);
     if (!record)
         return record.error();
     if (before.valid())
@@ -61,10 +61,10 @@ Result<void> MakeSwing::remove()
 {
     const SwingId id = swing();
     // What was entered since it was made comes back with it.
-    const auto record = storage().swingRecord(id);
+    const auto record = stores().swings.record(id);
     if (!record)
         return record.error();
-    if (auto removed = storage().removeSwing(id); !removed)
+    if (auto removed = stores().swings.remove(id); !removed)
         return removed;
     m_swing = record->swing;
     m_exists = false;

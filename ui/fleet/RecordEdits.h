@@ -21,14 +21,16 @@ public:
     [[nodiscard]] AircraftId aircraft() const override { return m_aircraft; }
 
 protected:
-    Result<void> apply() override { return store(m_after); }
-    Result<void> revert() override { return store(m_before); }
+    Result<void> apply() override { return store(m_before, m_after); }
+    Result<void> revert() override { return store(m_after, m_before); }
 
 private:
-    Result<void> store(const Record& record) const
+    Result<void> store(const Record& known, const Record& record) const
     {
-        const auto stored = storage().save(record);
-        return stored ? Result<void>() : Result<void>(stored.error());
+        if constexpr (std::is_same_v<Record, Site>)
+            return stores().sites.change(known, record);
+        else
+            return stores().fleet.change(known, record);
     }
 
     AircraftId m_aircraft;
@@ -48,6 +50,20 @@ protected:
 private:
     Result<void> store(const Swing& from, const Swing& to) const;
     Swing m_before, m_after;
+};
+
+/// A draft is completed. Undone it is opened again, which its audit trail says.
+class CompleteSwing final : public Edit {
+public:
+    CompleteSwing(EditContext& context, SwingId swing, const QString& text) : Edit(context, text), m_swing(swing) {}
+    [[nodiscard]] SwingId swing() const override { return context().swings.current(m_swing); }
+
+protected:
+    Result<void> apply() override { return stores().signing.complete(swing()); }
+    Result<void> revert() override { return stores().signing.reopen(swing(), "completion undone"); }
+
+private:
+    SwingId m_swing;
 };
 
 /// A draft swing with its readings is made (or removed: the other way round).

@@ -49,9 +49,9 @@ std::vector<Swing> otherSwings(const SwingJob& job, const JobState& state, const
 
 } // namespace
 
-GuidedPage::GuidedPage(Storage& storage, std::function<std::string()> nowUtc, QWidget* parent)
+GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent)
     : QWidget(parent)
-    , m_storage(storage)
+    , m_stores(stores)
     , m_nowUtc(std::move(nowUtc))
     , m_work(new QWidget)
     , m_pages(new QStackedWidget)
@@ -68,13 +68,13 @@ GuidedPage::GuidedPage(Storage& storage, std::function<std::string()> nowUtc, QW
     GuidedServices services;
     services.nowUtc = m_nowUtc;
     services.store = [this](const SwingJob& job, const JobEvent& event) {
-        auto stored = m_storage.appendJobEvent(m_swing, job.events.size(), event);
+        auto stored = m_stores.jobs.append(m_swing, job.events.size(), event);
         if (!stored && stored.error().code != ErrorCode::Conflict && stored.error().code != ErrorCode::Frozen)
             emit notStored(m_swing, job.events.size(), event);
         return stored;
     };
     m_job = new GuidedJob(std::move(services), this);
-    m_start = new GuidedStart(storage);
+    m_start = new GuidedStart(stores);
     m_prepare = new GuidedPrepare(*m_job);
     m_station = new GuidedStation(*m_job);
     m_review = new GuidedReview(*m_job);
@@ -194,17 +194,17 @@ Result<void> GuidedPage::begin(CompassId compass)
 
 Result<void> GuidedPage::takeUp(SwingId swing)
 {
-    auto found = m_storage.jobOf(swing);
+    auto found = m_stores.jobs.jobOf(swing);
     if (!found)
         return found.error();
     if (!*found || (*found)->swing != swing)
         return Error{ErrorCode::NotFound, tr("this swing is not a guided one").toStdString()};
-    const auto record = m_storage.swingRecord(swing);
+    const auto record = m_stores.swings.record(swing);
     if (!record)
         return record.error();
     std::shared_ptr<const Analysis> analysis;
     QString label;
-    if (const auto previous = m_storage.previousSwing(swing); previous && *previous)
+    if (const auto previous = m_stores.swings.previous(swing); previous && *previous)
         if (auto made = analyse(observationsOf(**previous))) {
             analysis = std::make_shared<const Analysis>(std::move(made.value()));
             label = toText((*previous)->date);
@@ -282,7 +282,7 @@ void GuidedPage::abandon()
         emit failed(messageOf(told.error()));
         return;
     }
-    if (const auto done = m_storage.abandonJob(m_swing); !done)
+    if (const auto done = m_stores.jobs.abandon(m_swing); !done)
         emit failed(messageOf(done.error()));
     else
         emit cancelled();
@@ -301,7 +301,7 @@ void GuidedPage::finish()
     Swing main = asLeftSwing(job, state);
     main.startUtc = job.events.empty() ? std::string() : job.events.front().timeUtc;
     main.endUtc = job.events.empty() ? std::string() : job.events.back().timeUtc;
-    if (const auto done = m_storage.finishJob(m_swing, main, otherSwings(job, state, main)); !done) {
+    if (const auto done = m_stores.jobs.finish(m_swing, main, otherSwings(job, state, main)); !done) {
         emit failed(messageOf(done.error()));
         return;
     }

@@ -5,8 +5,8 @@
 
 #include <functional>
 
+#include "db/stores/Stores.h"
 #include "ui/guided/GuidedJob.h"
-#include "ui/storage/Storage.h"
 
 class QLabel;
 class QLineEdit;
@@ -28,7 +28,7 @@ class GuidedPage : public QWidget {
 
 public:
     /// @param nowUtc ISO 8601 date and time.
-    GuidedPage(Storage& storage, std::function<std::string()> nowUtc, QWidget* parent = nullptr);
+    GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent = nullptr);
     ~GuidedPage() override;
 
     /// Asks what a new guided swing of this compass is to be.
@@ -63,7 +63,7 @@ private:
     void takeLiveDatum(double heading_deg, bool isTrue);
     void tell(job::What what);
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     std::function<std::string()> m_nowUtc;
     GuidedJob* m_job;
     SwingId m_swing;

@@ -50,9 +50,9 @@ std::optional<double> variationOf(const Swing& swing, const Site* site)
 
 } // namespace
 
-GuidedStart::GuidedStart(Storage& storage, QWidget* parent)
+GuidedStart::GuidedStart(db::Stores& stores, QWidget* parent)
     : QWidget(parent)
-    , m_storage(storage)
+    , m_stores(stores)
     , m_title(bigLabel("guidedStartTitle", kSentence_px, true))
     , m_meaning(new QLabel)
     , m_checklist(new QPlainTextEdit)
@@ -141,14 +141,14 @@ void GuidedStart::build()
 
 Result<void> GuidedStart::begin(CompassId compass, const std::string& today)
 {
-    const auto system = m_storage.compass(compass);
+    const auto system = m_stores.fleet.compass(compass);
     if (!system)
         return system.error();
-    const auto aircraft = m_storage.aircraft(system->aircraft);
+    const auto aircraft = m_stores.fleet.aircraft(system->aircraft);
     if (!aircraft)
         return aircraft.error();
-    auto sites = m_storage.sites();
-    auto instruments = m_storage.instruments();
+    auto sites = m_stores.sites.sites();
+    auto instruments = m_stores.sites.instruments();
     if (!sites || !instruments)
         return sites ? instruments.error() : sites.error();
     m_compassSystem = *system;
@@ -174,7 +174,7 @@ Result<void> GuidedStart::begin(CompassId compass, const std::string& today)
     m_checklist->setPlainText(items.join('\n'));
     m_override->clear();
     check();
-    m_start->setEnabled(!m_storage.readOnly());
+    m_start->setEnabled(!m_stores.readOnly());
     return {};
 }
 
@@ -292,7 +292,7 @@ void GuidedStart::start()
         m_complaint->setText(messageOf(swing.error()));
         return;
     }
-    const auto started = m_storage.startJob(*swing, job());
+    const auto started = m_stores.jobs.start(*swing, job());
     if (!started) {
         m_complaint->setText(messageOf(started.error()));
         return;

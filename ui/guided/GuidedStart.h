@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "core/record/SwingJob.h"
-#include "ui/storage/Storage.h"
+#include "db/stores/Stores.h"
 
 class QComboBox;
 class QFormLayout;
@@ -19,9 +19,9 @@ class GuidedStart : public QWidget {
     Q_OBJECT
 
 public:
-    GuidedStart(Storage& storage, QWidget* parent = nullptr);
+    GuidedStart(db::Stores& stores, QWidget* parent = nullptr);
 
-    /// For a compass, on a day (ISO 8601, UTC). Errors: those of the storage.
+    /// For a compass, on a day (ISO 8601, UTC). Errors: those of the stores.
     Result<void> begin(CompassId compass, const std::string& today);
 
 signals:
@@ -41,7 +41,7 @@ private:
     [[nodiscard]] const Site* site() const;
     [[nodiscard]] double paintedOffset_deg() const;
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     CompassSystem m_compassSystem;
     std::vector<Site> m_sites;
     std::vector<DatumInstrument> m_instruments;

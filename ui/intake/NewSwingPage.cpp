@@ -133,7 +133,7 @@ void NewSwingPage::begin(AircraftId aircraft, CompassId compass)
     complain({});
     m_date->setText(QDateTime::currentDateTimeUtc().date().toString(Qt::ISODate));
     loadTypes();
-    auto sites = m_context.storage.sites();
+    auto sites = m_context.stores.sites.sites();
     m_sites = sites ? std::move(sites.value()) : std::vector<Site>();
     fill(*m_site, m_sites, &Site::name);
     loadLimits();
@@ -142,7 +142,7 @@ void NewSwingPage::begin(AircraftId aircraft, CompassId compass)
 
 void NewSwingPage::loadLimits()
 {
-    auto profiles = m_context.storage.limitsProfiles();
+    auto profiles = m_context.stores.sites.limitsProfiles();
     m_profiles = profiles ? std::move(profiles.value()) : std::vector<LimitsProfile>();
     m_limits->clear();
     m_limits->addItem(tr("none set"));
@@ -155,7 +155,7 @@ void NewSwingPage::updateLimits() { m_limits->setEnabled(!named(m_compasses, typ
 
 void NewSwingPage::preselect(AircraftId aircraft, CompassId compass)
 {
-    const auto record = aircraft.valid() ? m_context.storage.aircraft(aircraft) : Result<Aircraft>(Error{});
+    const auto record = aircraft.valid() ? m_context.stores.fleet.aircraft(aircraft) : Result<Aircraft>(Error{});
     if (!record)
         return;
     for (const TypeRow& type : m_types)
@@ -169,7 +169,7 @@ void NewSwingPage::preselect(AircraftId aircraft, CompassId compass)
 
 void NewSwingPage::loadTypes()
 {
-    auto types = m_context.storage.types();
+    auto types = m_context.stores.fleet.types();
     m_types = types ? std::move(types.value()) : std::vector<TypeRow>();
     fill(*m_type, m_types, &TypeRow::name);
     loadAircraft();
@@ -179,7 +179,7 @@ void NewSwingPage::loadAircraft()
 {
     m_aircraftRows.clear();
     if (const TypeRow* type = named(m_types, typed(*m_type), &TypeRow::name))
-        if (auto rows = m_context.storage.aircraftOf(type->id); rows)
+        if (auto rows = m_context.stores.fleet.aircraftOf(type->id); rows)
             m_aircraftRows = std::move(rows.value());
     fill(*m_aircraft, m_aircraftRows, &AircraftRow::registration);
     loadCompasses();
@@ -189,7 +189,7 @@ void NewSwingPage::loadCompasses()
 {
     m_compasses.clear();
     if (const AircraftRow* aircraft = named(m_aircraftRows, typed(*m_aircraft), &AircraftRow::registration))
-        if (auto rows = m_context.storage.compassesOf(aircraft->id); rows)
+        if (auto rows = m_context.stores.fleet.compassesOf(aircraft->id); rows)
             m_compasses = std::move(rows.value());
     const QString kept = typed(*m_compass);
     fill(*m_compass, m_compasses, &CompassRow::name);
@@ -209,7 +209,7 @@ Result<AircraftTypeId> NewSwingPage::typeChosen()
         return row->id;
     AircraftType type;
     type.name = typed(*m_type).toStdString();
-    return m_context.storage.save(type);
+    return m_context.stores.fleet.add(type);
 }
 
 Result<AircraftId> NewSwingPage::aircraftChosen()
@@ -222,7 +222,7 @@ Result<AircraftId> NewSwingPage::aircraftChosen()
     Aircraft aircraft;
     aircraft.type = *type;
     aircraft.registration = typed(*m_aircraft).toStdString();
-    return m_context.storage.save(aircraft);
+    return m_context.stores.fleet.add(aircraft);
 }
 
 Result<CompassId> NewSwingPage::compassChosen(AircraftId aircraft)
@@ -234,7 +234,7 @@ Result<CompassId> NewSwingPage::compassChosen(AircraftId aircraft)
     compass.name = typed(*m_compass).toStdString();
     if (m_limits->currentIndex() > 0)
         compass.limits = m_profiles[static_cast<std::size_t>(m_limits->currentIndex()) - 1].id;
-    return m_context.storage.save(compass);
+    return m_context.stores.fleet.add(compass);
 }
 
 Result<SiteId> NewSwingPage::siteChosen()
@@ -245,7 +245,7 @@ Result<SiteId> NewSwingPage::siteChosen()
         return site->id;
     Site site;
     site.name = typed(*m_site).toStdString();
-    return m_context.storage.save(site);
+    return m_context.stores.sites.add(site);
 }
 
 Result<SwingId> NewSwingPage::store()

@@ -77,9 +77,9 @@ QString cutWords(const NmeaSwing& read, const NmeaOptions& options)
 
 } // namespace
 
-NmeaImportPage::NmeaImportPage(Storage& storage, FileQuestions questions, QWidget* parent)
+NmeaImportPage::NmeaImportPage(db::Stores& stores, FileQuestions questions, QWidget* parent)
     : QWidget(parent)
-    , m_storage(storage)
+    , m_stores(stores)
     , m_questions(std::move(questions))
     , m_title(new QLabel)
     , m_summary(new QLabel)
@@ -171,10 +171,10 @@ void NmeaImportPage::build()
 
 Result<void> NmeaImportPage::showCompass(CompassId compass)
 {
-    const auto system = m_storage.compass(compass);
+    const auto system = m_stores.fleet.compass(compass);
     if (!system)
         return system.error();
-    const auto aircraft = m_storage.aircraft(system->aircraft);
+    const auto aircraft = m_stores.fleet.aircraft(system->aircraft);
     if (!aircraft)
         return aircraft.error();
     if (m_compass.id != system->id) { // a log is of one aircraft
@@ -282,7 +282,7 @@ void NmeaImportPage::showAnswer()
         lines += why;
     m_summary->setText(lines.join('\n'));
     m_plot->setPicture(pictureOf(record, analysis, why, nullptr, {}, AngleStyle::DecimalDegrees));
-    m_make->setEnabled(read.used > 0 && !m_storage.readOnly());
+    m_make->setEnabled(read.used > 0 && !m_stores.readOnly());
 }
 
 void NmeaImportPage::make()

@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "core/nmea/NmeaSwing.h"
+#include "db/stores/Stores.h"
 #include "ui/kit/FileQuestions.h"
-#include "ui/storage/Storage.h"
 
 class QComboBox;
 class QLabel;
@@ -24,10 +24,10 @@ class NmeaImportPage : public QWidget {
     Q_OBJECT
 
 public:
-    NmeaImportPage(Storage& storage, FileQuestions questions, QWidget* parent = nullptr);
+    NmeaImportPage(db::Stores& stores, FileQuestions questions, QWidget* parent = nullptr);
     ~NmeaImportPage() override;
 
-    /// The compass that the swing is to be of. Errors: those of the storage.
+    /// The compass that the swing is to be of. Errors: those of the stores.
     Result<void> showCompass(CompassId compass);
     void readLog(const QString& path);
 
@@ -46,7 +46,7 @@ private:
     void make();
     [[nodiscard]] Result<NmeaOptions> options() const;
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     FileQuestions m_questions;
     CompassSystem m_compass;
     QString m_path;

@@ -5,11 +5,11 @@
 #include <functional>
 #include <unordered_map>
 
-#include "ui/storage/Storage.h"
+#include "db/stores/Stores.h"
 
 namespace lubberline::ui {
 
-/// A record that is restored gets a new id from storage; earlier commands of the stack still hold the old one.
+/// A record that is restored gets a new id from stores; earlier commands of the stack still hold the old one.
 template <class Key>
 class Renumbered {
 public:
@@ -31,7 +31,7 @@ private:
 };
 
 struct EditContext {
-    Storage& storage;
+    db::Stores& stores;
     std::function<void(const Error&)> failed;
     Renumbered<ReadingId> readings = {};
     Renumbered<SwingId> swings = {};

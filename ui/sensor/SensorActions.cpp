@@ -86,10 +86,10 @@ void SensorActions::take(const Result<SensorRecord>& estimate)
 
 void SensorActions::estimateFromNewest(Origin origin)
 {
-    take(ui::estimateFromNewest(m_parts.storage, m_parts.editor.compass(), origin, m_parts.field.field()));
+    take(ui::estimateFromNewest(m_parts.stores, m_parts.editor.compass(), origin, m_parts.field.field()));
 }
 
-void SensorActions::estimateBySeparation() { take(ui::estimateBySeparation(m_parts.storage, m_parts.editor.compass())); }
+void SensorActions::estimateBySeparation() { take(ui::estimateBySeparation(m_parts.stores, m_parts.editor.compass())); }
 
 void SensorActions::load()
 {

@@ -4,8 +4,8 @@
 #include <QWidget>
 
 #include "core/swing/IronSeparation.h"
+#include "db/stores/Stores.h"
 #include "ui/kit/FileQuestions.h"
-#include "ui/storage/Storage.h"
 
 class QPushButton;
 
@@ -19,7 +19,7 @@ class SensorActions : public QWidget {
 
 public:
     struct Parts {
-        Storage& storage;
+        db::Stores& stores;
         SensorEditor& editor;
         SensorFieldForm& field;
     };

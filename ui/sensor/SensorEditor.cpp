@@ -22,11 +22,11 @@ bool sameButSwitches(const SensorModel& before, SensorModel after)
 
 SensorEditor::SensorEditor(EditContext& context, QUndoStack& stack, QObject* parent) : QObject(parent), m_context(context), m_stack(stack)
 {
-    connect(&context.storage, &Storage::sensorsChanged, this, [this](CompassId compass) {
+    connect(&context.stores.changes(), &db::Changes::sensorsChanged, this, [this](CompassId compass) {
         if (compass == m_compass)
             follow();
     });
-    connect(&context.storage, &Storage::fleetChanged, this, [this] {
+    connect(&context.stores.changes(), &db::Changes::fleetChanged, this, [this] {
         if (m_compass.valid())
             follow(); // an import may have brought models
     });
@@ -46,7 +46,7 @@ Result<void> SensorEditor::open(CompassId compass)
 
 Result<void> SensorEditor::reload()
 {
-    auto records = m_context.storage.sensorsOf(m_compass);
+    auto records = m_context.stores.sensors.of(m_compass);
     if (!records)
         return records.error();
     m_records = std::move(records.value());

@@ -18,11 +18,11 @@ class SensorEditor : public QObject {
 public:
     SensorEditor(EditContext& context, QUndoStack& stack, QObject* parent = nullptr);
 
-    /// The newest model is chosen. Errors: those of Storage::sensorsOf(); what was open stays then.
+    /// The newest model is chosen. Errors: those of SensorStore::of(); what was open stays then.
     Result<void> open(CompassId compass);
 
     [[nodiscard]] CompassId compass() const { return m_compass; }
-    [[nodiscard]] bool editable() const { return !m_context.storage.readOnly(); }
+    [[nodiscard]] bool editable() const { return !m_context.stores.readOnly(); }
     [[nodiscard]] const std::vector<SensorRecord>& records() const { return m_records; }
     [[nodiscard]] int current() const { return m_current; } ///< −1: there is none
     [[nodiscard]] const SensorRecord* record() const { return m_current < 0 ? nullptr : &m_records[static_cast<std::size_t>(m_current)]; }

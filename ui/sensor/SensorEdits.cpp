@@ -6,7 +6,7 @@ namespace lubberline::ui {
 
 Result<SensorModelId> SensorEdit::idOf(const RecordId& record) const
 {
-    const auto sensors = storage().sensorsOf(m_compass);
+    const auto sensors = stores().sensors.of(m_compass);
     if (!sensors)
         return sensors.error();
     for (const SensorRecord& sensor : *sensors)
@@ -23,16 +23,15 @@ ChangeSensor::ChangeSensor(EditContext& context, SensorRecord before, SensorReco
     LUBBERLINE_EXPECT(!m_before.record.empty() && m_before.record == m_after.record, "one record, which is stored");
 }
 
-Result<void> ChangeSensor::store(SensorRecord sensor) const
+Result<void> ChangeSensor::store(SensorRecord known, SensorRecord sensor) const
 {
     const auto id = idOf(sensor.record);
     if (!id)
         return id.error();
     if (!id->valid())
         return Error{ErrorCode::NotFound, "there is no sensor model \"" + sensor.name + "\" any more"};
-    sensor.id = *id;
-    const auto stored = storage().save(sensor);
-    return stored ? Result<void>() : Result<void>(stored.error());
+    known.id = sensor.id = *id;
+    return stores().sensors.change(known, sensor);
 }
 
 MakeSensor::MakeSensor(EditContext& context, SensorRecord sensor, Direction direction, const QString& text)
@@ -48,7 +47,7 @@ Result<void> MakeSensor::make() const
 {
     SensorRecord sensor = m_sensor;
     sensor.id = {};
-    const auto stored = storage().save(sensor);
+    const auto stored = stores().sensors.add(sensor);
     return stored ? Result<void>() : Result<void>(stored.error());
 }
 
@@ -57,7 +56,7 @@ Result<void> MakeSensor::remove() const
     const auto id = idOf(m_sensor.record);
     if (!id)
         return id.error();
-    return id->valid() ? storage().removeSensor(*id)
+    return id->valid() ? stores().sensors.remove(*id)
                        : Result<void>(Error{ErrorCode::NotFound, "there is no sensor model \"" + m_sensor.name + "\" any more"});
 }
 

@@ -12,7 +12,7 @@ public:
     [[nodiscard]] CompassId sensorsOf() const override { return m_compass; }
 
 protected:
-    /// Not valid: storage has no such model. Errors: those of Storage::sensorsOf().
+    /// Not valid: storage has no such model. Errors: those of SensorStore::of().
     Result<SensorModelId> idOf(const RecordId& record) const;
 
 private:
@@ -26,11 +26,11 @@ public:
     ChangeSensor(EditContext& context, SensorRecord before, SensorRecord after, const QString& text);
 
 protected:
-    Result<void> apply() override { return store(m_after); }
-    Result<void> revert() override { return store(m_before); }
+    Result<void> apply() override { return store(m_before, m_after); }
+    Result<void> revert() override { return store(m_after, m_before); }
 
 private:
-    Result<void> store(SensorRecord sensor) const;
+    Result<void> store(SensorRecord known, SensorRecord sensor) const;
     SensorRecord m_before, m_after;
 };
 

@@ -40,14 +40,14 @@ std::optional<EstimatedSwing> estimated(const SwingRecord& record)
 
 /// Newest first; `enough` ends the search.
 Result<std::vector<EstimatedSwing>> swingsOf(
-    Storage& storage, CompassId compass, const std::function<bool(const std::vector<EstimatedSwing>&)>& enough)
+    db::Stores& stores, CompassId compass, const std::function<bool(const std::vector<EstimatedSwing>&)>& enough)
 {
-    const auto rows = storage.swingsOf(compass);
+    const auto rows = stores.swings.swingsOf(compass);
     if (!rows)
         return rows.error();
     std::vector<EstimatedSwing> swings;
     for (std::size_t i = 0; i < std::min(rows->size(), kMostSwings) && !enough(swings); ++i) {
-        const auto record = storage.swingRecord((*rows)[i].id);
+        const auto record = stores.swings.record((*rows)[i].id);
         if (!record)
             return record.error();
         if (auto swing = estimated(*record))
@@ -101,9 +101,9 @@ QString separationNote(const IronSeparation& separation, const std::vector<Swing
 
 } // namespace
 
-Result<SensorRecord> estimateFromNewest(Storage& storage, CompassId compass, Origin origin, const Result<MeridianField>& field)
+Result<SensorRecord> estimateFromNewest(db::Stores& stores, CompassId compass, Origin origin, const Result<MeridianField>& field)
 {
-    auto swings = swingsOf(storage, compass, [](const auto& found) { return !found.empty(); });
+    auto swings = swingsOf(stores, compass, [](const auto& found) { return !found.empty(); });
     if (!swings)
         return swings.error();
     if (swings->empty())
@@ -128,9 +128,9 @@ Result<SensorRecord> estimateFromNewest(Storage& storage, CompassId compass, Ori
     return recordOf(SensorEstimateTexts::tr("%1, %2").arg(label, kind), note, std::move(model.value()));
 }
 
-Result<SensorRecord> estimateBySeparation(Storage& storage, CompassId compass)
+Result<SensorRecord> estimateBySeparation(db::Stores& stores, CompassId compass)
 {
-    const auto found = swingsOf(storage, compass, [](const auto&) { return false; });
+    const auto found = swingsOf(stores, compass, [](const auto&) { return false; });
     if (!found)
         return found.error();
     const auto swings = newestOfEachPlace(*found);

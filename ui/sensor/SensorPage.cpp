@@ -64,7 +64,7 @@ SensorPage::SensorPage(EditContext& context, QUndoStack& stack, FileQuestions fi
 
 QWidget* SensorPage::buildFigures(FileQuestions files)
 {
-    m_actions = new SensorActions({m_context.storage, *m_editor, *m_field}, std::move(files));
+    m_actions = new SensorActions({m_context.stores, *m_editor, *m_field}, std::move(files));
     auto* field = new QGroupBox(tr("Earth's field"));
     auto* fieldLayout = new QVBoxLayout(field);
     fieldLayout->setContentsMargins(6, 4, 6, 4);
@@ -131,7 +131,7 @@ void SensorPage::connectParts()
     connect(m_maps, &SensorMaps::readOut, this, &SensorPage::readOut);
     connect(m_maps, &SensorMaps::failed, this, &SensorPage::failed);
     connect(&m_soon, &QTimer::timeout, this, [this] { showViews(true); });
-    connect(&m_context.storage, &Storage::fleetChanged, this, &SensorPage::followSites);
+    connect(&m_context.stores.changes(), &db::Changes::fleetChanged, this, &SensorPage::followSites);
 }
 
 CompassId SensorPage::compass() const { return m_editor->compass(); }
@@ -148,30 +148,30 @@ Result<void> SensorPage::showCompass(CompassId id)
 
 Result<void> SensorPage::showParticulars(CompassId id)
 {
-    const auto record = m_context.storage.compass(id);
+    const auto record = m_context.stores.fleet.compass(id);
     if (!record)
         return record.error();
-    const auto aircraft = m_context.storage.aircraft(record->aircraft);
+    const auto aircraft = m_context.stores.fleet.aircraft(record->aircraft);
     if (!aircraft)
         return aircraft.error();
     m_title->setText(tr("Sensor model · %1 · %2").arg(toText(aircraft->registration), toText(record->name))
         + (aircraft->demonstration ? tr(" · DEMONSTRATION") : QString()));
     m_limits.reset();
-    if (const auto profiles = m_context.storage.limitsProfiles())
+    if (const auto profiles = m_context.stores.sites.limitsProfiles())
         for (const LimitsProfile& profile : *profiles)
             if (profile.id == record->limits)
                 m_limits = profile;
-    if (const auto sites = m_context.storage.sites())
+    if (const auto sites = m_context.stores.sites.sites())
         m_field->setSites(*sites);
     return {};
 }
 
 void SensorPage::showField(CompassId id)
 {
-    const auto swings = m_context.storage.swingsOf(id);
+    const auto swings = m_context.stores.swings.swingsOf(id);
     if (!swings || swings->empty())
         return;
-    const auto newest = m_context.storage.swingRecord(swings->front().id);
+    const auto newest = m_context.stores.swings.record(swings->front().id);
     if (!newest || !newest->swing.field)
         return;
     if (newest->site && newest->site->latitude_deg && newest->site->longitude_deg)

@@ -30,7 +30,7 @@ class SensorPage : public QWidget {
 public:
     SensorPage(EditContext& context, QUndoStack& stack, FileQuestions files, QWidget* parent = nullptr);
 
-    /// Its newest model, in the field of its newest swing. Errors: those of Storage; what was shown stays then.
+    /// Its newest model, in the field of its newest swing. Errors: those of the stores; what was shown stays then.
     Result<void> showCompass(CompassId id);
     [[nodiscard]] CompassId compass() const;
     [[nodiscard]] SensorEditor& editor() { return *m_editor; }

@@ -50,12 +50,12 @@ QString datumExample(const DatumInstrument& instrument)
     return text + '.';
 }
 
-InstrumentsPage::InstrumentsPage(Storage& storage, std::function<std::string()> today, QWidget* parent)
+InstrumentsPage::InstrumentsPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent)
     : QWidget(parent)
-    , m_storage(storage)
+    , m_stores(stores)
     , m_today(std::move(today))
     , m_fields([this](const DatumInstrument& after, const QString&) {
-        if (const auto stored = m_storage.save(after); !stored)
+        if (const auto stored = m_stores.sites.change(m_fields.record(), after); !stored)
             emit failed(messageOf(stored.error()));
         reload();
     })
@@ -155,7 +155,7 @@ void InstrumentsPage::build()
 
 void InstrumentsPage::reload()
 {
-    auto instruments = m_storage.instruments();
+    auto instruments = m_stores.sites.instruments();
     if (!instruments) {
         emit failed(messageOf(instruments.error()));
         return;
@@ -179,9 +179,9 @@ void InstrumentsPage::showInstrument()
     const int row = m_list->currentRow();
     const bool there = row >= 0 && row < static_cast<int>(m_instruments.size());
     const DatumInstrument instrument = there ? m_instruments[static_cast<std::size_t>(row)] : DatumInstrument();
-    m_fields.show(instrument, there && !m_storage.readOnly());
-    m_add->setEnabled(!m_storage.readOnly());
-    m_remove->setEnabled(there && !m_storage.readOnly());
+    m_fields.show(instrument, there && !m_stores.readOnly());
+    m_add->setEnabled(!m_stores.readOnly());
+    m_remove->setEnabled(there && !m_stores.readOnly());
     m_example->setText(there ? datumExample(instrument) : tr("No instrument yet."));
     m_state->setText(!there || !calibrationOver(instrument, m_today())
             ? QString()
@@ -197,7 +197,7 @@ void InstrumentsPage::add()
          std::any_of(m_instruments.begin(), m_instruments.end(), [&](const DatumInstrument& one) { return one.name == instrument.name; });
          ++number)
         instrument.name = tr("New instrument %1").arg(number).toStdString();
-    if (const auto stored = m_storage.save(instrument); !stored) {
+    if (const auto stored = m_stores.sites.add(instrument); !stored) {
         emit failed(messageOf(stored.error()));
         return;
     }
@@ -210,7 +210,7 @@ void InstrumentsPage::add()
 
 void InstrumentsPage::remove()
 {
-    if (const auto removed = m_storage.removeInstrument(m_fields.record().record); !removed)
+    if (const auto removed = m_stores.sites.removeInstrument(m_fields.record().record); !removed)
         emit failed(messageOf(removed.error()));
     reload();
 }

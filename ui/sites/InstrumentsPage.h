@@ -5,8 +5,8 @@
 
 #include <functional>
 
+#include "db/stores/Stores.h"
 #include "ui/kit/FormField.h"
-#include "ui/storage/Storage.h"
 
 class QLabel;
 class QListWidget;
@@ -24,7 +24,7 @@ class InstrumentsPage : public QWidget {
 
 public:
     /// @param today ISO 8601, UTC.
-    InstrumentsPage(Storage& storage, std::function<std::string()> today, QWidget* parent = nullptr);
+    InstrumentsPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent = nullptr);
     void reload();
 
 signals:
@@ -36,7 +36,7 @@ private:
     void add();
     void remove();
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     std::function<std::string()> m_today;
     std::vector<DatumInstrument> m_instruments;
     FormFields<DatumInstrument> m_fields;

@@ -166,7 +166,7 @@ void SitesPage::build()
     auto* pasting = new QShortcut(QKeySequence::Paste, m_table);
     pasting->setContext(Qt::WidgetShortcut);
     connect(pasting, &QShortcut::activated, this, &SitesPage::paste);
-    connect(&m_context.storage, &Storage::sitesChanged, this, [this] {
+    connect(&m_context.stores.changes(), &db::Changes::sitesChanged, this, [this] {
         if (isVisible())
             reload();
     });
@@ -233,7 +233,7 @@ void SitesPage::buildForm(QFormLayout& form)
 
 void SitesPage::reload()
 {
-    auto sites = m_context.storage.sites();
+    auto sites = m_context.stores.sites.sites();
     if (!sites) {
         emit failed(messageOf(sites.error()));
         return;
@@ -249,7 +249,7 @@ void SitesPage::reload()
             row = static_cast<int>(i);
     }
     m_list->setCurrentRow(row);
-    m_add->setEnabled(!m_context.storage.readOnly());
+    m_add->setEnabled(!m_context.stores.readOnly());
     showSite();
 }
 
@@ -257,7 +257,7 @@ void SitesPage::showSite()
 {
     const int row = m_list->currentRow();
     const bool there = row >= 0 && row < static_cast<int>(m_sites.size());
-    const bool editable = there && !m_context.storage.readOnly();
+    const bool editable = there && !m_context.stores.readOnly();
     m_fields.show(there ? m_sites[static_cast<std::size_t>(row)] : Site(), editable);
     m_model->setEnabled(editable && variationToday().has_value());
     m_table->setEnabled(editable);
@@ -346,7 +346,7 @@ void SitesPage::addSite()
     site.name = tr("New base").toStdString();
     for (int number = 2; std::any_of(m_sites.begin(), m_sites.end(), [&](const Site& one) { return one.name == site.name; }); ++number)
         site.name = tr("New base %1").arg(number).toStdString();
-    const auto id = m_context.storage.save(site);
+    const auto id = m_context.stores.sites.add(site);
     if (!id) {
         emit failed(messageOf(id.error()));
         return;

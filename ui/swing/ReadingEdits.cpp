@@ -9,21 +9,18 @@ namespace {
 Result<void> removeRows(EditContext& context, SwingId swing, const std::vector<PlacedReading>& rows, std::size_t count)
 {
     for (std::size_t i = count; i-- > 0;)
-        if (auto removed = context.storage.removeReading(swing, context.readings.current(rows[i].reading.id)); !removed)
+        if (auto removed = context.stores.swings.removeReading(swing, context.readings.current(rows[i].reading.id)); !removed)
             return removed;
     return {};
 }
 
-/// All or none: rows that went in before a failure are taken out again.
 Result<void> insertRows(EditContext& context, SwingId swing, std::vector<PlacedReading>& rows)
 {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const ReadingId before = context.readings.current(rows[i].reading.id);
-        const auto stored = context.storage.insertReading(swing, rows[i].position, rows[i].reading);
-        if (!stored) {
-            (void)removeRows(context, swing, rows, i);
+        const auto stored = context.stores.swings.insertReading(swing, rows[i].position, rows[i].reading);
+        if (!stored)
             return stored.error();
-        }
         if (before.valid())
             context.readings.replace(before, *stored);
         rows[i].reading.id = *stored;
@@ -43,7 +40,7 @@ ChangeReading::ChangeReading(EditContext& context, SwingId swing, Reading before
 Result<void> ChangeReading::store(Reading from, Reading to) const
 {
     from.id = to.id = context().readings.current(to.id);
-    return storage().saveReading(swing(), from, to);
+    return stores().swings.changeReading(swing(), from, to);
 }
 
 InsertReadings::InsertReadings(EditContext& context, SwingId swing, std::vector<PlacedReading> rows, const QString& text)

@@ -157,7 +157,7 @@ void SigningPanel::showState()
     if (m_record.swing.revision > 1)
         revision = tr(" · revision %1, because: %2").arg(m_record.swing.revision).arg(toText(m_record.swing.amendment).toHtmlEscaped());
     m_strip->setText(steps.join(QStringLiteral(" → ")) + revision);
-    const bool writable = !m_context.storage.readOnly();
+    const bool writable = !m_context.stores.readOnly();
     m_change->setText(state == SwingState::Draft ? tr("&Complete") : tr("Open a&gain"));
     m_change->setVisible(writable && state != SwingState::Signed);
     m_reason->setVisible(writable && state != SwingState::Draft);
@@ -169,7 +169,7 @@ void SigningPanel::showState()
 void SigningPanel::showSignatures()
 {
     m_signatures->setRowCount(0);
-    const auto hold = m_context.storage.signaturesHold(m_record.swing.id);
+    const auto hold = m_context.stores.signing.hold(m_record.swing.id);
     const auto& signatures = m_record.swing.signatures;
     for (std::size_t i = 0; i < signatures.size(); ++i) {
         const auto& one = signatures[i];
@@ -187,9 +187,9 @@ void SigningPanel::showDifferences()
 {
     m_differences->setRowCount(0);
     if (!m_record.swing.supersedes.empty()) {
-        const auto rows = m_context.storage.swingsOf(m_record.compass.id);
+        const auto rows = m_context.stores.swings.swingsOf(m_record.compass.id);
         for (const auto& row : rows ? *rows : std::vector<SwingRow>()) {
-            const auto other = m_context.storage.swingRecord(row.id);
+            const auto other = m_context.stores.swings.record(row.id);
             if (!other || other->swing.record != m_record.swing.supersedes)
                 continue;
             for (const auto& one : differencesBetween(other->swing, m_record.swing))
@@ -205,7 +205,7 @@ void SigningPanel::showAudit()
     m_showAudit->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
     m_audit->setRowCount(0);
     if (shown) {
-        const auto rows = m_context.storage.auditOf(m_record.swing.record);
+        const auto rows = m_context.stores.signing.auditOf(m_record.swing.record);
         for (const auto& row : rows ? *rows : std::vector<AuditRow>())
             addRow(*m_audit, {toText(row.timeUtc), toText(row.what), toText(row.detail)});
     }
@@ -225,9 +225,9 @@ void SigningPanel::changeState()
 {
     const SwingId id = m_record.swing.id;
     if (m_record.swing.state == SwingState::Draft)
-        done(m_context.storage.complete(id));
+        done(m_context.stores.signing.complete(id));
     else
-        done(m_context.storage.reopen(id, m_reason->text().trimmed().toStdString()));
+        done(m_context.stores.signing.reopen(id, m_reason->text().trimmed().toStdString()));
 }
 
 void SigningPanel::sign()
@@ -236,7 +236,7 @@ void SigningPanel::sign()
     signature.role = static_cast<SignatureRole>(m_role->currentIndex());
     signature.name = m_name->text().trimmed().toStdString();
     signature.licence = m_licence->text().trimmed().toStdString();
-    if (done(m_context.storage.sign(m_record.swing.id, std::move(signature)))) {
+    if (done(m_context.stores.signing.sign(m_record.swing.id, std::move(signature)))) {
         m_name->clear();
         m_licence->clear();
         m_name->setFocus();
@@ -245,7 +245,7 @@ void SigningPanel::sign()
 
 void SigningPanel::amend()
 {
-    const auto made = m_context.storage.amend(m_record.swing.id, m_reason->text().trimmed().toStdString());
+    const auto made = m_context.stores.signing.amend(m_record.swing.id, m_reason->text().trimmed().toStdString());
     if (!made) {
         emit failed(messageOf(made.error()));
         m_reason->setFocus();
@@ -254,6 +254,8 @@ void SigningPanel::amend()
     m_reason->clear();
     emit openSwing(*made);
 }
+
+void SigningPanel::askReason() { m_reason->setFocus(Qt::OtherFocusReason); }
 
 void SigningPanel::focusField()
 {

@@ -22,6 +22,7 @@ public:
     /// @param meaning what the swing says, in words: what is being signed.
     void show(const SwingRecord& record, const QString& meaning);
     void focusField();
+    void askReason(); ///< why a complete swing is opened again
 
 signals:
     void failed(const QString& message);

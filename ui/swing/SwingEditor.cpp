@@ -33,15 +33,15 @@ bool isOfTheDrive(ErrorCode code)
 
 SwingEditor::SwingEditor(EditContext& context, QUndoStack& stack, QObject* parent) : QObject(parent), m_context(context), m_stack(stack)
 {
-    connect(&context.storage, &Storage::swingChanged, this, &SwingEditor::onSwingChanged);
+    connect(&context.stores.changes(), &db::Changes::swingChanged, this, &SwingEditor::onSwingChanged);
     // An aircraft's or a compass's particulars (its limits) are part of what is shown.
-    connect(&context.storage, &Storage::aircraftChanged, this, [this] { onSwingChanged(this->id()); });
-    connect(&context.storage, &Storage::fleetChanged, this, [this] { onSwingChanged(this->id()); });
+    connect(&context.stores.changes(), &db::Changes::aircraftChanged, this, [this] { onSwingChanged(this->id()); });
+    connect(&context.stores.changes(), &db::Changes::fleetChanged, this, [this] { onSwingChanged(this->id()); });
 }
 
 Result<void> SwingEditor::open(SwingId id)
 {
-    auto record = m_context.storage.swingRecord(id);
+    auto record = m_context.stores.swings.record(id);
     if (!record)
         return record.error();
     m_record = std::move(record.value());
@@ -64,7 +64,7 @@ void SwingEditor::onSwingChanged(SwingId id)
 {
     if (!id.valid() || id != m_record.swing.id)
         return;
-    auto record = m_context.storage.swingRecord(id);
+    auto record = m_context.stores.swings.record(id);
     if (!record) {
         if (record.error().code != ErrorCode::NotFound)
             m_context.failed(record.error());
@@ -99,7 +99,7 @@ void SwingEditor::analysePrevious()
 {
     m_previous.reset();
     m_previousAnalysis.reset();
-    auto previous = m_context.storage.previousSwing(id());
+    auto previous = m_context.stores.swings.previous(id());
     if (!previous) {
         m_context.failed(previous.error());
         return;
@@ -126,7 +126,7 @@ const AnalysedReading* SwingEditor::analysed(int row) const
 
 QString SwingEditor::whyReadOnly() const
 {
-    if (m_context.storage.readOnly())
+    if (m_context.stores.readOnly())
         return tr("This database can only be read.");
     if (m_record.swing.state == SwingState::Signed)
         return tr("This swing is signed: it is frozen.");
@@ -137,7 +137,7 @@ QString SwingEditor::whyReadOnly() const
 
 bool SwingEditor::particularsEditable() const
 {
-    return id().valid() && !m_context.storage.readOnly() && m_record.swing.state != SwingState::Signed;
+    return id().valid() && !m_context.stores.readOnly() && m_record.swing.state != SwingState::Signed;
 }
 
 bool SwingEditor::run(QUndoCommand* edit)
@@ -214,12 +214,7 @@ bool SwingEditor::changeParticulars(const Swing& after, const QString& what)
     return consistent == m_record.swing || run(new ChangeSwing(m_context, m_record.swing, consistent, what));
 }
 
-bool SwingEditor::setState(SwingState state)
-{
-    Swing after = m_record.swing;
-    after.state = state;
-    return changeParticulars(after, tr("state “%1”").arg(wordFor(state)));
-}
+bool SwingEditor::complete() { return run(new CompleteSwing(m_context, id(), tr("completion"))); }
 
 bool SwingEditor::exclude(int row, const QString& reason)
 {

@@ -21,7 +21,7 @@ class SwingEditor : public QObject {
 public:
     SwingEditor(EditContext& context, QUndoStack& stack, QObject* parent = nullptr);
 
-    /// Shows another swing. Errors: those of Storage::swingRecord(); what was shown stays then.
+    /// Shows another swing. Errors: those of SwingStore::record(); what was shown stays then.
     Result<void> open(SwingId id);
     void close();
 
@@ -43,8 +43,8 @@ public:
     [[nodiscard]] bool editable() const { return id().valid() && whyReadOnly().isEmpty(); }
     /// Particulars and the state may be changed until it is signed.
     [[nodiscard]] bool particularsEditable() const;
-    [[nodiscard]] const Storage& storage() const { return m_context.storage; }
-    [[nodiscard]] Storage& storage() { return m_context.storage; }
+    [[nodiscard]] const db::Stores& stores() const { return m_context.stores; }
+    [[nodiscard]] db::Stores& stores() { return m_context.stores; }
 
     // Verbs. @return whether it is on disk; if not, failureMessage() says why (and EditContext::failed was told).
     bool changeReading(int row, const Reading& after, const QString& what);
@@ -52,7 +52,7 @@ public:
     bool removeReadings(std::vector<int> rows);
     bool layOutNominals(int points);
     bool changeParticulars(const Swing& after, const QString& what);
-    bool setState(SwingState state);
+    bool complete();                              ///< draft → complete
     bool exclude(int row, const QString& reason); ///< empty reason: counts again
     [[nodiscard]] const QString& failureMessage() const { return m_failure; }
 

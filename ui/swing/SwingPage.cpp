@@ -8,7 +8,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/record/Completeness.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/swing/CoefficientsPanel.h"
@@ -217,7 +216,7 @@ void SwingPage::showRecord()
     const QString why = m_editor->whyReadOnly();
     m_readOnly->setText(why);
     m_readOnly->setVisible(!why.isEmpty());
-    m_complete->setText(record.swing.state == SwingState::Draft ? tr("Mark &complete") : tr("Back to &draft"));
+    m_complete->setText(record.swing.state == SwingState::Draft ? tr("Mark &complete") : tr("Open &again…"));
     m_complete->setEnabled(m_editor->particularsEditable());
     showResults();
     if (m_signing && m_signing->isVisible())
@@ -352,12 +351,13 @@ void SwingPage::toggleComplete()
     m_table->leaveCell();
     if (!m_editor->particularsEditable())
         return;
-    const Swing& swing = m_editor->record().swing;
-    const std::string missing = swing.state == SwingState::Draft ? missingIn(swing) : std::string();
-    if (!missing.empty())
-        emit failed(tr("The swing is not complete: %1").arg(toText(missing)));
-    else
-        m_editor->setState(m_editor->record().swing.state == SwingState::Draft ? SwingState::Complete : SwingState::Draft);
+    if (m_editor->record().swing.state == SwingState::Draft) {
+        m_editor->complete();
+        return;
+    }
+    // Opening again wants a reason: it is given where the swing is signed.
+    m_showSigning->setChecked(true);
+    m_signing->askReason();
 }
 
 } // namespace lubberline::ui

@@ -29,7 +29,7 @@ class SwingPage : public QWidget {
 public:
     SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent = nullptr);
 
-    /// Errors: those of Storage::swingRecord(); what was shown stays then.
+    /// Errors: those of SwingStore::record(); what was shown stays then.
     Result<void> showSwing(SwingId id);
     void setAngleStyle(AngleStyle style);
 

@@ -83,7 +83,7 @@ SwingParticulars::SwingParticulars(SwingEditor& editor, QWidget* parent)
     }
     connect(&editor, &SwingEditor::opened, this, &SwingParticulars::showRecord);
     connect(&editor, &SwingEditor::changed, this, &SwingParticulars::showRecord);
-    connect(&editor.storage(), &Storage::fleetChanged, this, &SwingParticulars::showRecord);
+    connect(&editor.stores().changes(), &db::Changes::fleetChanged, this, &SwingParticulars::showRecord);
     showRecord();
 }
 
@@ -140,7 +140,7 @@ void SwingParticulars::buildPeople(QFormLayout& form)
 
 void SwingParticulars::reloadSites()
 {
-    auto sites = m_editor.storage().sites();
+    auto sites = m_editor.stores().sites.sites();
     m_sites = sites ? std::move(sites.value()) : std::vector<Site>();
     m_site->clear();
     m_site->addItem(tr("not stated"));
@@ -153,7 +153,7 @@ void SwingParticulars::showRecord()
     const SwingRecord& record = m_editor.record();
     const bool known = !record.swing.site.valid()
         || std::any_of(m_sites.begin(), m_sites.end(), [&record](const Site& site) { return site.id == record.swing.site; });
-    if (m_sites.empty() || !known || sender() == &m_editor.storage())
+    if (m_sites.empty() || !known || sender() == &m_editor.stores().changes())
         reloadSites();
     m_fields.show(record.swing, m_editor.particularsEditable());
 }

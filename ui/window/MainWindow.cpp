@@ -29,10 +29,10 @@
 
 namespace lubberline::ui {
 
-MainWindow::MainWindow(Storage& storage, WindowServices services)
-    : m_storage(storage)
+MainWindow::MainWindow(db::Stores& stores, WindowServices services)
+    : m_stores(stores)
     , m_services(std::move(services))
-    , m_context{storage,
+    , m_context{stores,
           [this](const Error& error) {
               fail(messageOf(error));
               showSaved(false);
@@ -42,7 +42,7 @@ MainWindow::MainWindow(Storage& storage, WindowServices services)
     applyTheme(m_services.settings.value("view/dark", false).toBool());
     if (m_services.settings.value("view/minutes", false).toBool())
         m_style = AngleStyle::DegreesMinutes;
-    setWindowTitle(tr("%1 – Lubberline").arg(QFileInfo(storage.location()).fileName()));
+    setWindowTitle(tr("%1 – Lubberline").arg(QFileInfo(stores.location()).fileName()));
     setWindowIcon(icon("lubberline"));
     setAcceptDrops(true);
     buildParts();
@@ -52,7 +52,7 @@ MainWindow::MainWindow(Storage& storage, WindowServices services)
     restoreGeometry(m_services.settings.value("window/geometry").toByteArray());
     restoreState(m_services.settings.value("window/state").toByteArray());
     connect(&m_stack, &QUndoStack::indexChanged, this, [this] { showSaved(true); });
-    connect(&m_storage, &Storage::fleetChanged, this, &MainWindow::afterFleetChange);
+    connect(&m_stores.changes(), &db::Changes::fleetChanged, this, &MainWindow::afterFleetChange);
     connect(&m_job, &BackgroundJob::finished, this, &MainWindow::finishJob);
     connect(&m_job, &BackgroundJob::progressed, m_progress, &ProgressStrip::setPercent);
     connect(m_progress, &ProgressStrip::cancelled, this, [this] { m_job.cancel(); });
@@ -63,7 +63,7 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::buildParts()
 {
-    m_fleet = new FleetPanel(m_storage);
+    m_fleet = new FleetPanel(m_stores);
     auto* dock = new QDockWidget(tr("Fleet"), this);
     dock->setObjectName(QStringLiteral("fleetDock"));
     dock->setWidget(m_fleet);
@@ -103,9 +103,9 @@ void MainWindow::buildStatusBar()
 
 void MainWindow::showSaved(bool saved)
 {
-    const QString state = m_storage.readOnly() ? tr("read only") : saved ? tr("all changes saved") : tr("THE LAST CHANGE WAS NOT SAVED");
-    m_saved->setText(tr("%1 · %2 · deviation = magnetic − compass, E +").arg(QFileInfo(m_storage.location()).fileName(), state));
-    m_saved->setToolTip(m_storage.location());
+    const QString state = m_stores.readOnly() ? tr("read only") : saved ? tr("all changes saved") : tr("THE LAST CHANGE WAS NOT SAVED");
+    m_saved->setText(tr("%1 · %2 · deviation = magnetic − compass, E +").arg(QFileInfo(m_stores.location()).fileName(), state));
+    m_saved->setToolTip(m_stores.location());
 }
 
 bool MainWindow::event(QEvent* event)
@@ -126,13 +126,13 @@ void MainWindow::populate()
     showHome();
     watchDue();
     offerRecovery();
-    if (m_storage.readOnly())
+    if (m_stores.readOnly())
         m_messages->add(MessagePanel::Kind::Information, tr("This database can only be read: nothing can be changed here."));
 }
 
 void MainWindow::showHome()
 {
-    const auto totals = m_storage.totals();
+    const auto totals = m_stores.fleet.totals();
     if (!totals) {
         fail(messageOf(totals.error()));
         return;
@@ -160,7 +160,7 @@ void MainWindow::go(const FleetItem& item)
     if (const auto* swing = std::get_if<SwingId>(&item))
         showSwing(*swing);
     else if (const auto* compass = std::get_if<CompassId>(&item)) {
-        if (const auto record = m_storage.compass(*compass))
+        if (const auto record = m_stores.fleet.compass(*compass))
             showAircraft(record->aircraft, *compass);
         else
             fail(messageOf(record.error()));
@@ -195,7 +195,7 @@ void MainWindow::showAircraft(AircraftId id, CompassId compass)
         return;
     }
     turnTo(aircraftPage());
-    if (const auto record = m_storage.aircraft(id)) {
+    if (const auto record = m_stores.fleet.aircraft(id)) {
         std::vector<FleetItem> path{record->type, id};
         if (compass.valid())
             path.emplace_back(compass);
@@ -273,7 +273,7 @@ OverviewPage& MainWindow::overviewPage()
 {
     if (m_overviewPage)
         return *m_overviewPage;
-    m_overviewPage = new OverviewPage(m_storage);
+    m_overviewPage = new OverviewPage(m_stores);
     m_pages->addWidget(m_overviewPage);
     connect(m_overviewPage, &OverviewPage::aircraftChosen, this, [this](AircraftId id) { showAircraft(id, {}); });
     connect(m_overviewPage, &OverviewPage::newSwingWanted, this, &MainWindow::showNewSwing);
@@ -343,7 +343,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (event->mimeData()->hasUrls() && !m_storage.readOnly() && event->mimeData()->urls().value(0).isLocalFile())
+    if (event->mimeData()->hasUrls() && !m_stores.readOnly() && event->mimeData()->urls().value(0).isLocalFile())
         event->acceptProposedAction();
 }
 

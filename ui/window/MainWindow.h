@@ -46,7 +46,7 @@ class SitesPage;
 class StartPage;
 class SwingPage;
 
-/// What the window needs from outside besides storage.
+/// What the window needs from outside besides stores.
 struct WindowServices {
     Dialogs& dialogs;
     QSettings& settings;
@@ -60,7 +60,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    MainWindow(Storage& storage, WindowServices services);
+    MainWindow(db::Stores& stores, WindowServices services);
     ~MainWindow() override;
 
     /// Shows the page of an item and marks it in the tree.
@@ -170,7 +170,7 @@ private:
     void report(const Result<void>& done, const QString& success);
     void applyAngleStyle(bool minutes);
 
-    Storage& m_storage;
+    db::Stores& m_stores;
     WindowServices m_services;
     EditContext m_context;
     QUndoStack m_stack;

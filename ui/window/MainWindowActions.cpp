@@ -119,7 +119,7 @@ void MainWindow::buildSwingMenu()
         menu, tr("&Exclude the reading…"), tr("Ctrl+E"), [this] { m_swingPage->toggleExcluded(); }, "exclude");
     menu.addSeparator();
     m_swingActions += addCommand(
-        menu, tr("Mark &complete, or back to draft"), tr("Ctrl+Return"), [this] { m_swingPage->toggleComplete(); }, "complete");
+        menu, tr("Mark &complete, or open again"), tr("Ctrl+Return"), [this] { m_swingPage->toggleComplete(); }, "complete");
     m_swingActions += addCommand(
         menu, tr("&Sign or amend"), tr("Ctrl+Shift+S"), [this] { m_swingPage->openSigning(); }, "signSwing");
     m_draftActions += addCommand(
@@ -231,7 +231,7 @@ void MainWindow::buildToolBar()
 
 void MainWindow::updateActions()
 {
-    const bool writable = !m_storage.readOnly();
+    const bool writable = !m_stores.readOnly();
     const bool swing = swingShown();
     const bool editable = swing && m_swingPage->editor().editable();
     for (QAction* action : std::as_const(m_writingActions))

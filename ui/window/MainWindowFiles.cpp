@@ -32,7 +32,7 @@ void MainWindow::importFile(const QString& path, const CsvParticulars& particula
         return;
     }
     m_importPath = path;
-    startJob(tr("Importing %1").arg(QFileInfo(path).fileName()), importing(m_storage, path, particulars));
+    startJob(tr("Importing %1").arg(QFileInfo(path).fileName()), importing(m_stores, path, particulars));
 }
 
 void MainWindow::startJob(const QString& what, const Work& work)
@@ -64,7 +64,7 @@ void MainWindow::finishJob(const Result<JobOutcome>& outcome)
             fail(messageOf(error));
     } else {
         if (outcome->fleetChanged)
-            m_storage.announceFleetChange();
+            m_stores.changes().announceFleet();
         m_messages->add(MessagePanel::Kind::Information, (QStringList(outcome->message) + outcome->warnings).join('\n'));
         if (outcome->swing.valid())
             showSwing(outcome->swing);
@@ -81,7 +81,7 @@ void MainWindow::exportExchange(bool wholeFleet)
     const AircraftId aircraft = aircraftShown();
     QString stem = tr("fleet");
     if (!wholeFleet)
-        if (const auto record = m_storage.aircraft(aircraft))
+        if (const auto record = m_stores.fleet.aircraft(aircraft))
             stem = toText(record->registration);
     const QString path
         = m_services.dialogs.saveFile(this, tr("Export"), stem + ".lubberline.json", tr("Exchange files (*.lubberline.json)"));
@@ -90,7 +90,7 @@ void MainWindow::exportExchange(bool wholeFleet)
     std::vector<AircraftId> wanted;
     if (!wholeFleet)
         wanted.push_back(aircraft);
-    startJob(tr("Exporting"), exporting(m_storage, wanted, path));
+    startJob(tr("Exporting"), exporting(m_stores, wanted, path));
 }
 
 void MainWindow::report(const Result<void>& done, const QString& success)
@@ -103,7 +103,7 @@ void MainWindow::report(const Result<void>& done, const QString& success)
 
 void MainWindow::writeReportFile()
 {
-    auto input = reportOf(m_storage, m_swingPage->editor().id(), toText(nowUtc()));
+    auto input = reportOf(m_stores, m_swingPage->editor().id(), toText(nowUtc()));
     if (!input) {
         fail(tr("No report: %1").arg(messageOf(input.error())));
         return;
@@ -117,7 +117,7 @@ void MainWindow::writeReportFile()
 
 void MainWindow::previewReport()
 {
-    auto input = reportOf(m_storage, m_swingPage->editor().id(), toText(nowUtc()));
+    auto input = reportOf(m_stores, m_swingPage->editor().id(), toText(nowUtc()));
     if (!input) {
         fail(tr("No report: %1").arg(messageOf(input.error())));
         return;
@@ -134,7 +134,7 @@ Result<CardInput> MainWindow::cardShown(int step_deg)
     CardOptions options;
     options.step_deg = step_deg;
     const bool again = m_swingPage->editor().record().swing.state == SwingState::Signed;
-    return cardOf(m_storage, m_swingPage->editor().id(), options, toText(nowUtc()), again);
+    return cardOf(m_stores, m_swingPage->editor().id(), options, toText(nowUtc()), again);
 }
 
 void MainWindow::writeCardFile(int step_deg)
@@ -165,7 +165,7 @@ void MainWindow::previewCard()
 
 void MainWindow::writeJobCardFile()
 {
-    const auto input = jobCardOf(m_storage, m_swingPage->editor().id(), toText(nowUtc()));
+    const auto input = jobCardOf(m_stores, m_swingPage->editor().id(), toText(nowUtc()));
     if (!input) {
         fail(messageOf(input.error()));
         return;
@@ -178,7 +178,7 @@ void MainWindow::writeJobCardFile()
 
 void MainWindow::write1613File()
 {
-    const auto sheet = sheet1613Of(m_storage, m_swingPage->editor().id(), toText(nowUtc()));
+    const auto sheet = sheet1613Of(m_stores, m_swingPage->editor().id(), toText(nowUtc()));
     if (!sheet) {
         fail(messageOf(sheet.error()));
         return;
@@ -192,7 +192,7 @@ void MainWindow::write1613File()
 void MainWindow::backUp()
 {
     const QString path = m_services.dialogs.saveFile(this, tr("Back up the database"),
-        QFileInfo(m_storage.location()).completeBaseName() + "-backup.lubberline", tr("Lubberline databases (*.lubberline)"));
+        QFileInfo(m_stores.location()).completeBaseName() + "-backup.lubberline", tr("Lubberline databases (*.lubberline)"));
     if (!path.isEmpty())
         report(m_services.backup(path), tr("Backup written: %1").arg(path));
 }

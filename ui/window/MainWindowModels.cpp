@@ -108,7 +108,7 @@ EarthFieldPage& MainWindow::earthFieldPage()
 {
     if (m_earthFieldPage)
         return *m_earthFieldPage;
-    m_earthFieldPage = new EarthFieldPage(m_storage, fileQuestions().open);
+    m_earthFieldPage = new EarthFieldPage(m_stores, fileQuestions().open);
     m_pages->addWidget(m_earthFieldPage);
     connect(m_earthFieldPage, &EarthFieldPage::readOut, m_readOut, &QLabel::setText);
     connect(m_earthFieldPage, &EarthFieldPage::failed, this, &MainWindow::fail);
@@ -119,7 +119,7 @@ PredictionPage& MainWindow::predictionPage()
 {
     if (m_predictionPage)
         return *m_predictionPage;
-    m_predictionPage = new PredictionPage(m_storage);
+    m_predictionPage = new PredictionPage(m_stores);
     m_pages->addWidget(m_predictionPage);
     connect(m_predictionPage, &PredictionPage::readOut, m_readOut, &QLabel::setText);
     connect(m_predictionPage, &PredictionPage::failed, this, &MainWindow::fail);

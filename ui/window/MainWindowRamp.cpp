@@ -39,7 +39,7 @@ std::string MainWindow::nowUtc() const
 
 bool MainWindow::guidedOpen(SwingId id)
 {
-    const auto jobs = m_storage.openJobs();
+    const auto jobs = m_stores.jobs.open();
     return jobs && std::any_of(jobs->begin(), jobs->end(), [id](const JobRow& job) { return job.swing == id; });
 }
 
@@ -80,7 +80,7 @@ GuidedPage& MainWindow::guidedPage()
 {
     if (m_guidedPage)
         return *m_guidedPage;
-    m_guidedPage = new GuidedPage(m_storage, [this] { return nowUtc(); });
+    m_guidedPage = new GuidedPage(m_stores, [this] { return nowUtc(); });
     m_pages->addWidget(m_guidedPage);
     connect(m_guidedPage, &GuidedPage::failed, this, &MainWindow::fail);
     connect(m_guidedPage, &GuidedPage::notStored, this, [this](SwingId, std::size_t place, const JobEvent& event) {
@@ -95,13 +95,13 @@ GuidedPage& MainWindow::guidedPage()
 void MainWindow::watchDue()
 {
     m_dueJob = new DueJob(
-        m_storage, [this] { return nowUtc().substr(0, 10); }, this);
+        m_stores, [this] { return nowUtc().substr(0, 10); }, this);
     auto* soon = new QTimer(this);
     soon->setSingleShot(true);
     soon->setInterval(kDueDelay_ms);
     connect(soon, &QTimer::timeout, m_dueJob, &DueJob::start);
-    for (const auto signal : {&Storage::fleetChanged, &Storage::dueChanged, &Storage::sitesChanged})
-        connect(&m_storage, signal, soon, qOverload<>(&QTimer::start));
+    for (const auto signal : {&db::Changes::fleetChanged, &db::Changes::dueChanged, &db::Changes::sitesChanged})
+        connect(&m_stores.changes(), signal, soon, qOverload<>(&QTimer::start));
     connect(m_dueJob, &DueJob::failed, this, &MainWindow::fail);
     connect(m_dueJob, &DueJob::ready, this, [this] {
         m_fleet->showDue(m_dueJob->news()->lines, m_dueJob->news()->due());
@@ -126,7 +126,7 @@ DuePage& MainWindow::duePage()
     if (m_duePage)
         return *m_duePage;
     m_duePage = new DuePage(
-        m_storage, [this] { return nowUtc().substr(0, 10); }, fileQuestions());
+        m_stores, [this] { return nowUtc().substr(0, 10); }, fileQuestions());
     m_pages->addWidget(m_duePage);
     connect(m_duePage, &DuePage::failed, this, &MainWindow::fail);
     connect(m_duePage, &DuePage::done, this, [this](const QString& message) { report({}, message); });
@@ -152,8 +152,8 @@ Page& MainWindow::pageOf(Page*& place, Make make)
 /// What could not be stored when the drive failed is put in when the user says so.
 void MainWindow::offerRecovery()
 {
-    const auto lost = m_recovery.entriesFor(m_storage.location());
-    if (lost.empty() || m_storage.readOnly())
+    const auto lost = m_recovery.entriesFor(m_stores.location());
+    if (lost.empty() || m_stores.readOnly())
         return;
     QStringList subjects;
     for (const auto& entry : lost)
@@ -163,7 +163,7 @@ void MainWindow::offerRecovery()
         tr("%n figures or steps could not be stored last time and were kept: %1.", nullptr, static_cast<int>(lost.size()))
             .arg(subjects.join(QStringLiteral("; "))),
         tr("Put them in"), [this] {
-            const auto restored = m_recovery.restore(m_storage);
+            const auto restored = m_recovery.restore(m_stores);
             if (restored.done > 0)
                 m_messages->add(MessagePanel::Kind::Information, tr("%n were put in.", nullptr, restored.done));
             for (const QString& failure : restored.failures)
@@ -173,7 +173,7 @@ void MainWindow::offerRecovery()
 
 void MainWindow::keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what)
 {
-    const LostEntry entry{m_storage.location().toStdString(), record.swing.id, record.swing.record,
+    const LostEntry entry{m_stores.location().toStdString(), record.swing.id, record.swing.record,
         record.aircraft.registration + ", " + record.compass.name + ", " + record.swing.date, std::move(what)};
     if (const auto kept = m_recovery.keep(entry); kept)
         m_messages->add(MessagePanel::Kind::Information, tr("What could not be stored is kept and offered at the next start."));
@@ -192,7 +192,7 @@ void MainWindow::showSites()
 void MainWindow::showInstruments()
 {
     leaveField();
-    auto& page = pageOf(m_instrumentsPage, [this] { return new InstrumentsPage(m_storage, [this] { return nowUtc().substr(0, 10); }); });
+    auto& page = pageOf(m_instrumentsPage, [this] { return new InstrumentsPage(m_stores, [this] { return nowUtc().substr(0, 10); }); });
     page.reload();
     turnTo(page);
 }
@@ -201,7 +201,7 @@ void MainWindow::showElectrical()
 {
     const CompassId compass = compassShown();
     leaveField();
-    auto& page = pageOf(m_electricalPage, [this] { return new ElectricalPage(m_storage, [this] { return nowUtc().substr(0, 10); }); });
+    auto& page = pageOf(m_electricalPage, [this] { return new ElectricalPage(m_stores, [this] { return nowUtc().substr(0, 10); }); });
     if (const auto shown = page.showCompass(compass); !shown)
         fail(messageOf(shown.error()));
     else
@@ -212,7 +212,7 @@ void MainWindow::showNmeaImport()
 {
     const CompassId compass = compassShown();
     leaveField();
-    auto& page = pageOf(m_nmeaPage, [this] { return new NmeaImportPage(m_storage, fileQuestions()); });
+    auto& page = pageOf(m_nmeaPage, [this] { return new NmeaImportPage(m_stores, fileQuestions()); });
     if (const auto shown = page.showCompass(compass); !shown)
         fail(messageOf(shown.error()));
     else

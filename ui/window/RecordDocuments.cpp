@@ -45,17 +45,17 @@ bool belongTogether(const Swing& swing, const Swing& other)
 }
 
 /// The nearest by the list's order (newest first), which is one job in practice.
-Result<std::optional<Swing>> radioPartner(Storage& storage, const SwingRecord& record)
+Result<std::optional<Swing>> radioPartner(db::Stores& stores, const SwingRecord& record)
 {
     if (record.swing.configuration.radio == RadioState::NotStated)
         return std::optional<Swing>();
-    const auto rows = storage.swingsOf(record.compass.id);
+    const auto rows = stores.swings.swingsOf(record.compass.id);
     if (!rows)
         return rows.error();
     for (const auto& row : *rows) {
         if (row.id == record.swing.id || row.superseded)
             continue;
-        auto other = storage.swingRecord(row.id);
+        auto other = stores.swings.record(row.id);
         if (!other)
             return other.error();
         if (belongTogether(record.swing, other->swing))
@@ -73,9 +73,9 @@ Result<CardColumn> columnOf(const Swing& swing, const CardOptions& options)
     return CardColumn{columnHeading(swing.configuration.radio), std::move(card.value())};
 }
 
-QString nextDue(Storage& storage, const SwingRecord& record)
+QString nextDue(db::Stores& stores, const SwingRecord& record)
 {
-    const auto rules = storage.dueRules();
+    const auto rules = stores.due.rules();
     if (!rules || record.swing.date.empty())
         return {};
     const auto rule = ruleFor(*rules, record.type.record);
@@ -83,9 +83,9 @@ QString nextDue(Storage& storage, const SwingRecord& record)
 }
 
 /// Of the guided swing that the card is of, by what its interference check read.
-Result<QStringList> loadsToName(Storage& storage, const SwingRecord& record)
+Result<QStringList> loadsToName(db::Stores& stores, const SwingRecord& record)
 {
-    const auto job = storage.jobOf(record.swing.id);
+    const auto job = stores.jobs.jobOf(record.swing.id);
     if (!job)
         return job.error();
     QStringList loads;
@@ -98,15 +98,15 @@ Result<QStringList> loadsToName(Storage& storage, const SwingRecord& record)
     return loads;
 }
 
-Result<std::optional<Swing>> withRecord(Storage& storage, CompassId compass, const RecordId& wanted)
+Result<std::optional<Swing>> withRecord(db::Stores& stores, CompassId compass, const RecordId& wanted)
 {
     if (wanted.empty())
         return std::optional<Swing>();
-    const auto rows = storage.swingsOf(compass);
+    const auto rows = stores.swings.swingsOf(compass);
     if (!rows)
         return rows.error();
     for (const auto& row : *rows) {
-        auto record = storage.swingRecord(row.id);
+        auto record = stores.swings.record(row.id);
         if (!record)
             return record.error();
         if (record->swing.record == wanted)
@@ -117,19 +117,19 @@ Result<std::optional<Swing>> withRecord(Storage& storage, CompassId compass, con
 
 } // namespace
 
-Result<ReportInput> reportOf(Storage& storage, SwingId id, const QString& madeAtUtc)
+Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& madeAtUtc)
 {
-    auto record = storage.swingRecord(id);
+    auto record = stores.swings.record(id);
     if (!record)
         return record.error();
     auto analysis = analyse(observationsOf(record->swing));
     if (!analysis)
         return analysis.error();
     widenToReadings(*analysis, readingError_rad(record->compass.resolution_deg));
-    auto previous = storage.previousSwing(id);
-    auto sensors = storage.sensorsOf(record->compass.id);
-    auto job = storage.jobOf(id);
-    auto superseded = withRecord(storage, record->compass.id, record->swing.supersedes);
+    auto previous = stores.swings.previous(id);
+    auto sensors = stores.sensors.of(record->compass.id);
+    auto job = stores.jobs.jobOf(id);
+    auto superseded = withRecord(stores, record->compass.id, record->swing.supersedes);
     if (!previous || !sensors || !job || !superseded)
         return !previous ? previous.error() : !sensors ? sensors.error() : !job ? job.error() : superseded.error();
     ReportInput input;
@@ -143,23 +143,23 @@ Result<ReportInput> reportOf(Storage& storage, SwingId id, const QString& madeAt
     return input;
 }
 
-Result<CardInput> cardOf(Storage& storage, SwingId id, const CardOptions& options, const QString& madeAtUtc, bool again)
+Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& options, const QString& madeAtUtc, bool again)
 {
-    const auto record = storage.swingRecord(id);
+    const auto record = stores.swings.record(id);
     if (!record)
         return record.error();
     const auto column = columnOf(record->swing, options);
     if (!column)
         return column.error();
     CardInput input{*record, {*column}, madeAtUtc, options};
-    input.nextDue = nextDue(storage, *record);
-    const auto loads = loadsToName(storage, *record);
+    input.nextDue = nextDue(stores, *record);
+    const auto loads = loadsToName(stores, *record);
     if (!loads)
         return loads.error();
     input.loadsToName = *loads;
     if (again && !record->swing.signatures.empty()) // before it is signed there was no card to lose
         input.reprintOf = QString::fromStdString(record->swing.signatures.back().timeUtc.substr(0, 10));
-    const auto other = radioPartner(storage, *record);
+    const auto other = radioPartner(stores, *record);
     if (!other)
         return other.error();
     if (!*other)
@@ -171,10 +171,10 @@ Result<CardInput> cardOf(Storage& storage, SwingId id, const CardOptions& option
     return input;
 }
 
-Result<JobCardInput> jobCardOf(Storage& storage, SwingId id, const QString& madeAtUtc)
+Result<JobCardInput> jobCardOf(db::Stores& stores, SwingId id, const QString& madeAtUtc)
 {
-    auto record = storage.swingRecord(id);
-    auto job = storage.jobOf(id);
+    auto record = stores.swings.record(id);
+    auto job = stores.jobs.jobOf(id);
     if (!record || !job)
         return record ? job.error() : record.error();
     JobCardInput input{std::move(record.value()), {}, madeAtUtc};
@@ -191,10 +191,10 @@ Result<JobCardInput> jobCardOf(Storage& storage, SwingId id, const QString& made
     return input;
 }
 
-Result<StyleSheet1613> sheet1613Of(Storage& storage, SwingId id, const QString& madeAtUtc)
+Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString& madeAtUtc)
 {
-    auto record = storage.swingRecord(id);
-    auto job = storage.jobOf(id);
+    auto record = stores.swings.record(id);
+    auto job = stores.jobs.jobOf(id);
     if (!record || !job)
         return record ? job.error() : record.error();
     StyleSheet1613 sheet{std::move(record.value()), {}, madeAtUtc};

@@ -1,22 +1,22 @@
 #pragma once
 /// What the documents of a stored swing are made of: for the window and for the command line.
 
+#include "db/stores/Stores.h"
 #include "ui/report/card/CardDocument.h"
 #include "ui/report/forms/JobCard.h"
 #include "ui/report/forms/StyleSheet1613.h"
 #include "ui/report/swing/Report.h"
-#include "ui/storage/Storage.h"
 
 namespace lubberline::ui {
 
 /// With last time's swing, the sensor models of the compass, the guided swing that made it, and what it amends.
-/// Errors: those of the storage; InvalidInput when the readings allow no result: it says why.
-Result<ReportInput> reportOf(Storage& storage, SwingId id, const QString& madeAtUtc);
+/// Errors: those of the stores; InvalidInput when the readings allow no result: it says why.
+Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& madeAtUtc);
 /// With a second STEER column where the compass was swung in the same week with the radio in the other state; with the day on
 /// which the next swing falls due; of a signed swing as a reprint when `again`.
-Result<CardInput> cardOf(Storage& storage, SwingId id, const CardOptions& options, const QString& madeAtUtc, bool again = false);
+Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& options, const QString& madeAtUtc, bool again = false);
 /// The blank form of the guided swing, or of the usual procedure where it is none.
-Result<JobCardInput> jobCardOf(Storage& storage, SwingId id, const QString& madeAtUtc);
-Result<StyleSheet1613> sheet1613Of(Storage& storage, SwingId id, const QString& madeAtUtc);
+Result<JobCardInput> jobCardOf(db::Stores& stores, SwingId id, const QString& madeAtUtc);
+Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString& madeAtUtc);
 
 } // namespace lubberline::ui

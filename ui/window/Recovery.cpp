@@ -110,17 +110,17 @@ QList<QByteArray> linesOf(const QString& path)
     return lines;
 }
 
-Result<void> putStep(Storage& storage, SwingId swing, const LostStep& step)
+Result<void> putStep(db::Stores& stores, SwingId swing, const LostStep& step)
 {
-    const auto job = storage.jobOf(swing);
+    const auto job = stores.jobs.jobOf(swing);
     if (!job)
         return job.error();
     if (*job && step.place < (*job)->job.events.size() && (*job)->job.events[step.place] == step.event)
         return {};
-    return storage.appendJobEvent(swing, step.place, step.event);
+    return stores.jobs.append(swing, step.place, step.event);
 }
 
-Result<void> putReading(Storage& storage, const SwingRecord& record, const LostReading& lost)
+Result<void> putReading(db::Stores& stores, const SwingRecord& record, const LostReading& lost)
 {
     const auto& rows = record.swing.readings;
     if (lost.row < static_cast<int>(rows.size())) {
@@ -130,9 +130,9 @@ Result<void> putReading(Storage& storage, const SwingRecord& record, const LostR
         after.raw = before.raw;
         after.timeUtc = before.timeUtc;
         after.extra = before.extra;
-        return storage.saveReading(record.swing.id, before, after);
+        return stores.swings.changeReading(record.swing.id, before, after);
     }
-    const auto added = storage.insertReading(record.swing.id, static_cast<int>(rows.size()), lost.reading);
+    const auto added = stores.swings.insertReading(record.swing.id, static_cast<int>(rows.size()), lost.reading);
     return added ? Result<void>() : added.error();
 }
 
@@ -160,16 +160,16 @@ std::vector<LostEntry> Recovery::entriesFor(const QString& database) const
     return entries;
 }
 
-Recovery::Restored Recovery::restore(Storage& storage) const
+Recovery::Restored Recovery::restore(db::Stores& stores) const
 {
     Restored restored;
     std::vector<LostEntry> gone;
-    for (const auto& entry : entriesFor(storage.location())) {
-        const auto record = storage.swingRecord(entry.swing);
+    for (const auto& entry : entriesFor(stores.location())) {
+        const auto record = stores.swings.record(entry.swing);
         Result<void> done = !record                        ? Result<void>(record.error())
             : record->swing.record != entry.record         ? Result<void>(Error{ErrorCode::NotFound, "the swing is no longer there"})
-            : std::holds_alternative<LostStep>(entry.what) ? putStep(storage, entry.swing, std::get<LostStep>(entry.what))
-                                                           : putReading(storage, *record, std::get<LostReading>(entry.what));
+            : std::holds_alternative<LostStep>(entry.what) ? putStep(stores, entry.swing, std::get<LostStep>(entry.what))
+                                                           : putReading(stores, *record, std::get<LostReading>(entry.what));
         if (done) {
             ++restored.done;
             gone.push_back(entry);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/record/SwingJob.h"
-#include "ui/storage/Storage.h"
+#include "db/stores/Stores.h"
 
 namespace lubberline::ui {
 
@@ -27,7 +27,7 @@ struct LostReading {
 };
 
 struct LostEntry {
-    std::string database; ///< where it belongs: Storage::location()
+    std::string database; ///< where it belongs: Stores::location()
     SwingId swing;
     RecordId record;     ///< of the swing: an id may be another swing's by then
     std::string subject; ///< whose swing it is, for people
@@ -50,7 +50,7 @@ public:
         int done = 0;
         QStringList failures;
     };
-    Restored restore(Storage& storage) const;
+    Restored restore(db::Stores& stores) const;
     void forget(const QString& database) const;
 
 private:

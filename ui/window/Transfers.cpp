@@ -5,6 +5,7 @@
 #include <QSaveFile>
 
 #include "core/format/exchange/Exchange.h"
+#include "db/transfer/Transfer.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -20,7 +21,7 @@ Progress half(const Progress& whole, int which)
     return [whole, which](double fraction) { return whole(0.5 * which + 0.5 * fraction); };
 }
 
-QString importMessage(const QString& path, const Storage::Imported& imported)
+QString importMessage(const QString& path, const db::Imported& imported)
 {
     QString message = TransferWords::tr("%1: swings imported: %2").arg(QFileInfo(path).fileName()).arg(imported.swings);
     if (imported.alreadyThere > 0)
@@ -28,15 +29,15 @@ QString importMessage(const QString& path, const Storage::Imported& imported)
     return message + ".";
 }
 
-Result<JobOutcome> importFile(const Storage& storage, const QString& path, const CsvParticulars& particulars, const Progress& progress)
+Result<JobOutcome> importFile(const db::Stores& stores, const QString& path, const CsvParticulars& particulars, const Progress& progress)
 {
     auto file = readImportFile(path, particulars, half(progress, 0));
     if (!file)
         return file.error();
-    auto own = storage.openForWorker();
+    auto own = stores.openForWorker();
     if (!own)
         return own.error();
-    const auto imported = (*own)->importFleet(file->fleet, half(progress, 1));
+    const auto imported = db::importFleet((*own)->database(), file->fleet, half(progress, 1));
     if (!imported)
         return imported.error();
     JobOutcome outcome;
@@ -59,12 +60,12 @@ Result<void> writeFile(const QString& path, const std::string& text)
 }
 
 Result<JobOutcome> exportFile(
-    const Storage& storage, const std::vector<AircraftId>& aircraft, const QString& path, const Progress& progress)
+    const db::Stores& stores, const std::vector<AircraftId>& aircraft, const QString& path, const Progress& progress)
 {
-    auto own = storage.openForWorker();
+    auto own = stores.openForWorker();
     if (!own)
         return own.error();
-    const auto fleet = (*own)->exportFleet(aircraft, progress);
+    const auto fleet = db::exportFleet((*own)->database(), aircraft, progress);
     if (!fleet)
         return fleet.error();
     if (const auto written = writeFile(path, writeExchange(*fleet)); !written)
@@ -76,14 +77,14 @@ Result<JobOutcome> exportFile(
 
 } // namespace
 
-Work importing(const Storage& storage, const QString& path, const CsvParticulars& particulars)
+Work importing(const db::Stores& stores, const QString& path, const CsvParticulars& particulars)
 {
-    return [&storage, path, particulars](const Progress& progress) { return importFile(storage, path, particulars, progress); };
+    return [&stores, path, particulars](const Progress& progress) { return importFile(stores, path, particulars, progress); };
 }
 
-Work exporting(const Storage& storage, const std::vector<AircraftId>& aircraft, const QString& path)
+Work exporting(const db::Stores& stores, const std::vector<AircraftId>& aircraft, const QString& path)
 {
-    return [&storage, aircraft, path](const Progress& progress) { return exportFile(storage, aircraft, path, progress); };
+    return [&stores, aircraft, path](const Progress& progress) { return exportFile(stores, aircraft, path, progress); };
 }
 
 } // namespace lubberline::ui

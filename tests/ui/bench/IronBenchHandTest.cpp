@@ -36,14 +36,15 @@ struct StoredBench {
         sensor.bench = bench;
         sensor.benchStates = {{"gear", "down"}};
         sensor.model = benchModel(bench, sensor.benchStates)->model;
-        static_cast<void>(*fleet.storage.save(sensor));
-        fleet.storage.isReadOnly = readOnly;
+        static_cast<void>(*fleet.stores.save(sensor));
+        if (readOnly)
+            fleet.stores.makeReadOnly();
         page.resize(1100, 800);
         page.show();
         static_cast<void>(page.showCompass(fleet.compass).ok());
         QApplication::processEvents();
     }
-    const SensorRecord& stored() { return fleet.storage.fleet().sensors.front(); }
+    SensorRecord stored() { return fleet.stores.whole().sensors.front(); }
     QTableWidget& table(const char* name) { return *page.findChild<QTableWidget*>(QString::fromLatin1(name)); }
     void press(const char* name) { page.findChild<QPushButton*>(QString::fromLatin1(name))->click(); }
     BenchDrawing& drawing() { return *page.findChild<BenchDrawing*>(); }
@@ -184,7 +185,7 @@ private slots:
         for (int i = 0; i < 10'000; ++i)
             many.bench->parts.push_back({"part " + std::to_string(i), Box{{0.1, 0.05, 0.02 + (i % 25 ? 0 : 1e-6 * i)}}, 100, {0, 0, 0}, "",
                 {{"", {i % 25 ? 2.0 + 0.001 * i : 0.15, 0.1 + 1e-6 * i, 0.1}, 0, 0, 0}}});
-        QVERIFY(open.fleet.storage.save(many).ok()); // the page follows
+        QVERIFY(open.fleet.stores.save(many).ok()); // the page follows
         auto& cancel = *open.page.findChild<QPushButton*>("benchCancel");
         QTRY_VERIFY_WITH_TIMEOUT(cancel.isVisible(), 30'000);
         int ticks = 0;

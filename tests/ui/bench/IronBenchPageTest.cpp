@@ -44,7 +44,7 @@ struct OpenBench {
     QTableWidget& table(const char* name) { return *page.findChild<QTableWidget*>(QString::fromLatin1(name)); }
     QString message() { return page.findChild<QLabel*>("benchMessage")->text(); }
     void press(const char* name) { page.findChild<QPushButton*>(QString::fromLatin1(name))->click(); }
-    const std::vector<SensorRecord>& stored() { return fleet.storage.fleet().sensors; }
+    std::vector<SensorRecord> stored() { return fleet.stores.whole().sensors; }
 };
 
 } // namespace
@@ -70,7 +70,7 @@ private slots:
         QVERIFY(open.page.showCompass(open.fleet.compass));
         open.press("benchAddPart");
         QTRY_COMPARE(open.stored().size(), std::size_t(1));
-        const SensorRecord& record = open.stored().front();
+        const SensorRecord record = open.stored().front();
         QCOMPARE(record.origin, ModelOrigin::IronBench);
         QVERIFY(record.bench);
         const auto expected = benchModel(*record.bench);
@@ -111,7 +111,7 @@ private slots:
         sensor.origin = ModelOrigin::IronBench;
         sensor.bench = someBench();
         sensor.model = benchModel(someBench())->model;
-        QVERIFY(open.fleet.storage.save(sensor));
+        QVERIFY(open.fleet.stores.save(sensor));
         QVERIFY(open.page.showCompass(open.fleet.compass));
         auto* gear = open.page.findChild<QComboBox*>("benchState_gear");
         QVERIFY(gear);
@@ -156,8 +156,9 @@ private slots:
         sensor.name = "many";
         sensor.origin = ModelOrigin::IronBench;
         sensor.bench = bench;
-        QVERIFY(open.fleet.storage.save(sensor));
-        QVERIFY(open.page.showCompass(open.fleet.compass));
+        QVERIFY(open.fleet.stores.save(sensor));
+        const auto shown = open.page.showCompass(open.fleet.compass);
+        QVERIFY2(shown, shown ? "" : describe(shown.error()).c_str());
         auto* cancel = open.page.findChild<QPushButton*>("benchCancel");
         QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible() || open.page.result(), 30'000);
         cancel->click();

@@ -14,7 +14,7 @@
 #include <QUndoStack>
 
 #include "core/due/Calendar.h"
-#include "tests/ui/MemoryStorage.h"
+#include "tests/db/TestStores.h"
 #include "ui/due/DueJob.h"
 #include "ui/due/DuePage.h"
 #include "ui/fleet/EventsPanel.h"
@@ -26,7 +26,7 @@ namespace {
 
 /// Three aircraft: one swung in 2020, one struck by lightning and landed hard since its swing, one swung lately.
 struct OpenDue {
-    MemoryStorage storage;
+    test::TestStores stores;
     AircraftId old, struck, fresh;
     std::string today = "2026-11-23";
     QString path;
@@ -44,21 +44,21 @@ struct OpenDue {
     }
     AircraftId add(const std::string& type, const std::string& registration, const std::string& swung)
     {
-        const auto& types = storage.fleet().types;
-        const auto known = std::find_if(types.begin(), types.end(), [&](const AircraftType& one) { return one.name == type; });
+        const auto types = *stores.fleet.types();
+        const auto known = std::find_if(types.begin(), types.end(), [&](const TypeRow& one) { return one.name == type; });
         AircraftType made;
         made.name = type;
         Aircraft aircraft;
-        aircraft.type = known != types.end() ? known->id : *storage.save(made);
+        aircraft.type = known != types.end() ? known->id : *stores.save(made);
         aircraft.registration = registration;
         CompassSystem compass;
-        compass.aircraft = *storage.save(aircraft);
+        compass.aircraft = *stores.save(aircraft);
         compass.name = "standby compass";
         Swing swing;
-        swing.compass = *storage.save(compass);
+        swing.compass = *stores.save(compass);
         swing.date = swung;
-        static_cast<void>(*storage.saveParticulars(swing));
-        storage.fleet().swings.back().state = SwingState::Signed;
+        swing.state = SwingState::Signed;
+        static_cast<void>(*stores.swings.add(swing));
         return compass.aircraft;
     }
     void event(AircraftId aircraft, const std::string& date, DueCause cause, const std::string& words)
@@ -68,23 +68,23 @@ struct OpenDue {
         made.date = date;
         made.cause = cause;
         made.kind = words;
-        static_cast<void>(*storage.save(made));
+        static_cast<void>(*stores.save(made));
     }
     void open()
     {
         const auto ask = [this](auto&&...) { return path; };
         page = std::make_unique<DuePage>(
-            storage, [this] { return today; }, FileQuestions{ask, ask});
+            stores, [this] { return today; }, FileQuestions{ask, ask});
         QObject::connect(page.get(), &DuePage::failed, page.get(), [this](const QString& message) { failures += message; });
         QObject::connect(page.get(), &DuePage::done, page.get(), [this](const QString& message) { told += message; });
         QObject::connect(page.get(), &DuePage::openCompass, page.get(),
             [this](AircraftId aircraft, CompassId compass) { opened.emplace_back(aircraft, compass); });
-        QObject::connect(&storage, &Storage::dueChanged, page.get(), [this] { look(); });
+        QObject::connect(&stores.changes(), &db::Changes::dueChanged, page.get(), [this] { look(); });
         page->resize(1000, 600);
         page->show();
         look();
     }
-    void look() { page->show(std::make_shared<const DueNews>(*dueNews(storage, today, {}))); }
+    void look() { page->show(std::make_shared<const DueNews>(*dueNews(stores, today, {}))); }
     template <class Widget>
     Widget& find(const char* name)
     {
@@ -114,7 +114,7 @@ private slots:
     void theMostUrgentIsFirstWithShapeAndWord()
     {
         OpenDue open;
-        QVERIFY(open.storage.save(DueRule{{}, "two years", 24, 0, 60, "a document", "1", {}}).ok());
+        QVERIFY(open.stores.save(DueRule{{}, "two years", 24, 0, 60, "a document", "1", {}}).ok());
         open.open();
         QCOMPARE(open.table().rowCount(), 2); // the fresh one is neither due nor due soon
         QCOMPARE(open.text(0, 0), QString("overdue"));
@@ -175,16 +175,16 @@ private slots:
         auto& button = open.find<QPushButton>("waiveButton");
         QTest::mouseClick(&button, Qt::LeftButton); // neither reason nor name
         QCOMPARE(open.failures.size(), 1);
-        QVERIFY(open.storage.fleet().waivers.empty());
+        QVERIFY(open.stores.whole().waivers.empty());
         QTest::keyClicks(&open.find<QLineEdit>("waiverReason"), "inspected, no shift on 000 and 090");
         open.event(open.old, "2026-11-01", DueCause::EngineChange,
             "engine change");            // elsewhere in the fleet, and the list is found anew
         QCOMPARE(flags.currentRow(), 1); // the waiver does not slip to the lightning
         QTest::keyClicks(&open.find<QLineEdit>("waiverBy"), "J. Nowak");
         QTest::mouseClick(&button, Qt::LeftButton);
-        QCOMPARE(open.storage.fleet().waivers.size(), std::size_t(1));
-        const Waiver waiver = open.storage.fleet().waivers[0];
-        QCOMPARE(waiver.event, open.storage.fleet().events[1].record);
+        QCOMPARE(open.stores.whole().waivers.size(), std::size_t(1));
+        const Waiver waiver = open.stores.whole().waivers[0];
+        QCOMPARE(waiver.event, open.stores.whole().events[1].record);
         QCOMPARE(waiver.reason, std::string("inspected, no shift on 000 and 090"));
         QCOMPARE(waiver.by, std::string("J. Nowak"));
         QCOMPARE(waiver.date, std::string("2026-11-23"));
@@ -199,15 +199,15 @@ private slots:
         open.open();
         open.table().selectRow(open.row("3802"));
         QTest::keyClicks(&open.find<QLineEdit>("waiverReason"), "two headings agree");
-        Waiver elsewhere{{}, open.storage.fleet().events[0].record, "2026-11-23", "by another window", "A. B."};
-        QVERIFY(open.storage.save(elsewhere).ok());
+        Waiver elsewhere{{}, open.stores.whole().events[0].record, "2026-11-23", "by another window", "A. B."};
+        QVERIFY(open.stores.save(elsewhere).ok());
         QVERIFY(open.find<QLineEdit>("waiverReason").text().isEmpty());
     }
 
     void aCalendarRuleIsNotWaived()
     {
         OpenDue open;
-        QVERIFY(open.storage.save(DueRule{{}, "two years", 24, 0, 60, {}, {}, {}}).ok());
+        QVERIFY(open.stores.save(DueRule{{}, "two years", 24, 0, 60, {}, {}, {}}).ok());
         open.open();
         open.table().selectRow(open.row("3713"));
         QCOMPARE(open.find<QTableWidget>("dueFlags").rowCount(), 1);
@@ -219,7 +219,7 @@ private slots:
     void aReadOnlyDatabaseIsOnlyShown()
     {
         OpenDue open;
-        open.storage.isReadOnly = true;
+        open.stores.makeReadOnly();
         open.open();
         open.table().selectRow(open.row("3802"));
         QVERIFY(!open.find<QPushButton>("waiveButton").isEnabled());
@@ -239,32 +239,32 @@ private slots:
         auto& rules = open.find<QTableWidget>("dueRules");
         QCOMPARE(rules.rowCount(), 1); // none applies before somebody wants it
         QTest::mouseClick(&open.find<QPushButton>("knownRules"), Qt::LeftButton);
-        QCOMPARE(open.storage.fleet().dueRules.size(), std::size_t(2));
+        QCOMPARE(open.stores.whole().dueRules.size(), std::size_t(2));
         QTest::mouseClick(&open.find<QPushButton>("knownRules"), Qt::LeftButton); // twice is once
-        QCOMPARE(open.storage.fleet().dueRules.size(), std::size_t(2));
+        QCOMPARE(open.stores.whole().dueRules.size(), std::size_t(2));
         rules.item(2, 0)->setText("ours");
-        QTRY_COMPARE(open.storage.fleet().dueRules.size(), std::size_t(3));
+        QTRY_COMPARE(open.stores.whole().dueRules.size(), std::size_t(3));
         rules.item(2, 1)->setText("6");
-        QTRY_COMPARE(open.storage.fleet().dueRules[2].months, 6);
+        QTRY_COMPARE(open.stores.whole().dueRules[2].months, 6);
         rules.item(2, 6)->setText("Mi-17");
-        QTRY_COMPARE(open.storage.fleet().dueRules[2].type, open.storage.fleet().types[1].record);
+        QTRY_COMPARE(open.stores.whole().dueRules[2].type, open.stores.whole().types[1].record);
         for (const auto& [column, text] : {std::pair(1, "0"), std::pair(1, "six"), std::pair(2, "-1"), std::pair(6, "Concorde")}) {
             const auto before = open.failures.size();
             rules.item(2, column)->setText(text);
             QTRY_COMPARE(open.failures.size(), before + 1);
             QVERIFY(rules.item(2, column)->text() != QString(text)); // what is stored is shown
         }
-        QCOMPARE(open.storage.fleet().dueRules[2].months, 6);
-        QCOMPARE(open.storage.fleet().dueRules[2].graceDays, 0);
+        QCOMPARE(open.stores.whole().dueRules[2].months, 6);
+        QCOMPARE(open.stores.whole().dueRules[2].graceDays, 0);
         rules.setCurrentCell(2, 0);
         QTest::mouseClick(&open.find<QPushButton>("removeRule"), Qt::LeftButton);
-        QCOMPARE(open.storage.fleet().dueRules.size(), std::size_t(2));
+        QCOMPARE(open.stores.whole().dueRules.size(), std::size_t(2));
     }
 
     void theCalendarFileHasTheDays()
     {
         OpenDue open;
-        QVERIFY(open.storage.save(DueRule{{}, "two years", 24, 0, 60, {}, {}, {}}).ok());
+        QVERIFY(open.stores.save(DueRule{{}, "two years", 24, 0, 60, {}, {}, {}}).ok());
         QTemporaryDir folder;
         open.path = folder.filePath("swings.ics");
         open.open();
@@ -287,9 +287,9 @@ private slots:
     void theDayEndsWhileTheWindowIsOpen()
     {
         OpenDue open;
-        QVERIFY(open.storage.save(DueRule{{}, "a month", 1, 0, 0, {}, {}, {}}).ok());
+        QVERIFY(open.stores.save(DueRule{{}, "a month", 1, 0, 0, {}, {}, {}}).ok());
         open.today = "2026-12-01";
-        DueJob job(open.storage, [&open] { return open.today; });
+        DueJob job(open.stores, [&open] { return open.today; });
         QSignalSpy ready(&job, &DueJob::ready);
         job.lookAtDay(); // nothing was asked for yet
         QVERIFY(!ready.wait(50));
@@ -308,7 +308,7 @@ private slots:
     {
         OpenDue open;
         QStringList errors;
-        EditContext context{open.storage, [&errors](const Error& error) { errors += QString::fromStdString(error.message); }};
+        EditContext context{open.stores, [&errors](const Error& error) { errors += QString::fromStdString(error.message); }};
         QUndoStack stack;
         EventsPanel panel(context, stack);
         panel.showAircraft(open.fresh);
@@ -318,10 +318,10 @@ private slots:
         QTest::keyClicks(panel.findChild<QLineEdit*>("eventKind"), "lightning, port wing");
         QCOMPARE(cause->currentIndex(), static_cast<int>(DueCause::Lightning));
         QTest::mouseClick(panel.findChild<QPushButton*>("addEvent"), Qt::LeftButton);
-        QVERIFY(open.storage.fleet().events.back().cause == DueCause::Lightning);
+        QVERIFY(open.stores.whole().events.back().cause == DueCause::Lightning);
         QCOMPARE(cause->currentIndex(), 0);
-        QCOMPARE(dueNews(open.storage, open.today, {})->due(), 2);
-        open.storage.isReadOnly = true;
+        QCOMPARE(dueNews(open.stores, open.today, {})->due(), 2);
+        open.stores.makeReadOnly();
         panel.showAircraft(open.fresh);
         QVERIFY(!cause->isEnabled());
         QVERIFY(errors.isEmpty());
@@ -332,7 +332,7 @@ private slots:
         OpenDue open;
         for (int i = 0; i < 1000; ++i)
             open.add("Su-22", std::to_string(10000 + i), addDays("2020-01-01", i));
-        QVERIFY(open.storage.save(DueRule{{}, "two years", 24, 0, 60, {}, {}, {}}).ok());
+        QVERIFY(open.stores.save(DueRule{{}, "two years", 24, 0, 60, {}, {}, {}}).ok());
         open.open();
         QCOMPARE(open.table().rowCount(), 1002);
         QCOMPARE(open.text(0, 4), QString("2022-01-01"));

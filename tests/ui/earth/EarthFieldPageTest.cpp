@@ -9,7 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "tests/ui/MemoryStorage.h"
+#include "tests/db/TestStores.h"
 #include "ui/earth/EarthFieldPage.h"
 #include "ui/kit/PlaceText.h"
 #include "ui/plots/world/WorldFieldChart.h"
@@ -22,9 +22,9 @@ using namespace lubberline::ui;
 namespace {
 
 struct OpenPage {
-    MemoryStorage storage;
+    test::TestStores stores;
     QString answer; ///< to the question for a file
-    EarthFieldPage page{storage, [this](const QString&, const QString&) { return answer; }};
+    EarthFieldPage page{stores, [this](const QString&, const QString&) { return answer; }};
 
     void addSite(const std::string& name, std::optional<double> latitude_deg, std::optional<double> longitude_deg)
     {
@@ -32,7 +32,7 @@ struct OpenPage {
         site.name = name;
         site.latitude_deg = latitude_deg;
         site.longitude_deg = longitude_deg;
-        QVERIFY(storage.save(site));
+        QVERIFY(stores.save(site));
     }
     void show()
     {

@@ -17,7 +17,7 @@ namespace {
 
 struct OpenPrediction {
     OpenPage fleet;
-    PredictionPage page{fleet.storage};
+    PredictionPage page{fleet.stores};
     QStringList failures;
     OpenPrediction()
     {
@@ -57,7 +57,7 @@ private slots:
         open.type("predictionLongitude", "15.6 W");
         open.type("predictionDate", "2026-11-23");
         QVERIFY2(open.page.prediction(), qPrintable(open.label("predictionVerdict")));
-        const auto swing = swingAtPlace(*open.fleet.storage.swingRecord(id));
+        const auto swing = swingAtPlace(*open.fleet.stores.swings.record(id));
         const auto expected = predict(*swing, stampField(*makePlace(28, -15.6), "2026-11-23")->field.meridian());
         QCOMPARE(open.page.prediction()->points.size(), expected->points.size());
         for (std::size_t i = 0; i < expected->points.size(); ++i)

@@ -26,32 +26,32 @@ private slots:
 void FleetTreeTest::asksOnlyWhatIsOpened()
 {
     SmallFleet fleet;
-    fleet.storage.asked.clear();
-    FleetModel model(fleet.storage);
+    fleet.stores.watch().forget();
+    FleetModel model(fleet.stores);
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
-    fleet.storage.asked.clear();
-    FleetModel lazy(fleet.storage);
-    QVERIFY(fleet.storage.asked.empty());
+    fleet.stores.watch().forget();
+    FleetModel lazy(fleet.stores);
+    QVERIFY(fleet.stores.watch().nothingAsked());
     lazy.fetchMore({});
     QCOMPARE(lazy.rowCount(), 1);
-    QCOMPARE(fleet.storage.asked["aircraft"], 0);
+    QCOMPARE(fleet.stores.watch().aircraftAsked, 0);
     const QModelIndex type = lazy.index(0, 0);
     QVERIFY(lazy.hasChildren(type)); // known without asking
     QVERIFY(lazy.canFetchMore(type));
     lazy.fetchMore(type);
     const QModelIndex aircraft = lazy.index(0, 0, type);
     QCOMPARE(aircraft.data().toString(), QStringLiteral("3713"));
-    QCOMPARE(fleet.storage.asked["swings"], 0);
+    QCOMPARE(fleet.stores.watch().swingsAsked, 0);
     lazy.fetchMore(aircraft);
     lazy.fetchMore(lazy.index(0, 0, aircraft));
-    QCOMPARE(fleet.storage.asked["swings"], 1);
+    QCOMPARE(fleet.stores.watch().swingsAsked, 1);
     QVERIFY(lazy.index(0, 0, lazy.index(0, 0, aircraft)).data().toString().startsWith("2026-11-20"));
 }
 
 void FleetTreeTest::refreshKeepsPlaces()
 {
     SmallFleet fleet;
-    FleetModel model(fleet.storage);
+    FleetModel model(fleet.stores);
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     const QPersistentModelIndex swing = model.find({fleet.type, fleet.aircraft, fleet.compass, fleet.swing});
     QVERIFY(std::holds_alternative<SwingId>(model.item(swing)));
@@ -62,7 +62,7 @@ void FleetTreeTest::refreshKeepsPlaces()
     QCOMPARE(swing.row(), 1); // the newer one is before it
     QCOMPARE(resets.count(), 0);
     QVERIFY(model.item(model.index(0, 0, swing.parent())) == FleetItem(newer));
-    QVERIFY(fleet.storage.removeSwing(fleet.swing).ok());
+    QVERIFY(fleet.stores.swings.remove(fleet.swing).ok());
     model.refresh();
     QVERIFY(!swing.isValid());
 }
@@ -70,7 +70,7 @@ void FleetTreeTest::refreshKeepsPlaces()
 void FleetTreeTest::badgeFollowsTheReadings()
 {
     SmallFleet fleet;
-    FleetModel model(fleet.storage);
+    FleetModel model(fleet.stores);
     const QModelIndex type = model.find({fleet.type});
     QCOMPARE(type.siblingAtColumn(FleetModel::Badge).data().toString(), QStringLiteral("not known"));
     fleet.addSwing("2027-01-05", eightPoints());
@@ -88,30 +88,30 @@ void FleetTreeTest::badgeFollowsTheReadings()
 void FleetTreeTest::nothingIsAskedBeforeTheFirstPaint()
 {
     SmallFleet fleet;
-    fleet.storage.asked.clear();
+    fleet.stores.watch().forget();
     AnsweringDialogs dialogs;
     QTemporaryDir folder;
     QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
-    MainWindow window(fleet.storage, {dialogs, settings, [] {}, {}});
+    MainWindow window(fleet.stores, {dialogs, settings, [] {}, {}});
     bool askedBefore = false;
     QSignalSpy painted(&window, &MainWindow::firstPainted);
-    connect(&window, &MainWindow::firstPainted, this, [&] { askedBefore = !fleet.storage.asked.empty(); });
+    connect(&window, &MainWindow::firstPainted, this, [&] { askedBefore = !fleet.stores.watch().nothingAsked(); });
     window.show();
     QTRY_COMPARE(painted.count(), 1);
     QVERIFY(!askedBefore);
-    QTRY_VERIFY(fleet.storage.asked["types"] > 0);
-    QCOMPARE(fleet.storage.asked["swings"], 0);
+    QTRY_VERIFY(fleet.stores.watch().typesAsked > 0);
+    QCOMPARE(fleet.stores.watch().swingsAsked, 0);
 }
 
 void FleetTreeTest::searchFindsAndGoes()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.trigger("search");
     auto& words = open.find<QLineEdit>("searchLine");
     QTest::keyClicks(&words, "371");
     QTest::keyClick(&words, Qt::Key_Return);
-    QCOMPARE(open.find<QListWidget>("searchHits").count(), 1);
+    QCOMPARE(open.find<QListWidget>("searchHits").count(), 3); // the aircraft first, its compass, its swing
     QCOMPARE(open.label("aircraftTitle"), QStringLiteral("Su-22 · 3713"));
     QTest::keyClick(&words, Qt::Key_Escape);
     QVERIFY(open.find<QTreeView>("fleetTree").isVisible());

@@ -51,7 +51,7 @@ const std::array kWorksheets{
 /// The page with a crew at its keyboard.
 struct Ramp {
     SmallFleet fleet;
-    GuidedPage page{fleet.storage, [] { return std::string("2026-11-23T10:00:00Z"); }};
+    GuidedPage page{fleet.stores, [] { return std::string("2026-11-23T10:00:00Z"); }};
     QSignalSpy finished{&page, &GuidedPage::finished};
     QSignalSpy failed{&page, &GuidedPage::failed};
 
@@ -152,12 +152,12 @@ private slots:
         ramp.type("Dora");
         QCOMPARE(ramp.finished.count(), 1);
         const SwingId made = ramp.finished.front().front().value<SwingId>();
-        const auto record = ramp.fleet.storage.swingRecord(made);
+        const auto record = ramp.fleet.stores.swings.record(made);
         QCOMPARE(record->swing.readings.size(), 8u);
         QCOMPARE(record->swing.stage, SwingStage::AsLeft);
         QVERIFY(qAbs(*record->swing.indexRemoved_deg - QString(worksheet.A).replace(QChar(0x2212), '-').toDouble()) < 1e-9);
         // What was found before any control was turned on it is a swing of its own.
-        const auto& others = ramp.fleet.storage.fleet().swings;
+        const auto others = ramp.fleet.stores.whole().swings;
         const auto found
             = std::find_if(others.begin(), others.end(), [&](const Swing& one) { return one.job == record->swing.job && one.id != made; });
         QVERIFY(found != others.end());
@@ -165,7 +165,7 @@ private slots:
         QCOMPARE(found->readings.size(), 4u);
         QCOMPARE(found->readings[2].compass->degrees(), worksheet.correction[2].compass_deg);
         QCOMPARE(found->readings[2].raw.compass_deg.size(), 1u);
-        QVERIFY(ramp.fleet.storage.openJobs()->empty());
+        QVERIFY(ramp.fleet.stores.jobs.open()->empty());
     }
 
     /// TM 1-1500-204-23-4: N 008, E 086, S 176, W 278 (V6): C is taken out on N from 008 to 002.
@@ -338,7 +338,7 @@ private slots:
         ramp.begin();
         const auto& worksheet = kWorksheets[0];
         const auto again = [&] { // another run of the program
-            GuidedPage other(ramp.fleet.storage, [] { return std::string("2026-11-24T06:00:00Z"); });
+            GuidedPage other(ramp.fleet.stores, [] { return std::string("2026-11-24T06:00:00Z"); });
             QVERIFY(other.takeUp(ramp.page.swing()));
             QCOMPARE(stepTitle(other.job()), stepTitle(ramp.page.job()));
             QVERIFY(other.job().job() == ramp.page.job().job());
@@ -361,14 +361,14 @@ private slots:
     {
         Ramp ramp;
         ramp.begin(ProcedureKind::CheckOnly);
-        GuidedPage second(ramp.fleet.storage, [] { return std::string("2026-11-23T10:05:00Z"); });
+        GuidedPage second(ramp.fleet.stores, [] { return std::string("2026-11-23T10:05:00Z"); });
         QVERIFY(second.takeUp(ramp.page.swing()));
         ramp.read({0, 359});
         QSignalSpy told(&second, &GuidedPage::failed);
         const auto refused = second.job().tell(job::ReadingTaken{0, {}, 0, 350, {}});
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::Conflict);
-        QCOMPARE(ramp.fleet.storage.jobOf(ramp.page.swing())->value().job.events.size(), ramp.page.job().job().events.size());
+        QCOMPARE(ramp.fleet.stores.jobs.jobOf(ramp.page.swing())->value().job.events.size(), ramp.page.job().job().events.size());
     }
 
     void aFullDiskLosesNothingThatWasTyped()
@@ -376,13 +376,13 @@ private slots:
         Ramp ramp;
         ramp.begin(ProcedureKind::CheckOnly);
         QSignalSpy notStored(&ramp.page, &GuidedPage::notStored);
-        ramp.fleet.storage.refuseWrites = true;
+        ramp.fleet.stores.watch().refuseWrites = true;
         ramp.read({0, 359});
         QCOMPARE(ramp.state().current, 0);
         QVERIFY(ramp.text("guidedMessage").contains("full"));
         QCOMPARE(ramp.find<QLineEdit>("guidedCompass").text(), "359");
         QCOMPARE(notStored.count(), 1);
-        ramp.fleet.storage.refuseWrites = false;
+        ramp.fleet.stores.watch().refuseWrites = false;
         ramp.key(Qt::Key_Return);
         QCOMPARE(ramp.state().current, 1);
     }
@@ -393,17 +393,17 @@ private slots:
         Site base;
         base.name = "Rose 2";
         base.certificateExpiry = "2026-11-22";
-        const SiteId site = *ramp.fleet.storage.save(base);
+        const SiteId site = *ramp.fleet.stores.save(base);
         QVERIFY(ramp.page.begin(ramp.fleet.compass));
         ramp.find<QComboBox>("guidedSite").setCurrentIndex(1);
         ramp.find<QPushButton>("beginGuided").click();
         QVERIFY(ramp.text("guidedComplaint").contains("A reason is expected"));
-        QVERIFY(ramp.fleet.storage.openJobs()->empty());
+        QVERIFY(ramp.fleet.stores.jobs.open()->empty());
         ramp.find<QLineEdit>("guidedOverride").setText("only base that is open");
         ramp.find<QPushButton>("beginGuided").click();
-        const auto jobs = ramp.fleet.storage.openJobs();
+        const auto jobs = ramp.fleet.stores.jobs.open();
         QCOMPARE(jobs->size(), 1u);
-        const Swing swing = ramp.fleet.storage.swingRecord(jobs->front().swing)->swing;
+        const Swing swing = ramp.fleet.stores.swings.record(jobs->front().swing)->swing;
         QCOMPARE(swing.site, site);
         QVERIFY(QString::fromStdString(swing.siteOverride).endsWith("only base that is open"));
     }
@@ -417,11 +417,11 @@ private slots:
         base.latitude_deg = 53.1;
         base.longitude_deg = 17.98;
         base.paintedVariation_deg = 4.0;
-        QVERIFY(ramp.fleet.storage.save(base));
+        QVERIFY(ramp.fleet.stores.save(base));
         DatumInstrument lines;
         lines.name = "painted lines";
         lines.kind = DatumKind::RoseLine;
-        QVERIFY(ramp.fleet.storage.save(lines));
+        QVERIFY(ramp.fleet.stores.save(lines));
         QVERIFY(ramp.page.begin(ramp.fleet.compass));
         ramp.find<QComboBox>("guidedProcedure").setCurrentIndex(static_cast<int>(ProcedureKind::CheckOnly));
         ramp.find<QComboBox>("guidedSite").setCurrentIndex(1);

@@ -139,7 +139,7 @@ private slots:
         }
         log.close();
         SmallFleet fleet;
-        NmeaImportPage page(fleet.storage, {});
+        NmeaImportPage page(fleet.stores, {});
         page.show();
         QVERIFY(page.showCompass(fleet.compass));
         QSignalSpy made(&page, &NmeaImportPage::makeSwing), failed(&page, &NmeaImportPage::failed);

@@ -1,5 +1,5 @@
 #pragma once
-/// The sensor page on a compass with limits, with storage in memory and answers to its questions for files.
+/// The sensor page on a compass with limits, with stores in memory and answers to its questions for files.
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -8,7 +8,7 @@
 #include <QUndoStack>
 
 #include "core/sensor/PoissonSmith.h"
-#include "tests/ui/MemoryStorage.h"
+#include "tests/db/TestStores.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/map/MapChart.h"
 #include "ui/plots/map/MapPlot.h"
@@ -32,11 +32,11 @@ inline SensorModel someIron()
 
 /// A compass with limits of 10°, and the page on it.
 struct OpenPage {
-    MemoryStorage storage;
+    test::TestStores stores;
     CompassId compass;
     QStringList errors;
     QString answer; ///< to all questions for files
-    EditContext context{storage, [this](const Error& error) { errors += messageOf(error); }};
+    EditContext context{stores, [this](const Error& error) { errors += messageOf(error); }};
     QUndoStack stack;
     std::unique_ptr<SensorPage> page;
 
@@ -45,7 +45,7 @@ struct OpenPage {
         AircraftType type;
         type.name = "Su-22";
         Aircraft aircraft;
-        aircraft.type = *storage.save(type);
+        aircraft.type = *stores.save(type);
         aircraft.registration = "3713";
         LimitsProfile limits;
         limits.name = "25.1327";
@@ -53,9 +53,9 @@ struct OpenPage {
         limits.maxDeviation_deg = 10.0;
         CompassSystem standby;
         standby.name = "standby compass";
-        standby.aircraft = *storage.save(aircraft);
-        standby.limits = *storage.save(limits);
-        compass = *storage.save(standby);
+        standby.aircraft = *stores.save(aircraft);
+        standby.limits = *stores.save(limits);
+        compass = *stores.save(standby);
     }
     SensorRecord add(const std::string& name, const SensorModel& model)
     {
@@ -63,8 +63,8 @@ struct OpenPage {
         sensor.compass = compass;
         sensor.name = name;
         sensor.model = model;
-        sensor.id = *storage.save(sensor);
-        return storage.fleet().sensors.back();
+        sensor.id = *stores.save(sensor);
+        return *stores.sensors.sensor(sensor.id);
     }
     SiteId addSite(const std::string& name, double latitude_deg, double longitude_deg)
     {
@@ -72,7 +72,7 @@ struct OpenPage {
         site.name = name;
         site.latitude_deg = latitude_deg;
         site.longitude_deg = longitude_deg;
-        return *storage.save(site);
+        return *stores.save(site);
     }
     /// Every 30°, as the model reads there in the field of the day.
     SwingId addSwing(SiteId site, const std::string& date, const SensorModel& model)
@@ -81,13 +81,13 @@ struct OpenPage {
         swing.compass = compass;
         swing.site = site;
         swing.date = date;
-        const SwingId empty = *storage.saveParticulars(swing);
-        const auto stamped = *storage.swingRecord(empty);
+        const SwingId empty = *stores.swings.add(swing);
+        const auto stamped = *stores.swings.record(empty);
         for (int heading_deg = 0; heading_deg < 360; heading_deg += 30) {
             Reading reading;
             reading.magnetic = MagneticHeading::fromDegrees(heading_deg);
             reading.compass = readSensor(model, stamped.swing.field->field.meridian(), {*reading.magnetic}).compass;
-            static_cast<void>(*storage.insertReading(empty, heading_deg / 30, reading));
+            static_cast<void>(*stores.swings.insertReading(empty, heading_deg / 30, reading));
         }
         return empty;
     }
@@ -126,7 +126,7 @@ struct OpenPage {
         emit box.activated(index);
         QApplication::processEvents();
     }
-    const SensorModel& stored() { return storage.fleet().sensors.front().model; }
+    SensorModel stored() { return stores.whole().sensors.front().model; }
     const MapPicture& picture() { return page->findChild<MapPlot*>()->chart()->picture(); }
     QString cell(Coefficient coefficient, int column)
     {

@@ -305,7 +305,7 @@ void SensorPageTest::fieldOfASite()
     const SiteId site = page.addSite("Warsaw", 52.2, 21.0);
     Site unknown;
     unknown.name = "no coordinates";
-    static_cast<void>(*page.storage.save(unknown));
+    static_cast<void>(*page.stores.save(unknown));
     page.addSwing(site, "2026-11-20", someIron());
     page.open();
     QCOMPARE(page.find<QComboBox>("fieldSite").count(), 2);
@@ -381,7 +381,7 @@ void SensorPageTest::hiddenPageCatchesUp()
     page.open();
     page.page->hide();
     survey.model.hardIron_nT.x() = -500;
-    QVERIFY(page.storage.save(survey).ok());
+    QVERIFY(page.stores.save(survey).ok());
     QVERIFY(page.page->view()->model.model == someIron()); // nothing is computed unseen
     page.page->show();
     QVERIFY(page.page->view()->model.model == survey.model);

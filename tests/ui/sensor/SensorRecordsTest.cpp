@@ -47,7 +47,7 @@ void SensorRecordsTest::misspeltFileChangesNothing()
     QCOMPARE(page.errors.size(), 1);
     QVERIFY2(page.errors.front().contains("hard_irn_nT") && page.errors.front().contains("hard_iron_nT"), qPrintable(page.errors.front()));
     QCOMPARE(page.stack.count(), 0);
-    QCOMPARE(page.storage.fleet().sensors.size(), std::size_t(1));
+    QCOMPARE(page.stores.whole().sensors.size(), std::size_t(1));
     QVERIFY(page.stored() == someIron());
     QVERIFY(page.page->view()->field == before);
 }
@@ -90,7 +90,7 @@ void SensorRecordsTest::readOnlyStorageLetsPlay()
 {
     OpenPage page;
     page.add("survey", someIron());
-    page.storage.isReadOnly = true;
+    page.stores.makeReadOnly();
     page.open();
     for (const char* name : {"sensorNew", "sensorDuplicate", "sensorRemove"})
         QVERIFY(!page.find<QToolButton>(name).isEnabled());
@@ -121,7 +121,7 @@ void SensorRecordsTest::firstFigureMakesAModel()
     QCOMPARE(page.stored().hardIron_nT.z(), 100.0);
     QCOMPARE(page.find<QComboBox>("sensorChoice").currentText(), QStringLiteral("model"));
     page.stack.undo();
-    QVERIFY(page.storage.fleet().sensors.empty());
+    QVERIFY(page.stores.whole().sensors.empty());
     QCOMPARE(page.find<QDoubleSpinBox>("hardIron_R").value(), 0.0);
     page.find<QToolButton>("sensorNew").click();
     page.find<QToolButton>("sensorNew").click();
@@ -139,17 +139,17 @@ void SensorRecordsTest::removedModelComesBack()
     page.choose("sensorChoice", 1);
     QCOMPARE(page.page->editor().record()->name, std::string("survey"));
     page.find<QToolButton>("sensorRemove").click();
-    QCOMPARE(page.storage.fleet().sensors.size(), std::size_t(1));
+    QCOMPARE(page.stores.whole().sensors.size(), std::size_t(1));
     while (page.stack.canUndo())
         page.stack.undo(); // the first edit finds its record under another id
     QCOMPARE(page.errors, QStringList());
-    QCOMPARE(page.storage.fleet().sensors.size(), std::size_t(1));
+    QCOMPARE(page.stores.whole().sensors.size(), std::size_t(1));
     QVERIFY(page.stored() == someIron());
     while (page.stack.canRedo())
         page.stack.redo();
     QCOMPARE(page.errors, QStringList());
-    QCOMPARE(page.storage.fleet().sensors.size(), std::size_t(1));
-    QCOMPARE(page.storage.fleet().sensors.front().name, std::string("survey 2"));
+    QCOMPARE(page.stores.whole().sensors.size(), std::size_t(1));
+    QCOMPARE(page.stores.whole().sensors.front().name, std::string("survey 2"));
     QCOMPARE(page.stored().hardIron_nT.x(), 1.0);
 }
 
@@ -173,7 +173,7 @@ void SensorRecordsTest::namesAreChecked()
     QVERIFY(name.toolTip().contains(QStringLiteral("must have a name")));
     QCOMPARE(page.stack.count(), 0);
     rename(QStringLiteral("survey 2026"));
-    QCOMPARE(page.storage.fleet().sensors.back().name, std::string("survey 2026"));
+    QCOMPARE(page.stores.whole().sensors.back().name, std::string("survey 2026"));
     QCOMPARE(page.find<QComboBox>("sensorChoice").currentText(), QStringLiteral("survey 2026"));
 }
 
@@ -182,7 +182,7 @@ void SensorRecordsTest::refusedByStorage()
     OpenPage page;
     page.add("survey", someIron());
     page.open();
-    page.storage.refuseWrites = true;
+    page.stores.watch().refuseWrites = true;
     page.type("hardIron_P", "3000");
     QCOMPARE(page.errors.size(), 1);
     QCOMPARE(page.stack.count(), 0);
@@ -211,7 +211,7 @@ void SensorRecordsTest::estimateFromTheNewestSwing()
         QVERIFY(std::abs(smith.B - expected.B) < 1e-9 && std::abs(smith.C - expected.C) < 1e-9); // the swing is what it was
         QCOMPARE(made.model.hardIron_nT.norm() > 0, origin == Origin::HardIron);
     }
-    QCOMPARE(page.storage.fleet().sensors.size(), std::size_t(2));
+    QCOMPARE(page.stores.whole().sensors.size(), std::size_t(2));
     page.page->findChild<SensorActions*>()->estimateBySeparation();
     QCOMPARE(page.errors.size(), 1);
     QVERIFY2(page.errors.front().contains(QStringLiteral("two or more")), qPrintable(page.errors.front()));
@@ -225,7 +225,7 @@ void SensorRecordsTest::estimateFromTwoPlaces()
     iron.softIron(0, 2) = 0.02;
     iron.softIron(1, 2) = -0.03;
     page.addSwing(page.addSite("Warsaw", 52.2, 21.0), "2026-03-01", SensorModel()); // older, not taken
-    page.addSwing(page.storage.fleet().sites.front().id, "2026-11-20", iron);
+    page.addSwing(page.stores.whole().sites.front().id, "2026-11-20", iron);
     page.addSwing(page.addSite("Nairobi", -1.3, 36.9), "2026-10-01", iron);
     page.open();
     page.page->findChild<SensorActions*>()->estimateBySeparation();

@@ -27,7 +27,7 @@ private:
         site.name = name;
         site.latitude_deg = latitude_deg;
         site.longitude_deg = longitude_deg;
-        return *fleet.storage.save(site);
+        return *fleet.stores.save(site);
     }
     static SwingId swingAt(SmallFleet& fleet, SiteId site)
     {
@@ -35,15 +35,9 @@ private:
         swing.compass = fleet.compass;
         swing.site = site;
         swing.date = "2026-03-10";
-        return *fleet.storage.saveParticulars(swing);
+        return *fleet.stores.swings.add(swing);
     }
-    static Swing& stored(SmallFleet& fleet, SwingId id)
-    {
-        for (Swing& swing : fleet.storage.fleet().swings)
-            if (swing.id == id)
-                return swing;
-        qFatal("no such swing");
-    }
+    static Swing stored(SmallFleet& fleet, SwingId id) { return *fleet.stores.swings.swing(id); }
 };
 
 void FieldStampPanelTest::aNewSwingIsStampedAndItsFieldIsShown()
@@ -51,7 +45,7 @@ void FieldStampPanelTest::aNewSwingIsStampedAndItsFieldIsShown()
     SmallFleet fleet;
     const SwingId id = swingAt(fleet, siteAt(fleet, "Deblin", 51.55, 21.89));
     QVERIFY(stored(fleet, id).field);
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     const QString values = open.label("fieldValues");
     QVERIFY2(values.contains("H 19") && values.contains("dip +67") && values.contains("WMM2025 for 2026-03-10"), qPrintable(values));
@@ -63,7 +57,7 @@ void FieldStampPanelTest::aNewSwingIsStampedAndItsFieldIsShown()
 void FieldStampPanelTest::withoutAPlaceNothingIsShown()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     QVERIFY(!open.find<QWidget>("fieldStampPanel").isVisible());
 }
@@ -72,8 +66,10 @@ void FieldStampPanelTest::anOldSwingGetsOneWhenItIsAsked()
 {
     SmallFleet fleet;
     const SwingId id = swingAt(fleet, siteAt(fleet, "Deblin", 51.55, 21.89));
-    stored(fleet, id).field.reset();
-    OpenWindow open(fleet.storage);
+    Swing old = stored(fleet, id);
+    old.field.reset();
+    QVERIFY(fleet.stores.put(old));
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     QVERIFY(!stored(fleet, id).field);
     QVERIFY(open.label("fieldValues").contains("not kept"));
@@ -94,8 +90,10 @@ void FieldStampPanelTest::anotherModelIsSaidAndTakenUndoably()
     FieldStamp old = today;
     old.model = "WMM2020";
     old.field.north_nT -= 30;
-    stored(fleet, id).field = old;
-    OpenWindow open(fleet.storage);
+    Swing other = stored(fleet, id);
+    other.field = old;
+    QVERIFY(fleet.stores.put(other));
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     QVERIFY(open.label("fieldValues").contains("WMM2020")); // what it was computed with stays
     QVERIFY2(open.label("fieldDifference").contains("By WMM2025 it is now"), qPrintable(open.label("fieldDifference")));
@@ -114,11 +112,11 @@ void FieldStampPanelTest::anotherSiteIsSaid()
     SmallFleet fleet;
     const SiteId north = siteAt(fleet, "Tromso", 69.68, 18.92);
     const SwingId id = swingAt(fleet, siteAt(fleet, "Deblin", 51.55, 21.89));
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     Swing moved = stored(fleet, id);
     moved.site = north;
-    QVERIFY(fleet.storage.saveParticulars(moved));
+    QVERIFY(fleet.stores.put(moved));
     QVERIFY2(open.label("fieldDifference").contains("Site or date have changed"), qPrintable(open.label("fieldDifference")));
     open.find<QPushButton>("takeField").click();
     QCOMPARE(stored(fleet, id).field->place.latitude_deg, 69.68);
@@ -128,9 +126,11 @@ void FieldStampPanelTest::aSignedSwingKeepsWhatItHas()
 {
     SmallFleet fleet;
     const SwingId id = swingAt(fleet, siteAt(fleet, "Deblin", 51.55, 21.89));
-    stored(fleet, id).field->field.north_nT -= 30;
-    stored(fleet, id).state = SwingState::Signed;
-    OpenWindow open(fleet.storage);
+    Swing frozen = stored(fleet, id);
+    frozen.field->field.north_nT -= 30;
+    frozen.state = SwingState::Signed;
+    QVERIFY(fleet.stores.put(frozen));
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     QVERIFY(!open.label("fieldDifference").isEmpty());
     QVERIFY(!open.find<QPushButton>("takeField").isVisible());
@@ -141,13 +141,15 @@ void FieldStampPanelTest::aDoubtfulVariationIsSaid()
     SmallFleet fleet;
     const SwingId id = swingAt(fleet, siteAt(fleet, "Deblin", 51.55, 21.89));
     const double declination_deg = stored(fleet, id).field->field.variation().degrees();
-    stored(fleet, id).variation_deg = declination_deg - 0.9;
-    OpenWindow open(fleet.storage);
+    Swing other = stored(fleet, id);
+    other.variation_deg = declination_deg - 0.9;
+    QVERIFY(fleet.stores.put(other));
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     QVERIFY(!open.find<QLabel>("fieldVariation").isVisible());
     Swing doubtful = stored(fleet, id);
     doubtful.variation_deg = -declination_deg; // west for east
-    QVERIFY(fleet.storage.saveParticulars(doubtful));
+    QVERIFY(fleet.stores.put(doubtful));
     QVERIFY(open.find<QLabel>("fieldVariation").isVisible());
     QVERIFY2(open.label("fieldVariation").contains("differs by"), qPrintable(open.label("fieldVariation")));
 }

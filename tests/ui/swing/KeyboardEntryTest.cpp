@@ -1,6 +1,8 @@
 // A swing typed in with nothing but the keyboard.
 
 #include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QTableWidget>
 
 #include "tests/ui/window/Fixture.h"
@@ -24,13 +26,13 @@ private slots:
     void whatIsTypedSurvivesAShortcut();
 
 private:
-    static std::vector<Reading>& stored(SmallFleet& fleet) { return fleet.storage.fleet().swings.front().readings; }
+    static std::vector<Reading> stored(SmallFleet& fleet) { return fleet.stores.whole().swings.front().readings; }
 };
 
 void KeyboardEntryTest::eightPointsInEveryForm()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     QAbstractItemModelTester tester(open.table().model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
     // N … NW: magnetic then compass, in the forms that crews use.
@@ -61,7 +63,7 @@ void KeyboardEntryTest::eightPointsInEveryForm()
 void KeyboardEntryTest::everyLeftCellIsStored()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     open.type("45");
     QCOMPARE(stored(fleet).size(), 0u); // still being typed
@@ -77,7 +79,7 @@ void KeyboardEntryTest::everyLeftCellIsStored()
 void KeyboardEntryTest::badInputStaysAndIsNotStored()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     open.type("45");
     open.press(Qt::Key_Return);
@@ -101,7 +103,7 @@ void KeyboardEntryTest::badInputStaysAndIsNotStored()
 void KeyboardEntryTest::deviationSetsTheCompass()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     open.type("2");
     open.press(Qt::Key_Return);
@@ -117,7 +119,7 @@ void KeyboardEntryTest::deviationSetsTheCompass()
 void KeyboardEntryTest::deviationNeedsTheMagneticHeading()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     open.table().goTo(0, ReadingColumn::Deviation);
     open.type("3E");
@@ -129,7 +131,7 @@ void KeyboardEntryTest::deviationNeedsTheMagneticHeading()
 void KeyboardEntryTest::nominalIsAcceptedOnlyVisibly()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     open.trigger("layout4");
     QCOMPARE(stored(fleet).size(), 4u);
@@ -164,41 +166,47 @@ void KeyboardEntryTest::minutesDoNotLoseSeconds()
 {
     SmallFleet fleet;
     const SwingId id = fleet.addSwing("2026-11-21", {{45.123456, 42.0}});
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     open.find<QAction>("minutes").setChecked(true);
     QVERIFY2(open.cell(0, ReadingColumn::Magnetic).contains(QChar(0xB0)), qPrintable(open.cell(0, ReadingColumn::Magnetic)));
     open.table().goTo(0, ReadingColumn::Magnetic);
     open.press(Qt::Key_F2); // opens with 045°07'
     open.press(Qt::Key_Return);
-    QCOMPARE(fleet.storage.fleet().swings.back().readings[0].magnetic->degrees(), 45.123456);
+    QCOMPARE(fleet.stores.whole().swings.back().readings[0].magnetic->degrees(), 45.123456);
     QVERIFY(open.settings.value("view/minutes").toBool());
 }
 
 void KeyboardEntryTest::completeSwingCannotBeTyped()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
     open.window.go(id);
     QCOMPARE(open.table().model()->rowCount(), 9);
     open.trigger("complete");
-    QCOMPARE(fleet.storage.fleet().swings.back().state, SwingState::Complete);
+    QCOMPARE(fleet.stores.whole().swings.back().state, SwingState::Complete);
     QCOMPARE(open.table().model()->rowCount(), 8);
     open.table().goTo(0, ReadingColumn::Compass);
     open.type("9");
     open.press(Qt::Key_Return);
-    QCOMPARE(fleet.storage.fleet().swings.back().readings[0].compass->degrees(), 0.0);
+    QCOMPARE(fleet.stores.whole().swings.back().readings[0].compass->degrees(), 0.0);
     QVERIFY(open.label("readOnlyReason").contains("complete"));
+    // To open it again wants a reason, which is given in the panel that this opens.
     open.trigger("complete");
-    QCOMPARE(fleet.storage.fleet().swings.back().state, SwingState::Draft);
+    QCOMPARE(fleet.stores.whole().swings.back().state, SwingState::Complete);
+    open.find<QPushButton>("changeState").click();
+    QCOMPARE(fleet.stores.whole().swings.back().state, SwingState::Complete);
+    open.find<QLineEdit>("stateReason").setText("a figure was misread");
+    open.find<QPushButton>("changeState").click();
+    QCOMPARE(fleet.stores.whole().swings.back().state, SwingState::Draft);
     QCOMPARE(open.table().model()->rowCount(), 9);
 }
 
 void KeyboardEntryTest::emptyRowBecomesAReading()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     QAbstractItemModelTester tester(open.table().model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
     // A refused text in the empty row goes with the reading that the row becomes.
@@ -219,7 +227,7 @@ void KeyboardEntryTest::whatIsTypedSurvivesAShortcut()
 {
     SmallFleet fleet;
     const SwingId other = fleet.addSwing("2026-11-21", eightPoints());
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     for (const bool leaves : {true, false}) {
         open.window.go(fleet.swing);
         open.table().setFocus();

@@ -24,19 +24,13 @@ private slots:
     void variationMovesTrueReadings();
 
 private:
-    static Swing& swingAt(SmallFleet& fleet, SwingId id)
-    {
-        for (Swing& swing : fleet.storage.fleet().swings)
-            if (swing.id == id)
-                return swing;
-        qFatal("no such swing");
-    }
+    static Swing swingAt(SmallFleet& fleet, SwingId id) { return *fleet.stores.swings.swing(id); }
 };
 
 void UndoTest::typingIsUndoneAndRedone()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     open.type("45");
     open.press(Qt::Key_Return);
@@ -59,7 +53,7 @@ void UndoTest::removedRowsComeBackWithTheirHistory()
 {
     SmallFleet fleet;
     const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     QAbstractItemModelTester tester(open.table().model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
     const Swing before = swingAt(fleet, id);
@@ -81,7 +75,7 @@ void UndoTest::undoShowsTheSwingThatItChanges()
 {
     SmallFleet fleet;
     const SwingId other = fleet.addSwing("2026-11-21", eightPoints());
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     open.type("45");
     open.press(Qt::Key_Return);
@@ -95,7 +89,7 @@ void UndoTest::undoShowsTheSwingThatItChanges()
 void UndoTest::layoutIsOneStep()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     for (const int points : {4, 8, 12, 16, 24, 32}) {
         open.trigger(qPrintable(QStringLiteral("layout%1").arg(points)));
@@ -112,27 +106,27 @@ void UndoTest::draftIsRemovedAndRestored()
 {
     SmallFleet fleet;
     const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     open.table().goTo(0, ReadingColumn::Note);
     open.type("gusty");
     open.press(Qt::Key_Return);
     open.trigger("removeSwing");
-    QCOMPARE(fleet.storage.fleet().swings.size(), 1u);
+    QCOMPARE(fleet.stores.whole().swings.size(), 1u);
     open.trigger("undo");
-    QCOMPARE(fleet.storage.fleet().swings.size(), 2u);
-    QCOMPARE(fleet.storage.fleet().swings.back().readings.size(), 8u);
-    QCOMPARE(fleet.storage.fleet().swings.back().readings[0].note, std::string("gusty"));
+    QCOMPARE(fleet.stores.whole().swings.size(), 2u);
+    QCOMPARE(fleet.stores.whole().swings.back().readings.size(), 8u);
+    QCOMPARE(fleet.stores.whole().swings.back().readings[0].note, std::string("gusty"));
     QVERIFY(open.label("swingTitle").contains("2026-11-21"));
     open.trigger("undo"); // the note, of a reading and a swing that have new ids by now
-    QVERIFY(fleet.storage.fleet().swings.back().readings[0].note.empty());
+    QVERIFY(fleet.stores.whole().swings.back().readings[0].note.empty());
 }
 
 void UndoTest::exclusionNeedsAReason()
 {
     SmallFleet fleet;
     const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     open.table().goTo(1, ReadingColumn::Compass);
     open.trigger("exclude");
@@ -159,7 +153,7 @@ void UndoTest::suspectIsSaid()
     auto readings = eightPoints();
     readings[1].second -= 10.0; // a tens digit misread
     const SwingId id = fleet.addSwing("2026-11-21", readings);
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     QVERIFY2(open.cell(1, ReadingColumn::State).contains("suspect"), qPrintable(open.cell(1, ReadingColumn::State)));
     const QString said = open.label("readingsMessage");
@@ -172,9 +166,9 @@ void UndoTest::refusedEditLeavesTheStack()
 {
     SmallFleet fleet;
     const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
-    fleet.storage.refuseWrites = true;
+    fleet.stores.watch().refuseWrites = true;
     const double before_deg = swingAt(fleet, id).readings[1].compass->degrees();
     open.table().goTo(1, ReadingColumn::Compass);
     open.type("44");
@@ -185,7 +179,7 @@ void UndoTest::refusedEditLeavesTheStack()
     QVERIFY(open.window.messages().messages().join('\n').contains("disk is full"));
     QVERIFY(open.label("savedLabel").contains("NOT SAVED"));
     QCOMPARE(swingAt(fleet, id).readings[1].compass->degrees(), before_deg);
-    fleet.storage.refuseWrites = false;
+    fleet.stores.watch().refuseWrites = false;
     open.press(Qt::Key_F2);
     open.type("43");
     open.press(Qt::Key_Return);
@@ -204,8 +198,8 @@ void UndoTest::variationMovesTrueReadings()
     reading.trueHeading = TrueHeading::fromDegrees(50.0);
     reading.magnetic = MagneticHeading::fromDegrees(45.0);
     swing.readings = {reading};
-    const SwingId id = *fleet.storage.saveParticulars(swing);
-    OpenWindow open(fleet.storage);
+    const SwingId id = *fleet.stores.swings.add(swing);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     QTest::mouseClick(&open.find<QAbstractButton>("showParticulars"), Qt::LeftButton);
     auto& variation = open.find<QLineEdit>("swingVariation");

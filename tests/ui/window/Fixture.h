@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "tests/ui/MemoryStorage.h"
+#include "tests/db/TestStores.h"
 #include "ui/kit/MessagePanel.h"
 #include "ui/swing/ReadingsModel.h"
 #include "ui/swing/ReadingsTable.h"
@@ -34,7 +34,7 @@ public:
 
 /// Type → aircraft → compass with limits of 10°, and one empty draft swing.
 struct SmallFleet {
-    MemoryStorage storage;
+    test::TestStores stores;
     AircraftTypeId type;
     AircraftId aircraft;
     CompassId compass;
@@ -44,11 +44,11 @@ struct SmallFleet {
     {
         AircraftType su22;
         su22.name = "Su-22";
-        type = *storage.save(su22);
+        type = *stores.save(su22);
         Aircraft one;
         one.type = type;
         one.registration = "3713";
-        aircraft = *storage.save(one);
+        aircraft = *stores.save(one);
         LimitsProfile limits;
         limits.name = "25.1327";
         limits.document = "14 CFR 25.1327";
@@ -56,8 +56,8 @@ struct SmallFleet {
         CompassSystem standby;
         standby.aircraft = aircraft;
         standby.name = "standby compass";
-        standby.limits = *storage.save(limits);
-        compass = *storage.save(standby);
+        standby.limits = *stores.save(limits);
+        compass = *stores.save(standby);
         swing = addSwing("2026-11-20", {});
     }
 
@@ -73,7 +73,7 @@ struct SmallFleet {
             reading.compass = CompassHeading::fromDegrees(compass_deg);
             made.readings.push_back(reading);
         }
-        return *storage.saveParticulars(made);
+        return *stores.swings.add(made);
     }
 };
 
@@ -84,9 +84,9 @@ struct OpenWindow {
     int demonstrations = 0;
     MainWindow window;
 
-    explicit OpenWindow(Storage& storage)
+    explicit OpenWindow(db::Stores& stores)
         : settings(folder.filePath("settings.ini"), QSettings::IniFormat)
-        , window(storage, {dialogs, settings, [this] { ++demonstrations; }, [this](const QString& path) { return backup(path); }})
+        , window(stores, {dialogs, settings, [this] { ++demonstrations; }, [this](const QString& path) { return backup(path); }})
     {
         window.resize(1366, 720);
         window.show();

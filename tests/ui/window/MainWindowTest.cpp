@@ -1,4 +1,4 @@
-// The window around the pages: the empty database, import, what storage refuses, documents, new swings, the aircraft page.
+// The window around the pages: the empty database, import, what stores refuses, documents, new swings, the aircraft page.
 
 #include <QComboBox>
 #include <QCommandLinkButton>
@@ -65,8 +65,8 @@ private:
 
 void MainWindowTest::emptyDatabaseOffersThreeChoices()
 {
-    MemoryStorage storage;
-    OpenWindow open(storage);
+    test::TestStores stores;
+    OpenWindow open(stores);
     QTRY_VERIFY(open.window.findChild<QCommandLinkButton*>("demonstrationChoice"));
     QTest::mouseClick(&open.find<QCommandLinkButton>("demonstrationChoice"), Qt::LeftButton);
     QCOMPARE(open.demonstrations, 1);
@@ -77,13 +77,13 @@ void MainWindowTest::emptyDatabaseOffersThreeChoices()
 
 void MainWindowTest::newSwingFromNothing()
 {
-    MemoryStorage storage;
-    OpenWindow open(storage);
+    test::TestStores stores;
+    OpenWindow open(stores);
     open.trigger("newSwing");
     auto& create = open.find<QPushButton>("createSwing");
     QTest::mouseClick(&create, Qt::LeftButton);
     QVERIFY(open.label("newComplaint").contains("type"));
-    QVERIFY(storage.fleet().types.empty());
+    QVERIFY(stores.whole().types.empty());
     open.find<QComboBox>("newType").setEditText("PZL-130");
     open.find<QComboBox>("newAircraft").setEditText("032");
     open.find<QComboBox>("newCompass").setEditText("standby");
@@ -93,27 +93,27 @@ void MainWindowTest::newSwingFromNothing()
     QVERIFY(open.label("newComplaint").contains("2026-02-30"));
     open.find<QLineEdit>("newDate").setText("2026-02-28");
     QTest::mouseClick(&create, Qt::LeftButton);
-    QCOMPARE(storage.fleet().swings.size(), 1u);
-    QCOMPARE(storage.fleet().sites.front().name, std::string("north pad"));
+    QCOMPARE(stores.whole().swings.size(), 1u);
+    QCOMPARE(stores.whole().sites.front().name, std::string("north pad"));
     QVERIFY2(open.label("swingTitle").startsWith("PZL-130 · 032 · standby · 2026-02-28"), qPrintable(open.label("swingTitle")));
     // A second swing of the same compass makes no second aircraft.
     open.trigger("newSwing");
     QCOMPARE(open.find<QComboBox>("newCompass").currentText(), QStringLiteral("standby"));
     QTest::mouseClick(&create, Qt::LeftButton);
-    QCOMPARE(storage.fleet().swings.size(), 2u);
-    QCOMPARE(storage.fleet().aircraft.size(), 1u);
+    QCOMPARE(stores.whole().swings.size(), 2u);
+    QCOMPARE(stores.whole().aircraft.size(), 1u);
     open.trigger("undo");
-    QCOMPARE(storage.fleet().swings.size(), 1u);
+    QCOMPARE(stores.whole().swings.size(), 1u);
 }
 
 void MainWindowTest::droppedCsvIsImported()
 {
-    MemoryStorage storage;
-    OpenWindow open(storage);
+    test::TestStores stores;
+    OpenWindow open(stores);
     QSignalSpy finished(&open.window, &MainWindow::importFinished);
     drop(open.window, writeFile(open.folder, "swing.csv", csv(true)));
     QVERIFY(finished.wait());
-    QCOMPARE(storage.fleet().swings.size(), 1u);
+    QCOMPARE(stores.whole().swings.size(), 1u);
     QVERIFY2(open.label("swingTitle").startsWith("Mi-17 · SP-ABC · standby"), qPrintable(open.label("swingTitle")));
     QCOMPARE(open.table().model()->rowCount(), 5);
     QVERIFY(open.window.messages().messages().first().contains("swing.csv"));
@@ -122,7 +122,7 @@ void MainWindowTest::droppedCsvIsImported()
 void MainWindowTest::badFileIsOneMessageThatStays()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     const std::pair<const char*, QByteArray> files[] = {{"empty.csv", ""}, {"binary.csv", QByteArray("\0\1\2\xff", 4)},
         {"picture.xyz", "x"}, {"half.lubberline.json", "{\"form"}, {"cell.csv", csv(true) + "letters,1\n"}};
     for (const auto& [name, content] : files) {
@@ -138,19 +138,19 @@ void MainWindowTest::badFileIsOneMessageThatStays()
         QVERIFY(open.window.messages().messages().isEmpty());
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
-    QCOMPARE(fleet.storage.fleet().swings.size(), 1u);
+    QCOMPARE(fleet.stores.whole().swings.size(), 1u);
 }
 
 void MainWindowTest::unnamedCsvIsNamed()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.swing);
     QSignalSpy finished(&open.window, &MainWindow::importFinished);
     open.dialogs.answer = writeFile(open.folder, "swing.csv", csv(false));
     open.trigger("import");
     QVERIFY(finished.wait());
-    QCOMPARE(fleet.storage.fleet().swings.size(), 1u);
+    QCOMPARE(fleet.stores.whole().swings.size(), 1u);
     QTest::mouseClick(&open.find<QPushButton>("answerMessage"), Qt::LeftButton);
     QCOMPARE(open.find<QLineEdit>("namedAircraft").text(), QStringLiteral("3713")); // proposed: what the window shows
     open.find<QLineEdit>("namedAircraft").setText("3802");
@@ -162,14 +162,14 @@ void MainWindowTest::unnamedCsvIsNamed()
 void MainWindowTest::importIsCancelled()
 {
     SmallFleet fleet;
-    fleet.storage.importDelay_ms = 50;
-    OpenWindow open(fleet.storage);
+    fleet.stores.watch().delay_ms = 50;
+    OpenWindow open(fleet.stores);
     QSignalSpy finished(&open.window, &MainWindow::importFinished);
     open.window.importFile(writeFile(open.folder, "swing.csv", csv(true)));
     QTRY_VERIFY(open.find<QWidget>("progressStrip").isVisible());
     QTest::mouseClick(&open.find<QPushButton>("cancelJob"), Qt::LeftButton);
     QVERIFY(finished.wait());
-    QCOMPARE(fleet.storage.fleet().swings.size(), 1u);
+    QCOMPARE(fleet.stores.whole().swings.size(), 1u);
     QVERIFY(open.window.messages().messages().first().contains("nothing was changed"));
     QVERIFY(!open.find<QWidget>("progressStrip").isVisible());
 }
@@ -178,8 +178,8 @@ void MainWindowTest::readOnlyStorageRefusesQuietly()
 {
     SmallFleet fleet;
     const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
-    fleet.storage.isReadOnly = true;
-    OpenWindow open(fleet.storage);
+    fleet.stores.makeReadOnly();
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     QCOMPARE(open.table().model()->rowCount(), 8);
     QVERIFY(open.label("savedLabel").contains("read only"));
@@ -198,7 +198,7 @@ void MainWindowTest::rowsAndPointsSelectEachOther()
 {
     SmallFleet fleet;
     const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     auto& tabs = open.find<PlotTabs>("plotTabs");
     for (int tab = 0; tab < 4; ++tab) {
@@ -217,7 +217,7 @@ void MainWindowTest::fewReadingsSayWhatIsMissing()
     SmallFleet fleet;
     const SwingId two = fleet.addSwing("2026-11-21", {{0, 359}, {90, 88}});
     const SwingId four = fleet.addSwing("2026-11-22", {{0, 359}, {90, 88}, {180, 181}, {270, 271}});
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(two);
     auto& coefficients = open.find<QTableWidget>("coefficients");
     QCOMPARE(coefficients.item(0, 0)->text(), QStringLiteral("—"));
@@ -236,7 +236,7 @@ void MainWindowTest::documentsAreWritten()
 {
     SmallFleet fleet;
     const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(id);
     const std::pair<const char*, const char*> documents[] = {{"report", "report.pdf"}, {"card30", "card.pdf"}};
     for (const auto& [action, name] : documents) {
@@ -264,33 +264,33 @@ void MainWindowTest::documentsAreWritten()
 void MainWindowTest::aircraftIsEditedInPlace()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.aircraft);
     auto& registration = open.find<QLineEdit>("aircraftRegistration");
     registration.selectAll();
     QTest::keyClicks(&registration, "3714");
     QTest::keyClick(&registration, Qt::Key_Return);
-    QCOMPARE(fleet.storage.fleet().aircraft.front().registration, std::string("3714"));
+    QCOMPARE(fleet.stores.whole().aircraft.front().registration, std::string("3714"));
     auto& built = open.find<QLineEdit>("aircraftBuilt");
     QTest::keyClicks(&built, "old");
     QTest::keyClick(&built, Qt::Key_Return);
-    QVERIFY(!fleet.storage.fleet().aircraft.front().builtYear);
+    QVERIFY(!fleet.stores.whole().aircraft.front().builtYear);
     QCOMPARE(built.text(), QStringLiteral("old"));
     QVERIFY(built.toolTip().contains("year"));
     open.trigger("undo");
-    QCOMPARE(fleet.storage.fleet().aircraft.front().registration, std::string("3713"));
+    QCOMPARE(fleet.stores.whole().aircraft.front().registration, std::string("3713"));
 }
 
 void MainWindowTest::limitsChangeTheVerdict()
 {
     SmallFleet fleet;
     const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.compass);
     auto& limits = open.find<QComboBox>("compassLimits");
     limits.setCurrentIndex(0);
     emit limits.activated(0);
-    QVERIFY(!fleet.storage.fleet().compasses.front().limits.valid());
+    QVERIFY(!fleet.stores.whole().compasses.front().limits.valid());
     open.window.go(id);
     QVERIFY2(open.label("meaning").contains("No limits are set"), qPrintable(open.label("meaning")));
     open.trigger("undo");
@@ -301,24 +301,24 @@ void MainWindowTest::limitsChangeTheVerdict()
 void MainWindowTest::eventsAreAdded()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.window.go(fleet.aircraft);
     open.find<QLineEdit>("eventDate").setText("2026-06-01");
     open.find<QLineEdit>("eventKind").setText("lightning strike");
     open.find<QPushButton>("addEvent").click();
-    QCOMPARE(fleet.storage.fleet().events.size(), 1u);
+    QCOMPARE(fleet.stores.whole().events.size(), 1u);
     auto& table = open.find<QTableWidget>("events");
     QCOMPARE(table.rowCount(), 1);
     table.item(0, 1)->setText("engine change");
-    QTRY_COMPARE(fleet.storage.fleet().events.front().kind, std::string("engine change"));
+    QTRY_COMPARE(fleet.stores.whole().events.front().kind, std::string("engine change"));
     open.trigger("undo");
-    QCOMPARE(fleet.storage.fleet().events.front().kind, std::string("lightning strike"));
+    QCOMPARE(fleet.stores.whole().events.front().kind, std::string("lightning strike"));
 }
 
 void MainWindowTest::settingsAreKept()
 {
     SmallFleet fleet;
-    OpenWindow open(fleet.storage);
+    OpenWindow open(fleet.stores);
     open.find<QAction>("dark").setChecked(true);
     QTRY_VERIFY(open.window.palette().color(QPalette::Window).lightnessF() < 0.3);
     QVERIFY(open.settings.value("view/dark").toBool());

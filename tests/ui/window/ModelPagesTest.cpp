@@ -20,7 +20,7 @@ private slots:
     void actionsNeedACompassOrASwing()
     {
         SmallFleet fleet;
-        OpenWindow open(fleet.storage);
+        OpenWindow open(fleet.stores);
         QVERIFY(!open.find<QAction>("sensorModel").isEnabled());
         QVERIFY(!open.find<QAction>("predict").isEnabled());
         QVERIFY(open.find<QAction>("earthField").isEnabled());
@@ -36,7 +36,7 @@ private slots:
     {
         SmallFleet fleet;
         const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
-        OpenWindow open(fleet.storage);
+        OpenWindow open(fleet.stores);
         open.window.go(id);
         open.trigger("sensorModel");
         QVERIFY(open.window.findChild<SensorPage*>()->isVisible());
@@ -57,17 +57,17 @@ private slots:
     void undoComesBackToTheBench()
     {
         SmallFleet fleet;
-        OpenWindow open(fleet.storage);
+        OpenWindow open(fleet.stores);
         open.window.go(fleet.compass);
         open.trigger("ironBench");
         open.find<QPushButton>("benchAddPart").click();
-        QTRY_COMPARE(fleet.storage.fleet().sensors.size(), std::size_t(1));
+        QTRY_COMPARE(fleet.stores.whole().sensors.size(), std::size_t(1));
         open.window.go(fleet.swing);
         open.trigger("undo");
-        QCOMPARE(fleet.storage.fleet().sensors.size(), std::size_t(0));
+        QCOMPARE(fleet.stores.whole().sensors.size(), std::size_t(0));
         QVERIFY(open.window.findChild<SensorPage*>()->isVisible()); // where its models are seen
         open.trigger("redo");
-        QCOMPARE(fleet.storage.fleet().sensors.size(), std::size_t(1));
+        QCOMPARE(fleet.stores.whole().sensors.size(), std::size_t(1));
     }
 };
 

@@ -1,4 +1,4 @@
-// The pages of the ramp in the window, with storage in memory: signing, bases, instruments, electrical swings, what cannot be
+// The pages of the ramp in the window, with stores in memory: signing, bases, instruments, electrical swings, what cannot be
 // stored.
 
 #include <QComboBox>
@@ -54,16 +54,16 @@ private slots:
     {
         SmallFleet fleet;
         const SwingId id = fleet.addSwing("2026-11-20", eightPoints());
-        EditContext context{fleet.storage, [](const Error&) {}};
+        EditContext context{fleet.stores, [](const Error&) {}};
         SigningPanel panel(context);
         panel.QWidget::show();
         QSignalSpy failed(&panel, &SigningPanel::failed), opened(&panel, &SigningPanel::openSwing);
-        const auto refresh = [&](SwingId swing) { panel.show(*fleet.storage.swingRecord(swing), "In limits."); };
+        const auto refresh = [&](SwingId swing) { panel.show(*fleet.stores.swings.record(swing), "In limits."); };
         refresh(id);
         QVERIFY(!in<QLineEdit>(panel, "signName").isVisible()); // a draft is not signed
         in<QPushButton>(panel, "changeState").click();
         refresh(id);
-        QCOMPARE(fleet.storage.swingRecord(id)->swing.state, SwingState::Complete);
+        QCOMPARE(fleet.stores.swings.record(id)->swing.state, SwingState::Complete);
         type(in<QLineEdit>(panel, "signName"), "Ada");
         type(in<QLineEdit>(panel, "signLicence"), "PL 12");
         refresh(id);
@@ -75,16 +75,16 @@ private slots:
         in<QLineEdit>(panel, "signName").setText("Ben");
         in<QPushButton>(panel, "signButton").click();
         refresh(id);
-        QCOMPARE(fleet.storage.swingRecord(id)->swing.state, SwingState::Signed);
+        QCOMPARE(fleet.stores.swings.record(id)->swing.state, SwingState::Signed);
         QVERIFY(!in<QPushButton>(panel, "changeState").isVisible());
         in<QPushButton>(panel, "amendButton").click();
         QCOMPARE(failed.count(), 2); // not without a reason
         in<QLineEdit>(panel, "stateReason").setText("the date was wrong");
         in<QPushButton>(panel, "amendButton").click();
         QCOMPARE(opened.count(), 1);
-        Swing amended = fleet.storage.swingRecord(opened.front().front().value<SwingId>())->swing;
+        Swing amended = fleet.stores.swings.record(opened.front().front().value<SwingId>())->swing;
         amended.date = "2026-11-19";
-        QVERIFY(fleet.storage.saveParticulars(amended));
+        QVERIFY(fleet.stores.put(amended));
         refresh(amended.id);
         auto& differences = in<QTableWidget>(panel, "differences");
         QCOMPARE(differences.rowCount(), 1);
@@ -95,15 +95,15 @@ private slots:
     {
         SmallFleet fleet;
         const SwingId id = fleet.addSwing("2026-11-20", eightPoints());
-        QVERIFY(fleet.storage.complete(id) && fleet.storage.sign(id, {SignatureRole::Performer, "Ada", "", "", ""}));
-        QVERIFY(fleet.storage.reopen(id, "misread"));
-        const auto before = fleet.storage.swingRecord(id)->swing.readings[0];
+        QVERIFY(fleet.stores.signing.complete(id) && fleet.stores.signing.sign(id, {SignatureRole::Performer, "Ada", "", "", ""}));
+        QVERIFY(fleet.stores.signing.reopen(id, "misread"));
+        const auto before = fleet.stores.swings.record(id)->swing.readings[0];
         Reading after = before;
         after.compass = CompassHeading::fromDegrees(2);
-        QVERIFY(fleet.storage.saveReading(id, before, after));
-        EditContext context{fleet.storage, [](const Error&) {}};
+        QVERIFY(fleet.stores.swings.changeReading(id, before, after));
+        EditContext context{fleet.stores, [](const Error&) {}};
         SigningPanel panel(context);
-        panel.show(*fleet.storage.swingRecord(id), {});
+        panel.show(*fleet.stores.swings.record(id), {});
         QVERIFY(in<QTableWidget>(panel, "signatures").item(0, 4)->text().startsWith("✗"));
     }
 
@@ -112,7 +112,7 @@ private slots:
     {
         SmallFleet fleet;
         QUndoStack stack;
-        EditContext context{fleet.storage, [](const Error&) {}};
+        EditContext context{fleet.stores, [](const Error&) {}};
         SitesPage page(context, stack, [] { return kToday; });
         page.show();
         page.reload();
@@ -122,26 +122,26 @@ private slots:
         type(in<QLineEdit>(page, "siteLongitude"), "17.98 E");
         type(in<QLineEdit>(page, "sitePainted"), "4");
         type(in<QLineEdit>(page, "siteExpiry"), "2026-11-22");
-        const Site site = fleet.storage.sites()->front();
+        const Site site = fleet.stores.sites.sites()->front();
         QCOMPARE(site.name, std::string("Rose 2"));
         QCOMPARE(*site.paintedVariation_deg, 4.0);
         QVERIFY(in<QLabel>(page, "siteFitness").text().startsWith("▲"));
         in<QPushButton>(page, "siteModel").click();
-        const double variation = *fleet.storage.sites()->front().variation_deg;
+        const double variation = *fleet.stores.sites.sites()->front().variation_deg;
         QVERIFY(variation > 5 && variation < 8);
         const QString lines = in<QLabel>(page, "siteLines").text();
         QVERIFY2(lines.contains(signedNumber(4.0 - variation, 2)), qPrintable(lines)); // to be added: less than nothing
         type(in<QLineEdit>(page, "siteExpiry"), "2026-11-23");                         // on the day itself it holds
         QVERIFY(in<QLabel>(page, "siteFitness").text().startsWith("●"));
         stack.undo();
-        QCOMPARE(fleet.storage.sites()->front().certificateExpiry, std::string("2026-11-22"));
+        QCOMPARE(fleet.stores.sites.sites()->front().certificateExpiry, std::string("2026-11-22"));
     }
 
     void aSurveyIsTypedAndSummed()
     {
         SmallFleet fleet;
         QUndoStack stack;
-        EditContext context{fleet.storage, [](const Error&) {}};
+        EditContext context{fleet.stores, [](const Error&) {}};
         SitesPage page(context, stack, [] { return kToday; });
         page.show();
         page.reload();
@@ -154,12 +154,12 @@ private slots:
             QVERIFY(in<QLabel>(page, "surveySummary").text().contains("not stored yet"));
             typeCell(table, row, 3, rows[static_cast<std::size_t>(row)][2]);
         }
-        QCOMPARE(fleet.storage.sites()->front().survey.size(), 3u);
+        QCOMPARE(fleet.stores.sites.sites()->front().survey.size(), 3u);
         const QString summary = in<QLabel>(page, "surveySummary").text();
         QVERIFY2(summary.contains("mean 6.200°") && summary.contains("range 9.6′") && summary.contains("class 1"), qPrintable(summary));
         typeCell(table, 1, 3, "abc");
         QVERIFY(in<QLabel>(page, "surveySummary").text().contains("'abc'"));
-        QCOMPARE(*fleet.storage.sites()->front().survey[1].declination_deg, 6.28);
+        QCOMPARE(*fleet.stores.sites.sites()->front().survey[1].declination_deg, 6.28);
     }
 
     void anInstrumentShowsWhatItsSettingMeans()
@@ -176,16 +176,16 @@ private slots:
         QVERIFY2(datumExample(gps).contains("heads 352.0"), qPrintable(datumExample(gps))); // true less 6° east
 
         SmallFleet fleet;
-        InstrumentsPage page(fleet.storage, [] { return kToday; });
+        InstrumentsPage page(fleet.stores, [] { return kToday; });
         page.show();
         page.reload();
         in<QPushButton>(page, "newInstrument").click();
         type(in<QLineEdit>(page, "instrumentName"), "B-16");
         type(in<QLineEdit>(page, "instrumentDue"), "2026-11-22");
-        QCOMPARE(fleet.storage.instruments()->front().name, std::string("B-16"));
+        QCOMPARE(fleet.stores.sites.instruments()->front().name, std::string("B-16"));
         QVERIFY(in<QLabel>(page, "instrumentState").text().contains("2026-11-22"));
         in<QPushButton>(page, "removeInstrument").click();
-        QVERIFY(fleet.storage.instruments()->empty());
+        QVERIFY(fleet.stores.sites.instruments()->empty());
     }
 
     /// TM 11-4920-292-15, p. 190: at 180 half of the error out, 180.6 → 180.3; at 270 half, 269.3 → 269.65.
@@ -199,7 +199,7 @@ private slots:
         QVERIFY(steps[2].contains("269.30 → 269.65"));
 
         SmallFleet fleet;
-        ElectricalPage page(fleet.storage, [] { return kToday; });
+        ElectricalPage page(fleet.stores, [] { return kToday; });
         page.show();
         QVERIFY(page.showCompass(fleet.compass));
         in<QPushButton>(page, "newElectrical").click();
@@ -207,7 +207,7 @@ private slots:
         const char* after[] = {"0.3", "90.1", "180.4", "270.4"};
         for (int row = 0; row < 4; ++row)
             typeCell(sheet, row, 2, after[row]);
-        const auto stored = fleet.storage.electricalSwingsOf(fleet.compass)->front();
+        const auto stored = fleet.stores.electrical.of(fleet.compass)->front();
         QCOMPARE(*stored.after.indicated_deg[3], 270.4);
         const QString verdict = in<QLabel>(page, "electricalVerdict").text();
         QVERIFY2(verdict.contains("do NOT agree"), qPrintable(verdict)); // 90/270 differ by 0.3
@@ -215,7 +215,7 @@ private slots:
         typeCell(headings, 1, 0, "15.5");
         QCOMPARE(headings.item(1, 1)->text(), QString("+0.50"));
         typeCell(headings, 2, 0, "x");
-        QVERIFY(!fleet.storage.electricalSwingsOf(fleet.compass)->front().headings[2].indicated_deg);
+        QVERIFY(!fleet.stores.electrical.of(fleet.compass)->front().headings[2].indicated_deg);
         typeCell(headings, 0, 0, "359.8"), typeCell(headings, 6, 0, "90.2"), typeCell(headings, 12, 0, "180.1");
         QSignalSpy made(&page, &ElectricalPage::makeSwing);
         in<QPushButton>(page, "electricalAsSwing").click();
@@ -229,7 +229,7 @@ private slots:
     {
         QTemporaryDir folder;
         SmallFleet fleet;
-        const SwingRecord record = *fleet.storage.swingRecord(fleet.addSwing("2026-11-20", eightPoints()));
+        const SwingRecord record = *fleet.stores.swings.record(fleet.addSwing("2026-11-20", eightPoints()));
         // The first place cannot be written: a file stands where its folder should be.
         QFile blocked(folder.filePath("blocked"));
         QVERIFY(blocked.open(QIODevice::WriteOnly));
@@ -237,20 +237,20 @@ private slots:
         Reading wanted = record.swing.readings[2];
         wanted.compass = CompassHeading::fromDegrees(92.5);
         wanted.note = "typed while the drive was full";
-        const LostEntry lost{fleet.storage.location().toStdString(), record.swing.id, record.swing.record, "3713", LostReading{2, wanted}};
+        const LostEntry lost{fleet.stores.location().toStdString(), record.swing.id, record.swing.record, "3713", LostReading{2, wanted}};
         QVERIFY(recovery.keep(lost));
         QVERIFY(recovery.keep({"another.lubberline", record.swing.id, record.swing.record, "x", LostReading{0, wanted}}));
-        QCOMPARE(recovery.entriesFor(fleet.storage.location()).size(), 1u);
-        fleet.storage.refuseWrites = true;
-        auto restored = recovery.restore(fleet.storage);
+        QCOMPARE(recovery.entriesFor(fleet.stores.location()).size(), 1u);
+        fleet.stores.watch().refuseWrites = true;
+        auto restored = recovery.restore(fleet.stores);
         QCOMPARE(restored.done, 0);
         QCOMPARE(restored.failures.size(), 1);
-        QCOMPARE(recovery.entriesFor(fleet.storage.location()).size(), 1u); // it stays
-        fleet.storage.refuseWrites = false;
-        restored = recovery.restore(fleet.storage);
+        QCOMPARE(recovery.entriesFor(fleet.stores.location()).size(), 1u); // it stays
+        fleet.stores.watch().refuseWrites = false;
+        restored = recovery.restore(fleet.stores);
         QCOMPARE(restored.done, 1);
-        QCOMPARE(fleet.storage.swingRecord(record.swing.id)->swing.readings[2].compass->degrees(), 92.5);
-        QVERIFY(recovery.entriesFor(fleet.storage.location()).empty());
+        QCOMPARE(fleet.stores.swings.record(record.swing.id)->swing.readings[2].compass->degrees(), 92.5);
+        QVERIFY(recovery.entriesFor(fleet.stores.location()).empty());
         QCOMPARE(recovery.entriesFor("another.lubberline").size(), 1u);
     }
 
@@ -262,19 +262,19 @@ private slots:
         QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
         const QString file = folder.filePath("recovery.jsonl");
         {
-            MainWindow window(fleet.storage, {dialogs, settings, {}, {}, {file}});
+            MainWindow window(fleet.stores, {dialogs, settings, {}, {}, {file}});
             window.show();
             QCoreApplication::processEvents();
             window.go(fleet.swing);
-            fleet.storage.refuseWrites = true;
+            fleet.stores.watch().refuseWrites = true;
             auto* page = window.findChild<SwingPage*>();
             Reading typed;
             typed.magnetic = MagneticHeading::fromDegrees(45);
             QVERIFY(!page->editor().insertReadings(0, {typed}, "reading"));
             QVERIFY(QFile::exists(file));
         }
-        fleet.storage.refuseWrites = false;
-        MainWindow window(fleet.storage, {dialogs, settings, {}, {}, {file}});
+        fleet.stores.watch().refuseWrites = false;
+        MainWindow window(fleet.stores, {dialogs, settings, {}, {}, {file}});
         window.show();
         QCoreApplication::processEvents();
         QCoreApplication::processEvents();
@@ -284,7 +284,7 @@ private slots:
                 answer = button;
         QVERIFY(answer);
         answer->click();
-        QCOMPARE(fleet.storage.swingRecord(fleet.swing)->swing.readings.size(), 1u);
+        QCOMPARE(fleet.stores.swings.record(fleet.swing)->swing.readings.size(), 1u);
         QVERIFY(!QFile::exists(file));
     }
 
@@ -304,11 +304,13 @@ private slots:
     {
         SmallFleet fleet;
         const SwingId id = fleet.addSwing("2026-11-20", eightPoints());
-        OpenWindow open(fleet.storage);
+        OpenWindow open(fleet.stores);
         open.window.go(id);
         auto& editor = open.window.findChild<SwingPage*>()->editor();
         Reading mine = editor.readings()[0];
-        fleet.storage.fleet().swings.back().readings[0].compass = CompassHeading::fromDegrees(300); // another program
+        Reading theirs = mine;
+        theirs.compass = CompassHeading::fromDegrees(300);
+        QVERIFY(fleet.stores.another()->swings.changeReading(id, mine, theirs));
         mine.compass = CompassHeading::fromDegrees(310);
         QVERIFY(!editor.changeReading(0, mine, "compass"));
         QVERIFY(open.window.messages().messages().join(' ').contains("changed elsewhere"));

@@ -60,7 +60,7 @@ Done worksheetJob()
     done.input.record.aircraft.registration = "3713";
     done.input.record.compass.name = "standby compass";
     done.input.analysis = analyse(observationsOf(done.input.record.swing)).value();
-    job.particulars = done.input.record.swing; // as storage hands it out afterwards
+    job.particulars = done.input.record.swing; // as stores hands it out afterwards
     done.input.job = JobRecord{{}, job};
     done.asFound = asFoundSwing(job, state);
     return done;

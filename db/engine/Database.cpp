@@ -1,0 +1,258 @@
+#include "db/engine/Database.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QThread>
+#include <QUrl>
+
+#include <atomic>
+
+#include "db/engine/Changes.h"
+#include "db/engine/SqlError.h"
+#include "db/engine/Statement.h"
+#include "db/engine/Transaction.h"
+
+namespace lubberline::db {
+
+namespace {
+
+constexpr std::int64_t kApplicationId = 0x4C554242; // "LUBB", in the file's header
+
+QString newConnectionName()
+{
+    static std::atomic<int> count{0};
+    return QStringLiteral("lubberline-%1").arg(++count);
+}
+
+Result<void> checkFile(const QString& path, OpenMode mode)
+{
+    const QFileInfo file(path);
+    const std::string name = path.toStdString();
+    if (file.isDir())
+        return Error{ErrorCode::Io, "this is a folder; expected a database file", name};
+    if (file.exists() && file.size() == 0 && mode == OpenMode::ReadOnly)
+        return Error{ErrorCode::Format, "the file is empty; expected a Lubberline database", name};
+    if (file.exists())
+        return {};
+    if (mode == OpenMode::ReadOnly)
+        return Error{ErrorCode::NotFound, "there is no such database; expected an existing file", name};
+    const QFileInfo folder(file.absolutePath());
+    if (!folder.isDir())
+        return Error{ErrorCode::Io,
+            "the folder " + folder.filePath().toStdString() + " is not there; expected an existing one for the new database", name};
+    if (!folder.isWritable())
+        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " may not be written; expected one that may", name};
+    return {};
+}
+
+/// SQLite writes its log beside the file, so the folder counts, too.
+bool mayNotBeWritten(const QString& path)
+{
+    const QFileInfo file(path);
+    return file.exists() && (!file.isWritable() || !QFileInfo(file.absolutePath()).isWritable());
+}
+
+/// SQLite does not wait by itself when two programs make the same new database: one turns on the log while the other wants to.
+Result<void> turnOnLog(const Database& database)
+{
+    for (int attempt = 0;; ++attempt) {
+        const auto done = execute(database, "PRAGMA journal_mode = WAL");
+        if (done || done.error().code != ErrorCode::Locked || attempt == 20)
+            return done;
+        QThread::msleep(100);
+    }
+}
+
+Result<void> configure(const Database& database)
+{
+    // 32 MiB of pages: a search through 100,000 swings reads each page once.
+    for (const char* pragma : {"PRAGMA foreign_keys = ON", "PRAGMA synchronous = FULL", "PRAGMA cache_size = -32768"})
+        if (const auto done = execute(database, pragma); !done)
+            return done;
+    return database.readOnly() ? execute(database, "PRAGMA query_only = ON") : turnOnLog(database);
+}
+
+/// Ours, or empty and so about to become ours.
+Result<void> checkIdentity(Database& database, int newest)
+{
+    const auto moment = Transaction::beginReading(database); // another program may be making it just now
+    if (!moment)
+        return moment.error();
+    const auto application = number(database, "PRAGMA application_id");
+    if (!application)
+        return application.error();
+    const auto version = number(database, "PRAGMA user_version");
+    if (!version)
+        return version.error();
+    const auto tables = number(database, "SELECT COUNT(*) FROM sqlite_master");
+    if (!tables)
+        return tables.error();
+    const std::string file = database.path().toStdString();
+    if (*tables == 0 && *application == 0 && *version == 0)
+        return {};
+    if (*application != kApplicationId)
+        return Error{ErrorCode::Format, "this SQLite file was not made by Lubberline; expected a fleet database", file};
+    if (*version > newest)
+        return Error{ErrorCode::NewerSchema,
+            "the database has schema " + std::to_string(*version) + ", made by a newer Lubberline; this one knows schemas up to "
+                + std::to_string(newest) + ": update the program",
+            file};
+    return {};
+}
+
+Result<void> apply(Database& database, const Migration& step)
+{
+    auto transaction = Transaction::begin(database);
+    if (!transaction)
+        return transaction.error();
+    // Another program may have made the step while we waited for the lock.
+    const auto version = number(database, "PRAGMA user_version");
+    if (!version)
+        return version.error();
+    if (*version >= step.version)
+        return {};
+    for (const char* statement : step.statements)
+        if (const auto done = execute(database, statement); !done) {
+            Error error = done.error();
+            error.message = "the step to schema " + std::to_string(step.version) + " (" + step.description
+                + ") failed, nothing was changed: " + error.message;
+            return error;
+        }
+    for (const QString& pragma :
+        {QStringLiteral("PRAGMA application_id = %1").arg(kApplicationId), QStringLiteral("PRAGMA user_version = %1").arg(step.version)})
+        if (const auto done = execute(database, pragma); !done)
+            return done;
+    return transaction->commit();
+}
+
+Result<void> migrate(Database& database, const std::vector<Migration>& steps)
+{
+    const auto version = number(database, "PRAGMA user_version");
+    if (!version)
+        return version.error();
+    for (const auto& step : steps) {
+        if (step.version <= *version)
+            continue;
+        if (database.readOnly())
+            return Error{ErrorCode::ReadOnly,
+                "the database has the old schema " + std::to_string(*version)
+                    + " and may only be read; expected one that may be written once, to bring it up to date",
+                database.path().toStdString()};
+        if (const auto done = apply(database, step); !done)
+            return done;
+    }
+    return {};
+}
+
+} // namespace
+
+struct Database::State {
+    QString path;
+    QString connection = newConnectionName();
+    bool readOnly = false;    ///< we do not write
+    bool isProtected = false; ///< we could not
+    TransactionState transaction;
+    Changes changes;
+    Fault fault;
+
+    Result<void> connect(bool immutable);
+    ~State();
+};
+
+/// `immutable`: SQLite is told that nobody changes the file, and makes no files beside it.
+Result<void> Database::State::connect(bool immutable)
+{
+    QSqlDatabase handle = QSqlDatabase::database(connection, false);
+    if (handle.isValid())
+        handle.close();
+    else
+        handle = QSqlDatabase::addDatabase("QSQLITE", connection);
+    // A reader may have to wait for a writer's commit; more than two seconds means that something holds the file.
+    QString options = "QSQLITE_BUSY_TIMEOUT=2000";
+    // Only where it must be: a connection that cannot write leaves the files of the log behind when it is the last one.
+    if (isProtected)
+        options += ";QSQLITE_OPEN_READONLY";
+    if (immutable)
+        options += ";QSQLITE_OPEN_URI";
+    const QUrl url = QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath());
+    handle.setDatabaseName(immutable ? url.toString(QUrl::FullyEncoded) + "?immutable=1" : path);
+    handle.setConnectOptions(options);
+    if (!handle.open())
+        return errorOf(handle.lastError(), path);
+    return {};
+}
+
+Database::State::~State()
+{
+    { // all handles must be gone before the connection is removed
+        QSqlDatabase handle = QSqlDatabase::database(connection, false);
+        if (handle.isValid())
+            handle.close();
+    }
+    QSqlDatabase::removeDatabase(connection);
+}
+
+Database::Database(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+Database::Database(Database&&) noexcept = default;
+Database& Database::operator=(Database&&) noexcept = default;
+Database::~Database() = default;
+
+QString Database::path() const { return m_state->path; }
+bool Database::readOnly() const { return m_state->readOnly; }
+QSqlDatabase Database::connection() const { return QSqlDatabase::database(m_state->connection, false); }
+Result<void> Database::onlyRead()
+{
+    m_state->readOnly = true;
+    return execute(*this, "PRAGMA query_only = ON");
+}
+
+Changes& Database::changes() const { return m_state->changes; }
+void Database::setFault(Fault fault) { m_state->fault = std::move(fault); }
+const Fault& Database::fault() const { return m_state->fault; }
+TransactionState& Database::transactionState() { return m_state->transaction; }
+
+Result<void> Database::connectToOurs(int newest)
+{
+    auto known = m_state->connect(false);
+    if (known)
+        known = checkIdentity(*this, newest);
+    if (known || !m_state->isProtected || (known.error().code != ErrorCode::Io && known.error().code != ErrorCode::ReadOnly))
+        return known;
+    // The log needs an index file beside the database. Where that cannot be made the file is read as one that nobody changes,
+    // which is so unless somebody with more rights opens it at the same time. A log with contents, however, would be left out.
+    if (QFileInfo(path() + "-wal").size() > 0)
+        return Error{ErrorCode::Io,
+            "the database was not closed properly, and its folder may not be written; expected one that may, so that what was "
+            "stored last can be recovered",
+            path().toStdString()};
+    if (const auto connected = m_state->connect(true); !connected)
+        return connected;
+    return checkIdentity(*this, newest);
+}
+
+Result<Database> Database::open(const QString& path, OpenMode mode, const std::vector<Migration>& steps)
+{
+    const bool inMemory = path == ":memory:";
+    if (!inMemory)
+        if (const auto checked = checkFile(path, mode); !checked)
+            return checked.error();
+
+    auto state = std::make_unique<State>();
+    state->path = path;
+    state->isProtected = !inMemory && mayNotBeWritten(path);
+    state->readOnly = !inMemory && (state->isProtected || mode == OpenMode::ReadOnly);
+    Database database(std::move(state));
+    // Nothing is written before the file is known to be ours.
+    if (const auto connected = database.connectToOurs(steps.back().version); !connected)
+        return connected.error();
+    if (const auto configured = configure(database); !configured)
+        return configured.error();
+    if (const auto migrated = migrate(database, steps); !migrated)
+        return migrated.error();
+    return database;
+}
+
+} // namespace lubberline::db

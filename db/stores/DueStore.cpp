@@ -1,0 +1,158 @@
+#include "db/stores/DueStore.h"
+
+#include <map>
+
+#include "db/stores/Saving.h"
+
+namespace lubberline::db {
+
+namespace {
+
+const Table& ruleTable()
+{
+    static const Table table{"due rule", "due_rule", {"name", "months", "grace_days", "warn_days", "document", "issue", "type_record"}};
+    return table;
+}
+
+const Table& waiverTable()
+{
+    static const Table table{"waiver", "waiver", {"event_id", "date", "reason", "signed_by"}};
+    return table;
+}
+
+const QString kSelectWaiver
+    = "SELECT w.record, e.record, w.date, w.reason, w.signed_by, e.aircraft_id FROM waiver w JOIN event e ON e.id = w.event_id ";
+
+Waiver waiverFrom(const Statement& row) { return {row.text(0), row.text(1), row.text(2), row.text(3), row.text(4)}; }
+
+template <class Key, class Value, class MakeKey, class MakeValue>
+Result<std::map<Key, std::vector<Value>>> groups(Statement& statement, MakeKey key, MakeValue value)
+{
+    auto rows = rowsOf<std::pair<Key, Value>>(statement, [&](Statement& row) { return std::pair(key(row), value(row)); });
+    if (!rows)
+        return rows.error();
+    std::map<Key, std::vector<Value>> all;
+    for (auto& [owner, one] : *rows)
+        all[owner].push_back(std::move(one));
+    return all;
+}
+
+template <class Key, class Value>
+std::vector<Value> of(const std::map<Key, std::vector<Value>>& groups, Key key)
+{
+    const auto found = groups.find(key);
+    return found == groups.end() ? std::vector<Value>{} : found->second;
+}
+
+void bindRule(Statement& statement, const DueRule& rule)
+{
+    statement << rule.name << rule.months << rule.graceDays << rule.warnDays << rule.document << rule.issue << rule.type;
+}
+
+} // namespace
+
+Result<std::vector<DueRule>> DueStore::rules()
+{
+    Statement statement(m_database, "SELECT record, " + ruleTable().fields.join(", ") + " FROM due_rule ORDER BY name");
+    return rowsOf<DueRule>(statement, [](Statement& row) {
+        return DueRule{row.text(0), row.text(1), static_cast<int>(row.integer(2)), static_cast<int>(row.integer(3)),
+            static_cast<int>(row.integer(4)), row.text(5), row.text(6), row.text(7)};
+    });
+}
+
+Result<RecordId> DueStore::add(const DueRule& rule)
+{
+    if (const auto named = requireName(rule.name, "the name of the rule"); !named)
+        return named.error();
+    DueRule whole = rule;
+    if (whole.record.empty())
+        whole.record = newRecordId();
+    const auto store = [&]() -> Result<RecordId> {
+        const auto added = addRecord<RowId>(m_database, ruleTable(), whole, bindRule);
+        return added ? Result<RecordId>(whole.record) : added.error();
+    };
+    return noting(m_database, store, [&](const RecordId&) { noteDue(); });
+}
+
+Result<void> DueStore::change(const DueRule& known, const DueRule& rule)
+{
+    if (const auto named = requireName(rule.name, "the name of the rule"); !named)
+        return named.error();
+    const auto id = rowWith(m_database, ruleTable(), known.record);
+    if (!id)
+        return id.error();
+    return noting(
+        m_database, [&] { return changeRecord(m_database, ruleTable(), *id, known, rule, bindRule); }, [&] { noteDue(); });
+}
+
+Result<void> DueStore::removeRule(const RecordId& record)
+{
+    return noting(
+        m_database, [&] { return removeRecord(m_database, ruleTable(), record); }, [&] { noteDue(); });
+}
+
+void DueStore::noteDue() { m_database.changes().note(change::Due{}); }
+
+Result<std::vector<Waiver>> DueStore::waiversOf(AircraftId aircraft)
+{
+    Statement statement(m_database, kSelectWaiver + "WHERE e.aircraft_id = ? ORDER BY w.date DESC, w.id DESC");
+    statement << aircraft;
+    return rowsOf<Waiver>(statement, waiverFrom);
+}
+
+Result<void> DueStore::add(const Waiver& waiver)
+{
+    if (const auto named = requireName(waiver.by, "the name of who waives"); !named)
+        return named.error();
+    if (waiver.reason.find_first_not_of(' ') == std::string::npos)
+        return Error{ErrorCode::InvalidInput, "the reason of the waiver is empty; expected why no swing is needed"};
+    const auto known = rowWith(m_database, waiverTable(), waiver.record);
+    if (!known)
+        return known.error();
+    if (known->valid())
+        return Error{ErrorCode::Conflict, "the waiver is on record already; a waiver is not changed", m_database.path().toStdString()};
+    Statement event(m_database, "SELECT id FROM event WHERE record = ?");
+    event << waiver.event;
+    const auto answered = oneOf<EventId>(event, m_database, "event", [](Statement& row) { return row.id<EventId>(0); });
+    if (!answered)
+        return answered.error();
+    const auto bind = [&](Statement& statement, const Waiver& one) { statement << *answered << one.date << one.reason << one.by; };
+    const auto added = noting(
+        m_database, [&] { return addRecord<RowId>(m_database, waiverTable(), waiver, bind); }, [&](RowId) { noteDue(); });
+    return added ? Result<void>() : added.error();
+}
+
+Result<std::vector<DueCompass>> DueStore::compasses()
+{
+    Statement events(m_database, "SELECT id, record, aircraft_id, date, kind, cause, note FROM event ORDER BY date DESC, id DESC");
+    const auto eventsOf = groups<AircraftId, Event>(
+        events, [](Statement& row) { return row.id<AircraftId>(2); },
+        [](Statement& row) {
+            return Event{
+                row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.text(4), row.as<DueCause>(5), row.text(6)};
+        });
+    if (!eventsOf)
+        return eventsOf.error();
+    Statement waivers(m_database, kSelectWaiver + "ORDER BY w.date DESC, w.id DESC");
+    const auto waiversOf = groups<AircraftId, Waiver>(
+        waivers, [](Statement& row) { return row.id<AircraftId>(5); }, waiverFrom);
+    if (!waiversOf)
+        return waiversOf.error();
+    Statement dates(m_database, "SELECT compass_id, date FROM swing WHERE state = 2 AND date <> '' ORDER BY date DESC");
+    const auto signedOf = groups<CompassId, std::string>(
+        dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.text(1); });
+    if (!signedOf)
+        return signedOf.error();
+    Statement statement(m_database,
+        "SELECT t.id, a.id, c.id, t.record, c.record, t.name, a.registration, c.name, c.installed, a.base_id"
+        " FROM compass c JOIN aircraft a ON a.id = c.aircraft_id JOIN aircraft_type t ON t.id = a.type_id"
+        " ORDER BY t.name, a.registration, c.name");
+    return rowsOf<DueCompass>(statement, [&](Statement& row) {
+        const auto aircraft = row.id<AircraftId>(1);
+        const auto compass = row.id<CompassId>(2);
+        return DueCompass{row.id<AircraftTypeId>(0), aircraft, compass, row.text(3), row.text(4), row.text(5), row.text(6), row.text(7),
+            row.text(8), row.id<SiteId>(9), of(*signedOf, compass), of(*eventsOf, aircraft), of(*waiversOf, aircraft)};
+    });
+}
+
+} // namespace lubberline::db

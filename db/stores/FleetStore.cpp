@@ -1,0 +1,234 @@
+#include "db/stores/FleetStore.h"
+
+#include "db/stores/ResultCache.h"
+#include "db/stores/Saving.h"
+
+namespace lubberline::db {
+
+namespace {
+
+const Table& typeTable()
+{
+    static const Table table{"aircraft type", "aircraft_type", {"name", "maker", "note"}};
+    return table;
+}
+
+const Table& aircraftTable()
+{
+    static const Table table{"aircraft", "aircraft",
+        {"type_id", "registration", "serial_number", "operator_name", "built_year", "note", "demonstration", "base_id"}};
+    return table;
+}
+
+const Table& compassTable()
+{
+    static const Table table{"compass", "compass",
+        {"aircraft_id", "name", "kind", "compensator", "maker", "part_number", "serial_number", "location", "resolution_deg", "limits_id",
+            "installed"}};
+    return table;
+}
+
+const Table& eventTable()
+{
+    static const Table table{"event", "event", {"aircraft_id", "date", "kind", "note", "cause"}};
+    return table;
+}
+
+QString select(const Table& table) { return "SELECT id, record, " + table.fields.join(", ") + " FROM " + table.name + " "; }
+
+void bindType(Statement& statement, const AircraftType& type) { statement << type.name << type.maker << type.note; }
+
+void bindAircraft(Statement& statement, const Aircraft& aircraft)
+{
+    statement << aircraft.type << aircraft.registration << aircraft.serialNumber << aircraft.operatorName << aircraft.builtYear
+              << aircraft.note << aircraft.demonstration << aircraft.base;
+}
+
+void bindCompass(Statement& statement, const CompassSystem& compass)
+{
+    statement << compass.aircraft << compass.name << static_cast<int>(compass.kind) << static_cast<int>(compass.compensator)
+              << compass.maker << compass.partNumber << compass.serialNumber << compass.location << compass.resolution_deg << compass.limits
+              << compass.installed;
+}
+
+void bindEvent(Statement& statement, const Event& event)
+{
+    statement << event.aircraft << event.date << event.kind << event.note << static_cast<int>(event.cause);
+}
+
+} // namespace
+
+Result<Totals> FleetStore::totals()
+{
+    Statement statement(m_database,
+        "SELECT (SELECT COUNT(*) FROM aircraft_type), (SELECT COUNT(*) FROM aircraft), (SELECT COUNT(*) FROM compass),"
+        " (SELECT COUNT(*) FROM swing)");
+    return oneOf<Totals>(statement, m_database, "fleet", [](Statement& row) {
+        return Totals{static_cast<int>(row.integer(0)), static_cast<int>(row.integer(1)), static_cast<int>(row.integer(2)), row.integer(3)};
+    });
+}
+
+Result<std::vector<TypeRow>> FleetStore::types()
+{
+    // Counted one by one, each from an index alone: a join would visit every compass's row.
+    Statement statement(m_database,
+        "SELECT t.id, t.name, (SELECT COUNT(*) FROM aircraft a WHERE a.type_id = t.id),"
+        " COALESCE((SELECT MAX(c.status) FROM aircraft a JOIN compass c ON c.aircraft_id = a.id WHERE a.type_id = t.id), 0)"
+        " FROM aircraft_type t ORDER BY t.name");
+    return rowsOf<TypeRow>(statement, [](Statement& row) {
+        return TypeRow{row.id<AircraftTypeId>(0), row.text(1), static_cast<int>(row.integer(2)), row.as<Status>(3)};
+    });
+}
+
+Result<std::vector<AircraftRow>> FleetStore::aircraftOf(AircraftTypeId type)
+{
+    Statement statement(m_database,
+        "SELECT a.id, a.type_id, a.registration, a.demonstration,"
+        " COALESCE((SELECT MAX(c.status) FROM compass c WHERE c.aircraft_id = a.id), 0)"
+        " FROM aircraft a WHERE a.type_id = ? ORDER BY a.registration");
+    statement << type;
+    return rowsOf<AircraftRow>(statement, [](Statement& row) {
+        return AircraftRow{row.id<AircraftId>(0), row.id<AircraftTypeId>(1), row.text(2), row.integer(3) != 0, row.as<Status>(4)};
+    });
+}
+
+Result<std::vector<CompassRow>> FleetStore::compassesOf(AircraftId aircraft)
+{
+    Statement statement(m_database,
+        "SELECT c.id, c.aircraft_id, c.name, (SELECT COUNT(*) FROM swing s WHERE s.compass_id = c.id), c.status"
+        " FROM compass c WHERE c.aircraft_id = ? ORDER BY c.name");
+    statement << aircraft;
+    return rowsOf<CompassRow>(statement, [](Statement& row) {
+        return CompassRow{row.id<CompassId>(0), row.id<AircraftId>(1), row.text(2), static_cast<int>(row.integer(3)), row.as<Status>(4)};
+    });
+}
+
+Result<AircraftType> FleetStore::type(AircraftTypeId id)
+{
+    Statement statement(m_database, select(typeTable()) + "WHERE id = ?");
+    statement << id;
+    return oneOf<AircraftType>(statement, m_database, "aircraft type", [](Statement& row) {
+        return AircraftType{row.id<AircraftTypeId>(0), row.text(1), row.text(2), row.text(3), row.text(4)};
+    });
+}
+
+Result<Aircraft> FleetStore::aircraft(AircraftId id)
+{
+    Statement statement(m_database, select(aircraftTable()) + "WHERE id = ?");
+    statement << id;
+    return oneOf<Aircraft>(statement, m_database, "aircraft", [](Statement& row) {
+        return Aircraft{row.id<AircraftId>(0), row.text(1), row.id<AircraftTypeId>(2), row.text(3), row.text(4), row.text(5),
+            row.optionalInteger(6), row.text(7), row.integer(8) != 0, row.id<SiteId>(9)};
+    });
+}
+
+Result<CompassSystem> FleetStore::compass(CompassId id)
+{
+    Statement statement(m_database, select(compassTable()) + "WHERE id = ?");
+    statement << id;
+    return oneOf<CompassSystem>(statement, m_database, "compass", [](Statement& row) {
+        return CompassSystem{row.id<CompassId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.as<CompassKind>(4),
+            row.as<Compensator>(5), row.text(6), row.text(7), row.text(8), row.text(9), row.real(10), row.id<LimitsProfileId>(11),
+            row.text(12)};
+    });
+}
+
+Result<std::vector<Event>> FleetStore::eventsOf(AircraftId id)
+{
+    Statement statement(m_database, select(eventTable()) + "WHERE aircraft_id = ? ORDER BY date DESC, id DESC");
+    statement << id;
+    return rowsOf<Event>(statement, [](Statement& row) {
+        return Event{row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.text(4), row.as<DueCause>(6), row.text(5)};
+    });
+}
+
+Result<AircraftId> FleetStore::aircraftNamed(const std::string& registration)
+{
+    Statement statement(m_database, "SELECT id FROM aircraft WHERE registration = ?");
+    statement << registration;
+    return oneOf<AircraftId>(
+        statement, m_database, ("aircraft as " + registration).c_str(), [](Statement& row) { return row.id<AircraftId>(0); });
+}
+
+Result<AircraftTypeId> FleetStore::add(const AircraftType& type)
+{
+    if (const auto named = requireName(type.name, "the name of the aircraft type"); !named)
+        return named.error();
+    return noting(
+        m_database, [&] { return addRecord<AircraftTypeId>(m_database, typeTable(), type, bindType); },
+        [&](AircraftTypeId) { m_database.changes().note(change::Fleet{}); });
+}
+
+Result<void> FleetStore::change(const AircraftType& known, const AircraftType& type)
+{
+    if (const auto named = requireName(type.name, "the name of the aircraft type"); !named)
+        return named.error();
+    return noting(
+        m_database, [&] { return changeRecord(m_database, typeTable(), type.id, known, type, bindType); },
+        [&] { m_database.changes().note(change::Fleet{}); });
+}
+
+Result<AircraftId> FleetStore::add(const Aircraft& aircraft)
+{
+    if (const auto named = requireName(aircraft.registration, "the registration"); !named)
+        return named.error();
+    return noting(
+        m_database, [&] { return addRecord<AircraftId>(m_database, aircraftTable(), aircraft, bindAircraft); },
+        [&](AircraftId id) { noteAircraft(id); });
+}
+
+Result<void> FleetStore::change(const Aircraft& known, const Aircraft& aircraft)
+{
+    if (const auto named = requireName(aircraft.registration, "the registration"); !named)
+        return named.error();
+    return noting(
+        m_database, [&] { return changeRecord(m_database, aircraftTable(), aircraft.id, known, aircraft, bindAircraft); },
+        [&] { noteAircraft(aircraft.id); });
+}
+
+Result<CompassId> FleetStore::add(const CompassSystem& compass)
+{
+    if (const auto named = requireName(compass.name, "the name of the compass"); !named)
+        return named.error();
+    return noting(
+        m_database, [&] { return addRecord<CompassId>(m_database, compassTable(), compass, bindCompass); },
+        [&](CompassId) { noteAircraft(compass.aircraft); });
+}
+
+Result<void> FleetStore::change(const CompassSystem& known, const CompassSystem& compass)
+{
+    if (const auto named = requireName(compass.name, "the name of the compass"); !named)
+        return named.error();
+    const auto store = [&]() -> Result<void> {
+        if (auto changed = changeRecord(m_database, compassTable(), compass.id, known, compass, bindCompass); !changed)
+            return changed;
+        return refreshSwingsOf(m_database, compass.id); // other limits may now apply to its swings
+    };
+    return noting(m_database, store, [&] { noteAircraft(compass.aircraft); });
+}
+
+Result<EventId> FleetStore::add(const Event& event)
+{
+    return noting(
+        m_database, [&] { return addRecord<EventId>(m_database, eventTable(), event, bindEvent); }, [&](EventId) { noteEvent(event); });
+}
+
+Result<void> FleetStore::change(const Event& known, const Event& event)
+{
+    return noting(
+        m_database, [&] { return changeRecord(m_database, eventTable(), event.id, known, event, bindEvent); }, [&] { noteEvent(event); });
+}
+
+void FleetStore::noteAircraft(AircraftId id)
+{
+    m_database.changes().note(change::Fleet{});
+    m_database.changes().note(change::OfAircraft{id});
+}
+
+void FleetStore::noteEvent(const Event& event)
+{
+    m_database.changes().note(change::OfAircraft{event.aircraft});
+    m_database.changes().note(change::Due{});
+}
+
+} // namespace lubberline::db

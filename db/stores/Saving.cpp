@@ -1,0 +1,97 @@
+#include "db/stores/Saving.h"
+
+namespace lubberline::db {
+
+Result<StoredRow> storedRow(Database& database, const Table& table, std::int64_t id)
+{
+    Statement statement(database, "SELECT record, " + table.fields.join(", ") + " FROM " + table.name + " WHERE id = ?");
+    statement << id;
+    return oneOf<StoredRow>(statement, database, table.what, [&](Statement& row) {
+        StoredRow stored{row.text(0), {}};
+        for (int i = 1; i <= table.fields.size(); ++i)
+            stored.fields.push_back(row.text(i));
+        return stored;
+    });
+}
+
+std::string changesBetween(const Table& table, const StoredRow& before, const StoredRow& after)
+{
+    std::string text;
+    for (std::size_t i = 0; i < after.fields.size(); ++i) {
+        const std::string was = i < before.fields.size() ? before.fields[i] : std::string();
+        if (was == after.fields[i])
+            continue;
+        text += (text.empty() ? "" : "; ") + table.fields[static_cast<qsizetype>(i)].toStdString() + ": ";
+        text += was.empty() ? after.fields[i] : was + " -> " + after.fields[i];
+    }
+    return text;
+}
+
+QString insertInto(const Table& table)
+{
+    return "INSERT INTO " + table.name + " (record, " + table.fields.join(", ") + ") VALUES (" + placeholders(table.fields.size() + 1)
+        + ")";
+}
+
+QString sameAs(const Table& table)
+{
+    return "SELECT 1 FROM " + table.name + " WHERE " + table.fields.join(" IS ? AND ") + " IS ? AND id = ?";
+}
+
+QString updateOf(const Table& table) { return "UPDATE " + table.name + " SET " + table.fields.join(" = ?, ") + " = ? WHERE id = ?"; }
+
+QString placeholders(qsizetype count) { return QStringList(count, "?").join(", "); }
+
+Result<RowId> rowWith(Database& database, const Table& table, const RecordId& record)
+{
+    Statement statement(database, "SELECT id FROM " + table.name + " WHERE record = ?");
+    statement << record;
+    const auto found = firstOf<RowId>(statement, [](Statement& row) { return row.id<RowId>(0); });
+    if (!found)
+        return found.error();
+    return found->value_or(RowId{});
+}
+
+Error changedElsewhere(const Database& database, const Table& table, const StoredRow& row)
+{
+    return {ErrorCode::Conflict,
+        "this " + std::string(table.what) + " (" + row.fields.front()
+            + ") has been changed elsewhere; nothing was overwritten, look at it again",
+        database.path().toStdString()};
+}
+
+Result<bool> exists(Statement& statement)
+{
+    if (const auto done = statement.run(); !done)
+        return done.error();
+    return statement.next();
+}
+
+Result<void> removeRecord(Database& database, const Table& table, const RecordId& record)
+{
+    auto transaction = Transaction::begin(database);
+    if (!transaction)
+        return transaction.error();
+    const auto id = rowWith(database, table, record);
+    if (!id)
+        return id.error();
+    const auto row = storedRow(database, table, id->value);
+    if (!row)
+        return row.error();
+    Statement statement(database, "DELETE FROM " + table.name + " WHERE id = ?");
+    statement << *id;
+    if (const auto done = statement.run(); !done)
+        return done;
+    if (const auto kept = audit(database, "removed " + std::string(table.what), record, changesBetween(table, {}, *row)); !kept)
+        return kept;
+    return transaction->commit();
+}
+
+Result<void> requireName(const std::string& name, const char* what)
+{
+    if (name.empty())
+        return Error{ErrorCode::InvalidInput, std::string(what) + " is empty; expected a name"};
+    return {};
+}
+
+} // namespace lubberline::db

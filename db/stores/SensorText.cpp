@@ -1,0 +1,78 @@
+#include "db/stores/SensorText.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <cmath>
+
+#include "core/format/exchange/BenchJson.h"
+#include "core/format/exchange/ModelJson.h"
+#include "core/iron/BenchCheck.h"
+
+namespace lubberline::db {
+
+namespace {
+
+bool isFinite(const SensorModel& model)
+{
+    const auto& mount = model.misalignment;
+    bool finite = model.softIron.allFinite() && model.hardIron_nT.allFinite() && model.softConstant_nT.allFinite()
+        && std::isfinite(mount.roll_rad) && std::isfinite(mount.pitch_rad) && std::isfinite(mount.yaw_rad);
+    for (const auto& circuit : model.circuits)
+        finite = finite && circuit.field_nT_per_A.allFinite() && std::isfinite(circuit.current_A);
+    return finite;
+}
+
+Error corruptSensor(const std::string& why) { return {ErrorCode::Corrupt, why}; }
+
+Result<BenchStates> statesFrom(const std::string& text, const std::string& name)
+{
+    const auto document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
+    if (!document.isObject())
+        return corruptSensor(name + ": the states of its moving parts do not read; expected an object");
+    BenchStates states;
+    const QJsonObject object = document.object();
+    for (auto one = object.begin(); one != object.end(); ++one)
+        states[one.key().toStdString()] = one.value().toString().toStdString();
+    return states;
+}
+
+} // namespace
+
+std::string statesText(const BenchStates& states)
+{
+    QJsonObject object;
+    for (const auto& [group, state] : states)
+        object[QString::fromStdString(group)] = QString::fromStdString(state);
+    return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString();
+}
+
+Result<void> checkSensor(const SensorRecord& sensor)
+{
+    if (!isFinite(sensor.model))
+        return Error{
+            ErrorCode::InvalidInput, "a figure of the sensor model " + sensor.name + " is not a real number; expected finite ones"};
+    return sensor.bench ? checkBench(*sensor.bench) : Result<void>();
+}
+
+Result<SensorRecord> withTexts(SensorRecord sensor, const std::string& model, const std::string& bench, const std::string& states)
+{
+    const std::string name = "sensor model " + sensor.name + " (record " + sensor.record + ")";
+    auto readModel = readSensorModelJson(model, name);
+    if (!readModel)
+        return corruptSensor(describe(readModel.error()));
+    sensor.model = std::move(readModel.value());
+    if (!bench.empty()) {
+        auto readBench = readBenchJson(bench, name);
+        if (!readBench)
+            return corruptSensor(describe(readBench.error()));
+        sensor.bench = std::move(readBench.value());
+    }
+    auto readStates = statesFrom(states, name);
+    if (!readStates)
+        return readStates.error();
+    sensor.benchStates = std::move(readStates.value());
+    return sensor;
+}
+
+} // namespace lubberline::db

@@ -1,0 +1,229 @@
+#include "db/stores/SigningStore.h"
+
+#include <QCryptographicHash>
+#include <QDateTime>
+
+#include <algorithm>
+
+#include "core/format/exchange/SignedContent.h"
+#include "core/record/Completeness.h"
+#include "core/record/RecordWords.h"
+#include "db/engine/Changes.h"
+#include "db/engine/Statement.h"
+#include "db/engine/Transaction.h"
+#include "db/stores/Audit.h"
+#include "db/stores/JobStore.h"
+#include "db/stores/Signatures.h"
+#include "db/stores/SwingStore.h"
+
+namespace lubberline::db {
+
+namespace {
+
+bool holds(const Signature& signature, SignatureRole role, const std::string& hash)
+{
+    return signature.role == role && signature.hash == hash;
+}
+
+/// Two people: who did it, and who answers for it having been checked.
+bool decided(const std::vector<Signature>& signatures, const std::string& hash)
+{
+    const auto any = [&](SignatureRole role) {
+        return std::any_of(signatures.begin(), signatures.end(), [&](const Signature& one) { return holds(one, role, hash); });
+    };
+    return any(SignatureRole::Performer) && (any(SignatureRole::Inspector) || any(SignatureRole::Authority));
+}
+
+std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
+
+} // namespace
+
+Result<std::string> SigningStore::hashOf(SwingId id)
+{
+    const auto record = SwingStore(m_database).record(id);
+    if (!record)
+        return record.error();
+    const auto found = JobStore(m_database).jobOf(id);
+    if (!found)
+        return found.error();
+    std::optional<SwingJob> job;
+    if (*found && (*found)->swing == id)
+        job = (*found)->job;
+    return QCryptographicHash::hash(QByteArray::fromStdString(signedContent(*record, job)), QCryptographicHash::Sha256)
+        .toHex()
+        .toStdString();
+}
+
+Result<void> SigningStore::setState(SwingId id, SwingState state, const std::string& what, const std::string& detail)
+{
+    const auto swing = SwingStore(m_database).swing(id);
+    if (!swing)
+        return swing.error();
+    Statement statement(m_database, "UPDATE swing SET state = ? WHERE id = ?");
+    statement << static_cast<int>(state) << id;
+    if (const auto done = statement.run(); !done)
+        return done;
+    noteState(id);
+    return audit(m_database, what, swing->record, detail);
+}
+
+/// The state of a swing stands in the tree, too, and decides what is due.
+void SigningStore::noteState(SwingId id)
+{
+    m_database.changes().note(change::OfSwing{id});
+    m_database.changes().note(change::Fleet{});
+    m_database.changes().note(change::Due{});
+}
+
+Result<void> SigningStore::complete(SwingId id)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto swing = SwingStore(m_database).swing(id);
+    if (!swing)
+        return swing.error();
+    if (swing->state != SwingState::Draft)
+        return Error{ErrorCode::InvalidInput, "the swing is " + std::string(fileWord(swing->state)) + " already; expected a draft"};
+    if (const auto missing = missingIn(*swing); !missing.empty())
+        return Error{ErrorCode::InvalidInput, "the swing is not complete: " + missing};
+    if (const auto done = setState(id, SwingState::Complete, "completed swing", {}); !done)
+        return done;
+    return transaction->commit();
+}
+
+Result<void> SigningStore::reopen(SwingId id, const std::string& reason)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto swing = SwingStore(m_database).swing(id);
+    if (!swing)
+        return swing.error();
+    if (swing->state == SwingState::Signed)
+        return Error{ErrorCode::Frozen, "the swing is signed and frozen; expected an amendment instead", m_database.path().toStdString()};
+    if (swing->state != SwingState::Complete)
+        return Error{ErrorCode::InvalidInput, "the swing is a draft already; expected a complete one"};
+    if (reason.empty())
+        return Error{ErrorCode::InvalidInput, "the reason is empty; expected why a complete swing is opened again"};
+    if (const auto done = setState(id, SwingState::Draft, "reopened swing", reason); !done)
+        return done;
+    return transaction->commit();
+}
+
+Result<void> SigningStore::sign(SwingId id, Signature signature)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    auto swing = SwingStore(m_database).swing(id);
+    if (!swing)
+        return swing.error();
+    if (swing->state == SwingState::Draft)
+        return Error{ErrorCode::InvalidInput, "the swing is a draft; expected a complete one: it is completed before it is signed"};
+    if (signature.name.find_first_not_of(' ') == std::string::npos)
+        return Error{ErrorCode::InvalidInput, "the name is empty; expected who signs"};
+    const auto hash = hashOf(id);
+    if (!hash)
+        return hash.error();
+    signature.timeUtc = nowUtc();
+    signature.hash = *hash;
+    if (const auto kept = addSignature(m_database, id, signature); !kept)
+        return kept;
+    if (const auto kept = audit(m_database, "signed swing", swing->record,
+            std::string(fileWord(signature.role)) + ": " + signature.name + " " + signature.licence + ", hash " + *hash);
+        !kept)
+        return kept;
+    noteState(id);
+    swing->signatures.push_back(std::move(signature));
+    if (swing->state == SwingState::Complete && decided(swing->signatures, *hash))
+        if (const auto done = setState(id, SwingState::Signed, "froze swing", "hash " + *hash); !done)
+            return done;
+    return transaction->commit();
+}
+
+Result<std::vector<bool>> SigningStore::hold(SwingId id)
+{
+    const auto snapshot = Transaction::beginReading(m_database);
+    if (!snapshot)
+        return snapshot.error();
+    const auto signatures = signaturesOf(m_database, id);
+    if (!signatures)
+        return signatures.error();
+    std::vector<bool> hold;
+    if (signatures->empty())
+        return hold;
+    const auto hash = hashOf(id);
+    if (!hash)
+        return hash.error();
+    for (const auto& signature : *signatures)
+        hold.push_back(signature.hash == *hash);
+    return hold;
+}
+
+Result<SwingId> SigningStore::amend(SwingId id, const std::string& reason)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    SwingStore swings(m_database);
+    auto swing = swings.swing(id);
+    if (!swing)
+        return swing.error();
+    if (swing->state != SwingState::Signed)
+        return Error{ErrorCode::InvalidInput, "the swing is not signed; expected a signed one: anything else can be changed as it is"};
+    if (reason.find_first_not_of(' ') == std::string::npos)
+        return Error{ErrorCode::InvalidInput, "the reason is empty; expected why the signed swing is amended"};
+    Statement later(m_database, "SELECT record FROM swing WHERE supersedes = ?");
+    later << swing->record;
+    const auto other = firstOf<std::string>(later, [](Statement& row) { return row.text(0); });
+    if (!other)
+        return other.error();
+    if (*other)
+        return Error{ErrorCode::Conflict,
+            "the swing is amended already by the record " + **other + "; expected that one to be changed or amended",
+            m_database.path().toStdString()};
+    swing->supersedes = swing->record;
+    swing->record.clear();
+    swing->id = {};
+    swing->state = SwingState::Draft;
+    swing->amendment = reason;
+    ++swing->revision;
+    swing->signatures.clear();
+    const auto made = swings.add(*swing);
+    if (!made)
+        return made;
+    if (const auto kept = audit(m_database, "amended swing", swing->supersedes, reason); !kept)
+        return kept.error();
+    if (const auto committed = transaction->commit(); !committed)
+        return committed.error();
+    return made;
+}
+
+Result<std::vector<AuditRow>> SigningStore::auditOf(const RecordId& record)
+{
+    Statement statement(m_database, "SELECT time_utc, what, detail FROM audit_entry WHERE record = ? ORDER BY id");
+    statement << record;
+    return rowsOf<AuditRow>(statement, [](Statement& row) { return AuditRow{row.text(0), row.text(1), row.text(2)}; });
+}
+
+Result<std::vector<std::string>> SigningStore::faults()
+{
+    Statement statement(m_database, "SELECT DISTINCT s.id FROM swing s JOIN signature g ON g.swing_id = s.id WHERE s.state = 2");
+    const auto ids = rowsOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
+    if (!ids)
+        return ids.error();
+    std::vector<std::string> faults;
+    for (const auto id : *ids) {
+        const auto hash = hashOf(id);
+        const auto signatures = signaturesOf(m_database, id);
+        const auto swing = SwingStore(m_database).swing(id);
+        if (!signatures || !swing)
+            return signatures ? swing.error() : signatures.error();
+        if (!hash || !decided(*signatures, *hash))
+            faults.push_back("the signed swing of " + swing->date + " (record " + swing->record + ") is not what was signed");
+    }
+    return faults;
+}
+
+} // namespace lubberline::db

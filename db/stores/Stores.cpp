@@ -1,0 +1,63 @@
+#include "db/stores/Stores.h"
+
+#include <utility>
+
+#include "db/schema/Schema.h"
+
+namespace lubberline::db {
+
+namespace {
+
+/// A database without any limits profile is new: it gets those whose source was read.
+Result<void> addShippedLimits(Stores& stores)
+{
+    const auto profiles = stores.sites.limitsProfiles();
+    if (!profiles)
+        return profiles.error();
+    if (!profiles->empty() || stores.readOnly())
+        return {};
+    auto transaction = stores.begin();
+    if (!transaction)
+        return transaction.error();
+    for (const auto& profile : shippedLimitsProfiles())
+        if (const auto added = stores.sites.add(profile); !added)
+            return added.error();
+    return transaction->commit();
+}
+
+} // namespace
+
+Stores::Stores(Database database)
+    : m_database(std::move(database))
+    , fleet(m_database)
+    , swings(m_database)
+    , signing(m_database)
+    , jobs(m_database)
+    , sensors(m_database)
+    , sites(m_database)
+    , due(m_database)
+    , electrical(m_database)
+{
+}
+
+Result<std::unique_ptr<Stores>> Stores::openForWorker() const
+{
+    auto database = openDatabase(m_database.path(), m_database.readOnly() ? OpenMode::ReadOnly : OpenMode::ReadWriteCreate);
+    if (!database)
+        return database.error();
+    database->setFault(m_database.fault());
+    return std::make_unique<Stores>(std::move(database.value()));
+}
+
+Result<std::unique_ptr<Stores>> openStores(const QString& path, OpenMode mode)
+{
+    auto database = openDatabase(path, mode);
+    if (!database)
+        return database.error();
+    auto stores = std::make_unique<Stores>(std::move(database.value()));
+    if (const auto added = addShippedLimits(*stores); !added)
+        return added.error();
+    return stores;
+}
+
+} // namespace lubberline::db

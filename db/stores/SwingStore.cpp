@@ -1,0 +1,402 @@
+#include "db/stores/SwingStore.h"
+
+#include <span>
+
+#include "core/swing/SwingField.h"
+#include "db/stores/Audit.h"
+#include "db/stores/FleetStore.h"
+#include "db/stores/ResultCache.h"
+#include "db/stores/Saving.h"
+#include "db/stores/Signatures.h"
+#include "db/stores/SiteStore.h"
+#include "db/stores/SwingRows.h"
+
+namespace lubberline::db {
+
+namespace {
+
+const Table& swingTable()
+{
+    static const Table table{"swing", "swing", swingFields()};
+    return table;
+}
+
+Error isSigned(const Database& database)
+{
+    return {
+        ErrorCode::Frozen, "the swing is signed and frozen; expected a new revision instead of a change", database.path().toStdString()};
+}
+
+Result<Swing> particulars(Database& database, SwingId id)
+{
+    Statement statement(database, "SELECT " + swingColumns() + " FROM swing s WHERE s.id = ?");
+    statement << id;
+    return oneOf<Swing>(statement, database, "swing", [](Statement& row) { return swingFrom(row, 0); });
+}
+
+/// The particulars of a swing whose readings may be changed. Errors: NotFound, Frozen.
+Result<Swing> openSwing(Database& database, SwingId id)
+{
+    auto swing = particulars(database, id);
+    if (swing && swing->state == SwingState::Signed)
+        return isSigned(database);
+    return swing;
+}
+
+/// Readings one after the other from `position` on, with one prepared statement. @return the id of the last.
+Result<ReadingId> insertRows(Database& database, SwingId swing, int position, std::span<const Reading> readings)
+{
+    static const QString kInsert = "INSERT INTO reading (swing_id, position, " + readingFields().join(", ") + ") VALUES ("
+        + placeholders(readingFields().size() + 2) + ")";
+    Statement statement(database, kInsert);
+    for (const auto& reading : readings) {
+        statement << swing << position++;
+        bindReading(statement, reading);
+        if (const auto done = statement.run(); !done)
+            return done.error();
+    }
+    return ReadingId{statement.insertedId()};
+}
+
+Result<Reading> storedReading(Database& database, SwingId swing, ReadingId id)
+{
+    Statement statement(database, "SELECT " + readingColumns() + " FROM reading r WHERE r.id = ? AND r.swing_id = ?");
+    statement << id << swing;
+    return oneOf<Reading>(statement, database, "reading of the swing", [](Statement& row) { return readingFrom(row, 0); });
+}
+
+/// After a change of readings: cached results, audit entry, commit.
+Result<void> finish(Database& database, Transaction& transaction, const Swing& swing, const std::string& what, const std::string& detail)
+{
+    if (const auto refreshed = refreshSwing(database, swing.id); !refreshed)
+        return refreshed;
+    if (const auto kept = audit(database, what, swing.record, detail); !kept)
+        return kept;
+    database.changes().note(change::OfSwing{swing.id});
+    return transaction.commit();
+}
+
+} // namespace
+
+Result<std::vector<SwingRow>> SwingStore::swingsOf(CompassId compass)
+{
+    Statement statement(m_database, "SELECT " + swingRowColumns() + " FROM swing WHERE compass_id = ? ORDER BY date DESC, id DESC");
+    statement << compass;
+    return rowsOf<SwingRow>(statement, swingRowFrom);
+}
+
+Result<Swing> SwingStore::swing(SwingId id)
+{
+    const auto snapshot = Transaction::beginReading(m_database);
+    if (!snapshot)
+        return snapshot.error();
+    auto swing = particulars(m_database, id);
+    if (!swing)
+        return swing;
+    Statement statement(m_database, "SELECT " + readingColumns() + " FROM reading r WHERE r.swing_id = ? ORDER BY r.position, r.id");
+    statement << id;
+    auto readings = rowsOf<Reading>(statement, [](Statement& row) { return readingFrom(row, 0); });
+    if (!readings)
+        return readings.error();
+    swing->readings = std::move(*readings);
+    auto signatures = signaturesOf(m_database, id);
+    if (!signatures)
+        return signatures.error();
+    swing->signatures = std::move(*signatures);
+    return swing;
+}
+
+Result<SwingRecord> SwingStore::record(SwingId id)
+{
+    const auto snapshot = Transaction::beginReading(m_database);
+    if (!snapshot)
+        return snapshot.error();
+    FleetStore fleet(m_database);
+    SiteStore sites(m_database);
+    auto found = swing(id);
+    if (!found)
+        return found.error();
+    const auto compass = fleet.compass(found->compass);
+    if (!compass)
+        return compass.error();
+    const auto aircraft = fleet.aircraft(compass->aircraft);
+    if (!aircraft)
+        return aircraft.error();
+    const auto type = fleet.type(aircraft->type);
+    if (!type)
+        return type.error();
+    const auto site = sites.site(found->site);
+    if (!site)
+        return site.error();
+    const auto limits = sites.limitsOf(compass->id);
+    if (!limits)
+        return limits.error();
+    return SwingRecord{std::move(*found), *compass, *aircraft, *type, *site, *limits};
+}
+
+Result<std::optional<Swing>> SwingStore::previous(SwingId id)
+{
+    Statement statement(m_database,
+        "SELECT p.id FROM swing s JOIN swing p ON p.compass_id = s.compass_id AND p.id <> s.id AND p.record <> s.supersedes"
+        " AND (p.date < s.date OR (p.date = s.date AND (p.stage < s.stage OR (p.stage = s.stage AND p.id < s.id))))"
+        " WHERE s.id = ? AND NOT EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = p.record)"
+        " ORDER BY p.date < s.date DESC, p.date DESC, p.stage DESC, p.id DESC LIMIT 1");
+    statement << id;
+    const auto before = firstOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
+    if (!before)
+        return before.error();
+    if (!*before)
+        return std::optional<Swing>{};
+    auto found = swing(**before);
+    if (!found)
+        return found.error();
+    return std::optional(std::move(*found));
+}
+
+Result<RecordId> SwingStore::recordOf(SwingId id)
+{
+    const auto found = particulars(m_database, id);
+    return found ? Result<RecordId>(found->record) : found.error();
+}
+
+Result<SwingId> SwingStore::named(const std::string& beginning)
+{
+    const std::string file = m_database.path().toStdString();
+    if (beginning.empty() || beginning.find_first_not_of("0123456789abcdef-") != std::string::npos)
+        return Error{ErrorCode::InvalidInput,
+            "'" + beginning + "' is no record id; expected one, or its beginning, as `lubberline swings` lists them", file};
+    Statement statement(m_database, "SELECT id FROM swing WHERE record LIKE ? LIMIT 2");
+    statement << beginning + "%";
+    const auto found = rowsOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
+    if (!found)
+        return found.error();
+    if (found->empty())
+        return Error{ErrorCode::NotFound, "there is no swing whose record id begins with " + beginning, file};
+    if (found->size() > 1)
+        return Error{ErrorCode::Conflict, "several swings have record ids that begin with " + beginning + "; expected more of it", file};
+    return found->front();
+}
+
+Result<void> SwingStore::forEach(const std::function<bool(const Swing&)>& callback)
+{
+    // Two statements in step, both in order of swing: a join would bring a swing's columns again with each of its readings.
+    Statement swings(m_database, "SELECT " + swingColumns() + " FROM swing s ORDER BY s.id");
+    const auto signatures = allSignatures(m_database);
+    if (!signatures)
+        return signatures.error();
+    Statement readings(m_database, "SELECT r.swing_id, " + readingColumns() + " FROM reading r ORDER BY r.swing_id, r.position");
+    for (Statement* statement : {&swings, &readings})
+        if (const auto done = statement->run(); !done)
+            return done;
+    bool more = readings.next();
+    while (swings.next()) {
+        Swing swing = swingFrom(swings, 0);
+        for (; more && readings.id<SwingId>(0) <= swing.id; more = readings.next())
+            if (readings.id<SwingId>(0) == swing.id)
+                swing.readings.push_back(readingFrom(readings, 1));
+        if (const auto found = signatures->find(swing.id); found != signatures->end())
+            swing.signatures = found->second;
+        if (!callback(swing))
+            return {};
+    }
+    const auto whole = swings.finished();
+    return whole ? readings.finished() : whole;
+}
+
+Result<SwingId> SwingStore::add(const Swing& swing)
+{
+    const auto site = SiteStore(m_database).site(swing.site);
+    if (!site)
+        return site.error();
+    Swing stamped = swing;
+    stampUnlessSigned(stamped, *site);
+    return addAsIs(stamped);
+}
+
+Result<SwingId> SwingStore::addAsIs(const Swing& swing)
+{
+    return noting(
+        m_database, [&] { return insert(swing); },
+        [&](SwingId id) {
+            m_database.changes().note(change::Fleet{});
+            m_database.changes().note(change::OfSwing{id});
+        });
+}
+
+Result<SwingId> SwingStore::insert(Swing swing)
+{
+    // A signed swing comes in as one whole: it is frozen only when its readings are there.
+    const SwingState state = swing.state;
+    if (state == SwingState::Signed)
+        swing.state = SwingState::Complete;
+    const auto id = addRecord<SwingId>(m_database, swingTable(), swing, bindParticulars);
+    if (!id)
+        return id;
+    if (const auto inserted = insertRows(m_database, *id, 0, swing.readings); !inserted)
+        return inserted.error();
+    for (const auto& signature : swing.signatures)
+        if (const auto kept = addSignature(m_database, *id, signature); !kept)
+            return kept.error();
+    swing.id = *id;
+    if (const auto stored = storeResult(m_database, swing); !stored)
+        return stored.error();
+    if (swing.state == state)
+        return id;
+    const Swing complete = swing;
+    swing.state = state;
+    if (const auto frozen = changeRecord(m_database, swingTable(), *id, complete, swing, bindParticulars); !frozen)
+        return frozen.error();
+    return id;
+}
+
+Result<void> SwingStore::change(const Swing& known, const Swing& swing)
+{
+    if (known.state != swing.state)
+        return Error{ErrorCode::InvalidInput,
+            "the state of a swing is no particular; expected it to be completed, opened again with a reason, or signed",
+            m_database.path().toStdString()};
+    return replace(known, swing);
+}
+
+Result<void> SwingStore::replace(const Swing& known, const Swing& swing)
+{
+    const auto store = [&]() -> Result<void> {
+        const auto before = openSwing(m_database, swing.id);
+        if (!before)
+            return before.error();
+        if (const auto changed = changeRecord(m_database, swingTable(), swing.id, known, swing, bindParticulars); !changed)
+            return changed;
+        if (const auto refreshed = refreshSwing(m_database, swing.id); !refreshed)
+            return refreshed;
+        return before->compass == swing.compass ? Result<void>() : refreshCompass(m_database, before->compass);
+    };
+    return noting(m_database, store, [&] {
+        m_database.changes().note(change::OfSwing{swing.id});
+        if (known.date != swing.date || known.stage != swing.stage || known.kind != swing.kind || known.state != swing.state)
+            m_database.changes().note(change::Fleet{});
+    });
+}
+
+Result<void> SwingStore::replaceReadings(SwingId id, const std::vector<Reading>& readings)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto open = openSwing(m_database, id);
+    if (!open)
+        return open.error();
+    Statement statement(m_database, "DELETE FROM reading WHERE swing_id = ?");
+    statement << id;
+    if (const auto done = statement.run(); !done)
+        return done;
+    if (const auto inserted = insertRows(m_database, id, 0, readings); !inserted)
+        return inserted.error();
+    std::string detail;
+    for (const auto& reading : readings)
+        detail += (detail.empty() ? "reading: " : "; reading: ") + auditText(reading);
+    return finish(m_database, *transaction, *open, "set readings", detail);
+}
+
+Result<void> SwingStore::remove(SwingId id)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto found = swing(id);
+    if (!found)
+        return found.error();
+    if (found->state == SwingState::Signed)
+        return isSigned(m_database);
+    if (!found->signatures.empty())
+        return Error{ErrorCode::Frozen, "somebody has signed this swing; it stays on record", m_database.path().toStdString()};
+    if (found->state != SwingState::Draft)
+        return Error{ErrorCode::Frozen, "only a draft can be removed; this swing is complete", m_database.path().toStdString()};
+    const auto row = storedRow(m_database, swingTable(), id.value);
+    if (!row)
+        return row.error();
+    std::string detail = changesBetween(swingTable(), {}, *row); // what is removed stays readable in the audit trail
+    for (const auto& reading : found->readings)
+        detail += "; reading: " + auditText(reading);
+    Statement statement(m_database, "DELETE FROM swing WHERE id = ?");
+    statement << id;
+    if (const auto done = statement.run(); !done)
+        return done;
+    if (const auto refreshed = refreshCompass(m_database, found->compass); !refreshed)
+        return refreshed;
+    if (const auto kept = audit(m_database, "removed swing", found->record, detail); !kept)
+        return kept;
+    m_database.changes().note(change::Fleet{});
+    return transaction->commit();
+}
+
+Result<ReadingId> SwingStore::insertReading(SwingId swing, int position, const Reading& reading)
+{
+    LUBBERLINE_EXPECT(position >= 0, "a reading's position counts from 0");
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto open = openSwing(m_database, swing);
+    if (!open)
+        return open.error();
+    Statement shift(m_database, "UPDATE reading SET position = position + 1 WHERE swing_id = ? AND position >= ?");
+    shift << swing << position;
+    if (const auto done = shift.run(); !done)
+        return done.error();
+    const auto id = insertRows(m_database, swing, position, {&reading, 1});
+    if (!id)
+        return id.error();
+    if (const auto done = finish(m_database, *transaction, *open, "added reading", auditText(reading)); !done)
+        return done.error();
+    return *id;
+}
+
+Result<void> SwingStore::changeReading(SwingId swing, const Reading& known, const Reading& reading)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto open = openSwing(m_database, swing);
+    if (!open)
+        return open.error();
+    const auto before = storedReading(m_database, swing, reading.id);
+    if (!before)
+        return before.error();
+    if (*before == reading)
+        return transaction->commit();
+    if (*before != known)
+        return Error{ErrorCode::Conflict,
+            "this reading has been changed elsewhere to: " + auditText(*before) + "; nothing was overwritten, look at it again",
+            m_database.path().toStdString()};
+    static const QString kUpdate = "UPDATE reading SET " + readingFields().join(" = ?, ") + " = ? WHERE id = ?";
+    Statement statement(m_database, kUpdate);
+    bindReading(statement, reading);
+    statement << reading.id;
+    if (const auto done = statement.run(); !done)
+        return done;
+    return finish(m_database, *transaction, *open, "changed reading", auditText(*before) + " -> " + auditText(reading));
+}
+
+Result<void> SwingStore::removeReading(SwingId swing, ReadingId reading)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto open = openSwing(m_database, swing);
+    if (!open)
+        return open.error();
+    const auto before = storedReading(m_database, swing, reading);
+    if (!before)
+        return before.error();
+    Statement close(m_database,
+        "UPDATE reading SET position = position - 1 WHERE swing_id = ? AND position > (SELECT position FROM reading WHERE id = ?)");
+    close << swing << reading;
+    if (const auto done = close.run(); !done)
+        return done;
+    Statement statement(m_database, "DELETE FROM reading WHERE id = ?");
+    statement << reading;
+    if (const auto done = statement.run(); !done)
+        return done;
+    return finish(m_database, *transaction, *open, "removed reading", auditText(*before));
+}
+
+} // namespace lubberline::db

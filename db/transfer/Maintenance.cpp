@@ -1,0 +1,277 @@
+#include "db/transfer/Maintenance.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <map>
+
+#include "db/engine/Statement.h"
+#include "db/engine/Transaction.h"
+#include "db/stores/FleetStore.h"
+#include "db/stores/JobStore.h"
+#include "db/stores/ResultCache.h"
+#include "db/stores/SensorStore.h"
+#include "db/stores/SigningStore.h"
+#include "db/stores/SiteStore.h"
+#include "db/stores/SwingRows.h"
+#include "db/stores/SwingStore.h"
+
+namespace lubberline::db {
+
+namespace {
+
+/// Cached figures are degrees of the same computation on the same readings; only another build of the mathematics may differ.
+constexpr double kSameResult_deg = 1e-9;
+
+bool same(std::optional<double> a, std::optional<double> b)
+{
+    return a.has_value() == b.has_value() && (!a || std::abs(*a - *b) <= kSameResult_deg);
+}
+
+bool same(const CachedResult& computed, const SwingRow& stored)
+{
+    if (computed.readings != stored.readings || computed.status != stored.status
+        || !same(computed.maxAbsDeviation_deg, stored.maxAbsDeviation_deg))
+        return false;
+    for (std::size_t i = 0; i < stored.coefficient_deg.size(); ++i)
+        if (!same(computed.coefficient_deg[i], stored.coefficient_deg[i]))
+            return false;
+    return true;
+}
+
+/// Adds a finding for each row that `sql` answers.
+template <class Words>
+Result<void> findings(Database& database, VerifyReport& report, const QString& sql, Words words)
+{
+    Statement statement(database, sql);
+    const auto found = rowsOf<std::string>(statement, words);
+    if (!found)
+        return found.error();
+    report.findings.insert(report.findings.end(), found->begin(), found->end());
+    return {};
+}
+
+/// SQLite's own checks (integrity_check holds every row against the CHECKs of its table, too), and what the schema cannot
+/// promise.
+Result<void> checkStructure(Database& database, VerifyReport& report)
+{
+    auto done = findings(database, report, "SELECT integrity_check FROM pragma_integrity_check WHERE integrity_check <> 'ok'",
+        [](Statement& row) { return "integrity: " + row.text(0); });
+    if (done)
+        done = findings(database, report, "PRAGMA foreign_key_check",
+            [](Statement& row) { return "foreign key: a row of " + row.text(0) + " refers to a missing row of " + row.text(2); });
+    if (done)
+        done = findings(database, report,
+            "SELECT DISTINCT s.record FROM reading r JOIN swing s ON s.id = r.swing_id GROUP BY r.swing_id, r.position"
+            " HAVING COUNT(*) > 1",
+            [](Statement& row) { return "order: two readings of the swing " + row.text(0) + " are in one place"; });
+    for (const char* column :
+        {"swing.variation_deg", "swing.index_removed_deg", "swing.field_latitude_deg", "swing.field_longitude_deg", "swing.field_height_m",
+            "swing.field_north_nT", "swing.field_east_nT", "swing.field_down_nT", "site.latitude_deg", "site.longitude_deg",
+            "site.elevation_m", "site.variation_deg", "site.painted_variation_deg", "compass.resolution_deg", "datum_instrument.zero_deg"})
+        if (done) { // a column takes text that is not a number as it is, and 9e999 as infinite
+            const QStringList parts = QString(column).split('.');
+            done = findings(database, report,
+                QStringLiteral("SELECT record FROM %1 WHERE typeof(%2) IN ('text', 'blob') OR abs(%2) > 1e300").arg(parts[0], parts[1]),
+                [&](Statement& row) {
+                    return std::string("figure: ") + column + " of the record " + row.text(0) + " is not a real number";
+                });
+        }
+    return done;
+}
+
+Result<void> checkSensors(Database& database, VerifyReport& report)
+{
+    const auto faults = SensorStore(database).faults();
+    if (!faults)
+        return faults.error();
+    for (const auto& fault : *faults)
+        report.findings.push_back("sensor model: " + fault);
+    return {};
+}
+
+/// Guided swings that do not read, and signed swings that are not what was signed.
+Result<void> checkRamp(Database& database, VerifyReport& report)
+{
+    if (const auto jobs = JobStore(database).all(); !jobs)
+        report.findings.push_back(jobs.error().message);
+    const auto faults = SigningStore(database).faults();
+    if (!faults)
+        return faults.error();
+    for (const auto& fault : *faults)
+        report.findings.push_back("signature: " + fault);
+    return {};
+}
+
+/// The badge of a compass is that of its latest swing with a result.
+Result<void> checkBadges(Database& database, VerifyReport& report)
+{
+    return findings(database, report,
+        "SELECT a.registration, c.name FROM compass c JOIN aircraft a ON a.id = c.aircraft_id WHERE c.status <> " + statusOfLatest(),
+        [](Statement& row) {
+            return "results: the state kept for " + row.text(0) + ", " + row.text(1) + " is not that of its latest swing";
+        });
+}
+
+Result<std::map<SwingId, SwingRow>> storedRows(Database& database)
+{
+    Statement statement(database, "SELECT " + swingRowColumns() + " FROM swing");
+    const auto listed = rowsOf<SwingRow>(statement, swingRowFrom);
+    if (!listed)
+        return listed.error();
+    std::map<SwingId, SwingRow> rows;
+    for (const auto& row : *listed)
+        rows[row.id] = row;
+    return rows;
+}
+
+Result<std::map<CompassId, std::optional<LimitsProfile>>> limitsByCompass(Database& database)
+{
+    const auto profiles = SiteStore(database).limitsProfiles();
+    if (!profiles)
+        return profiles.error();
+    Statement statement(database, "SELECT id, limits_id FROM compass");
+    const auto pairs = rowsOf<std::pair<CompassId, LimitsProfileId>>(
+        statement, [](Statement& row) { return std::pair(row.id<CompassId>(0), row.id<LimitsProfileId>(1)); });
+    if (!pairs)
+        return pairs.error();
+    std::map<CompassId, std::optional<LimitsProfile>> limits;
+    for (const auto& [compass, id] : *pairs) {
+        auto& slot = limits[compass];
+        for (const auto& profile : *profiles)
+            if (profile.id == id)
+                slot = profile;
+    }
+    return limits;
+}
+
+Result<void> checkResults(Database& database, VerifyReport& report, const Progress& progress)
+{
+    const auto stored = storedRows(database);
+    if (!stored)
+        return stored.error();
+    const auto limits = limitsByCompass(database);
+    if (!limits)
+        return limits.error();
+    bool cancelled = false;
+    const auto done = SwingStore(database).forEach([&](const Swing& swing) {
+        ++report.swings;
+        report.readings += static_cast<std::int64_t>(swing.readings.size());
+        const auto row = stored->find(swing.id);
+        const auto profile = limits->find(swing.compass);
+        if (row == stored->end() || profile == limits->end() || !same(resultOf(swing, profile->second), row->second))
+            report.findings.push_back(
+                "results: those kept for the swing of " + swing.date + " (record " + swing.record + ") are not what its readings give");
+        cancelled
+            = progress && report.swings % 64 == 0 && !progress(static_cast<double>(report.swings) / static_cast<double>(stored->size()));
+        return !cancelled;
+    });
+    if (!done)
+        return done;
+    if (cancelled)
+        return Error{ErrorCode::Cancelled, "cancelled", database.path().toStdString()};
+    if (progress)
+        progress(1.0);
+    return {};
+}
+
+/// SQLite does not wait for a copy to reach the drive (sqlite.org/lang_vacuum.html); a backup that a power cut empties is none.
+bool reachesTheDrive(const QString& path)
+{
+    const int handle = ::open(QFile::encodeName(path).constData(), O_RDONLY);
+    if (handle < 0)
+        return false;
+    const bool done = ::fsync(handle) == 0;
+    ::close(handle);
+    return done;
+}
+
+/// A connection for reading only refuses to write into the copy, too, so it is let write for this.
+Result<void> copyInto(Database& database, const QString& path)
+{
+    if (const auto allowed = execute(database, "PRAGMA query_only = OFF"); !allowed)
+        return allowed;
+    Statement statement(database, "VACUUM INTO ?");
+    statement << path.toStdString();
+    const auto copied = statement.run();
+    const auto restored = database.readOnly() ? execute(database, "PRAGMA query_only = ON") : Result<void>();
+    return copied ? restored : copied;
+}
+
+Error named(Error error, const std::string& file)
+{
+    error.file = file;
+    return error;
+}
+
+} // namespace
+
+Result<void> backup(Database& database, const QString& path)
+{
+    const std::string file = path.toStdString();
+    if (QFileInfo::exists(path))
+        return Error{ErrorCode::Conflict, "there is a file of this name already; expected a new name for the backup", file};
+    const QFileInfo folder(QFileInfo(path).absolutePath());
+    if (!folder.isDir())
+        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " is not there; expected an existing one", file};
+    if (!folder.isWritable())
+        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " may not be written; expected one that may", file};
+    const QString partial = path + "." + QString::fromStdString(newRecordId()).left(8) + ".partial";
+    const auto copied = copyInto(database, partial);
+    const bool kept = copied && reachesTheDrive(partial) && QFile::rename(partial, path) && reachesTheDrive(folder.filePath());
+    if (kept)
+        return {};
+    QFile::remove(partial);
+    return copied ? Error{ErrorCode::Io, "the backup could not be written to its place; expected a folder that may be written", file}
+                  : named(copied.error(), file);
+}
+
+Result<VerifyReport> verify(Database& database, const Progress& progress)
+{
+    const auto snapshot = Transaction::beginReading(database);
+    if (!snapshot)
+        return snapshot.error();
+    VerifyReport report;
+    if (const auto done = checkStructure(database, report); !done)
+        return done.error();
+    if (const auto done = checkSensors(database, report); !done)
+        return done.error();
+    if (const auto done = checkRamp(database, report); !done)
+        return done.error();
+    if (const auto done = checkResults(database, report, progress); !done)
+        return done.error();
+    if (const auto done = checkBadges(database, report); !done)
+        return done.error();
+    return report;
+}
+
+Result<DatabaseStatus> status(Database& database)
+{
+    const auto snapshot = Transaction::beginReading(database);
+    if (!snapshot)
+        return snapshot.error();
+    DatabaseStatus status;
+    status.path = database.path().toStdString();
+    status.bytes = QFileInfo(database.path()).size();
+    const auto totals = FleetStore(database).totals();
+    if (!totals)
+        return totals.error();
+    status.totals = *totals;
+    Statement statement(database,
+        "SELECT (SELECT COUNT(*) FROM reading), (SELECT COUNT(*) FROM audit_entry), (SELECT user_version FROM pragma_user_version),"
+        " (SELECT journal_mode FROM pragma_journal_mode), (SELECT COUNT(*) FROM sensor_model)");
+    return oneOf<DatabaseStatus>(statement, database, "status", [&](Statement& row) {
+        status.readings = row.integer(0);
+        status.auditEntries = row.integer(1);
+        status.schema = static_cast<int>(row.integer(2));
+        status.journal = row.text(3);
+        status.sensorModels = row.integer(4);
+        return status;
+    });
+}
+
+} // namespace lubberline::db

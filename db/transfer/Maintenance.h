@@ -1,0 +1,41 @@
+#pragma once
+/// Backup, verification and status of a database.
+
+#include <string>
+#include <vector>
+
+#include "core/base/Progress.h"
+#include "core/record/FleetRows.h"
+#include "db/engine/Database.h"
+
+namespace lubberline::db {
+
+/// Writes a whole copy while the database is in use; not inside a transaction. Written beside and renamed: no half copy is
+/// left, and it is on the drive when this returns. Errors: Conflict when the file exists already, Io (folder missing or not
+/// writable), Full.
+Result<void> backup(Database& database, const QString& path);
+
+struct VerifyReport {
+    std::int64_t swings = 0;
+    std::int64_t readings = 0;
+    std::vector<std::string> findings; ///< empty: all is well
+};
+
+/// SQLite's integrity check, foreign keys, figures that are none, sensor models that do not read, and every cached result
+/// recomputed from its readings, all of one moment, whatever others write meanwhile. Changes nothing. Errors: Corrupt (when not
+/// even reading is possible), Cancelled.
+Result<VerifyReport> verify(Database& database, const Progress& progress);
+
+struct DatabaseStatus {
+    std::string path;
+    std::int64_t bytes = 0;
+    int schema = 0;
+    std::string journal;
+    Totals totals;
+    std::int64_t readings = 0;
+    std::int64_t sensorModels = 0;
+    std::int64_t auditEntries = 0;
+};
+Result<DatabaseStatus> status(Database& database);
+
+} // namespace lubberline::db
