@@ -52,7 +52,17 @@ Result<void> checkSensor(const SensorRecord& sensor)
     if (!isFinite(sensor.model))
         return Error{
             ErrorCode::InvalidInput, "a figure of the sensor model " + sensor.name + " is not a real number; expected finite ones"};
-    return sensor.bench ? checkBench(*sensor.bench) : Result<void>();
+    if (sensor.bench)
+        if (auto checked = checkBench(*sensor.bench); !checked)
+            return checked;
+    // What could not be read again must not be stored.
+    auto back = withTexts(sensor, writeSensorModelJson(sensor.model), sensor.bench ? writeBenchJson(*sensor.bench) : std::string(),
+        statesText(sensor.benchStates));
+    if (back)
+        return {};
+    Error error = back.error();
+    error.code = ErrorCode::InvalidInput;
+    return error;
 }
 
 Result<SensorRecord> withTexts(SensorRecord sensor, const std::string& model, const std::string& bench, const std::string& states)

@@ -33,6 +33,22 @@ SensorRecord benchOf(const Stored& stored)
 
 } // namespace
 
+TEST(SensorStore, whatCouldNotBeReadAgainIsNotStored)
+{
+    auto database = inMemory();
+    const Stored stored = store(database);
+    SensorRecord sensor = sensorOf(stored);
+    IronBench bench;
+    bench.parts.push_back(
+        {"turned twice round", Box{{0.1, 0.05, 0.02}}, 100, {0, 0, 0}, "", {{"", {0.3, 0.2, 0.1}, 0, 0, 10.0}}}); // yaw [rad]
+    sensor.bench = bench;
+    const auto refused = db::SensorStore(database).add(sensor);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::InvalidInput);
+    EXPECT_THAT(refused.error().message, testing::HasSubstr("yaw_deg"));
+    EXPECT_TRUE(db::SensorStore(database).of(stored.compass)->empty());
+}
+
 TEST(SensorStore, aModelComesBackWhole)
 {
     auto database = inMemory();

@@ -149,7 +149,7 @@ private slots:
         IronBench bench;
         for (int i = 0; i < 10'000; ++i)
             bench.parts.push_back({"part " + std::to_string(i), Box{{0.1, 0.05, 0.02}}, 100, {0, 0, 0}, "",
-                {{"", {0.3 + 0.001 * i, 0.2, 0.1}, 0, 0, 0.001 * i}}});
+                {{"", {0.3 + 0.001 * i, 0.2, 0.1}, 0, 0, 0.0005 * i}}});
         OpenBench open;
         SensorRecord sensor;
         sensor.compass = open.fleet.compass;
