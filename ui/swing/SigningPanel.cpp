@@ -11,6 +11,7 @@
 
 #include "core/record/SwingDifferences.h"
 #include "ui/kit/Words.h"
+#include "ui/swing/SwingEditor.h"
 
 namespace lubberline::ui {
 
@@ -57,9 +58,10 @@ QStringList roleWords()
 
 } // namespace
 
-SigningPanel::SigningPanel(EditContext& context, QWidget* parent)
+SigningPanel::SigningPanel(EditContext& context, const SwingEditor& editor, QWidget* parent)
     : QFrame(parent)
     , m_context(context)
+    , m_editor(editor)
     , m_strip(new QLabel)
     , m_statement(new QLabel)
     , m_signatures(readOnlyTable("signatures", {tr("role"), tr("name"), tr("licence"), tr("time (UTC)"), tr("stands for")}))
@@ -131,13 +133,14 @@ void SigningPanel::build()
     connect(m_showAudit, &QToolButton::toggled, this, &SigningPanel::showAudit);
 }
 
-void SigningPanel::show(const SwingRecord& record, const QString& meaning)
+const SwingRecord& SigningPanel::record() const { return m_editor.record(); }
+
+void SigningPanel::show(const QString& meaning)
 {
-    m_record = record;
-    const auto& swing = record.swing;
+    const auto& swing = record().swing;
     const auto used = usedReadings(swing).size();
     QString statement = tr("%1 · %2 · %3: %n readings that count. ", nullptr, static_cast<int>(used))
-                            .arg(toText(record.aircraft.registration), toText(record.compass.name), toText(swing.date))
+                            .arg(toText(record().aircraft.registration), toText(record().compass.name), toText(swing.date))
         + meaning;
     m_statement->setText(statement);
     showState();
@@ -149,13 +152,13 @@ void SigningPanel::show(const SwingRecord& record, const QString& meaning)
 
 void SigningPanel::showState()
 {
-    const SwingState state = m_record.swing.state;
+    const SwingState state = record().swing.state;
     QStringList steps;
     for (const SwingState step : {SwingState::Draft, SwingState::Complete, SwingState::Signed})
         steps += step == state ? QStringLiteral("<b>● %1</b>").arg(wordFor(step)) : QStringLiteral("○ %1").arg(wordFor(step));
     QString revision;
-    if (m_record.swing.revision > 1)
-        revision = tr(" · revision %1, because: %2").arg(m_record.swing.revision).arg(toText(m_record.swing.amendment).toHtmlEscaped());
+    if (record().swing.revision > 1)
+        revision = tr(" · revision %1, because: %2").arg(record().swing.revision).arg(toText(record().swing.amendment).toHtmlEscaped());
     m_strip->setText(steps.join(QStringLiteral(" → ")) + revision);
     const bool writable = !m_context.stores.readOnly();
     m_change->setText(state == SwingState::Draft ? tr("&Complete") : tr("Open a&gain"));
@@ -163,14 +166,14 @@ void SigningPanel::showState()
     m_reason->setVisible(writable && state != SwingState::Draft);
     m_amend->setVisible(writable && state == SwingState::Signed);
     m_signRow->setVisible(writable && state != SwingState::Draft);
-    m_role->setCurrentIndex(m_record.swing.signatures.empty() ? 0 : state == SwingState::Signed ? 2 : 1);
+    m_role->setCurrentIndex(record().swing.signatures.empty() ? 0 : state == SwingState::Signed ? 2 : 1);
 }
 
 void SigningPanel::showSignatures()
 {
     m_signatures->setRowCount(0);
-    const auto hold = m_context.stores.signing.hold(m_record.swing.id);
-    const auto& signatures = m_record.swing.signatures;
+    const auto hold = m_context.stores.signing.hold(record().swing.id);
+    const auto& signatures = record().swing.signatures;
     for (std::size_t i = 0; i < signatures.size(); ++i) {
         const auto& one = signatures[i];
         const bool holds = hold && i < hold->size() && (*hold)[i];
@@ -186,13 +189,13 @@ void SigningPanel::showSignatures()
 void SigningPanel::showDifferences()
 {
     m_differences->setRowCount(0);
-    if (!m_record.swing.supersedes.empty()) {
-        const auto rows = m_context.stores.swings.swingsOf(m_record.compass.id);
+    if (!record().swing.supersedes.empty()) {
+        const auto rows = m_context.stores.swings.swingsOf(record().compass.id);
         for (const auto& row : rows ? *rows : std::vector<SwingRow>()) {
             const auto other = m_context.stores.swings.record(row.id);
-            if (!other || other->swing.record != m_record.swing.supersedes)
+            if (!other || other->swing.record != record().swing.supersedes)
                 continue;
-            for (const auto& one : differencesBetween(other->swing, m_record.swing))
+            for (const auto& one : differencesBetween(other->swing, record().swing))
                 addRow(*m_differences, {toText(one.what), toText(one.before), toText(one.after)});
         }
     }
@@ -205,7 +208,7 @@ void SigningPanel::showAudit()
     m_showAudit->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
     m_audit->setRowCount(0);
     if (shown) {
-        const auto rows = m_context.stores.signing.auditOf(m_record.swing.record);
+        const auto rows = m_context.stores.signing.auditOf(record().swing.record);
         for (const auto& row : rows ? *rows : std::vector<AuditRow>())
             addRow(*m_audit, {toText(row.timeUtc), toText(row.what), toText(row.detail)});
     }
@@ -223,8 +226,8 @@ bool SigningPanel::done(const Result<void>& result)
 
 void SigningPanel::changeState()
 {
-    const SwingId id = m_record.swing.id;
-    if (m_record.swing.state == SwingState::Draft)
+    const SwingId id = record().swing.id;
+    if (record().swing.state == SwingState::Draft)
         done(m_context.stores.signing.complete(id));
     else
         done(m_context.stores.signing.reopen(id, m_reason->text().trimmed().toStdString()));
@@ -236,7 +239,7 @@ void SigningPanel::sign()
     signature.role = static_cast<SignatureRole>(m_role->currentIndex());
     signature.name = m_name->text().trimmed().toStdString();
     signature.licence = m_licence->text().trimmed().toStdString();
-    if (done(m_context.stores.signing.sign(m_record.swing.id, std::move(signature)))) {
+    if (done(m_context.stores.signing.sign(record().swing.id, std::move(signature)))) {
         m_name->clear();
         m_licence->clear();
         m_name->setFocus();
@@ -245,7 +248,7 @@ void SigningPanel::sign()
 
 void SigningPanel::amend()
 {
-    const auto made = m_context.stores.signing.amend(m_record.swing.id, m_reason->text().trimmed().toStdString());
+    const auto made = m_context.stores.signing.amend(record().swing.id, m_reason->text().trimmed().toStdString());
     if (!made) {
         emit failed(messageOf(made.error()));
         m_reason->setFocus();
@@ -259,7 +262,7 @@ void SigningPanel::askReason() { m_reason->setFocus(Qt::OtherFocusReason); }
 
 void SigningPanel::focusField()
 {
-    if (m_record.swing.state == SwingState::Draft)
+    if (record().swing.state == SwingState::Draft)
         m_change->setFocus(Qt::OtherFocusReason);
     else
         m_name->setFocus(Qt::OtherFocusReason);

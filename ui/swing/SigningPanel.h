@@ -14,13 +14,16 @@ class QToolButton;
 
 namespace lubberline::ui {
 
+class SwingEditor;
+
 class SigningPanel : public QFrame {
     Q_OBJECT
 
 public:
-    explicit SigningPanel(EditContext& context, QWidget* parent = nullptr);
+    /// Of the swing that the editor holds: the panel has no record of its own.
+    SigningPanel(EditContext& context, const SwingEditor& editor, QWidget* parent = nullptr);
     /// @param meaning what the swing says, in words: what is being signed.
-    void show(const SwingRecord& record, const QString& meaning);
+    void show(const QString& meaning);
     void focusField();
     void askReason(); ///< why a complete swing is opened again
 
@@ -39,8 +42,10 @@ private:
     void amend();
     bool done(const Result<void>& result);
 
+    [[nodiscard]] const SwingRecord& record() const;
+
     EditContext& m_context;
-    SwingRecord m_record;
+    const SwingEditor& m_editor;
     QLabel* m_strip;
     QLabel* m_statement;
     QTableWidget* m_signatures;

@@ -174,6 +174,18 @@ Result<void> SwingPage::showSwing(SwingId id)
     return m_editor->open(id);
 }
 
+SwingPage::Look SwingPage::look() const
+{
+    return {m_plots->currentIndex(), findChild<QSplitter*>(QStringLiteral("swingSplitter"))->saveState()};
+}
+
+void SwingPage::setLook(const Look& look)
+{
+    m_plots->setCurrentIndex(look.plot);
+    if (!look.splitter.isEmpty())
+        findChild<QSplitter*>(QStringLiteral("swingSplitter"))->restoreState(look.splitter);
+}
+
 void SwingPage::showParticulars(bool visible)
 {
     m_showParticulars->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
@@ -190,15 +202,14 @@ void SwingPage::showSigning(bool visible)
     m_table->leaveCell();
     m_showSigning->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
     if (!m_signing) {
-        m_signing = new SigningPanel(m_context);
+        m_signing = new SigningPanel(m_context, *m_editor);
         static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_signing);
         setTabOrder(m_showSigning, m_signing);
         connect(m_signing, &SigningPanel::failed, this, &SwingPage::failed);
         connect(m_signing, &SigningPanel::openSwing, this, &SwingPage::openSwing);
     }
     m_signing->setVisible(visible);
-    if (visible && m_editor->id().valid())
-        m_signing->show(m_editor->record(), m_meaning->text());
+    m_signing->show(m_meaning->text());
 }
 
 void SwingPage::openSigning()
@@ -219,8 +230,8 @@ void SwingPage::showRecord()
     m_complete->setText(record.swing.state == SwingState::Draft ? tr("Mark &complete") : tr("Open &again…"));
     m_complete->setEnabled(m_editor->particularsEditable());
     showResults();
-    if (m_signing && m_signing->isVisible())
-        m_signing->show(record, m_meaning->text());
+    if (m_signing)
+        m_signing->show(m_meaning->text());
     emit stateChanged();
 }
 

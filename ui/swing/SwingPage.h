@@ -1,6 +1,7 @@
 #pragma once
 /// One swing: its readings beside its plots, coefficients underneath, and what they mean. Everything follows every stored cell.
 
+#include <QByteArray>
 #include <QWidget>
 
 #include "core/angle/AngleText.h"
@@ -32,6 +33,14 @@ public:
     /// Errors: those of SwingStore::record(); what was shown stays then.
     Result<void> showSwing(SwingId id);
     void setAngleStyle(AngleStyle style);
+
+    /// How people have set it out: what the page of another swing takes over.
+    struct Look {
+        int plot = 0;
+        QByteArray splitter = {};
+    };
+    [[nodiscard]] Look look() const;
+    void setLook(const Look& look);
 
     [[nodiscard]] SwingEditor& editor() { return *m_editor; }
     [[nodiscard]] PlotTabs& plots() { return *m_plots; }

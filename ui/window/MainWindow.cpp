@@ -179,22 +179,24 @@ void MainWindow::showSwing(SwingId id)
         takeUpGuided(id);
         return;
     }
-    if (const auto shown = swingPage().showSwing(id); !shown) {
-        fail(messageOf(shown.error()));
+    const bool same = m_swingPage && m_swingPage->editor().id() == id;
+    const auto look = m_swingPage ? m_swingPage->look() : SwingPage::Look();
+    if (!showOn(
+            m_swingPage, same, [this] { return makeSwingPage(); }, [id](SwingPage& page) { return page.showSwing(id); }))
         return;
-    }
-    turnTo(swingPage());
-    const SwingRecord& record = swingPage().editor().record();
+    if (!same)
+        m_swingPage->setLook(look);
+    const SwingRecord& record = m_swingPage->editor().record();
     m_fleet->select({record.type.id, record.aircraft.id, record.compass.id, record.swing.id});
 }
 
 void MainWindow::showAircraft(AircraftId id, CompassId compass)
 {
-    if (const auto shown = aircraftPage().showAircraft(id, compass); !shown) {
-        fail(messageOf(shown.error()));
+    const bool same = m_aircraftPage && m_aircraftPage->aircraft() == id;
+    if (!showOn(
+            m_aircraftPage, same, [this] { return makeAircraftPage(); },
+            [id, compass](AircraftPage& page) { return page.showAircraft(id, compass); }))
         return;
-    }
-    turnTo(aircraftPage());
     if (const auto record = m_stores.fleet.aircraft(id)) {
         std::vector<FleetItem> path{record->type, id};
         if (compass.valid())
@@ -205,9 +207,15 @@ void MainWindow::showAircraft(AircraftId id, CompassId compass)
 
 void MainWindow::showNewSwing()
 {
-    newSwingPage().begin(aircraftShown(), compassShown());
-    turnTo(newSwingPage());
-    newSwingPage().setFocus();
+    const AircraftId aircraft = aircraftShown();
+    const CompassId compass = compassShown();
+    showOn(
+        m_newSwingPage, false, [this] { return makeNewSwingPage(); },
+        [aircraft, compass](NewSwingPage& page) {
+            page.begin(aircraft, compass);
+            return Result<void>();
+        });
+    m_newSwingPage->setFocus();
 }
 
 void MainWindow::turnTo(QWidget& page)
@@ -216,6 +224,19 @@ void MainWindow::turnTo(QWidget& page)
     m_readOut->clear();
     updateActions();
 }
+
+/// It may be in the middle of telling us something, so it goes when it has done.
+void MainWindow::retire(QWidget* page)
+{
+    if (!page)
+        return;
+    m_pages->removeWidget(page);
+    page->setParent(nullptr);
+    page->disconnect(this);
+    page->deleteLater();
+}
+
+void MainWindow::failWith(const Error& error) { fail(messageOf(error)); }
 
 void MainWindow::afterFleetChange()
 {
@@ -236,37 +257,31 @@ void MainWindow::leaveRemovedSwing()
 
 void MainWindow::fail(const QString& message) { m_messages->add(MessagePanel::Kind::Failure, message); }
 
-SwingPage& MainWindow::swingPage()
+SwingPage* MainWindow::makeSwingPage()
 {
-    if (m_swingPage)
-        return *m_swingPage;
-    m_swingPage = new SwingPage(m_context, m_stack);
-    m_swingPage->setAngleStyle(m_style);
-    m_pages->addWidget(m_swingPage);
-    connect(m_swingPage, &SwingPage::readOut, m_readOut, &QLabel::setText);
-    connect(m_swingPage, &SwingPage::failed, this, &MainWindow::fail);
-    connect(m_swingPage, &SwingPage::stateChanged, this, &MainWindow::updateActions);
-    connect(&m_swingPage->editor(), &SwingEditor::notStored, this, [this](int row, const Reading& wanted) {
-        keepElsewhere(m_swingPage->editor().record(), LostReading{row, wanted});
+    auto* page = new SwingPage(m_context, m_stack);
+    page->setAngleStyle(m_style);
+    connect(page, &SwingPage::readOut, m_readOut, &QLabel::setText);
+    connect(page, &SwingPage::failed, this, &MainWindow::fail);
+    connect(page, &SwingPage::stateChanged, this, &MainWindow::updateActions);
+    connect(&page->editor(), &SwingEditor::notStored, this, [this, page](int row, const Reading& wanted) {
+        keepElsewhere(page->editor().record(), LostReading{row, wanted});
     });
-    connect(m_swingPage, &SwingPage::openSwing, this, [this](SwingId id) { showSwing(id); });
-    connect(m_swingPage, &SwingPage::closed, this, [this] {
-        if (m_pages->currentWidget() == m_swingPage)
+    connect(page, &SwingPage::openSwing, this, [this](SwingId id) { showSwing(id); });
+    connect(page, &SwingPage::closed, this, [this, page] {
+        if (m_pages->currentWidget() == page)
             leaveRemovedSwing();
     });
-    return *m_swingPage;
+    return page;
 }
 
-AircraftPage& MainWindow::aircraftPage()
+AircraftPage* MainWindow::makeAircraftPage()
 {
-    if (m_aircraftPage)
-        return *m_aircraftPage;
-    m_aircraftPage = new AircraftPage(m_context, m_stack);
-    m_pages->addWidget(m_aircraftPage);
-    connect(m_aircraftPage, &AircraftPage::swingChosen, this, &MainWindow::showSwing);
-    connect(m_aircraftPage, &AircraftPage::readOut, m_readOut, &QLabel::setText);
-    connect(m_aircraftPage, &AircraftPage::failed, this, &MainWindow::fail);
-    return *m_aircraftPage;
+    auto* page = new AircraftPage(m_context, m_stack);
+    connect(page, &AircraftPage::swingChosen, this, &MainWindow::showSwing);
+    connect(page, &AircraftPage::readOut, m_readOut, &QLabel::setText);
+    connect(page, &AircraftPage::failed, this, &MainWindow::fail);
+    return page;
 }
 
 OverviewPage& MainWindow::overviewPage()
@@ -294,23 +309,20 @@ StartPage& MainWindow::startPage()
     return *m_startPage;
 }
 
-NewSwingPage& MainWindow::newSwingPage()
+NewSwingPage* MainWindow::makeNewSwingPage()
 {
-    if (m_newSwingPage)
-        return *m_newSwingPage;
-    m_newSwingPage = new NewSwingPage(m_context, m_stack);
-    m_pages->addWidget(m_newSwingPage);
-    connect(m_newSwingPage, &NewSwingPage::created, this, [this](SwingId id) {
+    auto* page = new NewSwingPage(m_context, m_stack);
+    connect(page, &NewSwingPage::created, this, [this](SwingId id) {
         showSwing(id);
         m_swingPage->focusReadings();
     });
-    connect(m_newSwingPage, &NewSwingPage::cancelled, this, [this] {
+    connect(page, &NewSwingPage::cancelled, this, [this] {
         if (m_swingPage && m_swingPage->editor().id().valid())
             turnTo(*m_swingPage);
         else
             showHome();
     });
-    return *m_newSwingPage;
+    return page;
 }
 
 bool MainWindow::swingShown() const { return m_swingPage && m_pages->currentWidget() == m_swingPage && m_swingPage->editor().id().valid(); }

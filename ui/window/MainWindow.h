@@ -3,9 +3,11 @@
 /// dismissed. Pages and plots are made when they are first needed; nothing is read from storage before the first paint.
 
 #include <QMainWindow>
+#include <QStackedWidget>
 #include <QUndoStack>
 
 #include <functional>
+#include <utility>
 
 #include "core/angle/AngleText.h"
 #include "ui/fleet/FleetModel.h"
@@ -20,7 +22,6 @@ class QAction;
 class QLabel;
 class QMenu;
 class QSettings;
-class QStackedWidget;
 
 namespace lubberline::ui {
 
@@ -92,15 +93,21 @@ private:
     void showAircraft(AircraftId id, CompassId compass);
     void showNewSwing();
     void turnTo(QWidget& page);
+    void failWith(const Error& error);
     void afterFleetChange();
     void leaveRemovedSwing();
     void leaveField(); ///< what is being typed is stored before something else happens
     void showSaved(bool saved);
-    SwingPage& swingPage();
-    AircraftPage& aircraftPage();
+    /// A page owns one record: for another one it is made anew, and whatever was typed or opened on the old page is gone with it.
+    /// `show(page)` puts the record on it; when that fails what was shown stays. @return whether the record is shown
+    template <class Page, class Make, class Show>
+    bool showOn(Page*& place, bool ofSameRecord, Make make, Show show);
+    void retire(QWidget* page); ///< takes it out of the window at once
+    SwingPage* makeSwingPage();
+    AircraftPage* makeAircraftPage();
     OverviewPage& overviewPage();
     StartPage& startPage();
-    NewSwingPage& newSwingPage();
+    NewSwingPage* makeNewSwingPage();
     [[nodiscard]] bool swingShown() const;
 
     // MainWindowModels.cpp: the pages of the sensor in the Earth's field
@@ -109,10 +116,10 @@ private:
     void showIronBench(CompassId id);
     void showEarthField();
     void showPrediction();
-    SensorPage& sensorPage();
-    IronBenchPage& ironBenchPage();
+    SensorPage* makeSensorPage();
+    IronBenchPage* makeIronBenchPage();
     EarthFieldPage& earthFieldPage();
-    PredictionPage& predictionPage();
+    PredictionPage* makePredictionPage();
     [[nodiscard]] FileQuestions fileQuestions();
     [[nodiscard]] AircraftId aircraftShown() const;
     [[nodiscard]] CompassId compassShown() const;
@@ -121,7 +128,7 @@ private:
     void showGuided();
     void beginGuided(CompassId compass);
     void takeUpGuided(SwingId swing);
-    GuidedPage& guidedPage();
+    GuidedPage* makeGuidedPage();
     void watchDue();
     void offerRecovery();
     void keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what);
@@ -135,6 +142,8 @@ private:
     /// Made on first use, with its messages and read-out wired.
     template <class Page, class Make>
     Page& pageOf(Page*& place, Make make);
+    template <class Page>
+    Page* wired(Page* page);
     [[nodiscard]] bool guidedOpen(SwingId id);
     [[nodiscard]] std::string nowUtc() const;
 
@@ -212,5 +221,23 @@ private:
     QList<QAction*> m_draftActions;   ///< need a swing whose readings may be changed
     bool m_painted = false;
 };
+
+template <class Page, class Make, class Show>
+bool MainWindow::showOn(Page*& place, bool ofSameRecord, Make make, Show show)
+{
+    Page* page = place && ofSameRecord ? place : make();
+    if (const Result<void> shown = show(*page); !shown) {
+        if (page != place)
+            delete page;
+        failWith(shown.error());
+        return false;
+    }
+    if (page != place) {
+        m_pages->addWidget(page);
+        retire(std::exchange(place, page));
+    }
+    turnTo(*page);
+    return true;
+}
 
 } // namespace lubberline::ui

@@ -102,7 +102,7 @@ void MainWindow::buildSwingMenu()
     m_compassActions += addCommand(
         menu, tr("Swing from an &NMEA log…"), tr("Ctrl+Shift+I"), [this] { showNmeaImport(); }, "nmeaImport");
     m_compassActions += addCommand(
-        menu, tr("&Electrical swings of this compass"), tr("Ctrl+Shift+E"), [this] { showElectrical(); }, "electricalSwings");
+        menu, tr("&Electrical swings of this compass"), tr("Ctrl+Shift+L"), [this] { showElectrical(); }, "electricalSwings");
     menu.addSeparator();
     auto& layouts = *menu.addMenu(tr("&Lay out nominal headings"));
     for (const int points : kLayoutPoints)
@@ -134,7 +134,7 @@ void MainWindow::buildFleetMenu()
     addCommand(
         menu, tr("What is &due"), tr("Ctrl+J"), [this] { showDue(); }, "showDue");
     addCommand(
-        menu, tr("Compass &bases"), tr("Ctrl+Shift+C"), [this] { showSites(); }, "showSites");
+        menu, tr("Compass &bases"), tr("Ctrl+Alt+B"), [this] { showSites(); }, "showSites");
     addCommand(
         menu, tr("&Datum instruments"), tr("Ctrl+Shift+M"), [this] { showInstruments(); }, "showInstruments");
     addCommand(

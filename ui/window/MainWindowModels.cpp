@@ -41,31 +41,25 @@ FileQuestions MainWindow::fileQuestions()
 void MainWindow::showSensor(CompassId id)
 {
     leaveField();
-    if (const auto shown = sensorPage().showCompass(id); !shown) {
-        fail(messageOf(shown.error()));
-        return;
-    }
-    turnTo(sensorPage());
+    const bool same = m_sensorPage && m_sensorPage->compass() == id;
+    showOn(
+        m_sensorPage, same, [this] { return makeSensorPage(); }, [id](SensorPage& page) { return page.showCompass(id); });
 }
 
 void MainWindow::showIronBench(CompassId id)
 {
     leaveField();
-    if (const auto shown = ironBenchPage().showCompass(id); !shown) {
-        fail(messageOf(shown.error()));
-        return;
-    }
-    turnTo(ironBenchPage());
+    const bool same = m_ironBenchPage && m_ironBenchPage->compass() == id;
+    showOn(
+        m_ironBenchPage, same, [this] { return makeIronBenchPage(); }, [id](IronBenchPage& page) { return page.showCompass(id); });
 }
 
 void MainWindow::showPrediction()
 {
     leaveField();
-    if (const auto shown = predictionPage().showSwing(m_swingPage->editor().id()); !shown) {
-        fail(messageOf(shown.error()));
-        return;
-    }
-    turnTo(predictionPage());
+    const SwingId id = m_swingPage->editor().id();
+    showOn(
+        m_predictionPage, false, [this] { return makePredictionPage(); }, [id](PredictionPage& page) { return page.showSwing(id); });
 }
 
 /// At the site and on the day of the swing that is shown, where these are known.
@@ -81,27 +75,21 @@ void MainWindow::showEarthField()
     turnTo(earthFieldPage());
 }
 
-SensorPage& MainWindow::sensorPage()
+SensorPage* MainWindow::makeSensorPage()
 {
-    if (m_sensorPage)
-        return *m_sensorPage;
-    m_sensorPage = new SensorPage(m_context, m_stack, fileQuestions());
-    m_pages->addWidget(m_sensorPage);
-    connect(m_sensorPage, &SensorPage::readOut, m_readOut, &QLabel::setText);
-    connect(m_sensorPage, &SensorPage::failed, this, &MainWindow::fail);
-    connect(m_sensorPage, &SensorPage::benchWanted, this, &MainWindow::showIronBench);
-    return *m_sensorPage;
+    auto* page = new SensorPage(m_context, m_stack, fileQuestions());
+    connect(page, &SensorPage::readOut, m_readOut, &QLabel::setText);
+    connect(page, &SensorPage::failed, this, &MainWindow::fail);
+    connect(page, &SensorPage::benchWanted, this, &MainWindow::showIronBench);
+    return page;
 }
 
-IronBenchPage& MainWindow::ironBenchPage()
+IronBenchPage* MainWindow::makeIronBenchPage()
 {
-    if (m_ironBenchPage)
-        return *m_ironBenchPage;
-    m_ironBenchPage = new IronBenchPage(m_context, m_stack, fileQuestions());
-    m_pages->addWidget(m_ironBenchPage);
-    connect(m_ironBenchPage, &IronBenchPage::readOut, m_readOut, &QLabel::setText);
-    connect(m_ironBenchPage, &IronBenchPage::failed, this, &MainWindow::fail);
-    return *m_ironBenchPage;
+    auto* page = new IronBenchPage(m_context, m_stack, fileQuestions());
+    connect(page, &IronBenchPage::readOut, m_readOut, &QLabel::setText);
+    connect(page, &IronBenchPage::failed, this, &MainWindow::fail);
+    return page;
 }
 
 EarthFieldPage& MainWindow::earthFieldPage()
@@ -115,15 +103,12 @@ EarthFieldPage& MainWindow::earthFieldPage()
     return *m_earthFieldPage;
 }
 
-PredictionPage& MainWindow::predictionPage()
+PredictionPage* MainWindow::makePredictionPage()
 {
-    if (m_predictionPage)
-        return *m_predictionPage;
-    m_predictionPage = new PredictionPage(m_stores);
-    m_pages->addWidget(m_predictionPage);
-    connect(m_predictionPage, &PredictionPage::readOut, m_readOut, &QLabel::setText);
-    connect(m_predictionPage, &PredictionPage::failed, this, &MainWindow::fail);
-    return *m_predictionPage;
+    auto* page = new PredictionPage(m_stores);
+    connect(page, &PredictionPage::readOut, m_readOut, &QLabel::setText);
+    connect(page, &PredictionPage::failed, this, &MainWindow::fail);
+    return page;
 }
 
 } // namespace lubberline::ui

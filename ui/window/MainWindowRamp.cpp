@@ -59,36 +59,27 @@ void MainWindow::beginGuided(CompassId compass)
         fail(tr("A guided swing is of one compass: choose it, or a swing of it, in the tree."));
         return;
     }
-    if (const auto begun = guidedPage().begin(compass); !begun) {
-        fail(messageOf(begun.error()));
-        return;
-    }
-    turnTo(guidedPage());
+    showOn(
+        m_guidedPage, false, [this] { return makeGuidedPage(); }, [compass](GuidedPage& page) { return page.begin(compass); });
 }
 
 void MainWindow::takeUpGuided(SwingId swing)
 {
     leaveField();
-    if (const auto taken = guidedPage().takeUp(swing); !taken) {
-        fail(messageOf(taken.error()));
-        return;
-    }
-    turnTo(guidedPage());
+    showOn(
+        m_guidedPage, false, [this] { return makeGuidedPage(); }, [swing](GuidedPage& page) { return page.takeUp(swing); });
 }
 
-GuidedPage& MainWindow::guidedPage()
+GuidedPage* MainWindow::makeGuidedPage()
 {
-    if (m_guidedPage)
-        return *m_guidedPage;
-    m_guidedPage = new GuidedPage(m_stores, [this] { return nowUtc(); });
-    m_pages->addWidget(m_guidedPage);
-    connect(m_guidedPage, &GuidedPage::failed, this, &MainWindow::fail);
-    connect(m_guidedPage, &GuidedPage::notStored, this, [this](SwingId, std::size_t place, const JobEvent& event) {
-        keepElsewhere(m_guidedPage->job().record(), LostStep{place, event});
+    auto* page = new GuidedPage(m_stores, [this] { return nowUtc(); });
+    connect(page, &GuidedPage::failed, this, &MainWindow::fail);
+    connect(page, &GuidedPage::notStored, this, [this, page](SwingId, std::size_t place, const JobEvent& event) {
+        keepElsewhere(page->job().record(), LostStep{place, event});
     });
-    connect(m_guidedPage, &GuidedPage::cancelled, this, &MainWindow::showHome);
-    connect(m_guidedPage, &GuidedPage::finished, this, [this](SwingId id) { showSwing(id); });
-    return *m_guidedPage;
+    connect(page, &GuidedPage::cancelled, this, &MainWindow::showHome);
+    connect(page, &GuidedPage::finished, this, [this](SwingId id) { showSwing(id); });
+    return page;
 }
 
 /// Found on a worker after the first paint, and whenever something changed.
@@ -134,17 +125,23 @@ DuePage& MainWindow::duePage()
     return *m_duePage;
 }
 
+template <class Page>
+Page* MainWindow::wired(Page* page)
+{
+    connect(page, &Page::failed, this, &MainWindow::fail);
+    if constexpr (requires { &Page::readOut; })
+        connect(page, &Page::readOut, m_readOut, &QLabel::setText);
+    if constexpr (requires { &Page::makeSwing; })
+        connect(page, &Page::makeSwing, this, &MainWindow::makeSwing);
+    return page;
+}
+
 template <class Page, class Make>
 Page& MainWindow::pageOf(Page*& place, Make make)
 {
     if (!place) {
-        place = make();
+        place = wired(make());
         m_pages->addWidget(place);
-        connect(place, &Page::failed, this, &MainWindow::fail);
-        if constexpr (requires { &Page::readOut; })
-            connect(place, &Page::readOut, m_readOut, &QLabel::setText);
-        if constexpr (requires { &Page::makeSwing; })
-            connect(place, &Page::makeSwing, this, &MainWindow::makeSwing);
     }
     return *place;
 }
@@ -201,22 +198,18 @@ void MainWindow::showElectrical()
 {
     const CompassId compass = compassShown();
     leaveField();
-    auto& page = pageOf(m_electricalPage, [this] { return new ElectricalPage(m_stores, [this] { return nowUtc().substr(0, 10); }); });
-    if (const auto shown = page.showCompass(compass); !shown)
-        fail(messageOf(shown.error()));
-    else
-        turnTo(page);
+    showOn(
+        m_electricalPage, false, [this] { return wired(new ElectricalPage(m_stores, [this] { return nowUtc().substr(0, 10); })); },
+        [compass](ElectricalPage& page) { return page.showCompass(compass); });
 }
 
 void MainWindow::showNmeaImport()
 {
     const CompassId compass = compassShown();
     leaveField();
-    auto& page = pageOf(m_nmeaPage, [this] { return new NmeaImportPage(m_stores, fileQuestions()); });
-    if (const auto shown = page.showCompass(compass); !shown)
-        fail(messageOf(shown.error()));
-    else
-        turnTo(page);
+    showOn(
+        m_nmeaPage, false, [this] { return wired(new NmeaImportPage(m_stores, fileQuestions())); },
+        [compass](NmeaImportPage& page) { return page.showCompass(compass); });
 }
 
 void MainWindow::makeSwing(Swing swing)

@@ -99,7 +99,7 @@ void MainWindowTest::newSwingFromNothing()
     // A second swing of the same compass makes no second aircraft.
     open.trigger("newSwing");
     QCOMPARE(open.find<QComboBox>("newCompass").currentText(), QStringLiteral("standby"));
-    QTest::mouseClick(&create, Qt::LeftButton);
+    QTest::mouseClick(&open.find<QPushButton>("createSwing"), Qt::LeftButton);
     QCOMPARE(stores.whole().swings.size(), 2u);
     QCOMPARE(stores.whole().aircraft.size(), 1u);
     open.trigger("undo");
@@ -219,10 +219,11 @@ void MainWindowTest::fewReadingsSayWhatIsMissing()
     const SwingId four = fleet.addSwing("2026-11-22", {{0, 359}, {90, 88}, {180, 181}, {270, 271}});
     OpenWindow open(fleet.stores);
     open.window.go(two);
-    auto& coefficients = open.find<QTableWidget>("coefficients");
-    QCOMPARE(coefficients.item(0, 0)->text(), QStringLiteral("—"));
-    QVERIFY(!coefficients.item(0, 0)->toolTip().isEmpty());
+    const auto& ofTwo = open.find<QTableWidget>("coefficients");
+    QCOMPARE(ofTwo.item(0, 0)->text(), QStringLiteral("—"));
+    QVERIFY(!ofTwo.item(0, 0)->toolTip().isEmpty());
     open.window.go(four);
+    const auto& coefficients = open.find<QTableWidget>("coefficients");
     QVERIFY(coefficients.item(0, 0)->text() != QStringLiteral("—"));
     QCOMPARE(coefficients.item(3, 0)->text(), QStringLiteral("—")); // D needs the quadrants
     QVERIFY(!coefficients.item(3, 0)->toolTip().isEmpty());

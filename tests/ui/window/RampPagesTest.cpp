@@ -1,3 +1,4 @@
+#include <QUndoStack>
 // The pages of the ramp in the window, with stores in memory: signing, bases, instruments, electrical swings, what cannot be
 // stored.
 
@@ -13,6 +14,7 @@
 #include "ui/sites/SitesPage.h"
 #include "ui/swing/ReadingText.h"
 #include "ui/swing/SigningPanel.h"
+#include "ui/swing/SwingEditor.h"
 #include "ui/window/Recovery.h"
 
 namespace lubberline::ui {
@@ -55,10 +57,15 @@ private slots:
         SmallFleet fleet;
         const SwingId id = fleet.addSwing("2026-11-20", eightPoints());
         EditContext context{fleet.stores, [](const Error&) {}};
-        SigningPanel panel(context);
+        QUndoStack stack;
+        SwingEditor editor(context, stack);
+        SigningPanel panel(context, editor);
         panel.QWidget::show();
         QSignalSpy failed(&panel, &SigningPanel::failed), opened(&panel, &SigningPanel::openSwing);
-        const auto refresh = [&](SwingId swing) { panel.show(*fleet.stores.swings.record(swing), "In limits."); };
+        const auto refresh = [&](SwingId swing) {
+            QVERIFY(editor.open(swing));
+            panel.show("In limits.");
+        };
         refresh(id);
         QVERIFY(!in<QLineEdit>(panel, "signName").isVisible()); // a draft is not signed
         in<QPushButton>(panel, "changeState").click();
@@ -102,8 +109,11 @@ private slots:
         after.compass = CompassHeading::fromDegrees(2);
         QVERIFY(fleet.stores.swings.changeReading(id, before, after));
         EditContext context{fleet.stores, [](const Error&) {}};
-        SigningPanel panel(context);
-        panel.show(*fleet.stores.swings.record(id), {});
+        QUndoStack stack;
+        SwingEditor editor(context, stack);
+        QVERIFY(editor.open(id));
+        SigningPanel panel(context, editor);
+        panel.show({});
         QVERIFY(in<QTableWidget>(panel, "signatures").item(0, 4)->text().startsWith("✗"));
     }
 
