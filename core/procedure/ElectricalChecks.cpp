@@ -109,4 +109,24 @@ std::vector<std::string> openPoints(const ElectricalSwing& swing)
     return open;
 }
 
+Swing swingFrom(const ElectricalSwing& electrical)
+{
+    Swing swing;
+    swing.date = electrical.date;
+    swing.kind = SwingKind::Calibration;
+    swing.stage = SwingStage::AsLeft;
+    swing.procedure = "electrical swing on the line " + electrical.line;
+    swing.datum = {"electrical calibrator " + electrical.calibrator, electrical.calibratorSerial, {}, {}};
+    for (const auto& one : electrical.headings) {
+        if (!one.indicated_deg)
+            continue;
+        Reading reading;
+        reading.nominal_deg = one.selected_deg;
+        reading.magnetic = MagneticHeading::fromDegrees(one.selected_deg);
+        reading.compass = CompassHeading::fromDegrees(*one.indicated_deg);
+        swing.readings.push_back(std::move(reading));
+    }
+    return swing;
+}
+
 } // namespace lubberline

@@ -56,6 +56,9 @@ Result<JobState> stateOf(const SwingJob& job);
 [[nodiscard]] Swing asFoundSwing(const SwingJob& job, const JobState& state);
 /// The check swing as it was read; an index that was removed afterwards stands beside it (Swing::indexRemoved_deg).
 [[nodiscard]] Swing asLeftSwing(const SwingJob& job, const JobState& state, int configuration = 0);
+/// The swings that a guided swing makes besides its main one (as left): as found where something was corrected, and each further
+/// configuration. What can be complete is: nothing is added to it any more. Their ids and records are not valid yet.
+[[nodiscard]] std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, const Swing& main);
 
 /// STEER = FOR − (deviation − A) at every check heading, as the worksheet has it.
 struct ResidualRow {

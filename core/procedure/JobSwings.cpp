@@ -5,6 +5,8 @@
 
 #include "core/procedure/JobState.h"
 
+#include "core/record/Completeness.h"
+
 namespace lubberline {
 
 namespace {
@@ -106,6 +108,25 @@ Swing asLeftSwing(const SwingJob& job, const JobState& state, int configuration)
             swing.readings.push_back(toReading(job, state, place));
     }
     return swing;
+}
+
+std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, const Swing& main)
+{
+    std::vector<Swing> others;
+    const auto add = [&](Swing swing) {
+        swing.id = {};
+        swing.record.clear();
+        swing.startUtc = main.startUtc;
+        swing.endUtc = main.endUtc;
+        if (missingIn(swing).empty())
+            swing.state = SwingState::Complete; // nothing is added to it any more
+        others.push_back(std::move(swing));
+    };
+    if (job.plan.kind != ProcedureKind::CheckOnly)
+        add(asFoundSwing(job, state));
+    for (int configuration = 1; configuration <= static_cast<int>(job.plan.configurations.size()); ++configuration)
+        add(asLeftSwing(job, state, configuration));
+    return others;
 }
 
 std::vector<ResidualRow> residualsOf(const JobState& state, int configuration)

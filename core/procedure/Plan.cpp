@@ -53,4 +53,6 @@ std::vector<Station> planOf(const PlanOptions& options)
 
 bool indexAfterCheck(ProcedureKind kind) { return kind == ProcedureKind::Coefficient || kind == ProcedureKind::HalfError; }
 
+double reachOfStation_deg(const PlanOptions& options) { return 180.0 / options.checkPoints; }
+
 } // namespace lubberline

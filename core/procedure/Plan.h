@@ -30,4 +30,8 @@ struct Station {
 /// Whether the index (A) is removed after the check swing; index-first and flux valve have done it before.
 [[nodiscard]] bool indexAfterCheck(ProcedureKind kind);
 
+/// How far from its nominal heading an aircraft may stand and still be read there: half of the step between check points [deg]. Beyond,
+/// it is the neighbouring station's reading.
+[[nodiscard]] double reachOfStation_deg(const PlanOptions& options);
+
 } // namespace lubberline

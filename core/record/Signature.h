@@ -2,6 +2,7 @@
 /// Who answers for a swing. Signatures are only ever added.
 
 #include <string>
+#include <vector>
 
 namespace lubberline {
 
@@ -19,5 +20,9 @@ struct Signature {
     std::string hash;    ///< SHA-256 of what was signed (core/format/exchange/SignedContent.h), 64 hexadecimal digits
     friend bool operator==(const Signature&, const Signature&) = default;
 };
+
+/// Whether these signatures freeze a swing whose contents have this hash: two people stand over the same contents, one who did it and one
+/// who answers for it having been checked (an inspector or the authority).
+[[nodiscard]] bool freezes(const std::vector<Signature>& signatures, const std::string& hash);
 
 } // namespace lubberline

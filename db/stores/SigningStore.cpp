@@ -20,20 +20,6 @@ namespace lubberline::db {
 
 namespace {
 
-bool holds(const Signature& signature, SignatureRole role, const std::string& hash)
-{
-    return signature.role == role && signature.hash == hash;
-}
-
-/// Two people: who did it, and who answers for it having been checked.
-bool decided(const std::vector<Signature>& signatures, const std::string& hash)
-{
-    const auto any = [&](SignatureRole role) {
-        return std::any_of(signatures.begin(), signatures.end(), [&](const Signature& one) { return holds(one, role, hash); });
-    };
-    return any(SignatureRole::Performer) && (any(SignatureRole::Inspector) || any(SignatureRole::Authority));
-}
-
 std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
 
 } // namespace
@@ -136,7 +122,7 @@ Result<void> SigningStore::sign(SwingId id, Signature signature)
         return kept;
     noteState(id);
     swing->signatures.push_back(std::move(signature));
-    if (swing->state == SwingState::Complete && decided(swing->signatures, *hash))
+    if (swing->state == SwingState::Complete && freezes(swing->signatures, *hash))
         if (const auto done = setState(id, SwingState::Signed, "froze swing", "hash " + *hash); !done)
             return done;
     return transaction->commit();
@@ -220,7 +206,7 @@ Result<std::vector<std::string>> SigningStore::faults()
         const auto swing = SwingStore(m_database).swing(id);
         if (!signatures || !swing)
             return signatures ? swing.error() : signatures.error();
-        if (!hash || !decided(*signatures, *hash))
+        if (!hash || !freezes(*signatures, *hash))
             faults.push_back("the signed swing of " + swing->date + " (record " + swing->record + ") is not what was signed");
     }
     return faults;

@@ -89,27 +89,6 @@ QStringList electricalSteps(const FourPointTable& table)
     return steps;
 }
 
-Swing toSwing(const ElectricalSwing& electrical)
-{
-    Swing swing;
-    swing.date = electrical.date;
-    swing.kind = SwingKind::Calibration;
-    swing.stage = SwingStage::AsLeft;
-    swing.procedure = ElectricalPage::tr("electrical swing on the line %1").arg(toText(electrical.line)).toStdString();
-    swing.datum = {ElectricalPage::tr("electrical calibrator %1").arg(toText(electrical.calibrator)).toStdString(),
-        electrical.calibratorSerial, {}, {}};
-    for (const auto& one : electrical.headings) {
-        Reading reading;
-        reading.nominal_deg = one.selected_deg;
-        reading.magnetic = MagneticHeading::fromDegrees(one.selected_deg);
-        if (one.indicated_deg)
-            reading.compass = CompassHeading::fromDegrees(*one.indicated_deg);
-        if (reading.compass)
-            swing.readings.push_back(reading);
-    }
-    return swing;
-}
-
 ElectricalPage::ElectricalPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent)
     : QWidget(parent)
     , m_stores(stores)
@@ -315,7 +294,7 @@ void ElectricalPage::showHeadings()
             new QTableWidgetItem(figure(checked ? swing.selfCheck[static_cast<std::size_t>(row)].indicated_deg : std::nullopt)));
     }
     SwingRecord record;
-    record.swing = toSwing(swing);
+    record.swing = swingFrom(swing);
     record.compass = m_compass;
     auto made = analyse(observationsOf(record.swing));
     const QString why = made ? QString() : toText(made.error().message);
@@ -416,7 +395,7 @@ void ElectricalPage::add()
 
 void ElectricalPage::make()
 {
-    Swing swing = toSwing(current());
+    Swing swing = swingFrom(current());
     swing.compass = m_compass.id;
     emit makeSwing(swing);
 }

@@ -1,5 +1,7 @@
 #include "ui/guided/GuidedJob.h"
 
+#include "core/procedure/Plan.h"
+
 #include <QRegularExpression>
 
 #include <cmath>
@@ -13,8 +15,7 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr double kNearEnough_deg = 5.0;      // procedures: an aircraft within 5° of the wanted heading is enough
-constexpr double kAnotherHeading_deg = 22.5; // half of the step between eight headings: beyond, it is the next one
+constexpr double kNearEnough_deg = 5.0; // procedures: an aircraft within 5° of the wanted heading is enough
 constexpr std::size_t kMostFigures = 3;
 
 } // namespace
@@ -89,7 +90,7 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     if (!compass)
         return compass.error();
     const double off = std::abs(wrap180(heading->magnetic.degrees() - here->station.nominal_deg));
-    if (off > kAnotherHeading_deg)
+    if (off > reachOfStation_deg(m_job.plan))
         return Error{ErrorCode::InvalidInput,
             tr("the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)")
                 .arg(heading->magnetic.degrees(), 0, 'f', 1)

@@ -6,7 +6,6 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "core/record/Completeness.h"
 #include "core/swing/Observations.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/CrewDisplay.h"
@@ -26,26 +25,6 @@ namespace {
 
 /// Beneath this the plot would take the room of the figures.
 constexpr int kWide_px = 900;
-
-/// As found where something is corrected, and every further configuration: the swings besides the main one.
-std::vector<Swing> otherSwings(const SwingJob& job, const JobState& state, const Swing& main)
-{
-    std::vector<Swing> others;
-    const auto add = [&](Swing swing) {
-        swing.id = {};
-        swing.record.clear();
-        swing.startUtc = main.startUtc;
-        swing.endUtc = main.endUtc;
-        if (missingIn(swing).empty())
-            swing.state = SwingState::Complete; // nothing is added to it any more
-        others.push_back(std::move(swing));
-    };
-    if (job.plan.kind != ProcedureKind::CheckOnly)
-        add(asFoundSwing(job, state));
-    for (int configuration = 1; configuration <= static_cast<int>(job.plan.configurations.size()); ++configuration)
-        add(asLeftSwing(job, state, configuration));
-    return others;
-}
 
 } // namespace
 
@@ -301,7 +280,7 @@ void GuidedPage::finish()
     Swing main = asLeftSwing(job, state);
     main.startUtc = job.events.empty() ? std::string() : job.events.front().timeUtc;
     main.endUtc = job.events.empty() ? std::string() : job.events.back().timeUtc;
-    if (const auto done = m_stores.jobs.finish(m_swing, main, otherSwings(job, state, main)); !done) {
+    if (const auto done = m_stores.jobs.finish(m_swing, main, furtherSwings(job, state, main)); !done) {
         emit failed(messageOf(done.error()));
         return;
     }

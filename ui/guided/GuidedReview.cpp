@@ -192,7 +192,7 @@ void GuidedReview::readAgain()
 {
     const int row = m_table->currentRow();
     if (row >= 0)
-        tell(job::ReadingRejected{m_stations[static_cast<std::size_t>(row)], tr("read again after the review").toStdString()});
+        tell(job::ReadingRejected{m_stations[static_cast<std::size_t>(row)], "read again after the review"});
 }
 
 void GuidedReview::turnAgain()
@@ -207,8 +207,8 @@ void GuidedReview::turnAgain()
     }
     const int station = m_stations[static_cast<std::size_t>(row)];
     const double before = m_job.state().stations[static_cast<std::size_t>(station)].reading->compass.degrees();
-    if (tell(job::Adjusted{station, static_cast<Control>(m_control->currentIndex()), before, figures->front(), figures->front(),
-            tr("after the check swing").toStdString()}))
+    if (tell(job::Adjusted{
+            station, static_cast<Control>(m_control->currentIndex()), before, figures->front(), figures->front(), "after the check swing"}))
         m_after->clear();
 }
 

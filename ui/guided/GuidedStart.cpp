@@ -45,7 +45,7 @@ std::optional<double> variationOf(const Swing& swing, const Site* site)
     const auto stamp = stampFor(swing, *site);
     if (!stamp)
         return {};
-    return toDegrees(std::atan2(stamp->field.east_nT, stamp->field.north_nT));
+    return stamp->field.variation().degrees();
 }
 
 } // namespace
@@ -203,7 +203,7 @@ double GuidedStart::paintedOffset_deg() const
     const auto stamp = stampFor(day, *site());
     if (!stamp)
         return 0;
-    const Variation today = Variation::fromDegrees(toDegrees(std::atan2(stamp->field.east_nT, stamp->field.north_nT)));
+    const Variation today = stamp->field.variation();
     return paintedLineOffset_deg(Variation::fromDegrees(*site()->paintedVariation_deg), today);
 }
 

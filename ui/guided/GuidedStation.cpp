@@ -347,7 +347,7 @@ void GuidedStation::readAgain()
         return;
     }
     m_shown = {-2, -1};
-    tell(job::ReadingRejected{last, tr("read again").toStdString()});
+    tell(job::ReadingRejected{last, "read again"});
 }
 
 void GuidedStation::ask(Asks what, const QString& question)

@@ -291,7 +291,7 @@ void NmeaImportPage::make()
     swing.compass = m_compass.id;
     swing.kind = static_cast<SwingKind>(m_kind->currentIndex());
     swing.datum.instrument = m_datum;
-    swing.note = tr("from the log %1").arg(QFileInfo(m_path).fileName()).toStdString();
+    swing.note = "from the log " + QFileInfo(m_path).fileName().toStdString(); // stored: the same in every language
     emit makeSwing(swing);
 }
 

@@ -270,7 +270,7 @@ std::optional<double> SitesPage::variationToday() const
     Swing today;
     today.date = m_today();
     const auto stamp = stampFor(today, m_fields.record());
-    return stamp ? std::optional(toDegrees(std::atan2(stamp->field.east_nT, stamp->field.north_nT))) : std::nullopt;
+    return stamp ? std::optional(stamp->field.variation().degrees()) : std::nullopt;
 }
 
 void SitesPage::showFitness()
@@ -366,7 +366,7 @@ void SitesPage::takeModelVariation()
     const auto stamp = stampFor(today, after);
     if (!stamp)
         return;
-    after.variation_deg = std::round(toDegrees(std::atan2(stamp->field.east_nT, stamp->field.north_nT)) * 100) / 100;
+    after.variation_deg = std::round(stamp->field.variation().degrees() * 100) / 100;
     after.variationSource = stamp->model + ", " + stamp->date;
     store(after, tr("variation"));
 }

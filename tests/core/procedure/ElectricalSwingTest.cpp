@@ -69,4 +69,22 @@ TEST(ElectricalSwing, openPoints)
 }
 
 } // namespace
+TEST(ElectricalSwing, itsHeadingsAreACalibrationSwing)
+{
+    ElectricalSwing electrical;
+    electrical.date = "2026-11-20";
+    electrical.line = "red 2";
+    electrical.calibrator = "MC-2M";
+    electrical.calibratorSerial = "17";
+    electrical.headings = {{0, 359.5}, {15, {}}, {30, 31.0}};
+    const Swing swing = swingFrom(electrical);
+    EXPECT_EQ(swing.kind, SwingKind::Calibration);
+    EXPECT_EQ(swing.stage, SwingStage::AsLeft);
+    EXPECT_EQ(swing.procedure, "electrical swing on the line red 2");
+    EXPECT_EQ(swing.datum.instrument, "electrical calibrator MC-2M");
+    ASSERT_EQ(swing.readings.size(), 2u); // nobody indicated 15
+    EXPECT_EQ(swing.readings[1].magnetic->degrees(), 30.0);
+    EXPECT_EQ(deviationOf(*swing.readings[1].magnetic, *swing.readings[1].compass).degrees(), -1.0); // magnetic − compass
+}
+
 } // namespace lubberline

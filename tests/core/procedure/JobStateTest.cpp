@@ -336,4 +336,13 @@ TEST(GuidedSwing, everyBeginningOfAJobIsAJob)
 }
 
 } // namespace
+TEST(Plan, aStationReachesHalfwayToTheNextCheckPoint)
+{
+    for (const auto& [points, reach_deg] : {std::pair{8, 22.5}, {12, 15.0}, {24, 7.5}}) {
+        PlanOptions options;
+        options.checkPoints = points;
+        EXPECT_DOUBLE_EQ(reachOfStation_deg(options), reach_deg);
+    }
+}
+
 } // namespace lubberline

@@ -4,6 +4,7 @@
 
 #include "core/record/DerivedId.h"
 #include "core/record/Fleet.h"
+#include "core/record/Signature.h"
 #include "tests/core/format/Support.h"
 
 namespace lubberline::test {
@@ -93,6 +94,18 @@ TEST(ShippedLimits, areThoseWhoseSourceWasRead)
     EXPECT_EQ(spread, 1);
     EXPECT_EQ(names.size(), 6u);
     EXPECT_EQ(records.size(), 6u);
+}
+
+TEST(Signatures, twoPeopleOverTheSameContentsFreezeASwing)
+{
+    const Signature performer{SignatureRole::Performer, "Ada", "", "", "h1"}, inspector{SignatureRole::Inspector, "Ben", "", "", "h1"};
+    const Signature authority{SignatureRole::Authority, "Cyd", "", "", "h1"}, before{SignatureRole::Inspector, "Ben", "", "", "h0"};
+    EXPECT_FALSE(freezes({}, "h1"));
+    EXPECT_FALSE(freezes({performer}, "h1"));
+    EXPECT_FALSE(freezes({inspector, authority}, "h1"));
+    EXPECT_FALSE(freezes({performer, before}, "h1")); // he stood over other contents
+    EXPECT_TRUE(freezes({performer, inspector}, "h1"));
+    EXPECT_TRUE(freezes({performer, authority}, "h1"));
 }
 
 } // namespace lubberline::test
