@@ -30,8 +30,16 @@ void showMessage(QtMsgType type, const QMessageLogContext&, const QString& messa
 
 bool hasDisplay()
 {
-    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")
-        || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+    const bool x11 = !qEnvironmentVariableIsEmpty("DISPLAY"), wayland = !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+    // "offscreen:size=800x600;xcb": the first of several, without its options.
+    const QByteArray platform = qgetenv("QT_QPA_PLATFORM").split(';').front().split(':').front().trimmed();
+    if (platform == "offscreen" || platform == "minimal")
+        return false; // a window there is seen by nobody, and nobody can close it
+    if (platform == "xcb")
+        return x11;
+    if (platform.startsWith("wayland"))
+        return wayland;
+    return !platform.isEmpty() || x11 || wayland; // linuxfb, eglfs, vnc: screens of their own
 }
 
 std::unique_ptr<QApplication> makeDrawingSession()
@@ -40,7 +48,7 @@ std::unique_ptr<QApplication> makeDrawingSession()
     static char name[] = "lubberline", option[] = "-platform", platform[] = "offscreen";
     static char* arguments[] = {name, option, platform, nullptr};
     static int count;
-    count = qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") ? 3 : 1;
+    count = 3; // whatever the environment names: a platform without its display would end the program
     qInstallMessageHandler(showMessage);
     auto session = std::make_unique<QApplication>(count, arguments);
     describeApplication();
@@ -51,7 +59,7 @@ Result<std::unique_ptr<QApplication>> makeWindowSession(int& argc, char** argv)
 {
     if (!hasDisplay())
         return Error{ErrorCode::Unsupported,
-            "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are not set); "
+            "there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set, or QT_QPA_PLATFORM names one that nobody sees); "
             "commands work without one: lubberline --help"};
     qInstallMessageHandler(showMessage);
     auto session = std::make_unique<QApplication>(argc, argv);

@@ -9,13 +9,14 @@
 
 namespace lubberline::app {
 
-/// For commands that print or draw: the offscreen platform, unless QT_QPA_PLATFORM names another.
+/// For commands that print or draw: the offscreen platform, whatever QT_QPA_PLATFORM names.
 [[nodiscard]] std::unique_ptr<QApplication> makeDrawingSession();
 
 /// For the window. Errors: Unsupported when there is no display.
 Result<std::unique_ptr<QApplication>> makeWindowSession(int& argc, char** argv);
 
-/// Whether a window can be opened here (DISPLAY, WAYLAND_DISPLAY or QT_QPA_PLATFORM is set).
+/// Whether a window that is opened here is seen by somebody: there is a display, and QT_QPA_PLATFORM does not turn away from it
+/// (offscreen, minimal).
 [[nodiscard]] bool hasDisplay();
 
 } // namespace lubberline::app

@@ -18,11 +18,10 @@ namespace lubberline::app {
 
 namespace {
 
-/// Said on standard error, and in a box for whoever started the program from a menu. There is nobody on the offscreen platform.
+/// Said on standard error, and in a box for whoever started the program from a menu.
 int failVisibly(const Error& error)
 {
-    if (QGuiApplication::platformName() != "offscreen")
-        QMessageBox::critical(nullptr, "Lubberline", QString::fromStdString(describe(error)));
+    QMessageBox::critical(nullptr, "Lubberline", QString::fromStdString(describe(error)));
     return fail(error);
 }
 

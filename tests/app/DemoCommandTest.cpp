@@ -19,6 +19,21 @@ TEST(DemoCommand, writesTheDatabaseTheReportAndThePlots)
     EXPECT_THAT(outcome.err, testing::HasSubstr("no display"));
 }
 
+/// Offscreen and minimal are no display: the window would be seen by nobody, and the command would wait for it for ever.
+TEST(DemoCommand, aPlatformThatNobodySeesIsNoDisplay)
+{
+    for (const char* platform : {"offscreen", "minimal", "offscreen:size=800x600", "xcb"}) {
+        const Sandbox sandbox;
+        const auto outcome
+            = sandbox.run({"demo", "--db", "demo.db", "-o", "out"}, std::string("QT_QPA_PLATFORM='") + platform + "' timeout 60");
+        ASSERT_EQ(outcome.status, 0) << platform << ": " << outcome.err;
+        EXPECT_THAT(outcome.err, testing::HasSubstr("no display")) << platform;
+        const auto window = sandbox.run({"--db", "demo.db"}, std::string("QT_QPA_PLATFORM='") + platform + "' timeout 60");
+        EXPECT_EQ(window.status, 1) << platform;
+        EXPECT_THAT(window.err, testing::HasSubstr("no display")) << platform;
+    }
+}
+
 TEST(DemoCommand, theFleetIsWorthLookingAt)
 {
     const Sandbox sandbox;

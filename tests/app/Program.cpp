@@ -51,12 +51,13 @@ std::string Sandbox::write(const std::string& name, const std::string& content) 
 
 std::string Sandbox::read(const std::string& name) const { return slurp(m_folder / name); }
 
-Outcome Sandbox::run(const std::vector<std::string>& arguments) const
+Outcome Sandbox::run(const std::vector<std::string>& arguments, const std::string& environment) const
 {
     const auto home = m_folder / ".home";
     std::string command = "cd " + quoted(m_folder.string())
-        + " && env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM -u LUBBERLINE_DB HOME=" + quoted(home.string()) + " XDG_DATA_HOME="
-        + quoted((home / "data").string()) + " XDG_RUNTIME_DIR=" + quoted(home.string()) + " " + quoted(LUBBERLINE_PROGRAM);
+        + " && env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM -u LUBBERLINE_DB HOME=" + quoted(home.string())
+        + " XDG_DATA_HOME=" + quoted((home / "data").string()) + " XDG_RUNTIME_DIR=" + quoted(home.string()) + " " + environment + " "
+        + quoted(LUBBERLINE_PROGRAM);
     for (const auto& argument : arguments)
         command += " " + quoted(argument);
     command += " >" + quoted((home / "out").string()) + " 2>" + quoted((home / "err").string()) + " </dev/null";

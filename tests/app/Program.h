@@ -29,7 +29,7 @@ public:
     std::string write(const std::string& name, const std::string& content) const;
     [[nodiscard]] std::string read(const std::string& name) const;
     /// Runs `lubberline ARGUMENTS…` in the folder, without a display.
-    [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
+    [[nodiscard]] Outcome run(const std::vector<std::string>& arguments, const std::string& environment = {}) const;
     [[nodiscard]] std::vector<std::string> files() const;
 
 private:

@@ -88,16 +88,16 @@ public:
     /// All that is stored, in the order in which it came in.
     [[nodiscard]] Fleet whole()
     {
-        Fleet fleet = db::exportFleet(database(), {}, {}).value();
+        Fleet all = db::exportFleet(database(), {}, {}).value();
         const auto byId = [](const auto& a, const auto& b) { return a.id.value < b.id.value; };
-        std::sort(fleet.types.begin(), fleet.types.end(), byId);
-        std::sort(fleet.aircraft.begin(), fleet.aircraft.end(), byId);
-        std::sort(fleet.compasses.begin(), fleet.compasses.end(), byId);
-        std::sort(fleet.sensors.begin(), fleet.sensors.end(), byId);
-        std::sort(fleet.events.begin(), fleet.events.end(), byId);
-        std::sort(fleet.sites.begin(), fleet.sites.end(), byId);
-        std::sort(fleet.swings.begin(), fleet.swings.end(), byId);
-        return fleet;
+        std::sort(all.types.begin(), all.types.end(), byId);
+        std::sort(all.aircraft.begin(), all.aircraft.end(), byId);
+        std::sort(all.compasses.begin(), all.compasses.end(), byId);
+        std::sort(all.sensors.begin(), all.sensors.end(), byId);
+        std::sort(all.events.begin(), all.events.end(), byId);
+        std::sort(all.sites.begin(), all.sites.end(), byId);
+        std::sort(all.swings.begin(), all.swings.end(), byId);
+        return all;
     }
     /// The same file as another program has it open.
     [[nodiscard]] std::unique_ptr<db::Stores> another(db::OpenMode mode = db::OpenMode::ReadWriteCreate) const
