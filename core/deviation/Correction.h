@@ -2,7 +2,7 @@
 /// What to make the compass read when correcting on the cardinals: the figures of a correction swing.
 ///   C = (δN − δS)/2, B = (δE − δW)/2, A = mean of the four.
 /// To remove a term T(ψ) of δ = ψ − ψ' on heading ψ, set the compass to read (reading now) + T(ψ)
-/// (procedures.md, 3.3; worksheet Q1: C = −6, on S 170 → 176; B = +2, on W 265 → 263).
+/// (the compensation worksheet of docs/bibliography.md, question 1: C = −6, on S 170 → 176; B = +2, on W 265 → 263).
 
 #include <array>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 /// Fourier harmonics of deviation against magnetic (or compass) heading:
-///   δ(ψ) = c0 + Σ_n (s_n sin nψ + c_n cos nψ);  A = c0, B = s_1, C = c_1, D = s_2, E = c_2        (model.md, Harmonics)
+///   δ(ψ) = c0 + Σ_n (s_n sin nψ + c_n cos nψ);  A = c0, B = s_1, C = c_1, D = s_2, E = c_2        (docs/model.md, Harmonics)
 
 #include <optional>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 /// The classical rules that crews can work by hand from readings near the 4 or 8 points.
 ///   A = mean of all; B = (δE − δW)/2; C = (δN − δS)/2; D = ((δNE + δSW) − (δSE + δNW))/4; E = ((δN + δS) − (δE + δW))/4
-/// (NGA Handbook of Magnetic Compass Adjustment 2004, art. 501; procedures.md, section 8). With the four cardinals alone
+/// (NGA Handbook of Magnetic Compass Adjustment 2004, art. 501). With the four cardinals alone
 /// A is their mean and D cannot be told.
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 /// When a compass is to be swung: calendar rules, and the events after which sources want a new swing (AC 43.13-1B 12-37; CASA;
-/// …: procedures.md, section 5). An event opens a flag that only a later signed swing or a recorded waiver clears.
+/// …: docs/bibliography.md). An event opens a flag that only a later signed swing or a recorded waiver clears.
 
 #include <optional>
 #include <span>

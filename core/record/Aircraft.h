@@ -31,7 +31,7 @@ struct Aircraft {
     friend bool operator==(const Aircraft&, const Aircraft&) = default;
 };
 
-/// procedures.md, section 2: direct reading, or remote indicating (not stabilised, or gyro-stabilised).
+/// Direct reading, or remote indicating (not stabilised, or gyro-stabilised).
 enum class CompassKind { DirectReading, RemoteUnstabilised, RemoteStabilised };
 enum class Compensator { Unknown, None, Screws, Magnets, Electronic };
 
@@ -53,7 +53,7 @@ struct CompassSystem {
     friend bool operator==(const CompassSystem&, const CompassSystem&) = default;
 };
 
-/// The occasions after which sources want a new swing (procedures.md, section 5).
+/// The occasions after which sources want a new swing (docs/bibliography.md).
 enum class DueCause {
     Other,         ///< opens nothing
     PartsReplaced, ///< ferrous part, flux valve, compass, compensator installed, removed or repaired

@@ -18,7 +18,7 @@ struct SurveyPoint {
     friend bool operator==(const SurveyPoint&, const SurveyPoint&) = default;
 };
 
-/// Classes by what a compass base may turn a needle; data with their source (procedures.md, section 9).
+/// Classes by what a compass base may turn a needle; data with their source (docs/bibliography.md).
 enum class SiteClass { None, Class1, Class2 };
 
 /// A compass base (rose, pad) where aircraft are swung.
@@ -44,7 +44,7 @@ struct Site {
     friend bool operator==(const Site&, const Site&) = default;
 };
 
-/// Limits are data with a named source, never constants in code (procedures.md, section 4).
+/// Limits are data with a named source, never constants in code.
 struct LimitsProfile {
     LimitsProfileId id;
     RecordId record = {};
@@ -57,7 +57,7 @@ struct LimitsProfile {
     friend bool operator==(const LimitsProfile&, const LimitsProfile&) = default;
 };
 
-/// The profiles that are shipped: only those rows of procedures.md, section 4, whose source was read there
+/// The profiles that are shipped: only those whose source was read (docs/bibliography.md)
 /// (14 CFR 23/25/27/29.1327: 10°; TM 1-1500-204-23-4: spread 5°; slaved HSI of an aeroplane maintenance manual: 2°).
 [[nodiscard]] const std::vector<LimitsProfile>& shippedLimitsProfiles();
 
