@@ -1,5 +1,5 @@
 #pragma once
-/// Attitude, and the rotations of docs/model.md, "Earth field in body axes" [P 14–15, K 9.13].
+/// Attitude, and the rotations of docs/model.md, "The Earth's field on the aircraft" [P 14–15, K 9.13].
 /// Body axes: x forward, y starboard, z down. Earth axes: magnetic north, magnetic east, down.
 
 #include <Eigen/Core>
