@@ -1,6 +1,6 @@
 #include "db/stores/SiteStore.h"
 
-#include "core/format/exchange/RampJson.h"
+#include "core/format/exchange/SiteJson.h"
 #include "db/stores/ResultCache.h"
 #include "db/stores/Saving.h"
 

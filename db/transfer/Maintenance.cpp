@@ -95,7 +95,7 @@ Result<void> checkSensors(Database& database, VerifyReport& report)
 }
 
 /// Guided swings that do not read, and signed swings that are not what was signed.
-Result<void> checkRamp(Database& database, VerifyReport& report)
+Result<void> checkJobs(Database& database, VerifyReport& report)
 {
     if (const auto jobs = JobStore(database).all(); !jobs)
         report.findings.push_back(jobs.error().message);
@@ -240,7 +240,7 @@ Result<VerifyReport> verify(Database& database, const Progress& progress)
         return done.error();
     if (const auto done = checkSensors(database, report); !done)
         return done.error();
-    if (const auto done = checkRamp(database, report); !done)
+    if (const auto done = checkJobs(database, report); !done)
         return done.error();
     if (const auto done = checkResults(database, report, progress); !done)
         return done.error();

@@ -106,7 +106,7 @@ TEST_P(OldDatabase, keepsItsSwingsWithoutAFieldAndTakesOneForTheDraft)
     EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
 }
 
-TEST_P(OldDatabase, hasNothingOfTheRampAndTakesAllOfIt)
+TEST_P(OldDatabase, hasNoJobsAndSignaturesAndTakesThem)
 {
     auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
     ASSERT_TRUE(database) << describe(database.error());

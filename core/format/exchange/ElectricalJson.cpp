@@ -1,6 +1,6 @@
 #include "core/format/exchange/ElectricalJson.h"
 
-#include "core/format/exchange/RampJson.h"
+#include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/Ranges.h"
 #include "core/format/json/JsonDocument.h"
 

@@ -3,8 +3,8 @@
 #include "core/base/FileText.h"
 #include "core/format/exchange/BenchJson.h"
 #include "core/format/exchange/ModelJson.h"
-#include "core/format/exchange/RampJson.h"
 #include "core/format/exchange/Ranges.h"
+#include "core/format/exchange/SwingJson.h"
 
 namespace lubberline::exchange {
 

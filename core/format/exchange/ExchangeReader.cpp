@@ -2,13 +2,16 @@
 #include <set>
 
 #include "core/due/DueRules.h"
+#include "core/format/exchange/DueRuleJson.h"
 #include "core/format/exchange/ElectricalJson.h"
 #include "core/format/exchange/Exchange.h"
 #include "core/format/exchange/ExchangeParts.h"
+#include "core/format/exchange/InstrumentJson.h"
 #include "core/format/exchange/JobJson.h"
-#include "core/format/exchange/RampJson.h"
 #include "core/format/exchange/Ranges.h"
 #include "core/format/exchange/RecordChoice.h"
+#include "core/format/exchange/SiteJson.h"
+#include "core/format/exchange/SwingJson.h"
 #include "core/format/json/JsonDocument.h"
 
 namespace lubberline {
@@ -54,7 +57,7 @@ private:
     void readInstrumentOf(JsonObject& object);
     void readRule(JsonObject& object);
     /// The keys of a swing that came with version 3, and its guided swing.
-    void readRamp(JsonObject& object, Swing& swing);
+    void readVersion3(JsonObject& object, Swing& swing);
     void readCause(JsonObject& object, Event& event);
 
     /// The identity of a new record, which no other of the file may have.
@@ -286,7 +289,7 @@ void FleetReader::readSwing(const Json& value, const JsonPath& path, CompassId c
     swing.reason = object.text("reason");
     swing.note = object.text("note");
     if (m_version >= 3)
-        readRamp(object, swing);
+        readVersion3(object, swing);
     object.objects("readings", [&](JsonObject& one) { swing.readings.push_back(exchange::readReading(one, m_version >= 3)); });
     if (swing.readings.size() > kMaxReadings)
         object.fault("readings", "are more than " + std::to_string(kMaxReadings) + "; expected a compass swing");
@@ -344,9 +347,9 @@ void FleetReader::readCause(JsonObject& object, Event& event)
     });
 }
 
-void FleetReader::readRamp(JsonObject& object, Swing& swing)
+void FleetReader::readVersion3(JsonObject& object, Swing& swing)
 {
-    readRampParticulars(object, swing);
+    readSwingRecord(object, swing);
     object.object("job", [&](JsonObject& one) {
         SwingJob job = readJob(one);
         own(one, job.record);

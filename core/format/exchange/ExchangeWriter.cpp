@@ -3,11 +3,15 @@
 
 #include "core/base/Contract.h"
 #include "core/due/DueRules.h"
+#include "core/format/exchange/DueRuleJson.h"
 #include "core/format/exchange/ElectricalJson.h"
 #include "core/format/exchange/Exchange.h"
 #include "core/format/exchange/ExchangeParts.h"
+#include "core/format/exchange/InstrumentJson.h"
 #include "core/format/exchange/JobJson.h"
-#include "core/format/exchange/RampJson.h"
+#include "core/format/exchange/OptionalKeys.h"
+#include "core/format/exchange/SiteJson.h"
+#include "core/format/exchange/SwingJson.h"
 #include "core/format/json/JsonWriter.h"
 #include "core/record/RecordWords.h"
 
@@ -257,7 +261,7 @@ void FleetWriter::write(const Swing& swing)
     textIfAny(m_json, "work_order", swing.workOrder);
     textIfAny(m_json, "reason", swing.reason);
     textIfAny(m_json, "note", swing.note);
-    writeRampParticulars(m_json, swing);
+    writeSwingRecord(m_json, swing);
     const auto job = std::find_if(m_fleet.jobs.begin(), m_fleet.jobs.end(), [&](const JobRecord& one) { return one.swing == swing.id; });
     if (job != m_fleet.jobs.end()) {
         m_json.beginObject("job");
@@ -306,7 +310,7 @@ int exchangeVersionOf(const Fleet& fleet)
         || !fleet.dueRules.empty() || any(fleet.sites, hasBase) || any(fleet.aircraft, [](const Aircraft& one) { return one.base.valid(); })
         || any(fleet.compasses, [](const CompassSystem& one) { return !one.installed.empty(); })
         || any(fleet.events, [](const Event& one) { return one.cause != DueCause::Other; }) || any(fleet.swings, [&](const Swing& swing) {
-               return hasRampParticulars(swing)
+               return hasSwingRecord(swing)
                    || any(swing.readings, [](const Reading& one) { return !one.raw.empty() || !one.timeUtc.empty(); });
            });
     const bool second

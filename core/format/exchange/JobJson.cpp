@@ -5,8 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/format/exchange/RampJson.h"
+#include "core/format/exchange/InstrumentJson.h"
+#include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/Ranges.h"
+#include "core/format/exchange/SwingJson.h"
 #include "core/format/json/JsonDocument.h"
 #include "core/format/json/JsonObject.h"
 #include "core/format/json/JsonWriter.h"

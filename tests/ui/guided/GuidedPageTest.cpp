@@ -49,13 +49,13 @@ const std::array kWorksheets{
 };
 
 /// The page with a crew at its keyboard.
-struct Ramp {
+struct Keyboard {
     SmallFleet fleet;
     GuidedPage page{fleet.stores, [] { return std::string("2026-11-23T10:00:00Z"); }};
     QSignalSpy finished{&page, &GuidedPage::finished};
     QSignalSpy failed{&page, &GuidedPage::failed};
 
-    Ramp()
+    Keyboard()
     {
         page.resize(1200, 760);
         page.show();
@@ -126,38 +126,38 @@ private slots:
     {
         QFETCH(int, sheet);
         const Worksheet& worksheet = kWorksheets[static_cast<std::size_t>(sheet)];
-        Ramp ramp;
-        ramp.begin();
-        QCOMPARE(ramp.text("turnTo"), "Turn to 000° N");
-        ramp.readAndKeep(worksheet.correction[0]);
-        ramp.readAndKeep(worksheet.correction[1]);
-        QCOMPARE(ramp.text("turnTo"), "Turn to 180° S");
-        ramp.readAndKeep(worksheet.correction[2]);
-        QCOMPARE(ramp.text("turnSentence"), QStringLiteral("C = %1°: turn the N–S screw until the compass reads").arg(worksheet.C));
-        QCOMPARE(ramp.text("turnTarget"), worksheet.onSouth);
-        ramp.obey();
-        ramp.readAndKeep(worksheet.correction[3]);
-        QCOMPARE(ramp.text("turnSentence"), QStringLiteral("B = %1°: turn the E–W screw until the compass reads").arg(worksheet.B));
-        QCOMPARE(ramp.text("turnTarget"), worksheet.onWest);
-        ramp.obey();
+        Keyboard keyboard;
+        keyboard.begin();
+        QCOMPARE(keyboard.text("turnTo"), "Turn to 000° N");
+        keyboard.readAndKeep(worksheet.correction[0]);
+        keyboard.readAndKeep(worksheet.correction[1]);
+        QCOMPARE(keyboard.text("turnTo"), "Turn to 180° S");
+        keyboard.readAndKeep(worksheet.correction[2]);
+        QCOMPARE(keyboard.text("turnSentence"), QStringLiteral("C = %1°: turn the N–S screw until the compass reads").arg(worksheet.C));
+        QCOMPARE(keyboard.text("turnTarget"), worksheet.onSouth);
+        keyboard.obey();
+        keyboard.readAndKeep(worksheet.correction[3]);
+        QCOMPARE(keyboard.text("turnSentence"), QStringLiteral("B = %1°: turn the E–W screw until the compass reads").arg(worksheet.B));
+        QCOMPARE(keyboard.text("turnTarget"), worksheet.onWest);
+        keyboard.obey();
         for (const Pair pair : worksheet.check)
-            ramp.readAndKeep(pair);
-        QCOMPARE(
-            ramp.text("turnSentence"), QStringLiteral("A = %1°: turn the compass in its mount until the compass reads").arg(worksheet.A));
-        ramp.obey();
-        auto& table = ramp.find<QTableWidget>("residuals");
+            keyboard.readAndKeep(pair);
+        QCOMPARE(keyboard.text("turnSentence"),
+            QStringLiteral("A = %1°: turn the compass in its mount until the compass reads").arg(worksheet.A));
+        keyboard.obey();
+        auto& table = keyboard.find<QTableWidget>("residuals");
         QCOMPARE(table.rowCount(), 8);
         for (int row = 0; row < 8; ++row)
             QCOMPARE(table.item(row, 5)->text().toInt(), worksheet.steer[static_cast<std::size_t>((row + 7) % 8)]); // from NW on
-        ramp.type("Dora");
-        QCOMPARE(ramp.finished.count(), 1);
-        const SwingId made = ramp.finished.front().front().value<SwingId>();
-        const auto record = ramp.fleet.stores.swings.record(made);
+        keyboard.type("Dora");
+        QCOMPARE(keyboard.finished.count(), 1);
+        const SwingId made = keyboard.finished.front().front().value<SwingId>();
+        const auto record = keyboard.fleet.stores.swings.record(made);
         QCOMPARE(record->swing.readings.size(), 8u);
         QCOMPARE(record->swing.stage, SwingStage::AsLeft);
         QVERIFY(qAbs(*record->swing.indexRemoved_deg - QString(worksheet.A).replace(QChar(0x2212), '-').toDouble()) < 1e-9);
         // What was found before any control was turned on it is a swing of its own.
-        const auto others = ramp.fleet.stores.whole().swings;
+        const auto others = keyboard.fleet.stores.whole().swings;
         const auto found
             = std::find_if(others.begin(), others.end(), [&](const Swing& one) { return one.job == record->swing.job && one.id != made; });
         QVERIFY(found != others.end());
@@ -165,40 +165,40 @@ private slots:
         QCOMPARE(found->readings.size(), 4u);
         QCOMPARE(found->readings[2].compass->degrees(), worksheet.correction[2].compass_deg);
         QCOMPARE(found->readings[2].raw.compass_deg.size(), 1u);
-        QVERIFY(ramp.fleet.stores.jobs.open()->empty());
+        QVERIFY(keyboard.fleet.stores.jobs.open()->empty());
     }
 
     /// TM 1-1500-204-23-4: N 008, E 086, S 176, W 278 (V6): C is taken out on N from 008 to 002.
     void theArmysExample()
     {
-        Ramp ramp;
-        ramp.begin(ProcedureKind::IndexFirst);
+        Keyboard keyboard;
+        keyboard.begin(ProcedureKind::IndexFirst);
         for (const Pair pair : {Pair{0, 8}, Pair{90, 86}, Pair{180, 176}, Pair{270, 278}})
-            ramp.readAndKeep(pair);
-        QCOMPARE(ramp.text("turnTarget"), "276°");
-        ramp.key(Qt::Key_F5);
-        ramp.type("mount is riveted");
-        QCOMPARE(ramp.text("turnTarget"), "272°");
-        ramp.obey();
-        ramp.readAndKeep({0, 8});
-        QCOMPARE(ramp.text("turnTarget"), "002°");
+            keyboard.readAndKeep(pair);
+        QCOMPARE(keyboard.text("turnTarget"), "276°");
+        keyboard.key(Qt::Key_F5);
+        keyboard.type("mount is riveted");
+        QCOMPARE(keyboard.text("turnTarget"), "272°");
+        keyboard.obey();
+        keyboard.readAndKeep({0, 8});
+        QCOMPARE(keyboard.text("turnTarget"), "002°");
     }
 
     /// Duncan Aviation's example (V5): index of −1.75° in our sign, then C −5.5° on N and B +3° on E.
     void theFluxValve()
     {
-        Ramp ramp;
-        ramp.begin(ProcedureKind::FluxValve);
+        Keyboard keyboard;
+        keyboard.begin(ProcedureKind::FluxValve);
         for (const Pair pair : {Pair{0, 6}, Pair{90, 90}, Pair{180, 175}, Pair{270, 276}})
-            ramp.readAndKeep(pair);
-        QVERIFY(ramp.text("turnSentence").startsWith("A = −1.8°"));
-        ramp.type("274.25");
-        ramp.readAndKeep({0, 4.25});
-        QVERIFY(ramp.text("turnSentence").startsWith("C = −5.5°"));
-        ramp.type("358.75");
-        ramp.readAndKeep({90, 88.25});
-        QVERIFY(ramp.text("turnSentence").startsWith("B = +3.0°"));
-        QCOMPARE(ramp.text("turnTarget"), "091.3°");
+            keyboard.readAndKeep(pair);
+        QVERIFY(keyboard.text("turnSentence").startsWith("A = −1.8°"));
+        keyboard.type("274.25");
+        keyboard.readAndKeep({0, 4.25});
+        QVERIFY(keyboard.text("turnSentence").startsWith("C = −5.5°"));
+        keyboard.type("358.75");
+        keyboard.readAndKeep({90, 88.25});
+        QVERIFY(keyboard.text("turnSentence").startsWith("B = +3.0°"));
+        QCOMPARE(keyboard.text("turnTarget"), "091.3°");
     }
 
     void slipsAreNamedBeforeTheyAreKept_data()
@@ -216,194 +216,195 @@ private slots:
     {
         QFETCH(QString, typed);
         QFETCH(QString, words);
-        Ramp ramp;
-        ramp.fleet.addSwing(
+        Keyboard keyboard;
+        keyboard.fleet.addSwing(
             "2025-11-01", {{0, 359}, {45, 44}, {90, 89}, {135, 134}, {180, 179}, {225, 224}, {270, 269}, {315, 314}}); // last year
-        ramp.begin(ProcedureKind::CheckOnly);
+        keyboard.begin(ProcedureKind::CheckOnly);
         for (const double heading : {0.0, 45.0, 90.0, 135.0, 180.0, 225.0})
-            ramp.readAndKeep({heading, wrap360(heading - 1)});
-        const auto steps = ramp.page.job().job().events.size();
-        ramp.type("270");
-        ramp.type(typed);
-        QCOMPARE(ramp.page.job().job().events.size(), steps); // not taken yet
-        QVERIFY2(ramp.text("guidedMessage").contains(words), qPrintable(ramp.text("guidedMessage")));
-        ramp.type("269"); // looked at again
-        QCOMPARE(ramp.page.job().job().events.size(), steps + 1);
-        QVERIFY(ramp.text("guidedMessage").isEmpty());
-        QCOMPARE(ramp.text("turnTo"), "Turn to 315° NW");
+            keyboard.readAndKeep({heading, wrap360(heading - 1)});
+        const auto steps = keyboard.page.job().job().events.size();
+        keyboard.type("270");
+        keyboard.type(typed);
+        QCOMPARE(keyboard.page.job().job().events.size(), steps); // not taken yet
+        QVERIFY2(keyboard.text("guidedMessage").contains(words), qPrintable(keyboard.text("guidedMessage")));
+        keyboard.type("269"); // looked at again
+        QCOMPARE(keyboard.page.job().job().events.size(), steps + 1);
+        QVERIFY(keyboard.text("guidedMessage").isEmpty());
+        QCOMPARE(keyboard.text("turnTo"), "Turn to 315° NW");
     }
 
     void anAircraftFarFromItsHeadingAndABadFigureAreSaid()
     {
-        Ramp ramp;
-        ramp.begin(ProcedureKind::CheckOnly);
-        ramp.read({12, 11});
-        QVERIFY(ramp.text("guidedMessage").contains("12.0° from 000"));
-        ramp.key(Qt::Key_Return); // it stands there all the same
-        QCOMPARE(ramp.state().current, 1);
-        QVERIFY(
-            QString::fromStdString(std::get<job::ReadingTaken>(ramp.page.job().job().events.back().what).note).contains("kept as read"));
-        ramp.read({45, 44});
-        ramp.type("90");
-        ramp.type("nonsense");
-        QCOMPARE(ramp.state().current, 2);
-        QVERIFY(ramp.text("guidedMessage").contains("nonsense"));
-        ramp.type("89 89.5 90 91"); // four figures
-        QVERIFY(ramp.text("guidedMessage").contains("one to three"));
-        ramp.type("89 90 89");
-        QCOMPARE(ramp.state().current, 3);
-        QVERIFY(qAbs(ramp.state().stations[2].reading->compass.degrees() - 268.0 / 3) < 1e-9);
+        Keyboard keyboard;
+        keyboard.begin(ProcedureKind::CheckOnly);
+        keyboard.read({12, 11});
+        QVERIFY(keyboard.text("guidedMessage").contains("12.0° from 000"));
+        keyboard.key(Qt::Key_Return); // it stands there all the same
+        QCOMPARE(keyboard.state().current, 1);
+        QVERIFY(QString::fromStdString(std::get<job::ReadingTaken>(keyboard.page.job().job().events.back().what).note)
+                    .contains("kept as read"));
+        keyboard.read({45, 44});
+        keyboard.type("90");
+        keyboard.type("nonsense");
+        QCOMPARE(keyboard.state().current, 2);
+        QVERIFY(keyboard.text("guidedMessage").contains("nonsense"));
+        keyboard.type("89 89.5 90 91"); // four figures
+        QVERIFY(keyboard.text("guidedMessage").contains("one to three"));
+        keyboard.type("89 90 89");
+        QCOMPARE(keyboard.state().current, 3);
+        QVERIFY(qAbs(keyboard.state().stations[2].reading->compass.degrees() - 268.0 / 3) < 1e-9);
     }
 
     void anotherHeadingIsNoReadingHere()
     {
-        Ramp ramp;
-        ramp.begin(ProcedureKind::CheckOnly);
-        ramp.read({45, 44}); // north is asked for
-        ramp.key(Qt::Key_Return);
-        QCOMPARE(ramp.state().current, 0);
-        QVERIFY2(ramp.text("guidedMessage").contains("no reading on 000°"), qPrintable(ramp.text("guidedMessage")));
+        Keyboard keyboard;
+        keyboard.begin(ProcedureKind::CheckOnly);
+        keyboard.read({45, 44}); // north is asked for
+        keyboard.key(Qt::Key_Return);
+        QCOMPARE(keyboard.state().current, 0);
+        QVERIFY2(keyboard.text("guidedMessage").contains("no reading on 000°"), qPrintable(keyboard.text("guidedMessage")));
     }
 
     void moreThanTheCompensatorCanIsSaid()
     {
-        Ramp ramp;
-        ramp.begin();
-        ramp.readAndKeep({0, 320});
-        ramp.readAndKeep({90, 90});
-        ramp.readAndKeep({180, 220});
-        QCOMPARE(ramp.text("turnSentence").left(9), QStringLiteral("C = +40.0"));
-        QVERIFY(ramp.text("guidedMessage").contains("demagnetise"));
+        Keyboard keyboard;
+        keyboard.begin();
+        keyboard.readAndKeep({0, 320});
+        keyboard.readAndKeep({90, 90});
+        keyboard.readAndKeep({180, 220});
+        QCOMPARE(keyboard.text("turnSentence").left(9), QStringLiteral("C = +40.0"));
+        QVERIFY(keyboard.text("guidedMessage").contains("demagnetise"));
     }
 
     void repeatSkipAndFault()
     {
-        Ramp ramp;
-        ramp.begin(ProcedureKind::CheckOnly);
-        ramp.read({0, 359});
-        ramp.read({45, 44});
-        ramp.key(Qt::Key_F2); // the last one again
-        QCOMPARE(ramp.text("turnTo"), "Turn to 045° NE");
-        ramp.read({45, 43.5});
-        ramp.key(Qt::Key_F4);
-        ramp.type("");
-        QCOMPARE(ramp.state().current, 2); // not without a reason
-        ramp.type("tug in the way");
-        QCOMPARE(ramp.state().current, 3);
-        ramp.key(Qt::Key_F8);
-        ramp.type("bubble in the bowl");
-        QCOMPARE(ramp.state().phase, JobPhase::Fault);
-        QVERIFY(ramp.text("faultText").contains("bubble in the bowl"));
-        ramp.type("topped up");
-        QCOMPARE(ramp.state().phase, JobPhase::Stations);
+        Keyboard keyboard;
+        keyboard.begin(ProcedureKind::CheckOnly);
+        keyboard.read({0, 359});
+        keyboard.read({45, 44});
+        keyboard.key(Qt::Key_F2); // the last one again
+        QCOMPARE(keyboard.text("turnTo"), "Turn to 045° NE");
+        keyboard.read({45, 43.5});
+        keyboard.key(Qt::Key_F4);
+        keyboard.type("");
+        QCOMPARE(keyboard.state().current, 2); // not without a reason
+        keyboard.type("tug in the way");
+        QCOMPARE(keyboard.state().current, 3);
+        keyboard.key(Qt::Key_F8);
+        keyboard.type("bubble in the bowl");
+        QCOMPARE(keyboard.state().phase, JobPhase::Fault);
+        QVERIFY(keyboard.text("faultText").contains("bubble in the bowl"));
+        keyboard.type("topped up");
+        QCOMPARE(keyboard.state().phase, JobPhase::Stations);
         for (int heading = 135; heading < 360; heading += 45)
-            ramp.readAndKeep({double(heading), double(heading - 1)});
-        QCOMPARE(ramp.state().phase, JobPhase::Review);
-        QVERIFY2(ramp.text("reviewNotes").contains("090° E (tug in the way)"), qPrintable(ramp.text("reviewNotes")));
-        QVERIFY(ramp.text("reviewNotes").contains("instead of"));
+            keyboard.readAndKeep({double(heading), double(heading - 1)});
+        QCOMPARE(keyboard.state().phase, JobPhase::Review);
+        QVERIFY2(keyboard.text("reviewNotes").contains("090° E (tug in the way)"), qPrintable(keyboard.text("reviewNotes")));
+        QVERIFY(keyboard.text("reviewNotes").contains("instead of"));
     }
 
     void aControlTurnedAfterTheCheckSwingVoidsIt()
     {
-        Ramp ramp;
-        ramp.begin(ProcedureKind::CheckOnly);
+        Keyboard keyboard;
+        keyboard.begin(ProcedureKind::CheckOnly);
         for (int heading = 0; heading < 360; heading += 45)
-            ramp.readAndKeep({double(heading), wrap360(heading - 2)});
-        QCOMPARE(ramp.state().phase, JobPhase::Review);
-        ramp.find<QLineEdit>("turnedAfter").setText("359");
-        ramp.find<QPushButton>("turnedAgain").click();
-        QCOMPARE(ramp.state().phase, JobPhase::Stations);
-        QVERIFY(ramp.text("guidedMessage").contains("void"));
-        QCOMPARE(ramp.state().current, 0);
+            keyboard.readAndKeep({double(heading), wrap360(heading - 2)});
+        QCOMPARE(keyboard.state().phase, JobPhase::Review);
+        keyboard.find<QLineEdit>("turnedAfter").setText("359");
+        keyboard.find<QPushButton>("turnedAgain").click();
+        QCOMPARE(keyboard.state().phase, JobPhase::Stations);
+        QVERIFY(keyboard.text("guidedMessage").contains("void"));
+        QCOMPARE(keyboard.state().current, 0);
     }
 
     void whatIsWantedAndWhatIsReadAfterTurningMayDiffer()
     {
-        Ramp ramp;
-        ramp.begin();
-        ramp.readAndKeep({359, 3});
-        ramp.readAndKeep({91, 85});
-        ramp.readAndKeep({178, 170});
-        ramp.type("179"); // 176 is wanted
-        QVERIFY(ramp.text("guidedMessage").contains("176° is wanted, it reads 179°"));
-        QCOMPARE(ramp.state().current, 2);
-        ramp.key(Qt::Key_Return); // the screw is at its stop
-        QCOMPARE(ramp.state().current, 3);
-        QCOMPARE(std::get<job::Adjusted>(ramp.page.job().job().events.back().what).after_deg, 179.0);
+        Keyboard keyboard;
+        keyboard.begin();
+        keyboard.readAndKeep({359, 3});
+        keyboard.readAndKeep({91, 85});
+        keyboard.readAndKeep({178, 170});
+        keyboard.type("179"); // 176 is wanted
+        QVERIFY(keyboard.text("guidedMessage").contains("176° is wanted, it reads 179°"));
+        QCOMPARE(keyboard.state().current, 2);
+        keyboard.key(Qt::Key_Return); // the screw is at its stop
+        QCOMPARE(keyboard.state().current, 3);
+        QCOMPARE(std::get<job::Adjusted>(keyboard.page.job().job().events.back().what).after_deg, 179.0);
     }
 
     void itGoesOnWhereItStoodOnAnyStep()
     {
-        Ramp ramp;
-        ramp.begin();
+        Keyboard keyboard;
+        keyboard.begin();
         const auto& worksheet = kWorksheets[0];
         const auto again = [&] { // another run of the program
-            GuidedPage other(ramp.fleet.stores, [] { return std::string("2026-11-24T06:00:00Z"); });
-            QVERIFY(other.takeUp(ramp.page.swing()));
-            QCOMPARE(stepTitle(other.job()), stepTitle(ramp.page.job()));
-            QVERIFY(other.job().job() == ramp.page.job().job());
+            GuidedPage other(keyboard.fleet.stores, [] { return std::string("2026-11-24T06:00:00Z"); });
+            QVERIFY(other.takeUp(keyboard.page.swing()));
+            QCOMPARE(stepTitle(other.job()), stepTitle(keyboard.page.job()));
+            QVERIFY(other.job().job() == keyboard.page.job().job());
         };
         for (const Pair pair : worksheet.correction) {
-            ramp.readAndKeep(pair);
+            keyboard.readAndKeep(pair);
             again();
-            if (ramp.state().turn) {
-                ramp.obey();
+            if (keyboard.state().turn) {
+                keyboard.obey();
                 again();
             }
         }
         for (const Pair pair : worksheet.check) {
-            ramp.readAndKeep(pair);
+            keyboard.readAndKeep(pair);
             again();
         }
     }
 
     void aSecondWindowIsToldAndOverwritesNothing()
     {
-        Ramp ramp;
-        ramp.begin(ProcedureKind::CheckOnly);
-        GuidedPage second(ramp.fleet.stores, [] { return std::string("2026-11-23T10:05:00Z"); });
-        QVERIFY(second.takeUp(ramp.page.swing()));
-        ramp.read({0, 359});
+        Keyboard keyboard;
+        keyboard.begin(ProcedureKind::CheckOnly);
+        GuidedPage second(keyboard.fleet.stores, [] { return std::string("2026-11-23T10:05:00Z"); });
+        QVERIFY(second.takeUp(keyboard.page.swing()));
+        keyboard.read({0, 359});
         QSignalSpy told(&second, &GuidedPage::failed);
         const auto refused = second.job().tell(job::ReadingTaken{0, {}, 0, 350, {}});
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::Conflict);
-        QCOMPARE(ramp.fleet.stores.jobs.jobOf(ramp.page.swing())->value().job.events.size(), ramp.page.job().job().events.size());
+        QCOMPARE(
+            keyboard.fleet.stores.jobs.jobOf(keyboard.page.swing())->value().job.events.size(), keyboard.page.job().job().events.size());
     }
 
     void aFullDiskLosesNothingThatWasTyped()
     {
-        Ramp ramp;
-        ramp.begin(ProcedureKind::CheckOnly);
-        QSignalSpy notStored(&ramp.page, &GuidedPage::notStored);
-        ramp.fleet.stores.watch().refuseWrites = true;
-        ramp.read({0, 359});
-        QCOMPARE(ramp.state().current, 0);
-        QVERIFY(ramp.text("guidedMessage").contains("full"));
-        QCOMPARE(ramp.find<QLineEdit>("guidedCompass").text(), "359");
+        Keyboard keyboard;
+        keyboard.begin(ProcedureKind::CheckOnly);
+        QSignalSpy notStored(&keyboard.page, &GuidedPage::notStored);
+        keyboard.fleet.stores.watch().refuseWrites = true;
+        keyboard.read({0, 359});
+        QCOMPARE(keyboard.state().current, 0);
+        QVERIFY(keyboard.text("guidedMessage").contains("full"));
+        QCOMPARE(keyboard.find<QLineEdit>("guidedCompass").text(), "359");
         QCOMPARE(notStored.count(), 1);
-        ramp.fleet.stores.watch().refuseWrites = false;
-        ramp.key(Qt::Key_Return);
-        QCOMPARE(ramp.state().current, 1);
+        keyboard.fleet.stores.watch().refuseWrites = false;
+        keyboard.key(Qt::Key_Return);
+        QCOMPARE(keyboard.state().current, 1);
     }
 
     void anExpiredSiteOrDatumNeedsAReason()
     {
-        Ramp ramp;
+        Keyboard keyboard;
         Site base;
         base.name = "Rose 2";
         base.certificateExpiry = "2026-11-22";
-        const SiteId site = *ramp.fleet.stores.save(base);
-        QVERIFY(ramp.page.begin(ramp.fleet.compass));
-        ramp.find<QComboBox>("guidedSite").setCurrentIndex(1);
-        ramp.find<QPushButton>("beginGuided").click();
-        QVERIFY(ramp.text("guidedComplaint").contains("A reason is expected"));
-        QVERIFY(ramp.fleet.stores.jobs.open()->empty());
-        ramp.find<QLineEdit>("guidedOverride").setText("only base that is open");
-        ramp.find<QPushButton>("beginGuided").click();
-        const auto jobs = ramp.fleet.stores.jobs.open();
+        const SiteId site = *keyboard.fleet.stores.save(base);
+        QVERIFY(keyboard.page.begin(keyboard.fleet.compass));
+        keyboard.find<QComboBox>("guidedSite").setCurrentIndex(1);
+        keyboard.find<QPushButton>("beginGuided").click();
+        QVERIFY(keyboard.text("guidedComplaint").contains("A reason is expected"));
+        QVERIFY(keyboard.fleet.stores.jobs.open()->empty());
+        keyboard.find<QLineEdit>("guidedOverride").setText("only base that is open");
+        keyboard.find<QPushButton>("beginGuided").click();
+        const auto jobs = keyboard.fleet.stores.jobs.open();
         QCOMPARE(jobs->size(), 1u);
-        const Swing swing = ramp.fleet.stores.swings.record(jobs->front().swing)->swing;
+        const Swing swing = keyboard.fleet.stores.swings.record(jobs->front().swing)->swing;
         QCOMPARE(swing.site, site);
         QVERIFY(QString::fromStdString(swing.siteOverride).endsWith("only base that is open"));
     }
@@ -411,51 +412,51 @@ private slots:
     /// Painted for 4.0° E where it is about 6.5° E: a line marked 090 heads 4.0 − 6.5 less, magnetic.
     void aRoseLineIsCorrectedForItsAge()
     {
-        Ramp ramp;
+        Keyboard keyboard;
         Site base;
         base.name = "Rose 2";
         base.latitude_deg = 53.1;
         base.longitude_deg = 17.98;
         base.paintedVariation_deg = 4.0;
-        QVERIFY(ramp.fleet.stores.save(base));
+        QVERIFY(keyboard.fleet.stores.save(base));
         DatumInstrument lines;
         lines.name = "painted lines";
         lines.kind = DatumKind::RoseLine;
-        QVERIFY(ramp.fleet.stores.save(lines));
-        QVERIFY(ramp.page.begin(ramp.fleet.compass));
-        ramp.find<QComboBox>("guidedProcedure").setCurrentIndex(static_cast<int>(ProcedureKind::CheckOnly));
-        ramp.find<QComboBox>("guidedSite").setCurrentIndex(1);
-        QVERIFY2(ramp.text("guidedComplaint").contains("out by −2."), qPrintable(ramp.text("guidedComplaint")));
-        ramp.find<QPlainTextEdit>("guidedChecklist").clear();
-        ramp.find<QPushButton>("beginGuided").click();
-        ramp.find<QPushButton>("prepared").click();
-        QCOMPARE(ramp.find<QLineEdit>("guidedDatum").text(), "000"); // the aircraft is set on the line
-        ramp.type("357");
-        const double magnetic = ramp.state().stations[0].reading->magnetic.degrees();
+        QVERIFY(keyboard.fleet.stores.save(lines));
+        QVERIFY(keyboard.page.begin(keyboard.fleet.compass));
+        keyboard.find<QComboBox>("guidedProcedure").setCurrentIndex(static_cast<int>(ProcedureKind::CheckOnly));
+        keyboard.find<QComboBox>("guidedSite").setCurrentIndex(1);
+        QVERIFY2(keyboard.text("guidedComplaint").contains("out by −2."), qPrintable(keyboard.text("guidedComplaint")));
+        keyboard.find<QPlainTextEdit>("guidedChecklist").clear();
+        keyboard.find<QPushButton>("beginGuided").click();
+        keyboard.find<QPushButton>("prepared").click();
+        QCOMPARE(keyboard.find<QLineEdit>("guidedDatum").text(), "000"); // the aircraft is set on the line
+        keyboard.type("357");
+        const double magnetic = keyboard.state().stations[0].reading->magnetic.degrees();
         QVERIFY2(magnetic > 357 && magnetic < 358, qPrintable(QString::number(magnetic))); // 000 − 2.47
     }
 
     void theSecondScreenShowsTheNextFigure()
     {
-        Ramp ramp;
-        ramp.begin();
-        CrewDisplay crew(ramp.page.job());
+        Keyboard keyboard;
+        keyboard.begin();
+        CrewDisplay crew(keyboard.page.job());
         crew.refresh();
         QCOMPARE(crew.findChild<QLabel*>("crewFigure")->text(), "000° N");
-        ramp.readAndKeep({359, 3});
-        ramp.readAndKeep({91, 85});
-        ramp.readAndKeep({178, 170});
+        keyboard.readAndKeep({359, 3});
+        keyboard.readAndKeep({91, 85});
+        keyboard.readAndKeep({178, 170});
         QCOMPARE(crew.findChild<QLabel*>("crewFigure")->text(), "176");
         QVERIFY(crew.findChild<QLabel*>("crewWhat")->text().contains("N–S screw"));
     }
 
     void figuresAreLargeEnoughForTheSun()
     {
-        Ramp ramp;
-        ramp.begin();
+        Keyboard keyboard;
+        keyboard.begin();
         for (const char* name : {"guidedDatum", "guidedCompass", "guidedAfter"})
-            QVERIFY(ramp.find<QLineEdit>(name).font().pixelSize() >= 48);
-        QVERIFY(ramp.find<QLabel>("turnTarget").font().pixelSize() >= 48);
+            QVERIFY(keyboard.find<QLineEdit>(name).font().pixelSize() >= 48);
+        QVERIFY(keyboard.find<QLabel>("turnTarget").font().pixelSize() >= 48);
     }
 };
 

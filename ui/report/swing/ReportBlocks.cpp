@@ -202,8 +202,8 @@ std::vector<Block> reportBlocks(const ReportContent& content, const QString& fam
 {
     std::vector<Block> blocks = recordBlocks(content, family, body);
     appendPlots(blocks, content, family, body);
-    for (std::size_t i = 0; i < content.ramp.size(); ++i) {
-        auto table = tableBlocks(content.ramp[i], body.width(), family, kDenseTableRow);
+    for (std::size_t i = 0; i < content.job.size(); ++i) {
+        auto table = tableBlocks(content.job[i], body.width(), family, kDenseTableRow);
         table.front().newPage = i == 0;
         append(blocks, std::move(table));
     }

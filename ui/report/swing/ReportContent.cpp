@@ -9,7 +9,7 @@
 #include "ui/report/page/DataHash.h"
 #include "ui/report/page/Figures.h"
 #include "ui/report/page/Words.h"
-#include "ui/report/swing/RampTables.h"
+#include "ui/report/swing/JobTables.h"
 
 namespace lubberline::ui {
 
@@ -166,7 +166,7 @@ ReportContent contentOf(const ReportInput& input)
     content.picture = pictureFor(input);
     content.method = methodWords(input.analysis);
     content.signatures = signatureLines(input);
-    content.ramp = rampTables(input);
+    content.job = jobTables(input);
     content.field = fieldPageOf(input);
     return content;
 }

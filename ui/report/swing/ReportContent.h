@@ -35,7 +35,7 @@ struct ReportContent {
     SwingPicture picture;
     std::vector<Fact> method; ///< sign convention and methods in words
     std::vector<SignatureLine> signatures;
-    std::vector<Table> ramp;        ///< of the guided swing and the revision; may be empty
+    std::vector<Table> job;         ///< of the guided swing and the revision; may be empty
     std::optional<FieldPage> field; ///< none: the swing keeps no field and the compass no sensor model
 };
 

@@ -157,7 +157,7 @@ QString fieldHtml(const FieldPage& page)
     return html;
 }
 
-QString rampHtml(const std::vector<Table>& tables)
+QString jobHtml(const std::vector<Table>& tables)
 {
     QString html;
     for (const Table& table : tables)
@@ -182,7 +182,7 @@ QString bodyHtml(const ReportContent& content)
             "verdict " + verdictClass(content.verdict))
         + factsHtml(content.facts) + tableHtml(content.readings) + tableHtml(content.coefficients) + tableHtml(content.fits)
         + listHtml(Words::tr("What the readings cannot tell"), content.warnings) + plotsHtml(content.picture)
-        + element("h2", escaped(Words::tr("Signs and methods"))) + factsHtml(content.method) + rampHtml(content.ramp)
+        + element("h2", escaped(Words::tr("Signs and methods"))) + factsHtml(content.method) + jobHtml(content.job)
         + (content.field ? fieldHtml(*content.field) : QString()) + signaturesHtml(content.signatures) + banner + footerHtml(content);
 }
 

@@ -18,7 +18,7 @@ Reading reading(double magnetic_deg, double compass_deg)
     return r;
 }
 
-Site rampSite()
+Site sampleSite()
 {
     Site site;
     site.record = recordIdFor("site");
@@ -80,7 +80,7 @@ SwingRecord emptyRecord()
     record.swing.procedure = "MM 34-20-01";
     record.swing.workOrder = "WO 26/1187";
     record.swing.reason = "yearly check";
-    record.site = rampSite();
+    record.site = sampleSite();
     record.limits = transportLimits();
     return record;
 }

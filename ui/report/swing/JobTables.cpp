@@ -1,4 +1,4 @@
-#include "ui/report/swing/RampTables.h"
+#include "ui/report/swing/JobTables.h"
 
 #include "core/procedure/JobState.h"
 #include "core/record/SwingDifferences.h"
@@ -174,7 +174,7 @@ Table revisionTable(const Swing& before, const Swing& after)
 
 } // namespace
 
-std::vector<Table> rampTables(const ReportInput& input)
+std::vector<Table> jobTables(const ReportInput& input)
 {
     std::vector<Table> tables;
     if (input.superseded)

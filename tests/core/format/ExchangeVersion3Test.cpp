@@ -1,4 +1,4 @@
-// Version 3 of the exchange file: everything of the ramp reads back equal, is written again the same, and damage is named by
+// Version 3 of the exchange file: guided swings, signatures, bases, rules: everything reads back equal, is written again the same, and damage is named by
 // its path.
 
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@
 namespace lubberline {
 namespace {
 
-Swing rampSwing()
+Swing signedSwing()
 {
     Swing swing;
     swing.date = "2026-11-23";
@@ -34,10 +34,10 @@ Swing rampSwing()
     return swing;
 }
 
-Fleet rampFleet()
+Fleet fullFleet()
 {
     SwingRecord record;
-    record.swing = rampSwing();
+    record.swing = signedSwing();
     record.type.name = "Su-22";
     record.aircraft.registration = "3713";
     record.compass.name = "standby";
@@ -83,9 +83,9 @@ Fleet rampFleet()
     return fleet;
 }
 
-TEST(ExchangeOfTheRamp, readsBackEqualAndIsWrittenTheSame)
+TEST(ExchangeVersion3, readsBackEqualAndIsWrittenTheSame)
 {
-    const Fleet fleet = rampFleet();
+    const Fleet fleet = fullFleet();
     EXPECT_EQ(exchangeVersionOf(fleet), 3);
     const std::string text = writeExchange(fleet);
     const auto again = readExchange(text, "ramp.json");
@@ -94,9 +94,9 @@ TEST(ExchangeOfTheRamp, readsBackEqualAndIsWrittenTheSame)
     EXPECT_EQ(writeExchange(*again), text);
 }
 
-TEST(ExchangeOfTheRamp, aFleetWithoutItStaysInTheOlderVersion)
+TEST(ExchangeVersion3, aFleetWithoutItStaysInTheOlderVersion)
 {
-    Fleet fleet = rampFleet();
+    Fleet fleet = fullFleet();
     fleet.jobs.clear();
     fleet.electrical.clear();
     fleet.waivers.clear();
@@ -117,9 +117,9 @@ TEST(ExchangeOfTheRamp, aFleetWithoutItStaysInTheOlderVersion)
     EXPECT_EQ(writeExchange(fleet).find("revision"), std::string::npos);
 }
 
-TEST(ExchangeOfTheRamp, damageIsNamedByItsPath)
+TEST(ExchangeVersion3, damageIsNamedByItsPath)
 {
-    const std::string text = writeExchange(rampFleet());
+    const std::string text = writeExchange(fullFleet());
     const auto refused = [&](const std::string& from, const std::string& to) {
         std::string damaged = text;
         const auto at = damaged.find(from);
@@ -141,7 +141,7 @@ TEST(ExchangeOfTheRamp, damageIsNamedByItsPath)
 TEST(SignedContent, isWhatWasReadAndNotWhatItIsCalled)
 {
     SwingRecord record;
-    record.swing = rampSwing();
+    record.swing = signedSwing();
     record.swing.record = newRecordId();
     record.type.record = newRecordId();
     record.aircraft.record = newRecordId();
@@ -159,7 +159,7 @@ TEST(SignedContent, isWhatWasReadAndNotWhatItIsCalled)
 
 TEST(SwingDifferences, nameTheFieldAndBothValues)
 {
-    const Swing before = rampSwing();
+    const Swing before = signedSwing();
     Swing after = before;
     EXPECT_TRUE(differencesBetween(before, after).empty());
     after.date = "2026-11-22";

@@ -10,6 +10,6 @@
 namespace lubberline::ui {
 
 /// Those that have a row.
-[[nodiscard]] std::vector<Table> rampTables(const ReportInput& input);
+[[nodiscard]] std::vector<Table> jobTables(const ReportInput& input);
 
 } // namespace lubberline::ui

@@ -15,7 +15,7 @@
 #include "ui/report/forms/JobCard.h"
 #include "ui/report/forms/StyleSheet1613.h"
 #include "ui/report/page/QrCode.h"
-#include "ui/report/swing/RampTables.h"
+#include "ui/report/swing/JobTables.h"
 #include "ui/report/swing/ReportContent.h"
 
 namespace lubberline::test {
@@ -76,7 +76,7 @@ QStringList titles(const std::vector<ui::Table>& tables)
 
 } // namespace
 
-TEST(RampDocuments, theCardOfAGuidedSwingHasTheWorksheetsFigures)
+TEST(JobDocuments, theCardOfAGuidedSwingHasTheWorksheetsFigures)
 {
     const Done done = worksheetJob();
     for (const auto source : {CardSource::Fit, CardSource::Readings}) {
@@ -89,7 +89,7 @@ TEST(RampDocuments, theCardOfAGuidedSwingHasTheWorksheetsFigures)
 }
 
 /// What stands on the placard must not depend on when it is printed, but for the mark of the reprint.
-TEST(RampDocuments, aLostCardIsPrintedAgainWithTheSameFigures)
+TEST(JobDocuments, aLostCardIsPrintedAgainWithTheSameFigures)
 {
     const Done done = worksheetJob();
     ui::CardInput input{
@@ -108,7 +108,7 @@ TEST(RampDocuments, aLostCardIsPrintedAgainWithTheSameFigures)
     EXPECT_EQ(without(again), without(first));
 }
 
-TEST(RampDocuments, aCardOfTwelveHeadingsIsOnePage)
+TEST(JobDocuments, aCardOfTwelveHeadingsIsOnePage)
 {
     Done done = worksheetJob();
     done.input.record.swing.state = SwingState::Draft; // with a banner
@@ -120,7 +120,7 @@ TEST(RampDocuments, aCardOfTwelveHeadingsIsOnePage)
     EXPECT_EQ(PdfProbe(input).pages().size(), 1);
 }
 
-TEST(RampDocuments, whatIsFoundIsNotMovedByTheIndexThatWasTakenOutLater)
+TEST(JobDocuments, whatIsFoundIsNotMovedByTheIndexThatWasTakenOutLater)
 {
     const Done done = worksheetJob();
     EXPECT_FALSE(done.asFound.indexRemoved_deg);
@@ -128,10 +128,10 @@ TEST(RampDocuments, whatIsFoundIsNotMovedByTheIndexThatWasTakenOutLater)
     EXPECT_EQ(observationsOf(done.input.record.swing).front().compass.degrees(), 319.0); // 316 + A of 3
 }
 
-TEST(RampDocuments, theRecordTellsWhatWasDone)
+TEST(JobDocuments, theRecordTellsWhatWasDone)
 {
     const Done done = worksheetJob();
-    const auto tables = ui::rampTables(done.input);
+    const auto tables = ui::jobTables(done.input);
     ASSERT_EQ(tables.size(), 5u) << titles(tables).join('|').toStdString();
     EXPECT_EQ(tables[0].rows[2].cells, QStringList({"180", "178.0", "170.0", "+8.0", "−1.0", ""}));
     EXPECT_EQ(tables[1].rows[0].cells.mid(1, 5), QStringList({"180", "N–S (C)", "170.0", "176.0", "176.0"}));
@@ -147,13 +147,13 @@ TEST(RampDocuments, theRecordTellsWhatWasDone)
     EXPECT_TRUE(content.signatures[0].sign.contains("no longer holds")); // its hash is not that of this swing
 }
 
-TEST(RampDocuments, aRevisionShowsWhatItChanges)
+TEST(JobDocuments, aRevisionShowsWhatItChanges)
 {
     Done done = worksheetJob();
     done.input.superseded = done.input.record.swing;
     done.input.record.swing.amendment = "the date was wrong";
     done.input.record.swing.date = "2026-11-22";
-    const auto tables = ui::rampTables(done.input);
+    const auto tables = ui::jobTables(done.input);
     EXPECT_TRUE(tables[0].title.contains("the date was wrong"));
     EXPECT_EQ(tables[0].rows[0].cells, QStringList({"date", "2026-11-23", "2026-11-22"}));
 }
@@ -197,7 +197,7 @@ TEST(JobCard, tellsWhatToDoWhere)
     EXPECT_TRUE(ui::stationFormulas(job)[5].contains("compass + B")); // on E
 }
 
-TEST(Documents, ofTheRampAreWrittenAsPages)
+TEST(JobDocuments, areWrittenAsPages)
 {
     const QTemporaryDir folder;
     const Done done = worksheetJob();

@@ -1,0 +1,125 @@
+#include "core/format/exchange/SwingJson.h"
+
+#include "core/format/exchange/OptionalKeys.h"
+#include "core/format/exchange/Ranges.h"
+#include "core/format/exchange/RecordChoice.h"
+
+namespace lubberline {
+
+namespace {
+
+constexpr std::size_t kMostSigned = 64, kHashDigits = 64;
+
+void figures(JsonWriter& json, std::string_view key, const std::vector<double>& values)
+{
+    if (!values.empty())
+        json.numbers(key, values);
+}
+
+std::vector<double> figures(JsonObject& object, std::string_view key)
+{
+    std::vector<double> values;
+    object.array(key, [&](const nlohmann::json& value, const JsonPath&) {
+        const double figure = value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();
+        if (std::abs(figure) <= kFigureRange.most)
+            values.push_back(figure);
+        else
+            object.fault(key, "holds what is no heading; expected numbers from -360 to 360");
+    });
+    return values;
+}
+
+void writeSignatures(JsonWriter& json, const std::vector<Signature>& signatures)
+{
+    if (signatures.empty())
+        return;
+    json.beginArray("signatures");
+    for (const auto& one : signatures) {
+        json.beginObject({}, true);
+        json.text("role", fileWord(one.role));
+        json.text("name", one.name);
+        textIfAny(json, "licence", one.licence);
+        json.text("time_utc", one.timeUtc);
+        json.text("hash", one.hash);
+        json.end();
+    }
+    json.end();
+}
+
+std::vector<Signature> readSignatures(JsonObject& object)
+{
+    std::vector<Signature> signatures;
+    object.objects("signatures", [&](JsonObject& one) {
+        one.only({"role", "name", "licence", "time_utc", "hash"});
+        Signature signature;
+        signature.role = choice<SignatureRole>(one, "role");
+        signature.name = one.requiredText("name");
+        signature.licence = one.text("licence");
+        signature.timeUtc = one.requiredText("time_utc");
+        signature.hash = one.requiredText("hash");
+        if (signature.hash.size() != kHashDigits || signature.hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+            one.fault("hash", "is no SHA-256; expected 64 hexadecimal digits");
+        signatures.push_back(std::move(signature));
+    });
+    if (signatures.size() > kMostSigned)
+        object.fault("signatures", "are more than 64; expected a signed swing");
+    return signatures;
+}
+
+} // namespace
+
+void writeRaw(JsonWriter& json, const RawFigures& raw)
+{
+    figures(json, "datum_read_deg", raw.datum_deg);
+    figures(json, "astern_read_deg", raw.astern_deg);
+    figures(json, "compass_read_deg", raw.compass_deg);
+}
+
+RawFigures readRaw(JsonObject& object)
+{
+    RawFigures raw;
+    raw.datum_deg = figures(object, "datum_read_deg");
+    raw.astern_deg = figures(object, "astern_read_deg");
+    raw.compass_deg = figures(object, "compass_read_deg");
+    return raw;
+}
+
+void writeSwingRecord(JsonWriter& json, const Swing& swing)
+{
+    textIfAny(json, "datum_read_out", swing.datum.readOut);
+    textIfAny(json, "start_utc", swing.startUtc);
+    textIfAny(json, "end_utc", swing.endUtc);
+    textIfAny(json, "site_override", swing.siteOverride);
+    textIfAny(json, "weather", swing.weather);
+    textIfAny(json, "job_record", swing.job);
+    textIfAny(json, "supersedes", swing.supersedes);
+    textIfAny(json, "amendment", swing.amendment);
+    if (swing.revision != 1)
+        json.integer("revision", swing.revision);
+    writeSignatures(json, swing.signatures);
+}
+
+void readSwingRecord(JsonObject& object, Swing& swing)
+{
+    swing.datum.readOut = object.text("datum_read_out");
+    swing.startUtc = object.text("start_utc");
+    swing.endUtc = object.text("end_utc");
+    swing.siteOverride = object.text("site_override");
+    swing.weather = object.text("weather");
+    if (object.has("job_record"))
+        swing.job = object.recordId("job_record");
+    if (object.has("supersedes"))
+        swing.supersedes = object.recordId("supersedes");
+    swing.amendment = object.text("amendment");
+    swing.revision = object.integer("revision", {1, 10000}).value_or(1);
+    swing.signatures = readSignatures(object);
+}
+
+bool hasSwingRecord(const Swing& swing)
+{
+    return !swing.datum.readOut.empty() || !swing.startUtc.empty() || !swing.endUtc.empty() || !swing.siteOverride.empty()
+        || !swing.weather.empty() || !swing.job.empty() || !swing.supersedes.empty() || !swing.amendment.empty() || swing.revision != 1
+        || !swing.signatures.empty();
+}
+
+} // namespace lubberline

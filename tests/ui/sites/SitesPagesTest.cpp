@@ -1,0 +1,104 @@
+// Compass bases and datum instruments: what is typed, and what it is told to mean.
+
+#include <QPushButton>
+#include <QTableWidget>
+#include <QUndoStack>
+
+#include "tests/ui/window/Fixture.h"
+#include "tests/ui/window/Typing.h"
+#include "ui/kit/Words.h"
+#include "ui/sites/InstrumentsPage.h"
+#include "ui/sites/SitesPage.h"
+
+namespace lubberline::ui {
+
+class SitesPagesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// A line painted for 4.0° E where it is 6.9° E today: ψ marked lies on ψ + 4 true, and so on ψ − 2.9 magnetic.
+    void aBaseTellsItsStateAndItsLines()
+    {
+        SmallFleet fleet;
+        QUndoStack stack;
+        EditContext context{fleet.stores, [](const Error&) {}};
+        SitesPage page(context, stack, [] { return kToday; });
+        page.show();
+        page.reload();
+        in<QPushButton>(page, "newSite").click();
+        type(in<QLineEdit>(page, "siteName"), "Rose 2");
+        type(in<QLineEdit>(page, "siteLatitude"), "53.1 N");
+        type(in<QLineEdit>(page, "siteLongitude"), "17.98 E");
+        type(in<QLineEdit>(page, "sitePainted"), "4");
+        type(in<QLineEdit>(page, "siteExpiry"), "2026-11-22");
+        const Site site = fleet.stores.sites.sites()->front();
+        QCOMPARE(site.name, std::string("Rose 2"));
+        QCOMPARE(*site.paintedVariation_deg, 4.0);
+        QVERIFY(in<QLabel>(page, "siteFitness").text().startsWith("▲"));
+        in<QPushButton>(page, "siteModel").click();
+        const double variation = *fleet.stores.sites.sites()->front().variation_deg;
+        QVERIFY(variation > 5 && variation < 8);
+        const QString lines = in<QLabel>(page, "siteLines").text();
+        QVERIFY2(lines.contains(signedNumber(4.0 - variation, 2)), qPrintable(lines)); // to be added: less than nothing
+        type(in<QLineEdit>(page, "siteExpiry"), "2026-11-23");                         // on the day itself it holds
+        QVERIFY(in<QLabel>(page, "siteFitness").text().startsWith("●"));
+        stack.undo();
+        QCOMPARE(fleet.stores.sites.sites()->front().certificateExpiry, std::string("2026-11-22"));
+    }
+
+    void aSurveyIsTypedAndSummed()
+    {
+        SmallFleet fleet;
+        QUndoStack stack;
+        EditContext context{fleet.stores, [](const Error&) {}};
+        SitesPage page(context, stack, [] { return kToday; });
+        page.show();
+        page.reload();
+        in<QPushButton>(page, "newSite").click();
+        auto& table = in<QTableWidget>(page, "surveyTable");
+        const std::array<std::array<const char*, 3>, 3> rows{{{"0", "0", "6.20"}, {"10", "0", "6.28"}, {"0", "10", "6.12"}}};
+        for (int row = 0; row < 3; ++row) {
+            typeCell(table, row, 0, rows[static_cast<std::size_t>(row)][0]);
+            typeCell(table, row, 1, rows[static_cast<std::size_t>(row)][1]);
+            QVERIFY(in<QLabel>(page, "surveySummary").text().contains("not stored yet"));
+            typeCell(table, row, 3, rows[static_cast<std::size_t>(row)][2]);
+        }
+        QCOMPARE(fleet.stores.sites.sites()->front().survey.size(), 3u);
+        const QString summary = in<QLabel>(page, "surveySummary").text();
+        QVERIFY2(summary.contains("mean 6.200°") && summary.contains("range 9.6′") && summary.contains("class 1"), qPrintable(summary));
+        typeCell(table, 1, 3, "abc");
+        QVERIFY(in<QLabel>(page, "surveySummary").text().contains("'abc'"));
+        QCOMPARE(*fleet.stores.sites.sites()->front().survey[1].declination_deg, 6.28);
+    }
+
+    void anInstrumentShowsWhatItsSettingMeans()
+    {
+        DatumInstrument sight;
+        QVERIFY(datumExample(sight).contains("heads 358.0"));
+        sight.ahead = SightingDirection::Reciprocal;
+        QVERIFY(datumExample(sight).contains("heads 178.0"));
+        sight.zero_deg = 0.5;
+        QVERIFY(datumExample(sight).contains("heads 178.5"));
+        DatumInstrument gps;
+        gps.kind = DatumKind::Inertial;
+        gps.givesTrue = true;
+        QVERIFY2(datumExample(gps).contains("heads 352.0"), qPrintable(datumExample(gps))); // true less 6° east
+
+        SmallFleet fleet;
+        InstrumentsPage page(fleet.stores, [] { return kToday; });
+        page.show();
+        page.reload();
+        in<QPushButton>(page, "newInstrument").click();
+        type(in<QLineEdit>(page, "instrumentName"), "B-16");
+        type(in<QLineEdit>(page, "instrumentDue"), "2026-11-22");
+        QCOMPARE(fleet.stores.sites.instruments()->front().name, std::string("B-16"));
+        QVERIFY(in<QLabel>(page, "instrumentState").text().contains("2026-11-22"));
+        in<QPushButton>(page, "removeInstrument").click();
+        QVERIFY(fleet.stores.sites.instruments()->empty());
+    }
+};
+
+} // namespace lubberline::ui
+
+QTEST_MAIN(lubberline::ui::SitesPagesTest)
+#include "SitesPagesTest.moc"

@@ -1,0 +1,89 @@
+// Two people sign, an amendment shows what it changes, and a signature that no longer holds is told.
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QUndoStack>
+
+#include "tests/ui/window/Fixture.h"
+#include "tests/ui/window/Typing.h"
+#include "ui/swing/SigningPanel.h"
+#include "ui/swing/SwingEditor.h"
+
+namespace lubberline::ui {
+
+class SigningPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void twoPeopleSignAndAnAmendmentShowsWhatItChanges()
+    {
+        SmallFleet fleet;
+        const SwingId id = fleet.addSwing("2026-11-20", eightPoints());
+        EditContext context{fleet.stores, [](const Error&) {}};
+        QUndoStack stack;
+        SwingEditor editor(context, stack);
+        SigningPanel panel(context, editor);
+        panel.QWidget::show();
+        QSignalSpy failed(&panel, &SigningPanel::failed), opened(&panel, &SigningPanel::openSwing);
+        const auto refresh = [&](SwingId swing) {
+            QVERIFY(editor.open(swing));
+            panel.show("In limits.");
+        };
+        refresh(id);
+        QVERIFY(!in<QLineEdit>(panel, "signName").isVisible()); // a draft is not signed
+        in<QPushButton>(panel, "changeState").click();
+        refresh(id);
+        QCOMPARE(fleet.stores.swings.record(id)->swing.state, SwingState::Complete);
+        type(in<QLineEdit>(panel, "signName"), "Ada");
+        type(in<QLineEdit>(panel, "signLicence"), "PL 12");
+        refresh(id);
+        QCOMPARE(in<QTableWidget>(panel, "signatures").rowCount(), 1);
+        QVERIFY(in<QTableWidget>(panel, "signatures").item(0, 4)->text().startsWith("✓"));
+        QCOMPARE(in<QComboBox>(panel, "signRole").currentIndex(), 1); // the inspector is next
+        type(in<QLineEdit>(panel, "signLicence"), "");
+        QCOMPARE(failed.count(), 1); // nobody's name
+        in<QLineEdit>(panel, "signName").setText("Ben");
+        in<QPushButton>(panel, "signButton").click();
+        refresh(id);
+        QCOMPARE(fleet.stores.swings.record(id)->swing.state, SwingState::Signed);
+        QVERIFY(!in<QPushButton>(panel, "changeState").isVisible());
+        in<QPushButton>(panel, "amendButton").click();
+        QCOMPARE(failed.count(), 2); // not without a reason
+        in<QLineEdit>(panel, "stateReason").setText("the date was wrong");
+        in<QPushButton>(panel, "amendButton").click();
+        QCOMPARE(opened.count(), 1);
+        Swing amended = fleet.stores.swings.record(opened.front().front().value<SwingId>())->swing;
+        amended.date = "2026-11-19";
+        QVERIFY(fleet.stores.put(amended));
+        refresh(amended.id);
+        auto& differences = in<QTableWidget>(panel, "differences");
+        QCOMPARE(differences.rowCount(), 1);
+        QCOMPARE(differences.item(0, 1)->text() + " > " + differences.item(0, 2)->text(), QString("2026-11-20 > 2026-11-19"));
+    }
+
+    void aSignatureThatNoLongerHoldsIsSaid()
+    {
+        SmallFleet fleet;
+        const SwingId id = fleet.addSwing("2026-11-20", eightPoints());
+        QVERIFY(fleet.stores.signing.complete(id) && fleet.stores.signing.sign(id, {SignatureRole::Performer, "Ada", "", "", ""}));
+        QVERIFY(fleet.stores.signing.reopen(id, "misread"));
+        const auto before = fleet.stores.swings.record(id)->swing.readings[0];
+        Reading after = before;
+        after.compass = CompassHeading::fromDegrees(2);
+        QVERIFY(fleet.stores.swings.changeReading(id, before, after));
+        EditContext context{fleet.stores, [](const Error&) {}};
+        QUndoStack stack;
+        SwingEditor editor(context, stack);
+        QVERIFY(editor.open(id));
+        SigningPanel panel(context, editor);
+        panel.show({});
+        QVERIFY(in<QTableWidget>(panel, "signatures").item(0, 4)->text().startsWith("✗"));
+    }
+};
+
+} // namespace lubberline::ui
+
+QTEST_MAIN(lubberline::ui::SigningPanelTest)
+#include "SigningPanelTest.moc"
