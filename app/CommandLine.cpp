@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/Console.h"
+#include "app/Outputs.h"
 #include "app/Window.h"
 #include "app/commands/Command.h"
 
@@ -39,7 +40,7 @@ int runCommandLine(int argc, char** argv)
                "`lubberline COMMAND --help` tells of one command.");
     app.require_subcommand(0, 1);
 
-    Invocation invocation{argc, argv, {}, {}};
+    Invocation invocation{argc, argv, {}, {}, {}};
     addDatabaseOption(app, invocation);
     addAnalyse(app, invocation);
     addCorrect(app, invocation);
@@ -71,7 +72,11 @@ int runCommandLine(int argc, char** argv)
         app.exit(wrong);
         return kUsage;
     }
-    return invocation.action ? invocation.action() : openWindow(invocation);
+    if (!invocation.action)
+        return openWindow(invocation);
+    if (const auto allowed = checkOutputs(app, invocation); !allowed)
+        return fail(allowed.error());
+    return invocation.action();
 }
 
 } // namespace lubberline::app

@@ -5,6 +5,7 @@
 #include "app/CardSource.h"
 #include "app/Console.h"
 #include "app/OpenStores.h"
+#include "app/Outputs.h"
 #include "app/Paths.h"
 #include "app/QtSession.h"
 #include "app/Tables.h"
@@ -39,7 +40,7 @@ int writeCardFile(const CardArguments& options, ui::CardInput input)
     input.madeAtUtc = nowUtc();
     if (const auto written = ui::writeCard(input, QString::fromStdString(options.output)); !written)
         return fail(written.error());
-    say("wrote " + options.output);
+    sayWritten(options.output);
     return kDone;
 }
 
@@ -57,7 +58,7 @@ int writeForm(const CardArguments& options, db::Stores& stores, SwingId swing)
     }
     if (!written)
         return fail(written.error());
-    say("wrote " + options.output);
+    sayWritten(options.output);
     return kDone;
 }
 
@@ -130,7 +131,7 @@ void addCard(CLI::App& app, Invocation& invocation)
         ->capture_default_str();
     addRemoveOption(*command, options->card.removed, "coefficients taken out mechanically after the swing, as in A,B,C");
     command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("-o,--output", options->output, "write the card as a PDF, at the size of a cockpit placard");
+    addOutputOption(*command, invocation, "-o,--output", options->output, "write the card as a PDF, at the size of a cockpit placard");
     command->callback(
         [options, &invocation] { invocation.action = [options, &invocation] { return cardCommand(*options, invocation.database); }; });
 }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -14,8 +15,9 @@ namespace lubberline::app {
 struct Invocation {
     int& argc;
     char** argv;
-    std::string database;        ///< --db, or empty
-    std::function<int()> action; ///< set by the command that was called; returns the exit status
+    std::string database;                    ///< --db, or empty
+    std::function<int()> action;             ///< set by the command that was called; returns the exit status
+    std::vector<const CLI::Option*> outputs; ///< that name a file to write
 };
 
 void addAnalyse(CLI::App& app, Invocation& invocation);
@@ -45,5 +47,10 @@ void addRemoveOption(CLI::App& command, CoefficientSet& removed, const std::stri
 
 /// Adds `--db FILE` to a command that uses the database.
 void addDatabaseOption(CLI::App& command, Invocation& invocation);
+
+/// Adds an option that names a file to write. Before its command runs, the name is held against everything else on the command line and
+/// the database: a file that the command reads is never written over, and a place that takes no file is told before any work.
+CLI::Option* addOutputOption(
+    CLI::App& command, Invocation& invocation, const std::string& name, std::string& file, const std::string& help);
 
 } // namespace lubberline::app

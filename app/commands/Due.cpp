@@ -6,8 +6,8 @@
 
 #include "app/Console.h"
 #include "app/OpenStores.h"
+#include "app/Outputs.h"
 #include "app/QtSession.h"
-#include "app/TextFile.h"
 #include "app/commands/Command.h"
 #include "core/base/FileText.h"
 #include "core/base/NearWord.h"
@@ -95,9 +95,12 @@ int dueCommand(const DueArguments& options, const std::string& database)
             lines.push_back(line);
     for (const auto& warning : news->warnings)
         say("not predicted after a move: " + warning);
-    if (!options.calendar.empty())
-        if (const auto written = writeTextFile(options.calendar, writeCalendar(calendarOf(news->lines), *today + "T00:00:00Z")); !written)
+    if (!options.calendar.empty()) {
+        if (const auto written = writeOutput(options.calendar, writeCalendar(calendarOf(news->lines), *today + "T00:00:00Z")); !written)
             return fail(written.error());
+        if (isStandardOutput(options.calendar))
+            return kDone;
+    }
     if (options.json)
         std::fputs(toJson(lines, news->warnings, *today).c_str(), stdout);
     else
@@ -227,7 +230,7 @@ void addDue(CLI::App& app, Invocation& invocation)
     command->add_option("--within", options->within, "also what falls due by the calendar within so many days")
         ->check(CLI::Range(0, 36500));
     command->add_flag("--all", options->all, "every compass");
-    command->add_option("--ics", options->calendar, "write the dates as an iCalendar file");
+    addOutputOption(*command, invocation, "--ics", options->calendar, "write the dates as an iCalendar file");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     addDatabaseOption(*command, invocation);
     command->callback(

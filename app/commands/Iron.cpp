@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include "app/Console.h"
-#include "app/TextFile.h"
+#include "app/Outputs.h"
 #include "app/commands/Command.h"
 #include "core/format/exchange/BenchJson.h"
 #include "core/format/exchange/ModelJson.h"
@@ -53,7 +53,7 @@ Result<void> writeModel(const IronArguments& options, const BenchModel& model, c
     std::string note = "from the iron bench";
     for (const auto& [group, state] : states)
         note += ", " + group + " " + state;
-    return writeTextFile(options.output, writeModelJson({*field, model.model, note}));
+    return writeOutput(options.output, writeModelJson({*field, model.model, note}));
 }
 
 void printMatrix(const Eigen::Matrix3d& matrix)
@@ -93,7 +93,9 @@ int ironCommand(const IronArguments& options)
     if (!options.output.empty()) {
         if (const auto written = writeModel(options, *model, states); !written)
             return fail(written.error());
-        say("wrote " + options.output);
+        sayWritten(options.output);
+        if (isStandardOutput(options.output))
+            return kDone;
     }
     if (options.json) {
         std::printf("%s\n", toJson(*model, states).c_str());
@@ -136,7 +138,7 @@ void addIron(CLI::App& app, Invocation& invocation)
                                                                                    : "--state: “" + text + "”; expected GROUP=STATE";
         });
     command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("-o,--output", options->output, "write a Model JSON with the field below");
+    addOutputOption(*command, invocation, "-o,--output", options->output, "write a Model JSON with the field below");
     command->add_option("--H-nT", options->horizontal_nT, "horizontal field [nT]")->check(CLI::Range(0.0, 1e9));
     command->add_option("--dip-deg", options->dip_deg, "inclination, down positive [deg]")->check(CLI::Range(-89.999, 89.999));
     command->add_option("--lat", options->latitude_deg, "geodetic latitude [deg, north positive]");

@@ -6,8 +6,8 @@
 
 #include "app/Console.h"
 #include "app/ModelOptions.h"
+#include "app/Outputs.h"
 #include "app/QtSession.h"
-#include "app/TextFile.h"
 #include "app/commands/Command.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
@@ -125,9 +125,9 @@ std::string endingOf(const std::string& path) { return std::filesystem::path(pat
 Result<void> writeMap(const MapAnswer& answer, const MapArguments& options)
 {
     if (endingOf(options.output) == ".json")
-        return writeTextFile(options.output, toJson(answer.map, answer.model, answer.minus));
+        return writeOutput(options.output, toJson(answer.map, answer.model, answer.minus));
     if (endingOf(options.output) == ".csv")
-        return writeTextFile(options.output, toCsv(answer.map));
+        return writeOutput(options.output, toCsv(answer.map));
     return writePicture(answer, options);
 }
 
@@ -159,7 +159,7 @@ int mapCommand(const MapArguments& options)
     if (!options.output.empty()) {
         if (const auto written = writeMap(*answer, options); !written)
             return fail(written.error());
-        say("wrote " + options.output);
+        sayWritten(options.output);
     } else if (options.json) {
         std::fputs(toJson(answer->map, answer->model, answer->minus).c_str(), stdout);
     } else {
@@ -264,7 +264,7 @@ void addMap(CLI::App& app, Invocation& invocation)
         ->type_name("DEG");
     command->add_flag("--surface", options->surface, "in a picture: the surface in 3D instead of the map");
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("-o,--output", options->output, "the file to write: .png, .svg, .pdf, .csv or .json")
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write: .png, .svg, .pdf, .csv or .json")
         ->excludes(json)
         ->check([](const std::string& path) {
             return isPicture(path) || endingOf(path) == ".csv" || endingOf(path) == ".json"

@@ -1,8 +1,8 @@
 #include <cstdio>
 
 #include "app/Console.h"
+#include "app/Outputs.h"
 #include "app/Tables.h"
-#include "app/TextFile.h"
 #include "app/commands/Command.h"
 #include "core/base/Number.h"
 #include "core/format/csv/SwingCsv.h"
@@ -52,9 +52,9 @@ int writeCsv(const NmeaArguments& options, const NmeaSwing& swing)
 {
     SwingRecord record;
     record.swing = toSwing(swing);
-    if (const auto written = writeTextFile(options.output, writeSwingCsv(record)); !written)
+    if (const auto written = writeOutput(options.output, writeSwingCsv(record)); !written)
         return fail(written.error());
-    say("wrote " + options.output);
+    sayWritten(options.output);
     return kDone;
 }
 
@@ -114,7 +114,7 @@ void addNmea(CLI::App& app, Invocation& invocation)
         ->capture_default_str();
     command->add_option("--talker", options->nmea.compassTalker, "whose HDG and HDM are the compass (HC, II, …), where several send");
     command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("-o,--output", options->output, "write the used pairs as a Swing CSV");
+    addOutputOption(*command, invocation, "-o,--output", options->output, "write the used pairs as a Swing CSV");
     command->callback([options, &invocation] { invocation.action = [options] { return nmeaCommand(*options); }; });
 }
 

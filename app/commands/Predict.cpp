@@ -3,9 +3,9 @@
 
 #include "app/Console.h"
 #include "app/OpenStores.h"
+#include "app/Outputs.h"
 #include "app/PlacedSwings.h"
 #include "app/QtSession.h"
-#include "app/TextFile.h"
 #include "app/commands/Command.h"
 #include "core/earth/FieldModel.h"
 #include "core/format/exchange/ModelJson.h"
@@ -107,9 +107,9 @@ int tell(const PredictArguments& options, const PredictAnswer& answer)
         warn(answer.there.warnings);
     if (!options.output.empty()) {
         const bool csv = std::filesystem::path(options.output).extension() == ".csv";
-        if (const auto written = writeTextFile(options.output, csv ? toCsv(answer.there) : toJson(answer.there, context) + "\n"); !written)
+        if (const auto written = writeOutput(options.output, csv ? toCsv(answer.there) : toJson(answer.there, context) + "\n"); !written)
             return fail(written.error());
-        say("wrote " + options.output);
+        sayWritten(options.output);
     } else if (options.json) {
         std::printf("%s\n", toJson(answer.there, context).c_str());
     } else {
@@ -154,7 +154,7 @@ void addPredict(CLI::App& app, Invocation& invocation)
     command->add_option("--alt", options->altitude_m, "height above the WGS84 ellipsoid [m]")->capture_default_str();
     command->add_option("--date", options->date, "YYYY-MM-DD, or a year as 2026.5")->required();
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("-o,--output", options->output, "the file to write: .csv or .json")
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write: .csv or .json")
         ->excludes(json)
         ->check([](const std::string& path) {
             const std::string ending = std::filesystem::path(path).extension().string();

@@ -1,5 +1,6 @@
 #include "app/Console.h"
 #include "app/OpenStores.h"
+#include "app/Outputs.h"
 #include "app/Paths.h"
 #include "app/QtSession.h"
 #include "app/SwingSource.h"
@@ -22,7 +23,7 @@ int writeInput(const ReportArguments& options, ui::ReportInput input, const std:
     input.archive = options.archive;
     if (const auto written = ui::writeReport(input, QString::fromStdString(options.output)); !written)
         return fail(written.error());
-    say("wrote " + options.output);
+    sayWritten(options.output);
     return kDone;
 }
 
@@ -79,7 +80,7 @@ void addReport(CLI::App& app, Invocation& invocation)
     auto* command = app.add_subcommand("report", "a swing report: PDF (A4, the data attached), HTML, CSV or JSON");
     command->add_option("SWING.csv", options->file, "a Swing CSV");
     command->add_option("--swing", options->swing, "a swing of the database: its record id or the beginning of it (see `swings`)");
-    command->add_option("-o,--output", options->output, "the file to write: .pdf, .html, .csv or .json")->required();
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write: .pdf, .html, .csv or .json")->required();
     command->add_flag("--archive", options->archive, "PDF/A-1b for the archive: nothing attached");
     addDatabaseOption(*command, invocation);
     command->callback(

@@ -5,7 +5,7 @@
 
 #include "app/Console.h"
 #include "app/ModelOptions.h"
-#include "app/TextFile.h"
+#include "app/Outputs.h"
 #include "app/commands/Command.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
@@ -112,9 +112,9 @@ int writeFile(
             options.model});
     const std::string content
         = endsWith(options.output, ".json") ? toJson(points, field) + "\n" : writeSwingCsv(swingOf(points, setup, options));
-    if (const auto written = writeTextFile(options.output, content); !written)
+    if (const auto written = writeOutput(options.output, content); !written)
         return fail(written.error());
-    say("wrote " + options.output);
+    sayWritten(options.output);
     return kDone;
 }
 
@@ -173,7 +173,7 @@ void addSimulate(CLI::App& app, Invocation& invocation)
             "starboard wing down positive [deg]")
         ->default_str("0");
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->add_option("-o,--output", options->output, "write a Swing CSV (.csv), or the JSON (.json)")
+    addOutputOption(*command, invocation, "-o,--output", options->output, "write a Swing CSV (.csv), or the JSON (.json)")
         ->excludes(json)
         ->check([](const std::string& path) {
             return endsWith(path, ".csv") || endsWith(path, ".json") ? std::string()

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/OutputFile.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
 #include "db/stores/FleetStore.h"
@@ -215,11 +216,9 @@ Result<void> backup(Database& database, const QString& path)
     const std::string file = path.toStdString();
     if (QFileInfo::exists(path))
         return Error{ErrorCode::Conflict, "there is a file of this name already; expected a new name for the backup", file};
+    if (auto allowed = checkOutput(file); !allowed)
+        return allowed;
     const QFileInfo folder(QFileInfo(path).absolutePath());
-    if (!folder.isDir())
-        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " is not there; expected an existing one", file};
-    if (!folder.isWritable())
-        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " may not be written; expected one that may", file};
     const QString partial = path + "." + QString::fromStdString(newRecordId()).left(8) + ".partial";
     const auto copied = copyInto(database, partial);
     const bool kept = copied && reachesTheDrive(partial) && QFile::rename(partial, path) && reachesTheDrive(folder.filePath());

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include "core/base/OutputFile.h"
 #include "core/format/exchange/BenchJson.h"
 #include "ui/bench/BenchDrawing.h"
 #include "ui/bench/BenchJob.h"
@@ -17,7 +18,6 @@
 #include "ui/bench/BenchRows.h"
 #include "ui/bench/BenchTables.h"
 #include "ui/kit/Words.h"
-#include "ui/report/page/DocumentFile.h"
 
 namespace lubberline::ui {
 
@@ -297,7 +297,7 @@ void IronBenchPage::save()
     const QString path = m_files.save(tr("Save the bench"), QStringLiteral("bench.json"), kBenchFilter);
     if (path.isEmpty())
         return;
-    if (const auto written = writeDocument(path, QByteArray::fromStdString(writeBenchJson(m_bench))); !written)
+    if (const auto written = writeWholeFile(path.toStdString(), writeBenchJson(m_bench)); !written)
         emit failed(messageOf(written.error()));
 }
 

@@ -1,18 +1,17 @@
 #include "ui/due/DuePage.h"
 
 #include <QComboBox>
-#include <QFile>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
+#include "core/base/OutputFile.h"
 #include "ui/due/DueRulesTable.h"
 #include "ui/kit/DueBadge.h"
 #include "ui/kit/Words.h"
@@ -309,10 +308,8 @@ void DuePage::exportCalendar()
     if (path.isEmpty())
         return;
     const auto entries = calendarOf(m_news->lines);
-    const QByteArray text = QByteArray::fromStdString(writeCalendar(entries, m_today() + "T00:00:00Z"));
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        emit failed(tr("%1 could not be written: %2").arg(path, file.errorString()));
+    if (const auto written = writeWholeFile(path.toStdString(), writeCalendar(entries, m_today() + "T00:00:00Z")); !written)
+        emit failed(messageOf(written.error()));
     else
         emit done(tr("%1: %n dates", nullptr, static_cast<int>(entries.size())).arg(path));
 }

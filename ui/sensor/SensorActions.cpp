@@ -4,8 +4,8 @@
 #include <QGridLayout>
 #include <QMenu>
 #include <QPushButton>
-#include <QSaveFile>
 
+#include "core/base/OutputFile.h"
 #include "core/format/exchange/ModelJson.h"
 #include "ui/kit/Words.h"
 #include "ui/sensor/SensorEditor.h"
@@ -15,15 +15,6 @@
 namespace lubberline::ui {
 
 namespace {
-
-Result<void> writeWhole(const QString& path, const std::string& content)
-{
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly)
-        && file.write(content.data(), static_cast<qint64>(content.size())) == static_cast<qint64>(content.size()) && file.commit())
-        return {};
-    return Error{ErrorCode::Io, SensorActions::tr("cannot be written: %1").arg(file.errorString()).toStdString(), path.toStdString()};
-}
 
 QString modelFilter() { return SensorActions::tr("Sensor model (*.json)"); }
 
@@ -119,7 +110,7 @@ void SensorActions::save()
         return;
     const SensorRecord* record = m_parts.editor.record();
     const SensorSetup setup{m_parts.field.stated(), m_parts.editor.model(), record ? record->note : std::string()};
-    if (const auto written = writeWhole(path, writeModelJson(setup)); !written)
+    if (const auto written = writeWholeFile(path.toStdString(), writeModelJson(setup)); !written)
         emit failed(messageOf(written.error()));
 }
 

@@ -6,10 +6,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 
 #include <algorithm>
 
+#include "core/base/OutputFile.h"
 #include "core/format/exchange/JobJson.h"
 #include "ui/kit/Words.h"
 
@@ -197,9 +197,7 @@ void Recovery::rewrite(const std::vector<LostEntry>& gone) const
             QFile::remove(path);
             continue;
         }
-        QSaveFile file(path);
-        if (file.open(QIODevice::WriteOnly) && file.write(left) == left.size())
-            file.commit();
+        (void)writeWholeFile(path.toStdString(), left.toStdString()); // what stays is offered again: putting it twice changes nothing
     }
 }
 

@@ -2,8 +2,8 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QSaveFile>
 
+#include "core/base/OutputFile.h"
 #include "core/format/exchange/Exchange.h"
 #include "db/transfer/Transfer.h"
 #include "ui/kit/Words.h"
@@ -50,15 +50,6 @@ Result<JobOutcome> importFile(const db::Stores& stores, const QString& path, con
     return outcome;
 }
 
-Result<void> writeFile(const QString& path, const std::string& text)
-{
-    QSaveFile file(path);
-    const auto size = static_cast<qint64>(text.size());
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit())
-        return Error{ErrorCode::Io, "cannot be written: " + file.errorString().toStdString(), path.toStdString()};
-    return {};
-}
-
 Result<JobOutcome> exportFile(
     const db::Stores& stores, const std::vector<AircraftId>& aircraft, const QString& path, const Progress& progress)
 {
@@ -68,7 +59,7 @@ Result<JobOutcome> exportFile(
     const auto fleet = db::exportFleet((*own)->database(), aircraft, progress);
     if (!fleet)
         return fleet.error();
-    if (const auto written = writeFile(path, writeExchange(*fleet)); !written)
+    if (const auto written = writeWholeFile(path.toStdString(), writeExchange(*fleet)); !written)
         return written.error();
     JobOutcome outcome;
     outcome.message = TransferWords::tr("%1: swings exported: %2.").arg(path).arg(fleet->swings.size());

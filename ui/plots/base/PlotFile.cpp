@@ -2,7 +2,6 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QDir>
 #include <QFileInfo>
 #include <QFontInfo>
 #include <QGuiApplication>
@@ -10,8 +9,9 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
+
+#include "core/base/OutputFile.h"
 
 namespace lubberline::ui {
 
@@ -78,8 +78,8 @@ Result<void> writePlotFile(const QString& path, QSize size_px, const QString& ti
         return failure(ErrorCode::Unsupported,
             Words::tr("no font is installed, so the plot would have no text; install one (fonts-dejavu-core)"), path);
     }
-    if (!file.dir().exists())
-        return failure(ErrorCode::Io, Words::tr("the folder \"%1\" does not exist").arg(file.path()), path);
+    if (const auto allowed = checkOutput(path.toStdString()); !allowed)
+        return allowed; // before anything is drawn
 
     QBuffer drawn;
     drawn.open(QIODevice::WriteOnly);
@@ -90,10 +90,7 @@ Result<void> writePlotFile(const QString& path, QSize size_px, const QString& ti
     else
         paintPdf(drawn, size_px, title, paint);
 
-    QSaveFile save(path);
-    if (!save.open(QIODevice::WriteOnly) || save.write(drawn.data()) != drawn.size() || !save.commit())
-        return failure(ErrorCode::Io, Words::tr("cannot write the plot: %1").arg(save.errorString()), path);
-    return {};
+    return writeWholeFile(path.toStdString(), drawn.data().toStdString());
 }
 
 } // namespace lubberline::ui

@@ -3,7 +3,7 @@
 #include <QFileInfo>
 #include <QPagedPaintDevice>
 
-#include "ui/report/page/DocumentFile.h"
+#include "core/base/OutputFile.h"
 #include "ui/report/page/DocumentFont.h"
 #include "ui/report/page/PdfFile.h"
 #include "ui/report/page/Words.h"
@@ -40,7 +40,7 @@ Result<void> writeSheet(const PageFrame& frame, const SheetBlocks& blocks, const
         error.file = path.toStdString();
         return error;
     }
-    return writeDocument(path, *bytes);
+    return writeWholeFile(path.toStdString(), bytes->toStdString());
 }
 
 } // namespace lubberline::ui

@@ -2,8 +2,8 @@
 
 #include <QFileInfo>
 
+#include "core/base/OutputFile.h"
 #include "core/format/exchange/Exchange.h"
-#include "ui/report/page/DocumentFile.h"
 #include "ui/report/page/Words.h"
 #include "ui/report/swing/ReportContent.h"
 #include "ui/report/swing/ReportData.h"
@@ -39,7 +39,7 @@ Result<void> writeReport(const ReportInput& input, const QString& path)
         error.file = path.toStdString();
         return error;
     }
-    return writeDocument(path, *bytes);
+    return writeWholeFile(path.toStdString(), bytes->toStdString());
 }
 
 } // namespace lubberline::ui

@@ -1,0 +1,207 @@
+#include "core/base/OutputFile.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <random>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace lubberline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostLinks = 40;   ///< as many as the kernel follows (path_resolution(7))
+constexpr int kMostNames = 1000; ///< tried for the file beside: one that another program left is passed over
+
+Error outputError(const std::string& message, const std::string& path) { return {ErrorCode::Io, message, path}; }
+
+std::string reasonOf(int error) { return std::generic_category().message(error); }
+
+std::optional<struct stat> stateOf(const std::string& path)
+{
+    struct stat state = {};
+    return ::stat(path.c_str(), &state) == 0 ? std::optional(state) : std::nullopt;
+}
+
+/// To who the program acts as, which access(2) does not ask.
+bool allows(const std::string& path, int what) { return ::faccessat(AT_FDCWD, path.c_str(), what, AT_EACCESS) == 0; }
+
+/// What stands in the way when it is no plain file.
+const char* kindOf(const struct stat& state)
+{
+    switch (state.st_mode & S_IFMT) {
+    case S_IFDIR: return "a folder";
+    case S_IFIFO: return "a pipe";
+    case S_IFSOCK: return "a socket";
+    default: return "a device";
+    }
+}
+
+/// The file that a symbolic link names in the end, there or not: the link itself must not be replaced.
+Result<fs::path> targetOf(const std::string& path)
+{
+    fs::path target(path);
+    std::error_code error;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+        const fs::path next = fs::read_symlink(target, error);
+        if (error || links == kMostLinks)
+            return outputError("this is a link that leads to no file; expected the name of a file to write", path);
+        target = target.parent_path() / next; // an absolute one replaces the whole
+    }
+    return target;
+}
+
+fs::path folderOf(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
+
+Result<void> checkFolder(const fs::path& folder, const std::string& path)
+{
+    const auto state = stateOf(folder.string());
+    if (!state)
+        return outputError("the folder " + folder.string() + " does not exist; expected an existing folder to write into", path);
+    if (!S_ISDIR(state->st_mode))
+        return outputError(folder.string() + " is not a folder; expected a folder to write into", path);
+    if (!allows(folder.string(), W_OK | X_OK))
+        return outputError(
+            "the folder " + folder.string() + " takes no new file (" + reasonOf(errno) + "); expected a folder that may be written to",
+            path);
+    return {};
+}
+
+Result<void> checkExisting(const struct stat& file, const std::string& path, const std::vector<std::string>& inputs)
+{
+    if (!S_ISREG(file.st_mode))
+        return outputError(std::string("this is ") + kindOf(file) + "; expected the name of a file to write", path);
+    for (const auto& input : inputs)
+        if (const auto other = stateOf(input); other && other->st_dev == file.st_dev && other->st_ino == file.st_ino)
+            return Error{ErrorCode::InvalidInput, "this is the same file as " + input + ", which is read; expected another name", path};
+    if (!allows(path, W_OK))
+        return outputError("this file may not be written (" + reasonOf(errno) + "); expected one that may, or another name", path);
+    return {};
+}
+
+/// A new file, open, that is gone with this object unless it was renamed.
+class FileBeside {
+public:
+    explicit FileBeside(const fs::path& folder)
+    {
+        std::random_device random;
+        for (int tries = 0; m_handle < 0 && tries < kMostNames; ++tries) {
+            m_name = (folder / (".lubberline-" + std::to_string(random()) + ".partial")).string();
+            m_handle = ::open(m_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); // less what the user's umask takes away
+            if (m_handle < 0 && errno != EEXIST)
+                break;
+        }
+        m_left = m_handle >= 0;
+    }
+    ~FileBeside()
+    {
+        if (m_handle >= 0)
+            ::close(m_handle);
+        if (m_left)
+            ::unlink(m_name.c_str());
+    }
+    FileBeside(const FileBeside&) = delete;
+    FileBeside& operator=(const FileBeside&) = delete;
+
+    [[nodiscard]] bool isOpen() const { return m_handle >= 0; }
+    bool takeRightsOf(const struct stat& file)
+    {
+        const bool owned = ::fchown(m_handle, file.st_uid, file.st_gid) == 0; // another user's file: the new one is ours
+        return ::fchmod(m_handle, file.st_mode & (owned ? 07777 : 0777)) == 0;
+    }
+    bool write(std::string_view content)
+    {
+        while (!content.empty()) {
+            const auto written = ::write(m_handle, content.data(), content.size());
+            if (written < 0 && errno != EINTR)
+                return false;
+            if (written > 0)
+                content.remove_prefix(static_cast<std::size_t>(written));
+        }
+        return true;
+    }
+    /// On the drive, and closed: some drives tell only then that they are full.
+    bool finish()
+    {
+        const bool kept = ::fsync(m_handle) == 0 || errno == EINVAL; // a file system without it
+        const int error = errno;
+        const bool closed = ::close(m_handle) == 0;
+        m_handle = -1;
+        if (!kept)
+            errno = error;
+        return kept && closed;
+    }
+    bool renameTo(const fs::path& target)
+    {
+        m_left = std::rename(m_name.c_str(), target.c_str()) != 0;
+        return !m_left;
+    }
+
+private:
+    std::string m_name;
+    int m_handle = -1;
+    bool m_left = false;
+};
+
+/// So that the new name outlives a power cut; the file is there in any case.
+void keepFolder(const fs::path& folder)
+{
+    if (const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); handle >= 0) {
+        ::fsync(handle);
+        ::close(handle);
+    }
+}
+
+Error writingError(int error, const fs::path& folder, const std::string& path)
+{
+    if (error == ENOSPC || error == EDQUOT)
+        return {ErrorCode::Full, "there is no room for it in the folder " + folder.string() + "; expected a drive with free space", path};
+    return outputError(
+        "cannot be written into the folder " + folder.string() + " (" + reasonOf(error) + "); expected a drive that takes it", path);
+}
+
+} // namespace
+
+Result<void> checkOutput(const std::string& path, const std::vector<std::string>& inputs)
+{
+    if (path.empty())
+        return outputError("there is no name; expected the name of a file to write", path);
+    if (const auto file = stateOf(path))
+        if (const auto allowed = checkExisting(*file, path, inputs); !allowed)
+            return allowed;
+    const auto target = targetOf(path);
+    if (!target)
+        return target.error();
+    if (!target->has_filename())
+        return outputError("this is the name of a folder; expected the name of a file to write", path);
+    return checkFolder(folderOf(*target), path);
+}
+
+Result<void> writeWholeFile(const std::string& path, std::string_view content, const std::vector<std::string>& inputs)
+{
+    if (const auto allowed = checkOutput(path, inputs); !allowed)
+        return allowed;
+    const auto target = targetOf(path);
+    if (!target)
+        return target.error();
+    const fs::path folder = folderOf(*target);
+    FileBeside beside(folder);
+    if (!beside.isOpen())
+        return outputError(
+            "the folder " + folder.string() + " takes no new file (" + reasonOf(errno) + "); expected a folder that may be written to",
+            path);
+    const auto before = stateOf(target->string());
+    if ((before && !beside.takeRightsOf(*before)) || !beside.write(content) || !beside.finish() || !beside.renameTo(*target))
+        return writingError(errno, folder, path);
+    keepFolder(folder);
+    return {};
+}
+
+} // namespace lubberline
