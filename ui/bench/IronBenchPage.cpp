@@ -13,7 +13,6 @@
 #include "core/base/OutputFile.h"
 #include "core/format/exchange/BenchJson.h"
 #include "ui/bench/BenchDrawing.h"
-#include "ui/bench/BenchJob.h"
 #include "ui/bench/BenchResults.h"
 #include "ui/bench/BenchRows.h"
 #include "ui/bench/BenchTables.h"
@@ -33,7 +32,7 @@ IronBenchPage::IronBenchPage(EditContext& context, QUndoStack& stack, FileQuesti
     , m_files(std::move(files))
     , m_stores(context.stores)
     , m_editor(new SensorEditor(context, stack, this))
-    , m_job(new BenchJob(this))
+    , m_worker([this](const Result<BenchModel>& model) { take(model); }, [this](int percent) { m_progress->setValue(percent); })
 {
     build();
     connectParts();
@@ -106,18 +105,10 @@ void IronBenchPage::connectParts()
 {
     connect(m_editor, &SensorEditor::changed, this, &IronBenchPage::showStored);
     connect(m_editor, &SensorEditor::failed, this, &IronBenchPage::failed);
-    connect(m_cancel, &QPushButton::clicked, m_job, &BenchJob::cancel);
-    connect(m_job, &BenchJob::progressed, m_progress, &QProgressBar::setValue);
-    connect(m_job, &BenchJob::ready, this, [this](const BenchModel& model) {
-        showResult(model);
-        if (m_settle)
-            settle();
-    });
-    connect(m_job, &BenchJob::failed, this, [this](const QString& message) { say(message, true); });
-    connect(m_job, &BenchJob::cancelled, this, [this] { say(tr("The computation was cancelled; nothing was stored."), true); });
+    connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     m_patience.setSingleShot(true);
     m_patience.setInterval(kPatience_ms);
-    connect(&m_patience, &QTimer::timeout, this, [this] { showWork(m_job->running()); });
+    connect(&m_patience, &QTimer::timeout, this, [this] { showWork(m_worker.running()); });
     connect(m_tables, &BenchTables::changed, this, &IronBenchPage::takeTables);
     connect(m_tables, &BenchTables::partChosen, m_drawing, &BenchDrawing::setSelected);
     connect(m_drawing, &BenchDrawing::partChosen, m_tables, &BenchTables::selectPart);
@@ -229,7 +220,20 @@ void IronBenchPage::recompute()
     say({}, false);
     m_progress->setValue(0);
     m_patience.start();
-    m_job->start(m_bench, m_states);
+    m_worker.start([bench = m_bench, states = m_states](const Progress& progress) { return benchModel(bench, states, progress); });
+}
+
+void IronBenchPage::take(const Result<BenchModel>& model)
+{
+    if (model) {
+        showResult(*model);
+        if (m_settle)
+            settle();
+    } else if (model.error().code == ErrorCode::Cancelled) {
+        say(tr("The computation was cancelled; nothing was stored."), true);
+    } else {
+        say(messageOf(model.error()), true);
+    }
 }
 
 void IronBenchPage::showWork(bool shown)

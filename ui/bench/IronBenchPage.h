@@ -7,6 +7,7 @@
 
 #include "core/iron/BenchModel.h"
 #include "ui/kit/FileQuestions.h"
+#include "ui/kit/Worker.h"
 #include "ui/sensor/SensorEditor.h"
 
 class QLabel;
@@ -17,7 +18,6 @@ class QUndoStack;
 namespace lubberline::ui {
 
 class BenchDrawing;
-class BenchJob;
 class BenchResults;
 class BenchTables;
 
@@ -51,6 +51,7 @@ private:
     void takeBench(IronBench bench);
     void recompute();
     void showWork(bool shown);
+    void take(const Result<BenchModel>& model);
     void showResult(const BenchModel& model);
     void settle();
     void load();
@@ -60,7 +61,6 @@ private:
     FileQuestions m_files;
     db::Stores& m_stores;
     SensorEditor* m_editor;
-    BenchJob* m_job;
     IronBench m_bench;
     BenchStates m_states;
     std::optional<BenchModel> m_result;
@@ -75,6 +75,7 @@ private:
     BenchTables* m_tables;
     BenchDrawing* m_drawing;
     BenchResults* m_results;
+    Worker<BenchModel> m_worker; ///< the newest bench; its end comes first
 };
 
 } // namespace lubberline::ui

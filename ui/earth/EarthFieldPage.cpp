@@ -11,7 +11,6 @@
 #include <array>
 
 #include "db/stores/Stores.h"
-#include "ui/earth/FieldGridJob.h"
 #include "ui/earth/FieldValues.h"
 #include "ui/kit/FormField.h"
 #include "ui/kit/PlaceText.h"
@@ -23,6 +22,7 @@ namespace lubberline::ui {
 
 namespace {
 
+constexpr double kMapStep_deg = 2.0;
 constexpr int kFormWidth = 390;
 constexpr int kFirstLoaded = 3; ///< after the default and the two that are built in
 constexpr std::array kElements{
@@ -80,7 +80,7 @@ EarthFieldPage::EarthFieldPage(db::Stores& stores, ChooseFile chooseFile, QWidge
     , m_values(new FieldValues)
     , m_element(choice(QStringLiteral("fieldElement")))
     , m_map(new WorldFieldPlot)
-    , m_job(new FieldGridJob(this))
+    , m_worker([this](Result<FieldGrid> grid) { takeMap(std::move(grid)); })
 {
     setObjectName(QStringLiteral("earthFieldPage"));
     m_date->setText(today());
@@ -150,11 +150,6 @@ void EarthFieldPage::connectInputs()
     connect(m_date, &QLineEdit::editingFinished, this, &EarthFieldPage::recompute);
     connect(m_model, &QComboBox::activated, this, &EarthFieldPage::takeModel);
     connect(m_element, &QComboBox::activated, this, &EarthFieldPage::recompute);
-    connect(m_job, &FieldGridJob::ready, this, [this](const std::shared_ptr<const FieldGrid>& grid) { m_map->setGrid(grid); });
-    connect(m_job, &FieldGridJob::failed, this, [this](const QString& message) {
-        m_wished.reset();
-        emit failed(message);
-    });
     connect(m_map, &Plot::failed, this, &EarthFieldPage::failed);
     connect(m_map, &Plot::readOut, this, &EarthFieldPage::readOut);
 }
@@ -320,7 +315,18 @@ void EarthFieldPage::updateMap(const FieldModel& model, double year)
     if (m_wished == wish || year < model.firstYear() || year > model.lastYear())
         return;
     m_wished = wish;
-    m_job->start(model, year, wish.element);
+    m_worker.start([model, year, element = wish.element](
+                       const Progress& progress) { return fieldGrid(model, year, element, kMapStep_deg, progress); });
+}
+
+void EarthFieldPage::takeMap(Result<FieldGrid> grid)
+{
+    if (grid) {
+        m_map->setGrid(std::make_shared<const FieldGrid>(std::move(grid.value())));
+    } else {
+        m_wished.reset();
+        emit failed(messageOf(grid.error()));
+    }
 }
 
 void EarthFieldPage::say(const QString& message, bool wrong)

@@ -8,6 +8,7 @@
 
 #include "core/earth/FieldGrid.h"
 #include "core/record/Site.h"
+#include "ui/kit/Worker.h"
 
 class QComboBox;
 class QLabel;
@@ -19,7 +20,6 @@ class Stores;
 
 namespace lubberline::ui {
 
-class FieldGridJob;
 class FieldValues;
 class WorldFieldPlot;
 
@@ -57,6 +57,7 @@ private:
     void recompute();
     void showField(const FieldModel& model, const Result<Place>& place, double year);
     void updateMap(const FieldModel& model, double year);
+    void takeMap(Result<FieldGrid> grid);
     [[nodiscard]] Result<FieldModel> chosenModel(double year) const;
     [[nodiscard]] Result<Place> readPlace();
     [[nodiscard]] FieldElement element() const;
@@ -79,7 +80,6 @@ private:
     FieldValues* m_values;
     QComboBox* m_element;
     WorldFieldPlot* m_map;
-    FieldGridJob* m_job;
 
     struct Wish {
         const FieldModel::Data* model = nullptr;
@@ -88,6 +88,7 @@ private:
         bool operator==(const Wish&) const = default;
     };
     std::optional<Wish> m_wished; ///< the map shown or under way
+    Worker<FieldGrid> m_worker;   ///< of the map
 };
 
 } // namespace lubberline::ui

@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
-#include <QtConcurrent/QtConcurrentRun>
 
 #include <cmath>
 
@@ -93,16 +92,9 @@ NmeaImportPage::NmeaImportPage(db::Stores& stores, FileQuestions questions, QWid
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_make(new QPushButton(tr("&Make a swing of it")))
     , m_plot(makeCurvePlot())
+    , m_worker([this](Result<NmeaSwing> read) { take(std::move(read)); })
 {
     build();
-}
-
-NmeaImportPage::~NmeaImportPage()
-{
-    m_watcher.disconnect(this);
-    if (m_cancelled)
-        m_cancelled->store(true);
-    m_watcher.waitForFinished();
 }
 
 void NmeaImportPage::build()
@@ -160,8 +152,7 @@ void NmeaImportPage::build()
         connect(line, &QLineEdit::textEdited, this, [this] { m_make->setEnabled(false); }); // Enter reads it again
     connect(m_read, &QPushButton::clicked, this, &NmeaImportPage::choose);
     connect(m_make, &QPushButton::clicked, this, &NmeaImportPage::make);
-    connect(m_cancel, &QPushButton::clicked, this, [this] { m_cancelled->store(true); });
-    connect(&m_watcher, &QFutureWatcherBase::finished, this, &NmeaImportPage::finish);
+    connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     connect(m_plot, &Plot::readOut, this, &NmeaImportPage::readOut);
     for (QComboBox* box : {m_reference})
         connect(box, &QComboBox::activated, this, &NmeaImportPage::start);
@@ -219,7 +210,7 @@ Result<NmeaOptions> NmeaImportPage::options() const
 
 void NmeaImportPage::start()
 {
-    if (m_path.isEmpty() || m_watcher.isRunning())
+    if (m_path.isEmpty() || m_worker.running())
         return;
     const auto chosen = options();
     if (!chosen) {
@@ -228,31 +219,28 @@ void NmeaImportPage::start()
     }
     m_datum = m_reference->currentText().toStdString();
     m_used = *chosen;
-    m_cancelled = std::make_shared<std::atomic<bool>>(false);
     m_cancel->show();
     m_read->setEnabled(false);
     m_reference->setEnabled(false);
     m_make->setEnabled(false);
     m_summary->setText(tr("Reading %1 …").arg(QFileInfo(m_path).fileName()));
-    m_watcher.setFuture(QtConcurrent::run([path = m_path.toStdString(), chosen = *chosen, cancelled = m_cancelled]() -> Answer {
-        return std::make_shared<Result<NmeaSwing>>(readNmeaSwingFile(path, chosen, [&cancelled](double) { return !cancelled->load(); }));
-    }));
+    m_worker.start(
+        [path = m_path.toStdString(), chosen = *chosen](const Progress& progress) { return readNmeaSwingFile(path, chosen, progress); });
 }
 
-void NmeaImportPage::finish()
+void NmeaImportPage::take(Result<NmeaSwing> read)
 {
     m_cancel->hide();
     m_read->setEnabled(true);
     m_reference->setEnabled(true);
-    const Answer answer = m_watcher.result();
-    if (!*answer) {
+    if (!read) {
         m_swing.reset();
-        m_summary->setText(messageOf(answer->error()));
-        if (answer->error().code != ErrorCode::Cancelled)
-            emit failed(messageOf(answer->error()));
+        m_summary->setText(messageOf(read.error()));
+        if (read.error().code != ErrorCode::Cancelled)
+            emit failed(messageOf(read.error()));
         return;
     }
-    m_swing = std::shared_ptr<const NmeaSwing>(answer, &answer->value());
+    m_swing = std::make_shared<const NmeaSwing>(std::move(read.value()));
     showAnswer();
 }
 

@@ -1,15 +1,14 @@
 #pragma once
 /// A log of a slow turn as a swing: what of it is used, what is cut off and why, and the curve that it gives.
 
-#include <QFutureWatcher>
 #include <QWidget>
 
-#include <atomic>
 #include <memory>
 
 #include "core/nmea/NmeaSwing.h"
 #include "db/stores/Stores.h"
 #include "ui/kit/FileQuestions.h"
+#include "ui/kit/Worker.h"
 
 class QComboBox;
 class QLabel;
@@ -25,7 +24,6 @@ class NmeaImportPage : public QWidget {
 
 public:
     NmeaImportPage(db::Stores& stores, FileQuestions questions, QWidget* parent = nullptr);
-    ~NmeaImportPage() override;
 
     /// The compass that the swing is to be of. Errors: those of the stores.
     Result<void> showCompass(CompassId compass);
@@ -37,11 +35,10 @@ signals:
     void readOut(const QString& text);
 
 private:
-    using Answer = std::shared_ptr<Result<NmeaSwing>>;
     void build();
     void choose();
     void start();
-    void finish();
+    void take(Result<NmeaSwing> read);
     void showAnswer();
     void make();
     [[nodiscard]] Result<NmeaOptions> options() const;
@@ -53,13 +50,12 @@ private:
     NmeaOptions m_used;
     std::string m_datum; ///< what the answer was held against, in words
     std::shared_ptr<const NmeaSwing> m_swing;
-    QFutureWatcher<Answer> m_watcher;
-    std::shared_ptr<std::atomic<bool>> m_cancelled;
     QLabel *m_title, *m_summary;
     QComboBox *m_reference, *m_kind;
     QLineEdit *m_variation, *m_speed, *m_rate, *m_talker;
     QPushButton *m_read, *m_cancel, *m_make;
     SwingPlot* m_plot;
+    Worker<NmeaSwing> m_worker; ///< reads the log
 };
 
 } // namespace lubberline::ui

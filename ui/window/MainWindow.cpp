@@ -38,6 +38,8 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
               showSaved(false);
           }}
     , m_recovery(m_services.recoveryFiles)
+    , m_transfer([this](const Result<TransferOutcome>& outcome) { finishTransfer(outcome); },
+          [this](int percent) { m_progress->setPercent(percent); })
 {
     applyTheme(m_services.settings.value("view/dark", false).toBool());
     if (m_services.settings.value("view/minutes", false).toBool())
@@ -53,9 +55,7 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     restoreState(m_services.settings.value("window/state").toByteArray());
     connect(&m_stack, &QUndoStack::indexChanged, this, [this] { showSaved(true); });
     connect(&m_stores.changes(), &db::Changes::fleetChanged, this, &MainWindow::afterFleetChange);
-    connect(&m_job, &BackgroundJob::finished, this, &MainWindow::finishJob);
-    connect(&m_job, &BackgroundJob::progressed, m_progress, &ProgressStrip::setPercent);
-    connect(m_progress, &ProgressStrip::cancelled, this, [this] { m_job.cancel(); });
+    connect(m_progress, &ProgressStrip::cancelled, this, [this] { m_transfer.cancel(); });
     connect(m_naming, &NamingStrip::named, this, &MainWindow::importFile);
 }
 

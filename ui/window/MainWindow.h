@@ -12,11 +12,11 @@
 #include "core/angle/AngleText.h"
 #include "ui/fleet/FleetModel.h"
 #include "ui/intake/ImportFile.h"
-#include "ui/kit/BackgroundJob.h"
 #include "ui/kit/Dialogs.h"
 #include "ui/kit/EditContext.h"
 #include "ui/kit/FileQuestions.h"
 #include "ui/window/Recovery.h"
+#include "ui/window/Transfers.h"
 
 class QAction;
 class QLabel;
@@ -27,7 +27,7 @@ namespace lubberline::ui {
 
 class AircraftPage;
 struct CardInput;
-class DueJob;
+class DueWatch;
 class DuePage;
 class EarthFieldPage;
 class ElectricalPage;
@@ -164,8 +164,8 @@ private:
 
     // MainWindowFiles.cpp: documents, import, export
     void chooseImport();
-    void finishJob(const Result<JobOutcome>& outcome);
-    void startJob(const QString& what, const Work& work);
+    void finishTransfer(const Result<TransferOutcome>& outcome);
+    void startTransfer(const QString& what, const Transfer& transfer);
     void exportExchange(bool wholeFleet);
     void writeReportFile();
     void previewReport();
@@ -184,8 +184,8 @@ private:
     EditContext m_context;
     QUndoStack m_stack;
     Recovery m_recovery;
-    BackgroundJob m_job;
-    QString m_importPath; ///< of the import that is running
+    Worker<TransferOutcome> m_transfer; ///< of a file, in or out
+    QString m_importPath;               ///< of the import that is running
     AngleStyle m_style = AngleStyle::DecimalDegrees;
 
     FleetPanel* m_fleet = nullptr;
@@ -208,7 +208,7 @@ private:
     InstrumentsPage* m_instrumentsPage = nullptr;
     ElectricalPage* m_electricalPage = nullptr;
     NmeaImportPage* m_nmeaPage = nullptr;
-    DueJob* m_dueJob = nullptr;
+    DueWatch* m_dueWatch = nullptr;
     QLabel* m_saved = nullptr;
     QLabel* m_readOut = nullptr;
 

@@ -27,21 +27,21 @@ void MainWindow::chooseImport()
 
 void MainWindow::importFile(const QString& path, const CsvParticulars& particulars)
 {
-    if (m_job.running()) {
+    if (m_transfer.running()) {
         fail(tr("Another file is being read or written. Wait for it, or cancel it."));
         return;
     }
     m_importPath = path;
-    startJob(tr("Importing %1").arg(QFileInfo(path).fileName()), importing(m_stores, path, particulars));
+    startTransfer(tr("Importing %1").arg(QFileInfo(path).fileName()), importing(m_stores, path, particulars));
 }
 
-void MainWindow::startJob(const QString& what, const Work& work)
+void MainWindow::startTransfer(const QString& what, const Transfer& transfer)
 {
     m_progress->begin(what);
-    m_job.start(work);
+    m_transfer.start(transfer);
 }
 
-void MainWindow::finishJob(const Result<JobOutcome>& outcome)
+void MainWindow::finishTransfer(const Result<TransferOutcome>& outcome)
 {
     m_progress->hide();
     const QString path = std::exchange(m_importPath, QString());
@@ -74,7 +74,7 @@ void MainWindow::finishJob(const Result<JobOutcome>& outcome)
 
 void MainWindow::exportExchange(bool wholeFleet)
 {
-    if (m_job.running()) {
+    if (m_transfer.running()) {
         fail(tr("Another file is being read or written. Wait for it, or cancel it."));
         return;
     }
@@ -90,7 +90,7 @@ void MainWindow::exportExchange(bool wholeFleet)
     std::vector<AircraftId> wanted;
     if (!wholeFleet)
         wanted.push_back(aircraft);
-    startJob(tr("Exporting"), exporting(m_stores, wanted, path));
+    startTransfer(tr("Exporting"), exporting(m_stores, wanted, path));
 }
 
 void MainWindow::report(const Result<void>& done, const QString& success)

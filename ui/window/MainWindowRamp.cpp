@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-#include "ui/due/DueJob.h"
 #include "ui/due/DuePage.h"
+#include "ui/due/DueWatch.h"
 #include "ui/electrical/ElectricalPage.h"
 #include "ui/fleet/FleetPanel.h"
 #include "ui/fleet/RecordEdits.h"
@@ -85,19 +85,19 @@ GuidedPage* MainWindow::makeGuidedPage()
 /// Found on a worker after the first paint, and whenever something changed.
 void MainWindow::watchDue()
 {
-    m_dueJob = new DueJob(
+    m_dueWatch = new DueWatch(
         m_stores, [this] { return nowUtc().substr(0, 10); }, this);
     auto* soon = new QTimer(this);
     soon->setSingleShot(true);
     soon->setInterval(kDueDelay_ms);
-    connect(soon, &QTimer::timeout, m_dueJob, &DueJob::start);
+    connect(soon, &QTimer::timeout, m_dueWatch, &DueWatch::start);
     for (const auto signal : {&db::Changes::fleetChanged, &db::Changes::dueChanged, &db::Changes::sitesChanged})
         connect(&m_stores.changes(), signal, soon, qOverload<>(&QTimer::start));
-    connect(m_dueJob, &DueJob::failed, this, &MainWindow::fail);
-    connect(m_dueJob, &DueJob::ready, this, [this] {
-        m_fleet->showDue(m_dueJob->news()->lines, m_dueJob->news()->due());
+    connect(m_dueWatch, &DueWatch::failed, this, &MainWindow::fail);
+    connect(m_dueWatch, &DueWatch::ready, this, [this] {
+        m_fleet->showDue(m_dueWatch->news()->lines, m_dueWatch->news()->due());
         if (m_duePage)
-            m_duePage->show(m_dueJob->news());
+            m_duePage->show(m_dueWatch->news());
     });
     connect(m_fleet, &FleetPanel::dueWanted, this, &MainWindow::showDue);
     soon->start();
@@ -106,8 +106,8 @@ void MainWindow::watchDue()
 void MainWindow::showDue()
 {
     leaveField();
-    if (m_dueJob->news())
-        duePage().show(m_dueJob->news());
+    if (m_dueWatch->news())
+        duePage().show(m_dueWatch->news());
     turnTo(duePage());
     duePage().setFocus();
 }

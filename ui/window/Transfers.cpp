@@ -29,7 +29,8 @@ QString importMessage(const QString& path, const db::Imported& imported)
     return message + ".";
 }
 
-Result<JobOutcome> importFile(const db::Stores& stores, const QString& path, const CsvParticulars& particulars, const Progress& progress)
+Result<TransferOutcome> importFile(
+    const db::Stores& stores, const QString& path, const CsvParticulars& particulars, const Progress& progress)
 {
     auto file = readImportFile(path, particulars, half(progress, 0));
     if (!file)
@@ -40,7 +41,7 @@ Result<JobOutcome> importFile(const db::Stores& stores, const QString& path, con
     const auto imported = db::importFleet((*own)->database(), file->fleet, half(progress, 1));
     if (!imported)
         return imported.error();
-    JobOutcome outcome;
+    TransferOutcome outcome;
     outcome.message = importMessage(path, *imported);
     for (const std::string& warning : file->warnings)
         outcome.warnings += toText(warning);
@@ -50,7 +51,7 @@ Result<JobOutcome> importFile(const db::Stores& stores, const QString& path, con
     return outcome;
 }
 
-Result<JobOutcome> exportFile(
+Result<TransferOutcome> exportFile(
     const db::Stores& stores, const std::vector<AircraftId>& aircraft, const QString& path, const Progress& progress)
 {
     auto own = stores.openForWorker();
@@ -61,19 +62,19 @@ Result<JobOutcome> exportFile(
         return fleet.error();
     if (const auto written = writeWholeFile(path.toStdString(), writeExchange(*fleet)); !written)
         return written.error();
-    JobOutcome outcome;
+    TransferOutcome outcome;
     outcome.message = TransferWords::tr("%1: swings exported: %2.").arg(path).arg(fleet->swings.size());
     return outcome;
 }
 
 } // namespace
 
-Work importing(const db::Stores& stores, const QString& path, const CsvParticulars& particulars)
+Transfer importing(const db::Stores& stores, const QString& path, const CsvParticulars& particulars)
 {
     return [&stores, path, particulars](const Progress& progress) { return importFile(stores, path, particulars, progress); };
 }
 
-Work exporting(const db::Stores& stores, const std::vector<AircraftId>& aircraft, const QString& path)
+Transfer exporting(const db::Stores& stores, const std::vector<AircraftId>& aircraft, const QString& path)
 {
     return [&stores, aircraft, path](const Progress& progress) { return exportFile(stores, aircraft, path, progress); };
 }

@@ -15,8 +15,8 @@
 
 #include "core/due/Calendar.h"
 #include "tests/db/TestStores.h"
-#include "ui/due/DueJob.h"
 #include "ui/due/DuePage.h"
+#include "ui/due/DueWatch.h"
 #include "ui/fleet/EventsPanel.h"
 
 using namespace lubberline;
@@ -289,19 +289,19 @@ private slots:
         OpenDue open;
         QVERIFY(open.stores.save(DueRule{{}, "a month", 1, 0, 0, {}, {}, {}}).ok());
         open.today = "2026-12-01";
-        DueJob job(open.stores, [&open] { return open.today; });
-        QSignalSpy ready(&job, &DueJob::ready);
-        job.lookAtDay(); // nothing was asked for yet
+        DueWatch watch(open.stores, [&open] { return open.today; });
+        QSignalSpy ready(&watch, &DueWatch::ready);
+        watch.lookAtDay(); // nothing was asked for yet
         QVERIFY(!ready.wait(50));
-        job.start();
+        watch.start();
         QTRY_COMPARE(ready.count(), 1);
-        QCOMPARE(job.news()->due(), 2);
-        job.lookAtDay(); // the same day
+        QCOMPARE(watch.news()->due(), 2);
+        watch.lookAtDay(); // the same day
         QVERIFY(!ready.wait(50));
         open.today = "2026-12-02";
-        job.lookAtDay();
+        watch.lookAtDay();
         QTRY_COMPARE(ready.count(), 2);
-        QCOMPARE(job.news()->due(), 3);
+        QCOMPARE(watch.news()->due(), 3);
     }
 
     void theCrewsWordsSuggestTheCause()
