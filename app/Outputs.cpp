@@ -6,6 +6,7 @@
 #include "app/Console.h"
 #include "app/Paths.h"
 #include "core/base/OutputFile.h"
+#include "db/engine/Database.h"
 
 namespace lubberline::app {
 
@@ -20,8 +21,8 @@ std::vector<std::string> inputsBeside(const CLI::App& command, const CLI::Option
             inputs.insert(inputs.end(), option->results().begin(), option->results().end());
     if (command.get_option_no_throw("--db"))
         if (const auto path = databasePath(database))
-            for (const char* ending : {"", "-wal", "-shm", "-journal"})
-                inputs.push_back(path->toStdString() + ending);
+            for (auto& file : db::filesOf(*path))
+                inputs.push_back(std::move(file));
     return inputs;
 }
 

@@ -61,8 +61,8 @@ int openWindow(const Invocation& invocation)
     if (!stores)
         return failVisibly(stores.error());
 
-    ui::DesktopDialogs dialogs;
     QSettings settings;
+    ui::DesktopDialogs dialogs(settings);
     ui::MainWindow* opened = nullptr;
     const QString path = (*stores)->location();
     ui::MainWindow window(**stores,

@@ -196,6 +196,14 @@ Database::State::~State()
 }
 
 Database::Database(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+std::vector<std::string> filesOf(const QString& path)
+{
+    std::vector<std::string> files;
+    for (const char* ending : {"", "-wal", "-shm", "-journal"}) // sqlite.org/tempfiles.html
+        files.push_back(path.toStdString() + ending);
+    return files;
+}
+
 Database::Database(Database&&) noexcept = default;
 Database& Database::operator=(Database&&) noexcept = default;
 Database::~Database() = default;

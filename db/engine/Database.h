@@ -5,6 +5,7 @@
 #include <QString>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/base/Result.h"
@@ -25,6 +26,9 @@ struct Migration {
     const char* description = "";
     std::vector<const char*> statements;
 };
+
+/// The database and what SQLite may keep beside it while it is open: files that nothing else may be written over.
+[[nodiscard]] std::vector<std::string> filesOf(const QString& path);
 
 class Changes;
 

@@ -103,6 +103,7 @@ void GuidedPage::build()
     });
     connect(m_start, &GuidedStart::cancelled, this, &GuidedPage::cancelled);
     connect(m_job, &GuidedJob::changed, this, &GuidedPage::refresh);
+    connect(m_plot, &Plot::failed, this, &GuidedPage::failed);
     connect(m_prepare, &GuidedPrepare::failed, this, &GuidedPage::failed);
     connect(m_station, &GuidedStation::failed, this, &GuidedPage::failed);
     connect(m_review, &GuidedReview::failed, this, &GuidedPage::failed);

@@ -154,6 +154,7 @@ void NmeaImportPage::build()
     connect(m_make, &QPushButton::clicked, this, &NmeaImportPage::make);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     connect(m_plot, &Plot::readOut, this, &NmeaImportPage::readOut);
+    connect(m_plot, &Plot::failed, this, &NmeaImportPage::failed);
     for (QComboBox* box : {m_reference})
         connect(box, &QComboBox::activated, this, &NmeaImportPage::start);
     for (QLineEdit* line : {m_variation, m_speed, m_rate, m_talker})

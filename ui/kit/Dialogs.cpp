@@ -1,25 +1,58 @@
 #include "ui/kit/Dialogs.h"
 
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QPrintPreviewDialog>
 #include <QPrinter>
 #include <QRegularExpression>
+#include <QSettings>
 
 namespace lubberline::ui {
 
+namespace {
+
+const QString kFolder = QStringLiteral("files/folder");
+
+/// "lubberline.json" of "Exchange files (*.lubberline.json)".
+QString endingOf(const QString& filter)
+{
+    static const QRegularExpression ending(QStringLiteral(R"(\*\.([\w.]+))"));
+    return ending.match(filter).captured(1);
+}
+
+} // namespace
+
 QString DesktopDialogs::openFile(QWidget* parent, const QString& title, const QString& filter)
 {
-    return QFileDialog::getOpenFileName(parent, title, {}, filter);
+    QFileDialog dialog(parent, title);
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    dialog.setNameFilters(filter.split(QStringLiteral(";;")));
+    return ask(dialog);
 }
 
 QString DesktopDialogs::saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter)
 {
-    QString chosenFilter;
-    const QString path = QFileDialog::getSaveFileName(parent, title, suggestion, filter, &chosenFilter);
-    if (path.isEmpty() || !QFileInfo(path).suffix().isEmpty())
-        return path;
-    static const QRegularExpression ending(QStringLiteral(R"(\*(\.[\w.]+))"));
-    return path + ending.match(chosenFilter).captured(1);
+    const QStringList filters = filter.split(QStringLiteral(";;"));
+    QFileDialog dialog(parent, title);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters(filters);
+    dialog.setDefaultSuffix(endingOf(filters.constFirst()));
+    QObject::connect(
+        &dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& chosen) { dialog.setDefaultSuffix(endingOf(chosen)); });
+    dialog.selectFile(suggestion);
+    return ask(dialog);
+}
+
+QString DesktopDialogs::ask(QFileDialog& dialog)
+{
+    const QString before = m_settings.value(kFolder).toString();
+    dialog.setDirectory(QFileInfo(before).isDir() ? before : QDir::homePath());
+    if (dialog.exec() != QDialog::Accepted)
+        return {};
+    const QString path = dialog.selectedFiles().constFirst();
+    m_settings.setValue(kFolder, QFileInfo(path).absolutePath());
+    return path;
 }
 
 void DesktopDialogs::printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint)

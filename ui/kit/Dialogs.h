@@ -5,7 +5,9 @@
 
 #include <functional>
 
+class QFileDialog;
 class QPrinter;
+class QSettings;
 class QWidget;
 
 namespace lubberline::ui {
@@ -20,12 +22,18 @@ public:
     virtual void printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) = 0;
 };
 
-/// Those of the desktop.
+/// Those of the desktop. They begin in the folder of the file that was chosen last, also the next time the program runs; a file that is
+/// there already is asked about under its whole name, ending included.
 class DesktopDialogs final : public Dialogs {
 public:
+    explicit DesktopDialogs(QSettings& settings) : m_settings(settings) {}
     QString openFile(QWidget* parent, const QString& title, const QString& filter) override;
     QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) override;
     void printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) override;
+
+private:
+    QString ask(QFileDialog& dialog);
+    QSettings& m_settings;
 };
 
 } // namespace lubberline::ui

@@ -15,6 +15,7 @@
 #include "ui/kit/Dialogs.h"
 #include "ui/kit/EditContext.h"
 #include "ui/kit/FileQuestions.h"
+#include "ui/plots/base/AsksToSave.h"
 #include "ui/window/Recovery.h"
 #include "ui/window/Transfers.h"
 
@@ -57,7 +58,7 @@ struct WindowServices {
     std::function<std::string()> nowUtc = {};                ///< ISO 8601; empty: the machine's clock
 };
 
-class MainWindow : public QMainWindow {
+class MainWindow : public QMainWindow, public AsksToSave {
     Q_OBJECT
 
 public:
@@ -67,6 +68,8 @@ public:
     /// Shows the page of an item and marks it in the tree.
     void go(const FleetItem& item);
     void importFile(const QString& path, const CsvParticulars& particulars = {});
+    /// Every file that the window writes is asked for here: what the database keeps, and what takes no file, is refused with a message.
+    QString askToSave(const QString& title, const QString& suggestion, const QString& filter) override;
     [[nodiscard]] QUndoStack& undoStack() { return m_stack; }
     [[nodiscard]] MessagePanel& messages() { return *m_messages; }
 

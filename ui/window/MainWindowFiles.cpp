@@ -19,8 +19,8 @@ namespace lubberline::ui {
 
 void MainWindow::chooseImport()
 {
-    const QString path = m_services.dialogs.openFile(
-        this, tr("Import"), tr("Swings, exchange files, reports (*.csv *.txt *.tsv *.json *.pdf);;All files (*)"));
+    const QString path
+        = fileQuestions().open(tr("Import"), tr("Swings, exchange files, reports (*.csv *.txt *.tsv *.json *.pdf);;All files (*)"));
     if (!path.isEmpty())
         importFile(path);
 }
@@ -83,8 +83,7 @@ void MainWindow::exportExchange(bool wholeFleet)
     if (!wholeFleet)
         if (const auto record = m_stores.fleet.aircraft(aircraft))
             stem = toText(record->registration);
-    const QString path
-        = m_services.dialogs.saveFile(this, tr("Export"), stem + ".lubberline.json", tr("Exchange files (*.lubberline.json)"));
+    const QString path = askToSave(tr("Export"), stem + ".lubberline.json", tr("Exchange files (*.lubberline.json)"));
     if (path.isEmpty())
         return;
     std::vector<AircraftId> wanted;
@@ -109,7 +108,7 @@ void MainWindow::writeReportFile()
         return;
     }
     input->angleStyle = m_style;
-    const QString path = m_services.dialogs.saveFile(this, tr("Write report"), fileStem(input->record) + ".pdf",
+    const QString path = askToSave(tr("Write report"), fileStem(input->record) + ".pdf",
         tr("PDF with the data attached (*.pdf);;HTML (*.html);;Readings (*.csv);;Results (*.json)"));
     if (!path.isEmpty())
         report(writeReport(*input, path), tr("Report written: %1").arg(path));
@@ -144,8 +143,7 @@ void MainWindow::writeCardFile(int step_deg)
         fail(tr("No card: %1").arg(messageOf(input.error())));
         return;
     }
-    const QString path
-        = m_services.dialogs.saveFile(this, tr("Write correction card"), fileStem(input->record) + " card.pdf", tr("PDF (*.pdf)"));
+    const QString path = askToSave(tr("Write correction card"), fileStem(input->record) + " card.pdf", tr("PDF (*.pdf)"));
     if (!path.isEmpty())
         report(writeCard(*input, path), tr("Card written: %1").arg(path));
 }
@@ -170,8 +168,7 @@ void MainWindow::writeJobCardFile()
         fail(messageOf(input.error()));
         return;
     }
-    const QString path
-        = m_services.dialogs.saveFile(this, tr("Write a blank job card"), fileStem(input->record) + " job card.pdf", tr("PDF (*.pdf)"));
+    const QString path = askToSave(tr("Write a blank job card"), fileStem(input->record) + " job card.pdf", tr("PDF (*.pdf)"));
     if (!path.isEmpty())
         report(writeJobCard(*input, path), tr("Job card written: %1").arg(path));
 }
@@ -183,16 +180,15 @@ void MainWindow::write1613File()
         fail(messageOf(sheet.error()));
         return;
     }
-    const QString path = m_services.dialogs.saveFile(
-        this, tr("Write a sheet in DD 1613 style"), fileStem(sheet->record) + " DD 1613.pdf", tr("PDF (*.pdf)"));
+    const QString path = askToSave(tr("Write a sheet in DD 1613 style"), fileStem(sheet->record) + " DD 1613.pdf", tr("PDF (*.pdf)"));
     if (!path.isEmpty())
         report(write1613(*sheet, path), tr("Sheet written: %1").arg(path));
 }
 
 void MainWindow::backUp()
 {
-    const QString path = m_services.dialogs.saveFile(this, tr("Back up the database"),
-        QFileInfo(m_stores.location()).completeBaseName() + "-backup.lubberline", tr("Lubberline databases (*.lubberline)"));
+    const QString path = askToSave(tr("Back up the database"), QFileInfo(m_stores.location()).completeBaseName() + "-backup.lubberline",
+        tr("Lubberline databases (*.lubberline)"));
     if (!path.isEmpty())
         report(m_services.backup(path), tr("Backup written: %1").arg(path));
 }

@@ -5,6 +5,7 @@
 #include <QMenuBar>
 #include <QStackedWidget>
 
+#include "core/base/OutputFile.h"
 #include "core/swing/SwingField.h"
 #include "ui/bench/IronBenchPage.h"
 #include "ui/earth/EarthFieldPage.h"
@@ -33,9 +34,19 @@ void MainWindow::buildModelMenu()
 FileQuestions MainWindow::fileQuestions()
 {
     return {[this](const QString& title, const QString& filter) { return m_services.dialogs.openFile(this, title, filter); },
-        [this](const QString& title, const QString& suggestion, const QString& filter) {
-            return m_services.dialogs.saveFile(this, title, suggestion, filter);
-        }};
+        [this](const QString& title, const QString& suggestion, const QString& filter) { return askToSave(title, suggestion, filter); }};
+}
+
+QString MainWindow::askToSave(const QString& title, const QString& suggestion, const QString& filter)
+{
+    const QString path = m_services.dialogs.saveFile(this, title, suggestion, filter);
+    if (path.isEmpty())
+        return {};
+    if (const auto allowed = checkOutput(path.toStdString(), db::filesOf(m_stores.location())); !allowed) {
+        fail(messageOf(allowed.error()));
+        return {};
+    }
+    return path;
 }
 
 void MainWindow::showSensor(CompassId id)

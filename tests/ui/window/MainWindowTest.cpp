@@ -33,6 +33,7 @@ private slots:
     void rowsAndPointsSelectEachOther();
     void fewReadingsSayWhatIsMissing();
     void documentsAreWritten();
+    void nothingIsWrittenOverTheDatabase();
     void aircraftIsEditedInPlace();
     void limitsChangeTheVerdict();
     void eventsAreAdded();
@@ -260,6 +261,36 @@ void MainWindowTest::documentsAreWritten()
     QVERIFY(QFile::exists(open.dialogs.answer));
     open.trigger("printReport");
     QCOMPARE(open.dialogs.previews, 1);
+}
+
+void MainWindowTest::nothingIsWrittenOverTheDatabase()
+{
+    SmallFleet fleet;
+    const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
+    OpenWindow open(fleet.stores);
+    open.window.go(id);
+    const QString database = fleet.stores.location();
+    const QString link = open.folder.filePath("report.pdf");
+    QVERIFY(QFile::link(database, link));
+    for (const QString& path : {database, link, database + "-wal"}) {
+        for (const char* action : {"report", "exportFleet", "backup"}) {
+            open.dialogs.answer = path;
+            open.trigger(action);
+            QVERIFY2(open.window.messages().messages().last().contains("which is read"), action);
+        }
+    }
+    open.dialogs.answer = "/dev/full";
+    open.trigger("report");
+    QVERIFY(open.window.messages().messages().last().contains("device"));
+    QVERIFY(open.backedUpTo.isEmpty());
+    QCOMPARE(fleet.stores.whole().swings.size(), std::size_t{1});
+    // A plot asks the same way, without a page that passes the question on.
+    open.dialogs.answer = link;
+    open.trigger("exportPlot");
+    QVERIFY(open.window.messages().messages().last().contains("which is read"));
+    open.dialogs.answer = open.folder.filePath("plot.svg");
+    open.trigger("exportPlot");
+    QVERIFY(QFile::exists(open.dialogs.answer));
 }
 
 void MainWindowTest::aircraftIsEditedInPlace()

@@ -3,13 +3,13 @@
 #include <QAction>
 #include <QClipboard>
 #include <QContextMenuEvent>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QImage>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QPainter>
 
+#include "ui/plots/base/AsksToSave.h"
 #include "ui/plots/base/Chart.h"
 #include "ui/plots/base/ChartMouse.h"
 #include "ui/plots/base/PlotFile.h"
@@ -67,19 +67,23 @@ Result<void> Plot::exportTo(const QString& path, QSize size_px) const
     return writePlotFile(path, size_px, name(), [this](QPainter& painter, const QRectF& target) { render(painter, target); });
 }
 
-void Plot::exportInteractively()
+AsksToSave* Plot::asksToSave() const
 {
-    QFileDialog dialog(this, tr("Export the plot"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setNameFilters({tr("Image (*.png)"), tr("Drawing (*.svg)"), tr("PDF (*.pdf)")});
-    dialog.setDefaultSuffix("png");
-    dialog.selectFile(name().toLower() + ".png");
-    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
-        dialog.setDefaultSuffix(filter.contains(".svg") ? "svg" : filter.contains(".pdf") ? "pdf" : "png");
-    });
-    if (dialog.exec() != QDialog::Accepted)
+    for (QWidget* above = parentWidget(); above; above = above->parentWidget())
+        if (auto* asks = dynamic_cast<AsksToSave*>(above))
+            return asks;
+    return nullptr;
+}
+
+void Plot::exportInteractively(const QString& suggestion)
+{
+    AsksToSave* window = asksToSave();
+    const QString path = window ? window->askToSave(tr("Export the plot"), suggestion.isEmpty() ? name().toLower() : suggestion,
+                             tr("Image (*.png);;Drawing (*.svg);;PDF (*.pdf)"))
+                                : QString();
+    if (path.isEmpty())
         return;
-    const Result<void> written = exportTo(dialog.selectedFiles().constFirst());
+    const Result<void> written = exportTo(path);
     if (!written)
         emit failed(QString::fromStdString(describe(written.error())));
 }
@@ -178,7 +182,8 @@ void Plot::contextMenuEvent(QContextMenuEvent* event)
     addLegend(menu);
     menu.addAction(tr("&Reset zoom"), QKeySequence(Qt::Key_Home), this, &Plot::resetZoom);
     menu.addAction(tr("&Copy"), QKeySequence(QKeySequence::Copy), this, &Plot::copyToClipboard);
-    menu.addAction(tr("&Export…"), this, &Plot::exportInteractively);
+    if (asksToSave())
+        menu.addAction(tr("&Export…"), this, [this] { exportInteractively(); });
     menu.exec(event->globalPos());
 }
 

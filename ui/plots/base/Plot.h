@@ -13,6 +13,8 @@ class QPainter;
 
 namespace lubberline::ui {
 
+class AsksToSave;
+
 class Chart;
 class ChartMouse;
 
@@ -30,8 +32,9 @@ public:
     /// The ending says which: .png, .svg or .pdf. Errors: InvalidInput (another ending), Io,
     /// Unsupported (no font). No half-written file is left.
     Result<void> exportTo(const QString& path, QSize size_px = {900, 650}) const;
-    /// A QFileDialog, then exportTo(); failures are told by failed().
-    void exportInteractively();
+    /// Asks the window that it stands in, then exportTo(); failures are told by failed(). Where no window asks, nothing happens.
+    /// @param suggestion  of the file's name, without its ending; empty: the plot's name.
+    void exportInteractively(const QString& suggestion = {});
     void copyToClipboard() const;
 
     [[nodiscard]] QSize sizeHint() const override { return {560, 480}; }
@@ -62,6 +65,7 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    [[nodiscard]] AsksToSave* asksToSave() const;
     void followPalette();
     void addLegend(QMenu& menu);
 
