@@ -1,9 +1,9 @@
 #include "app/Paths.h"
 
-#include <QDateTime>
 #include <QDir>
 #include <QStandardPaths>
-#include <QTimeZone>
+
+#include "core/base/Clock.h"
 
 namespace lubberline::app {
 
@@ -40,6 +40,6 @@ Result<QString> demonstrationPath(const std::string& option)
     return option.empty() ? inDataFolder("demonstration.lubberline") : named(option);
 }
 
-QString nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate); }
+QString nowUtc() { return QString::fromStdString(machineClock().nowUtc()); }
 
 } // namespace lubberline::app

@@ -1,5 +1,3 @@
-#include <QDateTime>
-
 #include <array>
 #include <cstdio>
 #include <set>
@@ -7,6 +5,7 @@
 #include "app/Console.h"
 #include "app/OpenStores.h"
 #include "app/Outputs.h"
+#include "app/Paths.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/base/FileText.h"
@@ -36,7 +35,7 @@ struct WaiverOptions {
     bool json = false;
 };
 
-std::string todayUtc() { return QDateTime::currentDateTimeUtc().date().toString(Qt::ISODate).toStdString(); }
+std::string todayUtc() { return nowUtc().left(10).toStdString(); }
 
 Result<std::string> dayOr(const std::string& option, const char* name)
 {

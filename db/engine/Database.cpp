@@ -157,6 +157,7 @@ struct Database::State {
     TransactionState transaction;
     Changes changes;
     Fault fault;
+    Clock clock = machineClock();
 
     Result<void> connect(bool immutable);
     ~State();
@@ -220,6 +221,8 @@ Result<void> Database::onlyRead()
 Changes& Database::changes() const { return m_state->changes; }
 void Database::setFault(Fault fault) { m_state->fault = std::move(fault); }
 const Fault& Database::fault() const { return m_state->fault; }
+void Database::setClock(Clock clock) { m_state->clock = std::move(clock); }
+const Clock& Database::clock() const { return m_state->clock; }
 TransactionState& Database::transactionState() { return m_state->transaction; }
 
 Result<void> Database::connectToOurs(int newest)

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/Clock.h"
 #include "core/base/Result.h"
 #include "db/engine/Faults.h"
 
@@ -58,6 +59,9 @@ public:
     /// For tests; what is opened of this one for a worker has the same.
     void setFault(Fault fault);
     [[nodiscard]] const Fault& fault() const;
+    /// Of what is stored with a time; the machine's, unless a test gives another. What is opened of this one for a worker has the same.
+    void setClock(Clock clock);
+    [[nodiscard]] const Clock& clock() const;
     /// For the other sources of db only.
     [[nodiscard]] QSqlDatabase connection() const;
     [[nodiscard]] TransactionState& transactionState();

@@ -1,7 +1,5 @@
 #include "db/stores/Audit.h"
 
-#include <QDateTime>
-
 #include "db/engine/Statement.h"
 
 namespace lubberline::db {
@@ -9,7 +7,7 @@ namespace lubberline::db {
 Result<void> audit(Database& database, const std::string& what, const std::string& record, const std::string& detail)
 {
     Statement statement(database, "INSERT INTO audit_entry (time_utc, what, record, detail) VALUES (?, ?, ?, ?)");
-    statement << QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString() << what << record << detail;
+    statement << database.clock().nowUtc_ms() << what << record << detail;
     return statement.run();
 }
 

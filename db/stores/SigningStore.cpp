@@ -1,8 +1,6 @@
 #include "db/stores/SigningStore.h"
 
 #include <QCryptographicHash>
-#include <QDateTime>
-
 #include <algorithm>
 
 #include "core/format/exchange/SignedContent.h"
@@ -17,12 +15,6 @@
 #include "db/stores/SwingStore.h"
 
 namespace lubberline::db {
-
-namespace {
-
-std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
-
-} // namespace
 
 Result<std::string> SigningStore::hashOf(SwingId id)
 {
@@ -112,7 +104,7 @@ Result<void> SigningStore::sign(SwingId id, Signature signature)
     const auto hash = hashOf(id);
     if (!hash)
         return hash.error();
-    signature.timeUtc = nowUtc();
+    signature.timeUtc = m_database.clock().nowUtc();
     signature.hash = *hash;
     if (const auto kept = addSignature(m_database, id, signature); !kept)
         return kept;

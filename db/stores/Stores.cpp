@@ -46,6 +46,7 @@ Result<std::unique_ptr<Stores>> Stores::openForWorker() const
     if (!database)
         return database.error();
     database->setFault(m_database.fault());
+    database->setClock(m_database.clock());
     return std::make_unique<Stores>(std::move(database.value()));
 }
 

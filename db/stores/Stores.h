@@ -30,6 +30,7 @@ public:
     [[nodiscard]] Changes& changes() const { return m_database.changes(); }
     [[nodiscard]] QString location() const { return m_database.path(); } ///< for the status bar
     [[nodiscard]] bool readOnly() const { return m_database.readOnly(); }
+    [[nodiscard]] const Clock& clock() const { return m_database.clock(); } ///< for all who work with these stores
     [[nodiscard]] Result<Transaction> begin() { return Transaction::begin(m_database); }
 
     /// A connection of its own to the same database, to be made, used and destroyed on one worker thread. Nobody is told of what it

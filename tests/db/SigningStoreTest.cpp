@@ -33,6 +33,16 @@ TEST_F(SigningStore, twoPeopleFreezeASwing)
     EXPECT_EQ((*m_signing.hold(id))[0], true);
 }
 
+TEST_F(SigningStore, timesAreThoseOfTheClockThatTheDatabaseWasGiven)
+{
+    using namespace std::chrono;
+    m_database.setClock({[] { return Clock::Time(sys_days(2026y / December / 31) + hours(23) + minutes(30)); }});
+    const SwingId id = completed();
+    ASSERT_TRUE(m_signing.sign(id, {SignatureRole::Performer, "Ada", "", "", ""}));
+    EXPECT_EQ(m_swings.swing(id)->signatures[0].timeUtc, "2026-12-31T23:30:00Z");
+    EXPECT_EQ(m_signing.auditOf(m_swings.swing(id)->record)->back().timeUtc, "2026-12-31T23:30:00.000Z");
+}
+
 TEST_F(SigningStore, aSignatureNoLongerHoldsOnceTheSwingIsChanged)
 {
     const SwingId id = completed();

@@ -38,11 +38,11 @@ QString totalText(const SensorModel& model)
 
 } // namespace
 
-BenchResults::BenchResults(QWidget* parent) : QTabWidget(parent)
+BenchResults::BenchResults(const Clock& clock, QWidget* parent) : QTabWidget(parent)
 {
     setObjectName(QStringLiteral("benchResults"));
     addTab(buildShares(), tr("&Parts' shares"));
-    addTab(buildCoefficients(), tr("&Coefficients"));
+    addTab(buildCoefficients(clock), tr("&Coefficients"));
 }
 
 QWidget* BenchResults::buildShares()
@@ -65,12 +65,12 @@ QWidget* BenchResults::buildShares()
     return box;
 }
 
-QWidget* BenchResults::buildCoefficients()
+QWidget* BenchResults::buildCoefficients(const Clock& clock)
 {
     auto* box = new QWidget;
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(4, 4, 4, 4);
-    m_field = new SensorFieldForm;
+    m_field = new SensorFieldForm(clock);
     m_smith = new SmithTermsPanel;
     layout->addWidget(m_field);
     layout->addWidget(m_smith, 1);

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "core/base/Clock.h"
 #include "core/iron/BenchModel.h"
 #include "db/stores/Stores.h"
 
@@ -20,7 +21,7 @@ class BenchResults : public QTabWidget {
     Q_OBJECT
 
 public:
-    explicit BenchResults(QWidget* parent = nullptr);
+    explicit BenchResults(const Clock& clock, QWidget* parent = nullptr);
 
     /// The field of the newest swing of the compass is chosen.
     void showFieldOf(db::Stores& stores, CompassId compass);
@@ -29,7 +30,7 @@ public:
 
 private:
     QWidget* buildShares();
-    QWidget* buildCoefficients();
+    QWidget* buildCoefficients(const Clock& clock);
     void showShares(const BenchModel& model);
     void showCoefficients();
 

@@ -68,7 +68,7 @@ void IronBenchPage::build()
     m_tables = new BenchTables;
     m_drawing = new BenchDrawing;
     m_drawing->setObjectName(QStringLiteral("benchDrawing"));
-    m_results = new BenchResults;
+    m_results = new BenchResults(m_stores.clock());
     auto* across = new QSplitter;
     across->addWidget(m_drawing);
     across->addWidget(m_results);

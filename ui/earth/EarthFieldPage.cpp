@@ -1,7 +1,6 @@
 #include "ui/earth/EarthFieldPage.h"
 
 #include <QComboBox>
-#include <QDateTime>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -53,8 +52,6 @@ QLabel* wrappingLabel(const QString& name)
     return label;
 }
 
-QString today() { return QDateTime::currentDateTimeUtc().date().toString(Qt::ISODate); }
-
 QString titleOf(const FieldModel& model)
 {
     return EarthFieldPage::tr("%1, %2 to %3")
@@ -83,7 +80,7 @@ EarthFieldPage::EarthFieldPage(db::Stores& stores, ChooseFile chooseFile, QWidge
     , m_worker([this](Result<FieldGrid> grid) { takeMap(std::move(grid)); })
 {
     setObjectName(QStringLiteral("earthFieldPage"));
-    m_date->setText(today());
+    m_date->setText(toText(m_stores.clock().today()));
     build();
     connectInputs();
 }
@@ -210,7 +207,7 @@ void EarthFieldPage::showPlace(const QString& label, const Place& place, const Q
 {
     m_label = label;
     typePlace(place);
-    m_date->setText(date.isEmpty() ? today() : date);
+    m_date->setText(date.isEmpty() ? toText(m_stores.clock().today()) : date);
     if (!isVisible())
         return; // showEvent() goes on
     loadSites();

@@ -1,7 +1,6 @@
 #include "ui/earth/PredictionPage.h"
 
 #include <QComboBox>
-#include <QDate>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -111,7 +110,7 @@ QWidget* PredictionPage::buildForm()
     m_latitude = line(tr("&Latitude:"), "predictionLatitude");
     m_longitude = line(tr("L&ongitude:"), "predictionLongitude");
     m_date = line(tr("&Date:"), "predictionDate");
-    m_date->setText(QDate::currentDate().toString(Qt::ISODate));
+    m_date->setText(toText(m_stores.clock().today()));
     m_field = words("predictionField", this);
     form->addRow(tr("Field there:"), m_field);
     return box;

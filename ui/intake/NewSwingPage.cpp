@@ -1,7 +1,6 @@
 #include "ui/intake/NewSwingPage.h"
 
 #include <QComboBox>
-#include <QDateTime>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -131,7 +130,7 @@ void NewSwingPage::build()
 void NewSwingPage::begin(AircraftId aircraft, CompassId compass)
 {
     complain({});
-    m_date->setText(QDateTime::currentDateTimeUtc().date().toString(Qt::ISODate));
+    m_date->setText(toText(m_context.stores.clock().today()));
     loadTypes();
     auto sites = m_context.stores.sites.sites();
     m_sites = sites ? std::move(sites.value()) : std::vector<Site>();

@@ -1,7 +1,6 @@
 #include "ui/sensor/SensorFieldForm.h"
 
 #include <QComboBox>
-#include <QDateTime>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -29,10 +28,10 @@ Result<Place> placeOf(const Site& site) { return makePlace(*site.latitude_deg, *
 
 } // namespace
 
-SensorFieldForm::SensorFieldForm(QWidget* parent)
+SensorFieldForm::SensorFieldForm(const Clock& clock, QWidget* parent)
     : QWidget(parent)
     , m_choice(new QComboBox)
-    , m_date(new QLineEdit(QDateTime::currentDateTimeUtc().date().toString(Qt::ISODate)))
+    , m_date(new QLineEdit(toText(clock.today())))
     , m_words(new QLabel)
     , m_field(MeridianField::fromDip(kUsualHorizontal_nT, toRadians(kUsualDip_deg)))
     , m_last(*m_field)

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "core/base/Clock.h"
 #include "core/record/Site.h"
 #include "core/sensor/SensorSetup.h"
 
@@ -21,7 +22,8 @@ class SensorFieldForm : public QWidget {
     Q_OBJECT
 
 public:
-    explicit SensorFieldForm(QWidget* parent = nullptr);
+    /// It begins with the field of today.
+    explicit SensorFieldForm(const Clock& clock, QWidget* parent = nullptr);
 
     /// Sites without latitude and longitude are left out. What was typed stays; a site that is no more becomes what it gave.
     void setSites(const std::vector<Site>& sites);

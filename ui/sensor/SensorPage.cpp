@@ -34,7 +34,7 @@ SensorPage::SensorPage(EditContext& context, QUndoStack& stack, FileQuestions fi
     , m_files(files)
     , m_editor(new SensorEditor(context, stack, this))
     , m_title(new QLabel)
-    , m_field(new SensorFieldForm)
+    , m_field(new SensorFieldForm(context.stores.clock()))
     , m_form(new SensorForm)
     , m_controls(new MapControls(*m_editor))
     , m_maps(new SensorMaps)

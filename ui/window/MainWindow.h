@@ -55,7 +55,6 @@ struct WindowServices {
     std::function<void()> openDemonstration;                 ///< the first of the three choices of an empty database
     std::function<Result<void>(const QString& path)> backup; ///< may be empty: then there is no Backup
     QStringList recoveryFiles = {};                          ///< where what cannot be stored is kept; none: nowhere
-    std::function<std::string()> nowUtc = {};                ///< ISO 8601; empty: the machine's clock
 };
 
 class MainWindow : public QMainWindow, public AsksToSave {

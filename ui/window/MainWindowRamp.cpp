@@ -1,7 +1,6 @@
 // The work on the ramp: the guided swing, and how the window reaches it.
 
 #include <QAction>
-#include <QDateTime>
 #include <QLabel>
 #include <QMenu>
 #include <QStackedWidget>
@@ -32,10 +31,7 @@ constexpr int kDueDelay_ms = 300; // many changes at once are looked at once
 
 }
 
-std::string MainWindow::nowUtc() const
-{
-    return m_services.nowUtc ? m_services.nowUtc() : QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-}
+std::string MainWindow::nowUtc() const { return m_stores.clock().nowUtc(); }
 
 bool MainWindow::guidedOpen(SwingId id)
 {
@@ -86,7 +82,7 @@ GuidedPage* MainWindow::makeGuidedPage()
 void MainWindow::watchDue()
 {
     m_dueWatch = new DueWatch(
-        m_stores, [this] { return nowUtc().substr(0, 10); }, this);
+        m_stores, [this] { return m_stores.clock().today(); }, this);
     auto* soon = new QTimer(this);
     soon->setSingleShot(true);
     soon->setInterval(kDueDelay_ms);
@@ -117,7 +113,7 @@ DuePage& MainWindow::duePage()
     if (m_duePage)
         return *m_duePage;
     m_duePage = new DuePage(
-        m_stores, [this] { return nowUtc().substr(0, 10); }, fileQuestions());
+        m_stores, [this] { return m_stores.clock().today(); }, fileQuestions());
     m_pages->addWidget(m_duePage);
     connect(m_duePage, &DuePage::failed, this, &MainWindow::fail);
     connect(m_duePage, &DuePage::done, this, [this](const QString& message) { report({}, message); });
@@ -181,7 +177,7 @@ void MainWindow::keepElsewhere(const SwingRecord& record, std::variant<LostStep,
 void MainWindow::showSites()
 {
     leaveField();
-    auto& page = pageOf(m_sitesPage, [this] { return new SitesPage(m_context, m_stack, [this] { return nowUtc().substr(0, 10); }); });
+    auto& page = pageOf(m_sitesPage, [this] { return new SitesPage(m_context, m_stack, [this] { return m_stores.clock().today(); }); });
     page.reload();
     turnTo(page);
 }
@@ -189,7 +185,7 @@ void MainWindow::showSites()
 void MainWindow::showInstruments()
 {
     leaveField();
-    auto& page = pageOf(m_instrumentsPage, [this] { return new InstrumentsPage(m_stores, [this] { return nowUtc().substr(0, 10); }); });
+    auto& page = pageOf(m_instrumentsPage, [this] { return new InstrumentsPage(m_stores, [this] { return m_stores.clock().today(); }); });
     page.reload();
     turnTo(page);
 }
@@ -199,7 +195,7 @@ void MainWindow::showElectrical()
     const CompassId compass = compassShown();
     leaveField();
     showOn(
-        m_electricalPage, false, [this] { return wired(new ElectricalPage(m_stores, [this] { return nowUtc().substr(0, 10); })); },
+        m_electricalPage, false, [this] { return wired(new ElectricalPage(m_stores, [this] { return m_stores.clock().today(); })); },
         [compass](ElectricalPage& page) { return page.showCompass(compass); });
 }
 

@@ -1,0 +1,84 @@
+// There is one way to do a thing, and one place where it is done: the text of the sources is held against the calls that only that place
+// may make. Comments do not count.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct OneWay {
+    const char* name;
+    const char* calls;            ///< a regular expression
+    std::set<std::string> places; ///< the files that may
+};
+
+void PrintTo(const OneWay& way, std::ostream* stream) { *stream << way.name; } // GoogleTest's name for it
+
+const std::vector<OneWay> kWays = {
+    {"clock",
+        R"(QDateTime::current|QDate::current|QTime::current|system_clock|\btime\((nullptr|NULL|0|&)|\bgettimeofday|CLOCK_REALTIME|\b(local|gm)time(_r)?\(|'now'|CURRENT_(TIMESTAMP|DATE|TIME)\b)",
+        {"core/base/Clock.h", "core/base/Clock.cpp"}},
+    // The commands, the window and what is opened without another clock.
+    {"machineClock", R"(machineClock\()", {"core/base/Clock.h", "core/base/Clock.cpp", "app/Paths.cpp", "db/engine/Database.cpp"}},
+    // Besides: what could not be stored is appended, a line at once; a backup is written by SQLite, and put on the drive and in its place.
+    {"writingFiles", R"(\bofstream|\bfopen\(|QSaveFile|QFile::rename|::rename\(|QIODevice::WriteOnly *\||\bmkstemp)",
+        {"core/base/OutputFile.cpp", "ui/window/Recovery.cpp", "db/transfer/Maintenance.cpp"}},
+    {"threads", R"(QtConcurrent|QFutureWatcher|QThreadPool|QThread::create|public QThread\b|std::j?thread|std::async)",
+        {"ui/kit/Worker.h", "ui/kit/Worker.cpp"}},
+    {"askingForFiles", R"(QFileDialog\b)", {"ui/kit/Dialogs.h", "ui/kit/Dialogs.cpp"}},
+};
+
+/// Without what is said in comments, which may name what the code may not.
+std::string codeOf(const fs::path& path)
+{
+    std::ifstream file(path);
+    std::string code;
+    for (std::string line; std::getline(file, line);)
+        code += line.substr(0, line.find("//")) + '\n';
+    return code;
+}
+
+std::vector<std::string> filesThatCall(const std::string& calls)
+{
+    const std::regex pattern(calls);
+    std::vector<std::string> found;
+    int files = 0;
+    for (const char* top : {"core", "db", "ui", "app"})
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(LUBBERLINE_SOURCE) / top)) {
+            const auto ending = entry.path().extension();
+            if (ending != ".h" && ending != ".cpp")
+                continue;
+            ++files;
+            const std::string code = codeOf(entry.path());
+            if (std::regex_search(code, pattern))
+                found.push_back(fs::relative(entry.path(), LUBBERLINE_SOURCE).string());
+        }
+    EXPECT_GT(files, 200) << "the test looks in the wrong place";
+    return found;
+}
+
+} // namespace
+
+class OneWayOnly : public testing::TestWithParam<OneWay> {};
+
+TEST_P(OneWayOnly, isGoneByEverybody)
+{
+    const auto& places = GetParam().places;
+    std::set<std::string> unused = places;
+    for (const std::string& file : filesThatCall(GetParam().calls)) {
+        EXPECT_TRUE(places.contains(file)) << file << " goes another way; expected it in " << *places.begin() << " alone";
+        unused.erase(file);
+    }
+    for (const std::string& place : places)
+        EXPECT_TRUE(fs::exists(fs::path(LUBBERLINE_SOURCE) / place)) << place << " is not there";
+    EXPECT_LT(unused.size(), places.size()) << "nothing is found: the pattern is wrong";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OneWayOnly, testing::ValuesIn(kWays), [](const auto& one) { return std::string(one.param.name); });
