@@ -42,8 +42,8 @@ Result<CardSheet> cardFromFiles(const std::vector<std::string>& files, const Car
         const SwingRecord& first = sheet.input.record;
         if (record.aircraft.registration != first.aircraft.registration || record.compass.name != first.compass.name)
             return Error{ErrorCode::Conflict,
-                "this swing is of " + record.aircraft.registration + ", " + record.compass.name + "; expected the aircraft and compass of "
-                    + files.front() + " (" + first.aircraft.registration + ", " + first.compass.name + ")",
+                {MARKED("app", "this swing is of %1, %2; expected the aircraft and compass of %3 (%4, %5)"), record.aircraft.registration,
+                    record.compass.name, files.front(), first.aircraft.registration, first.compass.name},
                 file};
         sheet.input.columns.push_back({columnHeading(record.swing, files.size() > 1), std::move(*card)});
         sheet.warnings.insert(sheet.warnings.end(), swing->warnings.begin(), swing->warnings.end());

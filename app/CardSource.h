@@ -10,7 +10,7 @@ namespace lubberline::app {
 
 struct CardSheet {
     ui::CardInput input; ///< without the time it was made
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 
 /// @param files one or two Swing CSV files of the same compass. Errors: those of reading, analysing and makeCard();

@@ -28,10 +28,10 @@ int fail(const Error& error)
     return kFailed;
 }
 
-void warn(const std::vector<std::string>& warnings)
+void warn(const std::vector<Message>& warnings)
 {
     for (const auto& warning : warnings)
-        std::fprintf(stderr, "lubberline: warning: %s\n", warning.c_str());
+        std::fprintf(stderr, "lubberline: warning: %s\n", warning.english().c_str());
 }
 
 void say(const std::string& message) { std::fprintf(stderr, "lubberline: %s\n", message.c_str()); }

@@ -15,7 +15,7 @@ enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2 };
 /// "lubberline: FILE:LINE: what is wrong and what was expected" on standard error. @return kFailed.
 int fail(const Error& error);
 /// "lubberline: warning: …" on standard error, a line each.
-void warn(const std::vector<std::string>& warnings);
+void warn(const std::vector<Message>& warnings);
 /// "lubberline: …" on standard error.
 void say(const std::string& message);
 

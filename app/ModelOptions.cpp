@@ -13,7 +13,7 @@ Result<void> switchCircuits(SensorModel& model, const std::vector<std::string>& 
         const auto equals = text.rfind('=');
         const std::string name = text.substr(0, equals), state = equals == std::string::npos ? "" : text.substr(equals + 1);
         if (state != "on" && state != "off")
-            return Error{ErrorCode::InvalidInput, "--switch \"" + text + "\"; expected NAME=on or NAME=off"};
+            return Error{ErrorCode::InvalidInput, {MARKED("app", "--switch \"%1\"; expected NAME=on or NAME=off"), text}};
         bool found = false;
         std::string names;
         for (auto& circuit : model.circuits) {
@@ -25,7 +25,8 @@ Result<void> switchCircuits(SensorModel& model, const std::vector<std::string>& 
         }
         if (!found)
             return Error{ErrorCode::InvalidInput,
-                "there is no circuit \"" + name + "\"; " + (names.empty() ? "the model has none" : "the model has " + names)};
+                names.empty() ? Message{MARKED("app", "there is no circuit \"%1\"; the model has none"), name}
+                              : Message{MARKED("app", "there is no circuit \"%1\"; the model has %2"), name, names}};
     }
     return {};
 }

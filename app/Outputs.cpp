@@ -54,7 +54,7 @@ Result<void> writeOutput(const std::string& path, const std::string& content)
     if (!isStandardOutput(path))
         return writeWholeFile(path, content);
     if (std::fwrite(content.data(), 1, content.size(), stdout) != content.size() || std::fflush(stdout) != 0)
-        return Error{ErrorCode::Io, "standard output takes no more; expected one that is read to its end", path};
+        return Error{ErrorCode::Io, MARKED("app", "standard output takes no more; expected one that is read to its end"), path};
     return {};
 }
 

@@ -13,14 +13,14 @@ Result<QString> inDataFolder(const QString& name)
 {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + "/lubberline";
     if (!QDir().mkpath(folder))
-        return Error{ErrorCode::Io, "the data folder cannot be made; name a database with --db FILE", folder.toStdString()};
+        return Error{ErrorCode::Io, MARKED("app", "the data folder cannot be made; name a database with --db FILE"), folder.toStdString()};
     return folder + "/" + name;
 }
 
 Result<QString> named(const std::string& option)
 {
     if (option.starts_with("postgresql:"))
-        return Error{ErrorCode::Unsupported, "PostgreSQL databases are not supported yet; expected an SQLite file", option};
+        return Error{ErrorCode::Unsupported, MARKED("app", "PostgreSQL databases are not supported yet; expected an SQLite file"), option};
     return QString::fromStdString(option);
 }
 

@@ -20,12 +20,12 @@ Result<PlacedSwings> placedSwings(const std::string& database, const std::vector
         if (!record)
             return record.error();
         if (compass.valid() && compass != record->compass.id)
-            return Error{ErrorCode::InvalidInput, "swing " + name + " is of another compass; expected swings of one compass"};
+            return Error{ErrorCode::InvalidInput, {MARKED("app", "swing %1 is of another compass; expected swings of one compass"), name}};
         compass = record->compass.id;
         placed.limits = record->limits;
         auto swing = swingAtPlace(*record);
         if (!swing)
-            return Error{swing.error().code, "swing " + name + ": " + swing.error().message};
+            return Error{swing.error().code, {MARKED("app", "swing %1: %2"), name, swing.error().message}};
         placed.swings.push_back(std::move(swing.value()));
     }
     return placed;

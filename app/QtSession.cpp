@@ -59,8 +59,8 @@ Result<std::unique_ptr<QApplication>> makeWindowSession(int& argc, char** argv)
 {
     if (!hasDisplay())
         return Error{ErrorCode::Unsupported,
-            "there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set, or QT_QPA_PLATFORM names one that nobody sees); "
-            "commands work without one: lubberline --help"};
+            MARKED("app",
+                "there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set, or QT_QPA_PLATFORM names one that nobody sees); commands work without one: lubberline --help")};
     qInstallMessageHandler(showMessage);
     auto session = std::make_unique<QApplication>(argc, argv);
     describeApplication();

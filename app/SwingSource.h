@@ -14,7 +14,7 @@ namespace lubberline::app {
 /// A swing with its particulars and the warnings of reading it.
 struct SourcedSwing {
     SwingRecord record;
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
     std::string source; ///< named in errors
 };
 

@@ -67,16 +67,16 @@ int verifyCommand(db::Database& database, bool json)
         return fail(report.error());
     if (json)
         std::printf("%s\n",
-            nlohmann::ordered_json{{"swings", report->swings}, {"readings", report->readings}, {"findings", report->findings}}
+            nlohmann::ordered_json{{"swings", report->swings}, {"readings", report->readings}, {"findings", inEnglish(report->findings)}}
                 .dump(2)
                 .c_str());
     else
-        for (const auto& finding : report->findings)
+        for (const auto& finding : inEnglish(report->findings))
             std::printf("%s\n", finding.c_str());
     if (!report->findings.empty())
-        return fail({ErrorCode::Corrupt,
-            text("%zu findings in %lld swings; expected none", report->findings.size(), static_cast<long long>(report->swings)),
-            database.path().toStdString()});
+        return fail(
+            {ErrorCode::Corrupt, {MARKED("app", "%1 findings in %2 swings; expected none"), report->findings.size(), report->swings},
+                database.path().toStdString()});
     if (!json)
         std::printf("all is well: %lld swings with %lld readings\n", static_cast<long long>(report->swings),
             static_cast<long long>(report->readings));

@@ -36,7 +36,8 @@ Result<SwingId> swingToShow(db::Stores& stores)
         if (row.maxAbsDeviation_deg && usual && (*swings)[i + 1].row.compass == row.compass)
             return row.id;
     }
-    return Error{ErrorCode::NotFound, "the demonstration database has no swing with a result", stores.location().toStdString()};
+    return Error{
+        ErrorCode::NotFound, MARKED("app", "the demonstration database has no swing with a result"), stores.location().toStdString()};
 }
 
 Result<void> writePlots(
@@ -108,7 +109,8 @@ int demoCommand(const DemoArguments& options, const Invocation& invocation)
     const QDir folder(
         options.output.empty() ? QFileInfo(path).absoluteDir().filePath("demonstration") : QString::fromStdString(options.output));
     if (!folder.mkpath("."))
-        return fail({ErrorCode::Io, "the folder cannot be made; expected one that may be written", folder.path().toStdString()});
+        return fail(
+            {ErrorCode::Io, MARKED("app", "the folder cannot be made; expected one that may be written"), folder.path().toStdString()});
 
     const auto swing = swingToShow(**stores);
     if (!swing)
@@ -130,7 +132,7 @@ int demoCommand(const DemoArguments& options, const Invocation& invocation)
     const std::string program = QCoreApplication::applicationFilePath().toStdString();
     const std::string database = path.toStdString();
     execl(program.c_str(), program.c_str(), "--db", database.c_str(), nullptr);
-    return fail({ErrorCode::Io, "the window could not be started", program});
+    return fail({ErrorCode::Io, MARKED("app", "the window could not be started"), program});
 }
 
 } // namespace

@@ -42,7 +42,8 @@ Result<std::string> dayOr(const std::string& option, const char* name)
     if (option.empty())
         return todayUtc();
     if (!isIsoDate(option))
-        return Error{ErrorCode::InvalidInput, std::string(name) + ": '" + option + "' is no day of the calendar; expected YYYY-MM-DD"};
+        return Error{
+            ErrorCode::InvalidInput, {MARKED("app", "%1: '%2' is no day of the calendar; expected YYYY-MM-DD"), std::string(name), option}};
     return option;
 }
 
@@ -65,7 +66,7 @@ std::string reasonOf(const DueLine& line)
         return {};
     const DueFlag& flag = line.answer.flags.front();
     const std::string more = line.answer.flags.size() > 1 ? text(", and %zu more", line.answer.flags.size() - 1) : std::string();
-    return flag.reason + (flag.event.empty() ? "" : " [event " + flag.event.substr(0, kEnough) + "]") + more;
+    return flag.reason.english() + (flag.event.empty() ? "" : " [event " + flag.event.substr(0, kEnough) + "]") + more;
 }
 
 void print(const std::vector<DueLine>& lines)
@@ -93,7 +94,7 @@ int dueCommand(const DueArguments& options, const std::string& database)
         if (wanted(line, options, *today))
             lines.push_back(line);
     for (const auto& warning : news->warnings)
-        say("not predicted after a move: " + warning);
+        say("not predicted after a move: " + warning.english());
     if (!options.calendar.empty()) {
         if (const auto written = writeOutput(options.calendar, writeCalendar(calendarOf(news->lines), *today + "T00:00:00Z")); !written)
             return fail(written.error());
@@ -131,8 +132,9 @@ Result<DueCause> causeOf(const EventOptions& options)
     }
     const auto near = nearWord(options.cause, names);
     return Error{ErrorCode::InvalidInput,
-        "--cause: '" + options.cause + "' is not known; expected one of " + known
-            + (near.empty() ? "" : " (did you mean " + std::string(near) + "?)")};
+        near.empty()
+            ? Message{MARKED("app", "--cause: '%1' is not known; expected one of %2"), options.cause, known}
+            : Message{MARKED("app", "--cause: '%1' is not known; expected one of %2 (did you mean %3?)"), options.cause, known, near}};
 }
 
 int eventCommand(const EventOptions& options, const std::string& database)
@@ -184,10 +186,9 @@ Result<RecordId> eventNamed(db::Stores& stores, const std::string& id)
             if (!id.empty() && event.record.starts_with(id))
                 found.insert(event.record);
     if (found.empty())
-        return Error{ErrorCode::NotFound, "there is no event '" + id + "'; expected a record id as `lubberline due` tells it"};
+        return Error{ErrorCode::NotFound, {MARKED("app", "there is no event '%1'; expected a record id as `lubberline due` tells it"), id}};
     if (found.size() > 1)
-        return Error{
-            ErrorCode::InvalidInput, "'" + id + "' begins " + std::to_string(found.size()) + " events; expected more of the record id"};
+        return Error{ErrorCode::InvalidInput, {MARKED("app", "'%1' begins %2 events; expected more of the record id"), id, found.size()}};
     return *found.begin();
 }
 

@@ -33,7 +33,7 @@ void print(const char* name, const FourPointErrors& errors)
 
 int electricalCommand(const ElectricalArguments& options)
 {
-    const auto text = readWholeFile(options.file, "an Electrical JSON");
+    const auto text = readWholeFile(options.file, MARKED("app", "an Electrical JSON"));
     if (!text)
         return fail(text.error());
     const auto swing = readElectricalJson(*text, options.file);
@@ -53,11 +53,11 @@ int electricalCommand(const ElectricalArguments& options)
             std::printf("self-check: largest %.1f', mean %.1f': %s\n", check->largest_deg * 60, check->mean_deg * 60,
                 check->passed ? "passed" : "not passed");
     }
-    object["open"] = openPoints(*swing);
+    object["open"] = inEnglish(openPoints(*swing));
     if (options.json)
         std::printf("%s\n", object.dump(2).c_str());
     else
-        for (const auto& point : openPoints(*swing))
+        for (const auto& point : inEnglish(openPoints(*swing)))
             std::printf("open: %s\n", point.c_str());
     return kDone;
 }

@@ -60,7 +60,7 @@ Result<ModelMap> mapOf(const std::string& path, const std::vector<std::string>& 
         return Error{switched.error().code, switched.error().message, path};
     const auto field = fieldOf(*setup);
     if (!field)
-        return Error{field.error().code, "field: " + field.error().message, path};
+        return Error{field.error().code, {MARKED("app", "field: %1"), field.error().message}, path};
     ModelMap made;
     made.source = {std::filesystem::path(path).filename().string(), *field, {}};
     for (const auto& circuit : setup->model.circuits)

@@ -64,7 +64,7 @@ int nmeaCommand(const NmeaArguments& options)
     if (!swing)
         return fail(swing.error());
     std::optional<Analysis> analysis;
-    std::vector<std::string> warnings = swing->warnings;
+    std::vector<Message> warnings = swing->warnings;
     if (auto analysed = analyse(observationsOf(*swing))) {
         analysis = std::move(analysed.value());
         warnings.insert(warnings.end(), analysis->warnings.begin(), analysis->warnings.end());

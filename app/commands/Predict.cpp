@@ -81,7 +81,7 @@ void printTable(const PredictAnswer& answer)
 {
     const Prediction& there = answer.there;
     std::printf("expected with H %.0f nT, dip %+.1f deg; from %s\n", there.there.horizontal_nT, toDegrees(there.there.inclination_rad()),
-        there.basis.c_str());
+        there.basis.english().c_str());
     std::printf("magnetic   deviation     lowest    highest\n   (deg)  (deg, E +)      (deg)      (deg)\n");
     for (std::size_t i = 0; i < there.points.size(); i += 6) {
         const auto& point = there.points[i];
@@ -94,7 +94,7 @@ void printTable(const PredictAnswer& answer)
     std::printf("verdict: %s\n", nameOf(judge(there, answer.limits)));
     if (answer.here) {
         const auto again = swingAgainAfterMove(*answer.here, there, answer.limits);
-        std::printf("swing again: %s, %s\n", again.needed ? "yes" : "no", again.reason.c_str());
+        std::printf("swing again: %s, %s\n", again.needed ? "yes" : "no", again.reason.english().c_str());
     }
 }
 

@@ -16,7 +16,7 @@ struct ReportArguments {
     bool archive = false;
 };
 
-int writeInput(const ReportArguments& options, ui::ReportInput input, const std::vector<std::string>& warnings)
+int writeInput(const ReportArguments& options, ui::ReportInput input, const std::vector<Message>& warnings)
 {
     warn(warnings);
     warn(input.analysis.warnings);

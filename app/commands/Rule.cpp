@@ -36,7 +36,8 @@ struct TypeNames {
             return RecordId();
         const auto found = std::find_if(names.begin(), names.end(), [&](const auto& one) { return one.second == name; });
         if (found == names.end())
-            return Error{ErrorCode::NotFound, "there is no aircraft type '" + name + "' with a compass; expected one of the fleet, or all"};
+            return Error{ErrorCode::NotFound,
+                {MARKED("app", "there is no aircraft type '%1' with a compass; expected one of the fleet, or all"), name}};
         return found->first;
     }
 };
@@ -69,7 +70,8 @@ Result<void> change(db::Stores& stores, const std::vector<DueRule>& rules, const
 {
     const auto there = std::find_if(rules.begin(), rules.end(), [&](const DueRule& rule) { return rule.name == options.name; });
     if (options.remove && there == rules.end())
-        return Error{ErrorCode::NotFound, "there is no rule '" + options.name + "'; expected one that `lubberline rule` lists"};
+        return Error{
+            ErrorCode::NotFound, {MARKED("app", "there is no rule '%1'; expected one that `lubberline rule` lists"), options.name}};
     if (options.remove)
         return stores.due.removeRule(there->record);
     DueRule rule = there == rules.end() ? DueRule() : *there;

@@ -46,7 +46,7 @@ int separateCommand(const SeparateArguments& options, const std::string& databas
     std::printf("  correlation of c and P %+.2f; condition number %.1f (alike above %.0f)\n", separation->correlation,
         separation->conditionNumber, kAlikePlaces);
     for (const auto& each : knowledge)
-        std::printf("%s %s\n", each.known ? "known:    " : "not known:", each.what.c_str());
+        std::printf("%s %s\n", each.known ? "known:    " : "not known:", each.what.english().c_str());
     return kDone;
 }
 

@@ -45,8 +45,8 @@ int sign(db::Stores& stores, SwingId swing, const SignArguments& options)
 {
     const auto role = choiceOf<SignatureRole>(options.role);
     if (!role)
-        return fail(
-            Error{ErrorCode::InvalidInput, "--role: '" + options.role + "' is not known; expected " + allowedWords<SignatureRole>()});
+        return fail(Error{ErrorCode::InvalidInput,
+            {MARKED("app", "--role: '%1' is not known; expected %2"), options.role, allowedWords<SignatureRole>()}});
     return told(stores.signing.sign(swing, Signature{*role, options.name, options.licence, {}, {}}), stores, swing);
 }
 

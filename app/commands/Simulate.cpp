@@ -107,8 +107,9 @@ int writeFile(
     const bool none = std::none_of(points.begin(), points.end(), [](const SensorReading& point) { return point.compass.has_value(); });
     if (none && !endsWith(options.output, ".json"))
         return fail({ErrorCode::Numeric,
-            "the horizontal field at the sensor vanishes on every heading, which leaves no readings for " + options.output
-                + "; expected a compass that points",
+            {MARKED("app",
+                 "the horizontal field at the sensor vanishes on every heading, which leaves no readings for %1; expected a compass that points"),
+                options.output},
             options.model});
     const std::string content
         = endsWith(options.output, ".json") ? toJson(points, field) + "\n" : writeSwingCsv(swingOf(points, setup, options));
@@ -122,8 +123,8 @@ void warnOfVanished(const std::vector<SensorReading>& points)
 {
     for (const auto& point : points)
         if (!point.compass)
-            warn({"the horizontal field at the sensor vanishes on heading " + shortestNumber(point.attitude.heading.degrees())
-                + ": no compass heading there"});
+            warn({{MARKED("app", "the horizontal field at the sensor vanishes on heading %1: no compass heading there"),
+                shortestNumber(point.attitude.heading.degrees())}});
 }
 
 int simulateCommand(const SimulateArguments& options)
@@ -133,7 +134,7 @@ int simulateCommand(const SimulateArguments& options)
         return fail(setup.error());
     const auto field = fieldOf(*setup);
     if (!field)
-        return fail({field.error().code, "field: " + field.error().message, options.model});
+        return fail({field.error().code, {MARKED("app", "field: %1"), field.error().message}, options.model});
     const SensorResponse response = responseOf(setup->model);
     std::vector<SensorReading> points;
     for (const double heading_deg : options.headings_deg)

@@ -39,7 +39,7 @@ void printTable(const PoissonSmith& smith, const MeridianField& field)
     }
     std::printf("\nwhere the exact ones come from\n");
     for (const auto& term : smith.terms)
-        std::printf("%c %+13.6f  %s\n", letterOf(term.coefficient), term.value, term.cause.c_str());
+        std::printf("%c %+13.6f  %s\n", letterOf(term.coefficient), term.value, term.cause.english().c_str());
 }
 
 int smithCommand(const SmithArguments& options)
@@ -49,7 +49,7 @@ int smithCommand(const SmithArguments& options)
         return fail(setup.error());
     const auto field = fieldOf(*setup);
     if (!field)
-        return fail({field.error().code, "field: " + field.error().message, options.model});
+        return fail({field.error().code, {MARKED("app", "field: %1"), field.error().message}, options.model});
     const auto smith = smithOf(setup->model, *field);
     if (!smith)
         return fail({smith.error().code, smith.error().message, options.model});

@@ -127,9 +127,9 @@ std::optional<TypedAngle> scanAngle(std::string_view text)
     return scanner.atEnd() ? std::optional(angle) : std::nullopt;
 }
 
-Error notAnAngle(std::string_view text, const char* what, const char* expected)
+Error notAnAngle(std::string_view text, Pattern what, Pattern expected)
 {
-    return {ErrorCode::InvalidInput, "\"" + std::string(text) + "\" is " + what + "; expected " + expected};
+    return {ErrorCode::InvalidInput, {MARKED("core", "\"%1\" is %2; expected %3"), text, what, expected}};
 }
 
 std::string padded(std::string figures, std::size_t wholeDigits)
@@ -148,28 +148,28 @@ std::string degreesMinutes(long long minutes, std::size_t wholeDigits)
 
 Result<double> parseSignedAngle_deg(std::string_view text)
 {
-    constexpr const char* kExpected = "degrees such as 3.25, -3.25, 3.25W or 3\u00B015'W, between -180 and 180";
+    constexpr Pattern kExpected = MARKED("core", "degrees such as 3.25, -3.25, 3.25W or 3\u00B015'W, between -180 and 180");
     const auto angle = scanAngle(text);
     if (!angle)
-        return notAnAngle(text, "not an angle", kExpected);
+        return notAnAngle(text, MARKED("core", "not an angle"), kExpected);
     if (angle->letter && angle->sign != Sign::None)
-        return notAnAngle(text, "signed twice", "a sign or E or W, not both");
+        return notAnAngle(text, MARKED("core", "signed twice"), MARKED("core", "a sign or E or W, not both"));
     if (angle->magnitude_deg > 180.0)
-        return notAnAngle(text, "too large", kExpected);
+        return notAnAngle(text, MARKED("core", "too large"), kExpected);
     const bool negative = angle->sign == Sign::Minus || angle->letter == 'W';
     return negative ? 0.0 - angle->magnitude_deg : angle->magnitude_deg;
 }
 
 Result<double> parseHeading_deg(std::string_view text)
 {
-    constexpr const char* kExpected = "degrees from 0 to 360, such as 47.5 or 47\u00B030'";
+    constexpr Pattern kExpected = MARKED("core", "degrees from 0 to 360, such as 47.5 or 47\u00B030'");
     const auto angle = scanAngle(text);
     if (!angle)
-        return notAnAngle(text, "not a heading", kExpected);
+        return notAnAngle(text, MARKED("core", "not a heading"), kExpected);
     if (angle->letter)
-        return notAnAngle(text, "not a heading: it has an E or a W", kExpected);
+        return notAnAngle(text, MARKED("core", "not a heading: it has an E or a W"), kExpected);
     if (angle->magnitude_deg > 360.0 || (angle->sign == Sign::Minus && angle->magnitude_deg > 0.0))
-        return notAnAngle(text, "not a heading", kExpected);
+        return notAnAngle(text, MARKED("core", "not a heading"), kExpected);
     return wrap360(angle->magnitude_deg);
 }
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr int kMostLinks = 40;   ///< as many as the kernel follows (path_resolution(7))
 constexpr int kMostNames = 1000; ///< tried for the file beside: one that another program left is passed over
 
-Error outputError(const std::string& message, const std::string& path) { return {ErrorCode::Io, message, path}; }
+Error outputError(const Message& message, const std::string& path) { return {ErrorCode::Io, message, path}; }
 
 std::string reasonOf(int error) { return std::generic_category().message(error); }
 
@@ -33,14 +33,14 @@ std::optional<struct stat> stateOf(const std::string& path)
 /// To who the program acts as, which access(2) does not ask.
 bool allows(const std::string& path, int what) { return ::faccessat(AT_FDCWD, path.c_str(), what, AT_EACCESS) == 0; }
 
-/// What stands in the way when it is no plain file.
-const char* kindOf(const struct stat& state)
+/// What is wrong with it when it is no plain file.
+Pattern kindOf(const struct stat& state)
 {
     switch (state.st_mode & S_IFMT) {
-    case S_IFDIR: return "a folder";
-    case S_IFIFO: return "a pipe";
-    case S_IFSOCK: return "a socket";
-    default: return "a device";
+    case S_IFDIR: return MARKED("core", "this is a folder; expected the name of a file to write");
+    case S_IFIFO: return MARKED("core", "this is a pipe; expected the name of a file to write");
+    case S_IFSOCK: return MARKED("core", "this is a socket; expected the name of a file to write");
+    default: return MARKED("core", "this is a device; expected the name of a file to write");
     }
 }
 
@@ -52,7 +52,7 @@ Result<fs::path> targetOf(const std::string& path)
     for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
         const fs::path next = fs::read_symlink(target, error);
         if (error || links == kMostLinks)
-            return outputError("this is a link that leads to no file; expected the name of a file to write", path);
+            return outputError(MARKED("core", "this is a link that leads to no file; expected the name of a file to write"), path);
         target = target.parent_path() / next; // an absolute one replaces the whole
     }
     return target;
@@ -64,12 +64,13 @@ Result<void> checkFolder(const fs::path& folder, const std::string& path)
 {
     const auto state = stateOf(folder.string());
     if (!state)
-        return outputError("the folder " + folder.string() + " does not exist; expected an existing folder to write into", path);
-    if (!S_ISDIR(state->st_mode))
-        return outputError(folder.string() + " is not a folder; expected a folder to write into", path);
-    if (!allows(folder.string(), W_OK | X_OK))
         return outputError(
-            "the folder " + folder.string() + " takes no new file (" + reasonOf(errno) + "); expected a folder that may be written to",
+            {MARKED("core", "the folder %1 does not exist; expected an existing folder to write into"), folder.string()}, path);
+    if (!S_ISDIR(state->st_mode))
+        return outputError({MARKED("core", "%1 is not a folder; expected a folder to write into"), folder.string()}, path);
+    if (!allows(folder.string(), W_OK | X_OK))
+        return outputError({MARKED("core", "the folder %1 takes no new file (%2); expected a folder that may be written to"),
+                               folder.string(), reasonOf(errno)},
             path);
     return {};
 }
@@ -77,12 +78,14 @@ Result<void> checkFolder(const fs::path& folder, const std::string& path)
 Result<void> checkExisting(const struct stat& file, const std::string& path, const std::vector<std::string>& inputs)
 {
     if (!S_ISREG(file.st_mode))
-        return outputError(std::string("this is ") + kindOf(file) + "; expected the name of a file to write", path);
+        return outputError(kindOf(file), path);
     for (const auto& input : inputs)
         if (const auto other = stateOf(input); other && other->st_dev == file.st_dev && other->st_ino == file.st_ino)
-            return Error{ErrorCode::InvalidInput, "this is the same file as " + input + ", which is read; expected another name", path};
+            return Error{ErrorCode::InvalidInput,
+                {MARKED("core", "this is the same file as %1, which is read; expected another name"), input}, path};
     if (!allows(path, W_OK))
-        return outputError("this file may not be written (" + reasonOf(errno) + "); expected one that may, or another name", path);
+        return outputError(
+            {MARKED("core", "this file may not be written (%1); expected one that may, or another name"), reasonOf(errno)}, path);
     return {};
 }
 
@@ -162,9 +165,11 @@ void keepFolder(const fs::path& folder)
 Error writingError(int error, const fs::path& folder, const std::string& path)
 {
     if (error == ENOSPC || error == EDQUOT)
-        return {ErrorCode::Full, "there is no room for it in the folder " + folder.string() + "; expected a drive with free space", path};
+        return {ErrorCode::Full,
+            {MARKED("core", "there is no room for it in the folder %1; expected a drive with free space"), folder.string()}, path};
     return outputError(
-        "cannot be written into the folder " + folder.string() + " (" + reasonOf(error) + "); expected a drive that takes it", path);
+        {MARKED("core", "cannot be written into the folder %1 (%2); expected a drive that takes it"), folder.string(), reasonOf(error)},
+        path);
 }
 
 } // namespace
@@ -172,7 +177,7 @@ Error writingError(int error, const fs::path& folder, const std::string& path)
 Result<void> checkOutput(const std::string& path, const std::vector<std::string>& inputs)
 {
     if (path.empty())
-        return outputError("there is no name; expected the name of a file to write", path);
+        return outputError(MARKED("core", "there is no name; expected the name of a file to write"), path);
     if (const auto file = stateOf(path))
         if (const auto allowed = checkExisting(*file, path, inputs); !allowed)
             return allowed;
@@ -180,7 +185,7 @@ Result<void> checkOutput(const std::string& path, const std::vector<std::string>
     if (!target)
         return target.error();
     if (!target->has_filename())
-        return outputError("this is the name of a folder; expected the name of a file to write", path);
+        return outputError(MARKED("core", "this is the name of a folder; expected the name of a file to write"), path);
     return checkFolder(folderOf(*target), path);
 }
 
@@ -194,8 +199,8 @@ Result<void> writeWholeFile(const std::string& path, std::string_view content, c
     const fs::path folder = folderOf(*target);
     FileBeside beside(folder);
     if (!beside.isOpen())
-        return outputError(
-            "the folder " + folder.string() + " takes no new file (" + reasonOf(errno) + "); expected a folder that may be written to",
+        return outputError({MARKED("core", "the folder %1 takes no new file (%2); expected a folder that may be written to"),
+                               folder.string(), reasonOf(errno)},
             path);
     const auto before = stateOf(target->string());
     if ((before && !beside.takeRightsOf(*before)) || !beside.write(content) || !beside.finish() || !beside.renameTo(*target))

@@ -2,16 +2,14 @@
 
 namespace lubberline {
 
-std::string describe(const Error& error)
+Message described(const Error& error)
 {
-    std::string text;
-    if (!error.file.empty()) {
-        text += error.file + ":";
-        if (error.line > 0)
-            text += std::to_string(error.line) + ":";
-        text += " ";
-    }
-    return text + error.message;
+    if (error.file.empty())
+        return error.message;
+    const std::string place = error.line > 0 ? error.file + ":" + std::to_string(error.line) : error.file;
+    return {Pattern{nullptr, "%1: %2"}, place, error.message}; // as compilers say it, in every language
 }
+
+std::string describe(const Error& error) { return described(error).english(); }
 
 } // namespace lubberline

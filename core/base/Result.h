@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/base/Contract.h"
+#include "core/base/Message.h"
 
 namespace lubberline {
 
@@ -29,12 +30,14 @@ enum class ErrorCode {
 /// What went wrong, in words for the user: what is wrong and what was expected.
 struct Error {
     ErrorCode code = ErrorCode::InvalidInput;
-    std::string message;
+    Message message;
     std::string file = {}; ///< empty when no file is concerned
     std::int64_t line = 0; ///< 1-based; 0 when no line is concerned
 };
 
 /// "FILE:LINE: message", leaving out what is not known.
+[[nodiscard]] Message described(const Error& error);
+/// The same in English: for commands, files and tests.
 [[nodiscard]] std::string describe(const Error& error);
 
 /// A value or the Error that explains why there is none.

@@ -6,24 +6,24 @@
 
 namespace lubberline {
 
-Result<std::string> readWholeFile(const std::string& path, const std::string& expected)
+Result<std::string> readWholeFile(const std::string& path, const Message& expected)
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
-        return Error{ErrorCode::Io, "is a folder; expected " + expected, path};
+        return Error{ErrorCode::Io, {MARKED("core", "is a folder; expected %1"), expected}, path};
     std::ifstream file(path, std::ios::binary);
     if (!file)
-        return Error{ErrorCode::Io, "cannot be opened; expected " + expected + " that exists and may be read", path};
+        return Error{ErrorCode::Io, {MARKED("core", "cannot be opened; expected %1 that exists and may be read"), expected}, path};
     std::string text;
     std::vector<char> block(std::size_t{1} << 16);
     while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0) {
         text.append(block.data(), static_cast<std::size_t>(file.gcount()));
         if (text.size() > kMaxWholeFileBytes)
             return Error{
-                ErrorCode::Format, "is larger than " + std::to_string(kMaxWholeFileBytes >> 20) + " MiB; expected " + expected, path};
+                ErrorCode::Format, {MARKED("core", "is larger than %1 MiB; expected %2"), kMaxWholeFileBytes >> 20, expected}, path};
     }
     if (file.bad())
-        return Error{ErrorCode::Io, "cannot be read to its end", path};
+        return Error{ErrorCode::Io, MARKED("core", "cannot be read to its end"), path};
     return text;
 }
 

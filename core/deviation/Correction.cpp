@@ -27,8 +27,8 @@ Result<Observation> readingOn(std::span<const Observation> readings, Cardinal ca
     if (nearest)
         return *nearest;
     return Error{ErrorCode::InvalidInput,
-        std::string("no reading on ") + letterOf(cardinal) + " (within 11.25° of magnetic heading "
-            + std::to_string(static_cast<int>(headingOf_deg(cardinal))) + "°); a correction needs readings on N, E, S and W"};
+        {MARKED("core", "no reading on %1 (within 11.25° of magnetic heading %2°); a correction needs readings on N, E, S and W"),
+            letterOf(cardinal), static_cast<int>(headingOf_deg(cardinal))}};
 }
 
 /// The term is added to what the compass reads now: (reading) + B sin ψ or C cos ψ at the cardinal, that is ± the coefficient.

@@ -167,10 +167,10 @@ double HarmonicOrder::phase_rad() const { return order == 0 ? 0.0 : std::atan2(c
 Result<Harmonics> harmonics(std::span<const HarmonicSample> samples, int maxOrder)
 {
     if (samples.empty())
-        return Error{ErrorCode::InvalidInput, "no readings; expected at least one for a mean"};
+        return Error{ErrorCode::InvalidInput, MARKED("core", "no readings; expected at least one for a mean")};
     for (const auto& sample : samples)
         if (!std::isfinite(sample.heading_rad) || !std::isfinite(sample.deviation_rad))
-            return Error{ErrorCode::InvalidInput, "a heading or deviation is not a finite number"};
+            return Error{ErrorCode::InvalidInput, MARKED("core", "a heading or deviation is not a finite number")};
     const auto ordered = sorted(samples);
     Harmonics result;
     if (equallySpaced(ordered)) {

@@ -58,17 +58,15 @@ std::string degreesText(double heading_rad)
     return digits + "." + std::to_string(whole % 10) + "°";
 }
 
-Error foldError(const std::string& what, const std::string& of, double reading_deg, const std::vector<double>& roots_rad)
+/// `none` and `several`: what to say of the reading (%1) that no heading, or several (%2), would give.
+Error foldError(Pattern none, Pattern several, double reading_deg, const std::vector<double>& roots_rad)
 {
     if (roots_rad.empty())
-        return {ErrorCode::Numeric,
-            "no " + of + " gives the " + what + " " + degreesText(toRadians(reading_deg)) + ": the coefficients are too large"};
+        return {ErrorCode::Numeric, {none, degreesText(toRadians(reading_deg))}};
     std::string headings;
     for (const double root : roots_rad)
         headings += (headings.empty() ? "" : ", ") + degreesText(root);
-    return {ErrorCode::Numeric,
-        "the " + what + " " + degreesText(toRadians(reading_deg)) + " belongs to several " + of + "s (" + headings
-            + "): the deviation curve is folded; expected one"};
+    return {ErrorCode::Numeric, {several, degreesText(toRadians(reading_deg)), headings}};
 }
 
 Result<double> inverseSine(double argument, char letter)
@@ -76,8 +74,8 @@ Result<double> inverseSine(double argument, char letter)
     if (std::abs(argument) < 1.0)
         return std::asin(argument);
     return Error{ErrorCode::Numeric,
-        std::string("no approximate coefficient ") + letter + " exists: the sine that it would have is " + std::to_string(argument)
-            + "; expected one between -1 and 1"};
+        {MARKED("core", "no approximate coefficient %1 exists: the sine that it would have is %2; expected one between -1 and 1"), letter,
+            std::to_string(argument)}};
 }
 
 } // namespace
@@ -118,7 +116,9 @@ Result<MagneticHeading> magneticHeadingFor(const ExactSmith& smith, CompassHeadi
         return wrap_rad(psi_rad - deviationAt(smith, MagneticHeading::fromRadians(psi_rad)).radians() - compass.radians());
     });
     if (roots_rad.size() != 1)
-        return foldError("compass heading", "magnetic heading", compass.degrees(), roots_rad);
+        return foldError(MARKED("core", "no magnetic heading gives the compass heading %1: the coefficients are too large"),
+            MARKED("core", "the compass heading %1 belongs to several magnetic headings (%2): the deviation curve is folded; expected one"),
+            compass.degrees(), roots_rad);
     return MagneticHeading::fromRadians(roots_rad.front());
 }
 
@@ -128,7 +128,9 @@ Result<CompassHeading> compassHeadingFor(const ApproximateSmith& smith, Magnetic
         return wrap_rad(z_rad + deviationAt(smith, CompassHeading::fromRadians(z_rad)).radians() - magnetic.radians());
     });
     if (roots_rad.size() != 1)
-        return foldError("magnetic heading", "compass heading", magnetic.degrees(), roots_rad);
+        return foldError(MARKED("core", "no compass heading gives the magnetic heading %1: the coefficients are too large"),
+            MARKED("core", "the magnetic heading %1 belongs to several compass headings (%2): the deviation curve is folded; expected one"),
+            magnetic.degrees(), roots_rad);
     return CompassHeading::fromRadians(roots_rad.front());
 }
 

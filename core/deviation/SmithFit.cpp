@@ -55,13 +55,11 @@ Result<int> enoughHeadings(std::span<const Observation> readings, const std::vec
 {
     if (readings.size() < 3)
         return Error{ErrorCode::InvalidInput,
-            std::to_string(readings.size()) + " reading" + (readings.size() == 1 ? "" : "s")
-                + " with both headings; expected at least 3 on different headings"};
+            {MARKED_N("core", "%n reading(s) with both headings; expected at least 3 on different headings"), readings.size()}};
     const int distinct = distinctHeadings(readings, order);
     if (distinct < 3)
         return Error{ErrorCode::InvalidInput,
-            "all " + std::to_string(readings.size()) + " readings are on " + std::to_string(distinct) + " heading"
-                + (distinct == 1 ? "" : "s") + "; expected at least 3 different headings"};
+            {MARKED_N("core", "all %1 readings are on %n heading(s); expected at least 3 different headings"), distinct, readings.size()}};
     return distinct;
 }
 

@@ -103,8 +103,8 @@ std::vector<CalendarEntry> calendarOf(std::span<const DueLine> lines)
             if (flag.since.empty() || flag.since == line.answer.nextByCalendar)
                 continue; // no day to stand on; or the calendar's own
             const std::string what = flag.event.empty() ? "place-" : "event-" + flag.event + "-";
-            entries.push_back(
-                {what + line.compass.compassRecord + "@lubberline", flag.since, "Compass swing of " + whose + " is due", flag.reason});
+            entries.push_back({what + line.compass.compassRecord + "@lubberline", flag.since, "Compass swing of " + whose + " is due",
+                flag.reason.english()});
         }
     }
     return entries;

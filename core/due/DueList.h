@@ -14,7 +14,7 @@ namespace lubberline {
 /// An aircraft that is based elsewhere than where its compass was last swung, and what is predicted for it there.
 struct MovePrediction {
     CompassId compass;
-    std::string reason; ///< in words; empty: it stays within its limits
+    Message reason; ///< empty: it stays within its limits
 };
 
 struct DueLine {

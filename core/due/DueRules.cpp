@@ -17,10 +17,10 @@ std::optional<DueFlag> calendarFlag(const DueInput& input, const std::string& la
     if (!input.rule)
         return {};
     if (lastSigned.empty())
-        return DueFlag{DueState::Due, {}, "no signed swing is on record", {}};
+        return DueFlag{DueState::Due, {}, MARKED("core", "no signed swing is on record"), {}};
     const std::string last = addMonths(lastSigned, input.rule->months);
     const int left = daysBetween(input.today, last);
-    const std::string words = input.rule->name + ": " + std::to_string(input.rule->months) + " months after the swing of " + lastSigned;
+    const Message words{MARKED_N("core", "%1: %n month(s) after the swing of %2"), input.rule->months, input.rule->name, lastSigned};
     if (left < -input.rule->graceDays)
         return DueFlag{DueState::Overdue, last, words, {}};
     if (left < 0)
@@ -36,7 +36,7 @@ std::optional<DueFlag> installationFlag(const DueInput& input, const std::string
 {
     if (input.installed.empty() || input.installed > input.today || lastSigned >= input.installed)
         return {};
-    return DueFlag{DueState::Due, input.installed, "installed on " + input.installed + ", and no swing signed since", {}};
+    return DueFlag{DueState::Due, input.installed, {MARKED("core", "installed on %1, and no swing signed since"), input.installed}, {}};
 }
 
 bool answered(const DueEvent& event, const DueInput& input, const std::string& lastSigned)
@@ -74,7 +74,7 @@ DueAnswer dueOf(const DueInput& input)
             continue;
         if (!input.installed.empty() && event.date < input.installed)
             continue; // before this compass was on the aircraft
-        answer.flags.push_back({DueState::Due, event.date, event.text, event.record});
+        answer.flags.push_back({DueState::Due, event.date, Message::verbatim(event.text), event.record});
     }
     if (input.predictedOutOfLimits)
         answer.flags.push_back({DueState::Due, input.today, input.predictedReason, {}});

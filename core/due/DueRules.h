@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/Message.h"
 #include "core/record/Aircraft.h"
 #include "core/record/DueRule.h"
 
@@ -33,16 +34,16 @@ struct DueInput {
     std::optional<DueRule> rule;       ///< calendar; none: no calendar rule applies
     std::string installed;             ///< since when the compass is on the aircraft; empty: not stated
     bool predictedOutOfLimits = false; ///< where the aircraft is based now (core/swing/Prediction.h)
-    std::string predictedReason;
+    Message predictedReason;
 };
 
 enum class DueState { NotDue, DueSoon, Due, Overdue };
 
 struct DueFlag {
     DueState state = DueState::Due;
-    std::string since;  ///< date of the event or installation, or the calendar's last day; empty: never swung
-    std::string reason; ///< in words
-    RecordId event;     ///< that opened it; empty: calendar, installation or prediction
+    std::string since; ///< date of the event or installation, or the calendar's last day; empty: never swung
+    Message reason;
+    RecordId event; ///< that opened it; empty: calendar, installation or prediction
 };
 
 struct DueAnswer {

@@ -7,11 +7,13 @@ namespace lubberline {
 Result<Place> makePlace(double latitude_deg, double longitude_deg, double height_m)
 {
     if (!std::isfinite(latitude_deg) || std::abs(latitude_deg) > 90.0)
-        return Error{ErrorCode::InvalidInput, "the latitude is beyond the poles; expected -90 to 90 degrees, north positive"};
+        return Error{
+            ErrorCode::InvalidInput, MARKED("core", "the latitude is beyond the poles; expected -90 to 90 degrees, north positive")};
     if (!std::isfinite(longitude_deg))
-        return Error{ErrorCode::InvalidInput, "the longitude is not a number; expected degrees, east positive"};
+        return Error{ErrorCode::InvalidInput, MARKED("core", "the longitude is not a number; expected degrees, east positive")};
     if (!std::isfinite(height_m) || height_m < -10'000.0 || height_m > 600'000.0)
-        return Error{ErrorCode::InvalidInput, "the height is outside the models; expected -10 000 to 600 000 m above the ellipsoid"};
+        return Error{
+            ErrorCode::InvalidInput, MARKED("core", "the height is outside the models; expected -10 000 to 600 000 m above the ellipsoid")};
     const double wrapped = wrap180(longitude_deg);
     return Place{latitude_deg, wrapped == 180.0 ? -180.0 : wrapped, height_m};
 }

@@ -30,8 +30,8 @@ public:
     Result<FieldTable> read();
 
 private:
-    Error wrong(const std::string& what, const Line& line) const { return {ErrorCode::Format, what, m_path, line.number}; }
-    Error wrong(const std::string& what) const { return {ErrorCode::Format, what, m_path, 0}; }
+    Error wrong(const Message& what, const Line& line) const { return {ErrorCode::Format, what, m_path, line.number}; }
+    Error wrong(const Message& what) const { return {ErrorCode::Format, what, m_path, 0}; }
     Result<void> readLines();
     Result<FieldTable> readCof();
     Result<FieldTable> readIgrf();
@@ -48,14 +48,14 @@ Result<void> FieldFile::readLines()
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(m_path, ignored))
-        return Error{ErrorCode::Io, "is a folder; expected a file of magnetic coefficients", m_path};
+        return Error{ErrorCode::Io, MARKED("core", "is a folder; expected a file of magnetic coefficients"), m_path};
     std::ifstream file(m_path, std::ios::binary);
     if (!file)
-        return Error{ErrorCode::Io, "cannot be opened; expected a file of magnetic coefficients", m_path};
+        return Error{ErrorCode::Io, MARKED("core", "cannot be opened; expected a file of magnetic coefficients"), m_path};
     std::string text;
     for (std::int64_t number = 1; std::getline(file, text); ++number) {
         if (text.find('\0') != std::string::npos || text.size() > 4096 || m_lines.size() > kMostLines)
-            return wrong("is no text of magnetic coefficients (WMM .COF or IGRF table)");
+            return wrong(MARKED("core", "is no text of magnetic coefficients (WMM .COF or IGRF table)"));
         std::istringstream words(text);
         Line line{{}, number};
         for (std::string word; words >> word;)
@@ -64,17 +64,17 @@ Result<void> FieldFile::readLines()
             m_lines.push_back(std::move(line));
     }
     if (m_lines.empty())
-        return wrong("is empty; expected magnetic coefficients (WMM .COF or IGRF table)");
+        return wrong(MARKED("core", "is empty; expected magnetic coefficients (WMM .COF or IGRF table)"));
     return {};
 }
 
 Result<double> FieldFile::number(const Line& line, std::size_t word) const
 {
     if (word >= line.words.size())
-        return wrong("the line has " + counted(line.words.size(), "figure") + "; it is cut short", line);
+        return wrong({MARKED_N("core", "the line has %n figure(s); it is cut short"), line.words.size()}, line);
     const FileNumber read = readNumber(line.words[word]);
     if (read.fault != NumberFault::None)
-        return wrong(inQuotes(line.words[word]) + " is not a number", line);
+        return wrong({MARKED("core", "%1 is not a number"), inQuotes(line.words[word])}, line);
     return read.value;
 }
 
@@ -84,7 +84,7 @@ Result<int> FieldFile::whole(const Line& line, std::size_t word) const
     if (!value)
         return value.error();
     if (*value < 0 || *value > kMostDegree || *value != static_cast<int>(*value))
-        return wrong(inQuotes(line.words[word]) + " is no degree or order; expected a whole number", line);
+        return wrong({MARKED("core", "%1 is no degree or order; expected a whole number"), inQuotes(line.words[word])}, line);
     return static_cast<int>(*value);
 }
 
@@ -97,8 +97,9 @@ Result<void> FieldFile::checkPlace(const Line& line, std::size_t firstWord, int 
         return order.error();
     if (*degree == n && *order == m)
         return {};
-    return wrong("holds degree " + std::to_string(*degree) + " order " + std::to_string(*order) + " where degree " + std::to_string(n)
-            + " order " + std::to_string(m) + " was expected: a line is missing, doubled or out of order",
+    return wrong(
+        {MARKED("core", "holds degree %1 order %2 where degree %3 order %4 was expected: a line is missing, doubled or out of order"),
+            *degree, *order, n, m},
         line);
 }
 
@@ -115,7 +116,7 @@ Result<int> FieldFile::readCofRows(std::vector<std::array<Gauss, 2>>& rows) cons
         const Line& line = m_lines[i];
         if (isEndOfCof(line)) {
             if (m != 0 || n == 1)
-                return wrong("ends within degree " + std::to_string(n) + ", before order " + std::to_string(m) + ": it is cut short", line);
+                return wrong({MARKED("core", "ends within degree %1, before order %2: it is cut short"), n, m}, line);
             return n - 1;
         }
         if (const auto placed = checkPlace(line, 0, n, m); !placed)
@@ -128,15 +129,14 @@ Result<int> FieldFile::readCofRows(std::vector<std::array<Gauss, 2>>& rows) cons
             figures[k] = *figure;
         }
         if (line.words.size() > 6)
-            return wrong("has more than the six figures n m g h dg dh", line);
+            return wrong(MARKED("core", "has more than the six figures n m g h dg dh"), line);
         if (m == 0 && (figures[1] != 0.0 || figures[3] != 0.0))
-            return wrong("gives h for order 0, where there is none", line);
+            return wrong(MARKED("core", "gives h for order 0, where there is none"), line);
         rows.push_back({Gauss{figures[0], figures[1]}, Gauss{figures[2], figures[3]}});
         if (++m > n)
             ++n, m = 0;
     }
-    return wrong(
-        "ends without its line of nines after degree " + std::to_string(n) + " order " + std::to_string(m - 1) + ": it is cut short");
+    return wrong({MARKED("core", "ends without its line of nines after degree %1 order %2: it is cut short"), n, m - 1});
 }
 
 Result<FieldTable> FieldFile::readCof()
@@ -146,7 +146,9 @@ Result<FieldTable> FieldFile::readCof()
     if (!epoch)
         return epoch.error();
     if (header.words.size() < 2 || *epoch < 1900 || *epoch > 2200)
-        return wrong("is no header of a WMM coefficient file; expected epoch, name and date, as in \"2025.0 WMM-2025 11/13/2024\"", header);
+        return wrong(
+            MARKED("core", "is no header of a WMM coefficient file; expected epoch, name and date, as in \"2025.0 WMM-2025 11/13/2024\""),
+            header);
     std::vector<std::array<Gauss, 2>> rows;
     const auto degree = readCofRows(rows);
     if (!degree)
@@ -165,7 +167,7 @@ Result<FieldTable> FieldFile::readIgrf()
     // c/s deg ord IGRF IGRF …; g/h n m 1900.0 1905.0 … 2025.0 2025-30
     const auto years = std::find_if(m_lines.begin(), m_lines.end(), [](const Line& line) { return line.words.front() == "g/h"; });
     if (years == m_lines.end() || years->words.size() < 6)
-        return wrong("has no header \"g/h n m 1900.0 …\" with its epochs; expected an IGRF table");
+        return wrong(MARKED("core", "has no header \"g/h n m 1900.0 …\" with its epochs; expected an IGRF table"));
     const auto epochs = static_cast<int>(years->words.size()) - 4; // g/h, n, m and the column of the change
     std::vector<double> epoch;
     for (int i = 0; i < epochs; ++i) {
@@ -174,7 +176,7 @@ Result<FieldTable> FieldFile::readIgrf()
             return year.error();
         epoch.push_back(*year);
         if (i > 0 && std::abs(epoch[static_cast<std::size_t>(i)] - epoch[static_cast<std::size_t>(i - 1)] - 5.0) > 1e-9)
-            return wrong("has epochs that are not five years apart", *years);
+            return wrong(MARKED("core", "has epochs that are not five years apart"), *years);
     }
     struct Row {
         int n, m;
@@ -186,14 +188,14 @@ Result<FieldTable> FieldFile::readIgrf()
     std::vector<Row> rows;
     for (auto line = years + 1; line != m_lines.end(); ++line) {
         if (line->words.front() != (isG ? "g" : "h"))
-            return wrong("begins with " + inQuotes(line->words.front()) + " where " + (isG ? "g" : "h") + " of degree " + std::to_string(n)
-                    + " order " + std::to_string(m) + " was expected: a line is missing, doubled or out of order",
+            return wrong(
+                {MARKED("core", "begins with %1 where %2 of degree %3 order %4 was expected: a line is missing, doubled or out of order"),
+                    inQuotes(line->words.front()), isG ? 'g' : 'h', n, m},
                 *line);
         if (const auto placed = checkPlace(*line, 1, n, m); !placed)
             return placed.error();
         if (line->words.size() != years->words.size())
-            return wrong(
-                "has " + counted(line->words.size(), "word") + " where the header has " + std::to_string(years->words.size()), *line);
+            return wrong({MARKED_N("core", "has %n word(s) where the header has %1"), line->words.size(), years->words.size()}, *line);
         rows.push_back({n, m, isG, &*line});
         degree = n;
         if (isG && m > 0) {
@@ -205,7 +207,7 @@ Result<FieldTable> FieldFile::readIgrf()
         }
     }
     if (degree == 0 || m != 0 || !isG)
-        return wrong("ends within degree " + std::to_string(n) + ": it is cut short");
+        return wrong({MARKED("core", "ends within degree %1: it is cut short"), n});
     FieldTable table = emptyTable("IGRF of " + std::to_string(static_cast<int>(epoch.back())), epoch.front(), epochs, degree);
     for (const Row& row : rows)
         for (int i = 0; i <= epochs; ++i) {

@@ -32,7 +32,7 @@ Result<FieldGrid> fieldGrid(const FieldModel& model, double year, FieldElement e
     grid.values.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
     for (int row = 0; row < grid.rows; ++row) {
         if (progress && !progress(static_cast<double>(row) / grid.rows))
-            return Error{ErrorCode::Cancelled, "the map of the world was cancelled"};
+            return Error{ErrorCode::Cancelled, MARKED("core", "the map of the world was cancelled")};
         const auto circle = model.data().model.circle(year, grid.latitudeAt_deg(row), 0.0);
         for (int column = 0; column < grid.columns; ++column)
             grid.values.push_back(valueOf(element, circle.at(grid.longitudeAt_deg(column))));

@@ -46,7 +46,7 @@ std::string yearText(double year) { return std::isfinite(year) ? shortestNumber(
 Error outside(const std::string& model, double firstYear, double lastYear, double year)
 {
     return {ErrorCode::InvalidInput,
-        model + " is valid from " + yearText(firstYear) + " to " + yearText(lastYear) + ", and the date is " + yearText(year)};
+        {MARKED("core", "%1 is valid from %2 to %3, and the date is %4"), model, yearText(firstYear), yearText(lastYear), yearText(year)}};
 }
 
 FieldModel modelOf(const FieldTable& table) { return FieldModel(std::make_shared<const FieldModel::Data>(table)); }
@@ -55,10 +55,9 @@ void warnOfSmallHorizontal(FieldAnswer& answer, double horizontal_nT)
 {
     if (horizontal_nT >= kCautionHorizontal_nT)
         return;
-    const std::string zone = horizontal_nT < kBlackoutHorizontal_nT
-        ? "blackout zone: H is below 2000 nT, a compass is not to be used"
-        : "caution zone: H is below 6000 nT, declination and compasses are unreliable";
-    answer.warnings.push_back(zone);
+    answer.warnings.push_back(horizontal_nT < kBlackoutHorizontal_nT
+            ? MARKED("core", "blackout zone: H is below 2000 nT, a compass is not to be used")
+            : MARKED("core", "caution zone: H is below 6000 nT, declination and compasses are unreliable"));
 }
 
 /// "2026.9"; text with two hyphens is a date.
@@ -66,7 +65,7 @@ Result<double> decimalYearNumber(const std::string& text)
 {
     const FileNumber number = readNumber(text);
     if (number.fault != NumberFault::None || number.value < 1000.0 || number.value >= 10000.0)
-        return Error{ErrorCode::InvalidInput, inQuotes(text) + " is no date; expected YYYY-MM-DD, or a year as 2026.5"};
+        return Error{ErrorCode::InvalidInput, {MARKED("core", "%1 is no date; expected YYYY-MM-DD, or a year as 2026.5"), inQuotes(text)}};
     return number.value;
 }
 
@@ -138,8 +137,8 @@ Result<FieldModel> defaultFieldModel(double year)
         if (year >= model.firstYear() && year <= model.lastYear())
             return model;
     return Error{ErrorCode::InvalidInput,
-        newest.name() + " is valid from " + yearText(newest.firstYear()) + " to " + yearText(newest.lastYear()) + " and " + older.name()
-            + " from " + yearText(older.firstYear()) + " to " + yearText(older.lastYear()) + "; the date is " + yearText(year)};
+        {MARKED("core", "%1 is valid from %2 to %3 and %4 from %5 to %6; the date is %7"), newest.name(), yearText(newest.firstYear()),
+            yearText(newest.lastYear()), older.name(), yearText(older.firstYear()), yearText(older.lastYear()), yearText(year)}};
 }
 
 Result<FieldAnswer> fieldForCompass(const FieldModel& model, const Place& place, double year)
@@ -150,7 +149,7 @@ Result<FieldAnswer> fieldForCompass(const FieldModel& model, const Place& place,
     const double horizontal = answer->field.horizontal_nT();
     if (horizontal < kBlackoutHorizontal_nT)
         return Error{ErrorCode::Numeric,
-            "H is " + std::to_string(std::lround(horizontal)) + " nT there, below 2000 nT (blackout zone): a compass tells nothing"};
+            {MARKED("core", "H is %1 nT there, below 2000 nT (blackout zone): a compass tells nothing"), std::lround(horizontal)}};
     return answer;
 }
 
@@ -159,7 +158,7 @@ Result<double> decimalYear(const std::string& date)
     if (std::count(date.begin(), date.end(), '-') != 2)
         return decimalYearNumber(date);
     if (!isIsoDate(date))
-        return Error{ErrorCode::InvalidInput, inQuotes(date) + " is no day of the calendar; expected YYYY-MM-DD"};
+        return Error{ErrorCode::InvalidInput, {MARKED("core", "%1 is no day of the calendar; expected YYYY-MM-DD"), inQuotes(date)}};
     const auto part = [&date](std::size_t begin, std::size_t size) {
         int value = 0;
         std::from_chars(date.data() + begin, date.data() + begin + size, value);

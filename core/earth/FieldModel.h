@@ -31,7 +31,7 @@ struct FieldAnswer {
     double horizontalRate_nT = 0, totalRate_nT = 0;          ///< a year
     double declinationRate_deg = 0, inclinationRate_deg = 0; ///< a year
     std::optional<FieldUncertainty> uncertainty;             ///< none where the model states none
-    std::vector<std::string> warnings;                       ///< caution: H < 6000 nT makes declination unreliable
+    std::vector<Message> warnings;                           ///< caution: H < 6000 nT makes declination unreliable
 };
 
 /// Below, a compass tells nothing: refused (WMM2025 report: blackout zone).

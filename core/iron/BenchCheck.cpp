@@ -11,7 +11,7 @@ namespace {
 
 using Groups = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-Error wrong(const std::string& what, const std::string& why) { return {ErrorCode::InvalidInput, what + ": " + why}; }
+Error wrong(const Message& what, const Message& why) { return {ErrorCode::InvalidInput, {MARKED("core", "%1: %2"), what, why}}; }
 
 bool within(const Eigen::Vector3d& place_m) { return place_m.allFinite() && place_m.lpNorm<Eigen::Infinity>() <= kBenchReach_m; }
 
@@ -23,43 +23,43 @@ std::string listed(const std::vector<std::string>& words)
     return text;
 }
 
-Result<void> checkPlacements(const std::string& what, const FerrousPart& part)
+Result<void> checkPlacements(const Message& what, const FerrousPart& part)
 {
     if (part.group.empty() && (part.placements.size() != 1 || !part.placements.front().state.empty()))
-        return wrong(what, "has no group; expected one placement without a state");
+        return wrong(what, MARKED("core", "has no group; expected one placement without a state"));
     std::vector<std::string> states;
     for (const auto& placement : part.placements) {
         if (!within(placement.centre_m))
-            return wrong(what, "its centre must be within 1000 m of the datum");
+            return wrong(what, MARKED("core", "its centre must be within 1000 m of the datum"));
         if (!std::isfinite(placement.roll_rad + placement.pitch_rad + placement.yaw_rad))
-            return wrong(what, "its roll, pitch and yaw must be finite");
+            return wrong(what, MARKED("core", "its roll, pitch and yaw must be finite"));
         if (!part.group.empty() && placement.state.empty())
-            return wrong(what, "each placement in the group “" + part.group + "” names its state");
+            return wrong(what, {MARKED("core", "each placement in the group “%1” names its state"), part.group});
         if (std::find(states.begin(), states.end(), placement.state) != states.end())
-            return wrong(what, "the state “" + placement.state + "” is there twice");
+            return wrong(what, {MARKED("core", "the state “%1” is there twice"), placement.state});
         states.push_back(placement.state);
     }
     return {};
 }
 
-std::string whatIsWrong(const CurrentLoop& loop)
+Message whatIsWrong(const CurrentLoop& loop)
 {
     if (!within(loop.centre_m))
-        return "the loop's centre must be within 1000 m of the datum";
+        return MARKED("core", "the loop's centre must be within 1000 m of the datum");
     if (!loop.normal.allFinite() || !(loop.normal.norm() > 1e-9))
-        return "the loop's normal has no direction";
+        return MARKED("core", "the loop's normal has no direction");
     if (!(loop.diameter_m > 0 && loop.diameter_m <= kBenchReach_m))
-        return "the loop's diameter must be above 0 m and at most 1000 m";
-    return loop.turns >= 1 ? "" : "a loop has one turn or more";
+        return MARKED("core", "the loop's diameter must be above 0 m and at most 1000 m");
+    return loop.turns >= 1 ? Message() : MARKED("core", "a loop has one turn or more");
 }
 
-std::string whatIsWrong(const WirePath& path)
+Message whatIsWrong(const WirePath& path)
 {
     if (path.points_m.size() < 2)
-        return "a wire goes through two points or more";
+        return MARKED("core", "a wire goes through two points or more");
     for (const auto& point_m : path.points_m)
         if (!within(point_m))
-            return "the points of a wire must be within 1000 m of the datum";
+            return MARKED("core", "the points of a wire must be within 1000 m of the datum");
     return {};
 }
 
@@ -79,10 +79,13 @@ Result<void> checkStates(const Groups& groups, const BenchStates& states)
             std::vector<std::string> names;
             for (const auto& one : groups)
                 names.push_back(one.first);
-            return wrong("state " + group + "=" + state, "there is no such group; expected " + (names.empty() ? "none" : listed(names)));
+            return wrong({MARKED("core", "state %1=%2"), group, state},
+                {MARKED("core", "there is no such group; expected %1"),
+                    names.empty() ? Message(MARKED("core", "none")) : Message::verbatim(listed(names))});
         }
         if (std::find(found->second.begin(), found->second.end(), state) == found->second.end())
-            return wrong("state " + group + "=" + state, "there is no such state; expected " + listed(found->second));
+            return wrong({MARKED("core", "state %1=%2"), group, state},
+                {MARKED("core", "there is no such state; expected %1"), listed(found->second)});
     }
     return {};
 }
@@ -107,32 +110,32 @@ Groups groupsOf(const IronBench& bench)
 
 Result<void> checkPart(const FerrousPart& part)
 {
-    const std::string what = "part “" + part.name + "”";
+    const Message what{MARKED("core", "part “%1”"), part.name};
     if (part.name.empty())
-        return wrong("a part", "has no name");
+        return wrong(MARKED("core", "a part"), MARKED("core", "has no name"));
     const Eigen::Vector3d size_m = sizeOf(part.shape);
     if (!size_m.allFinite() || size_m.minCoeff() <= 0 || size_m.maxCoeff() > kBenchReach_m)
-        return wrong(what, "its sizes must be above 0 m and at most 1000 m");
+        return wrong(what, MARKED("core", "its sizes must be above 0 m and at most 1000 m"));
     if (size_m.maxCoeff() > kMostSlender * size_m.minCoeff())
-        return wrong(what, "it is more than 10,000 times as long as it is thick");
+        return wrong(what, MARKED("core", "it is more than 10,000 times as long as it is thick"));
     if (!(part.susceptibility >= 0 && part.susceptibility <= 1e9))
-        return wrong(what, "its susceptibility must be 0 or more (SI)");
+        return wrong(what, MARKED("core", "its susceptibility must be 0 or more (SI)"));
     if (!part.remanence_T.allFinite() || part.remanence_T.lpNorm<Eigen::Infinity>() > 10)
-        return wrong(what, "its remanence must be at most 10 T");
+        return wrong(what, MARKED("core", "its remanence must be at most 10 T"));
     if (part.placements.empty())
-        return wrong(what, "it is nowhere; expected a placement");
+        return wrong(what, MARKED("core", "it is nowhere; expected a placement"));
     return checkPlacements(what, part);
 }
 
 Result<void> checkCircuit(const BenchCircuit& circuit)
 {
-    const std::string what = "circuit “" + circuit.name + "”";
+    const Message what{MARKED("core", "circuit “%1”"), circuit.name};
     if (circuit.name.empty())
-        return wrong("a circuit", "has no name");
+        return wrong(MARKED("core", "a circuit"), MARKED("core", "has no name"));
     if (circuit.conductors.empty())
-        return wrong(what, "has no loop and no wire");
+        return wrong(what, MARKED("core", "has no loop and no wire"));
     if (!(std::abs(circuit.current_A) <= 1e6))
-        return wrong(what, "its current must be at most 1,000,000 A");
+        return wrong(what, MARKED("core", "its current must be at most 1,000,000 A"));
     for (const auto& conductor : circuit.conductors)
         if (const auto why = std::visit([](const auto& one) { return whatIsWrong(one); }, conductor); !why.empty())
             return wrong(what, why);
@@ -142,7 +145,7 @@ Result<void> checkCircuit(const BenchCircuit& circuit)
 Result<void> checkBench(const IronBench& bench)
 {
     if (!within(bench.sensor_m))
-        return wrong("sensor", "it must be within 1000 m of the datum");
+        return wrong(MARKED("core", "sensor"), MARKED("core", "it must be within 1000 m of the datum"));
     for (const auto& circuit : bench.circuits)
         if (const auto checked = checkCircuit(circuit); !checked)
             return checked.error();
@@ -153,8 +156,8 @@ Result<void> checkBench(const IronBench& bench)
     for (const auto& part : bench.parts)
         for (const auto& [group, states] : groups)
             if (group == part.group && part.placements.size() != states.size())
-                return wrong("part “" + part.name + "”",
-                    "the group “" + group + "” has the states " + listed(states) + "; expected a placement for each");
+                return wrong({MARKED("core", "part “%1”"), part.name},
+                    {MARKED("core", "the group “%1” has the states %2; expected a placement for each"), group, listed(states)});
     return {};
 }
 

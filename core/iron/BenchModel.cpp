@@ -101,7 +101,7 @@ Result<std::vector<PartEffect>> effectsOf(const std::vector<Placed>& parts, cons
     for (const std::size_t i : inOrderOfTensors(parts)) {
         const auto& one = parts[i];
         if (!work.goesOn())
-            return Error{ErrorCode::Cancelled, "the iron bench was cancelled"};
+            return Error{ErrorCode::Cancelled, MARKED("core", "the iron bench was cancelled")};
         if (one.key) {
             const auto tensor = tensorFor(*one.key, work.within(one));
             if (!tensor)
@@ -123,7 +123,7 @@ Result<std::vector<Circuit>> circuitsOf(const IronBench& bench)
         for (const auto& conductor : circuit.conductors) {
             if (std::visit([&](const auto& one) { return distanceTo(one, bench.sensor_m); }, conductor) < kLeastWireDistance_m)
                 return Error{ErrorCode::InvalidInput,
-                    "circuit “" + circuit.name + "”: the sensor stands on its wire; expected 1 mm or more between them"};
+                    {MARKED("core", "circuit “%1”: the sensor stands on its wire; expected 1 mm or more between them"), circuit.name}};
             if (const auto* loop = std::get_if<CurrentLoop>(&conductor))
                 field += fieldOfLoop_nT_per_A(*loop, bench.sensor_m);
             else
@@ -145,15 +145,16 @@ bool touches(const Placed& one)
     return contains(one.part->shape, inBox);
 }
 
-std::vector<std::string> warningsOf(const std::vector<Placed>& parts)
+std::vector<Message> warningsOf(const std::vector<Placed>& parts)
 {
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
     const auto magnetised = std::count_if(parts.begin(), parts.end(), [](const Placed& one) { return one.part->susceptibility > 0; });
     if (magnetised > 0 && parts.size() > 1)
-        warnings.push_back("parts are magnetised by the Earth's field only, not by one another");
+        warnings.push_back(MARKED("core", "parts are magnetised by the Earth's field only, not by one another"));
     for (const auto& one : parts)
         if (touches(one))
-            warnings.push_back("part “" + one.part->name + "” is so near the sensor that its field there is uncertain by 10 % and more");
+            warnings.push_back(
+                {MARKED("core", "part “%1” is so near the sensor that its field there is uncertain by 10 % and more"), one.part->name});
     return warnings;
 }
 
@@ -170,7 +171,7 @@ Result<BenchModel> benchModel(const IronBench& bench, const BenchStates& states,
     for (std::size_t i = 0; i < bench.parts.size(); ++i) {
         parts.push_back(placed(bench.parts[i], (*placements)[i], bench.sensor_m));
         if (contains(bench.parts[i].shape, parts.back().sensor_m))
-            return Error{ErrorCode::InvalidInput, "part “" + bench.parts[i].name + "”: the sensor is inside it"};
+            return Error{ErrorCode::InvalidInput, {MARKED("core", "part “%1”: the sensor is inside it"), bench.parts[i].name}};
     }
     BenchModel result;
     auto circuits = circuitsOf(bench);

@@ -30,7 +30,7 @@ struct PartEffect {
 struct BenchModel {
     SensorModel model;             ///< softIron, hardIron_nT and circuits; the rest is zero
     std::vector<PartEffect> parts; ///< in the order of the bench
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 
 /// The groups of the bench with their states, in the order in which they are first named.

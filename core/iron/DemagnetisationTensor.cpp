@@ -27,17 +27,16 @@ Result<void> check(const Shape& shape, const TensorGrid& grid)
 {
     const Eigen::Vector3d size_m = sizeOf(shape);
     if (!size_m.allFinite() || size_m.minCoeff() <= 0 || !std::isfinite(grid.cell_m) || grid.cell_m <= 0)
-        return Error{ErrorCode::InvalidInput, "a body and the cells of its grid must have sizes above 0 m"};
+        return Error{ErrorCode::InvalidInput, MARKED("core", "a body and the cells of its grid must have sizes above 0 m")};
     if (grid.cells < kFewestTensorCells)
         return Error{ErrorCode::InvalidInput,
-            "a grid of " + std::to_string(grid.cells) + " cells a side is too coarse; expected " + std::to_string(kFewestTensorCells)
-                + " or more"};
+            {MARKED("core", "a grid of %1 cells a side is too coarse; expected %2 or more"), grid.cells, kFewestTensorCells}};
     if (memoryFor(grid) > kMostTensorMemory)
         return Error{ErrorCode::InvalidInput,
-            "a grid of " + std::to_string(grid.cells) + " cells a side takes " + std::to_string(memoryFor(grid) >> 20)
-                + " MiB of memory; expected no more than " + std::to_string(kMostTensorMemory >> 20) + " MiB"};
+            {MARKED("core", "a grid of %1 cells a side takes %2 MiB of memory; expected no more than %3 MiB"), grid.cells,
+                memoryFor(grid) >> 20, kMostTensorMemory >> 20}};
     if (size_m.maxCoeff() > grid.cells * grid.cell_m * (1 + 1e-12))
-        return Error{ErrorCode::InvalidInput, "the body is larger than its grid of " + std::to_string(grid.cells) + " cells a side"};
+        return Error{ErrorCode::InvalidInput, {MARKED("core", "the body is larger than its grid of %1 cells a side"), grid.cells}};
     return {};
 }
 
@@ -229,7 +228,7 @@ Result<DemagnetisationTensor> demagnetisationTensor(const Shape& shape, const Te
     if (const auto checked = check(shape, grid); !checked)
         return checked.error();
     const auto goesOn = [&](double done) { return !progress || progress(done); };
-    const Error cancelled{ErrorCode::Cancelled, "the demagnetisation tensor was cancelled"};
+    const Error cancelled{ErrorCode::Cancelled, MARKED("core", "the demagnetisation tensor was cancelled")};
     if (!goesOn(0))
         return cancelled;
 

@@ -36,7 +36,7 @@ public:
     Result<NmeaSwing> make();
 
 private:
-    Error wrong(const std::string& message) const { return {ErrorCode::InvalidInput, message, m_name}; }
+    Error wrong(const Message& message) const { return {ErrorCode::InvalidInput, message, m_name}; }
     Result<void> chooseTalker();
     Result<void> chooseVariation();
     Result<Variation> variationOfModel();
@@ -67,16 +67,16 @@ Result<void> SwingOfLog::chooseTalker()
     const auto sends = [&](const std::string& talker) { return std::find(talkers.begin(), talkers.end(), talker) != talkers.end(); };
     if (!m_options.compassTalker.empty()) {
         if (!sends(m_options.compassTalker))
-            return wrong("the talker " + m_options.compassTalker + " sends no HDG or HDM; these do: " + listed(m_log));
+            return wrong({MARKED("core", "the talker %1 sends no HDG or HDM; these do: %2"), m_options.compassTalker, listed(m_log)});
         m_swing.compassTalker = m_options.compassTalker;
     } else if (talkers.size() == 1) {
         m_swing.compassTalker = talkers.front();
     } else if (sends("HC")) { // the standard's mnemonic of a magnetic compass
         m_swing.compassTalker = "HC";
         if (m_options.reference != NmeaReference::Magnetic)
-            m_swing.warnings.push_back("several talkers send headings: " + listed(m_log) + "; HC is taken as the compass");
+            m_swing.warnings.push_back({MARKED("core", "several talkers send headings: %1; HC is taken as the compass"), listed(m_log)});
     } else {
-        return wrong("several talkers send headings: " + listed(m_log) + "; say which is the compass");
+        return wrong({MARKED("core", "several talkers send headings: %1; say which is the compass"), listed(m_log)});
     }
     return {};
 }
@@ -108,7 +108,7 @@ void SwingOfLog::dropCorrectedHeadings()
     if (count == 0 || sum / count <= kSameCompass_deg)
         return;
     m_onlyType = "HDG";
-    m_swing.warnings.push_back("HDM differs from HDG of the same talker, so it is corrected already; HDG alone is used");
+    m_swing.warnings.push_back(MARKED("core", "HDM differs from HDG of the same talker, so it is corrected already; HDG alone is used"));
 }
 
 void SwingOfLog::pickCompass()
@@ -127,7 +127,8 @@ void SwingOfLog::pickCompass()
 Result<Variation> SwingOfLog::variationOfModel()
 {
     if (!m_log.latitude_deg || m_log.firstDate.empty())
-        return wrong("the log tells no position with a date (RMC), so no model can give the variation; expected it stated in degrees");
+        return wrong(MARKED(
+            "core", "the log tells no position with a date (RMC), so no model can give the variation; expected it stated in degrees"));
     const auto place = makePlace(*m_log.latitude_deg, *m_log.longitude_deg, m_log.altitude_m.value_or(0.0));
     if (!place)
         return place.error();
@@ -164,7 +165,8 @@ Result<void> SwingOfLog::chooseVariation()
         return {};
     }
     if (std::holds_alternative<VariationOfLog>(m_options.variation))
-        return wrong("neither RMC nor HDG of the log tells the variation; expected it stated in degrees, or taken from a model");
+        return wrong(
+            MARKED("core", "neither RMC nor HDG of the log tells the variation; expected it stated in degrees, or taken from a model"));
     const auto variation = variationOfModel();
     if (!variation)
         return variation.error();
@@ -222,16 +224,16 @@ void SwingOfLog::makePairs()
         m_swing.pairs.push_back(std::move(pair));
     }
     if (untimed)
-        m_swing.warnings.push_back("some headings have no time near them: their turn rate is not known and not limited");
+        m_swing.warnings.push_back(MARKED("core", "some headings have no time near them: their turn rate is not known and not limited"));
 }
 
 Result<void> SwingOfLog::checkPairs() const
 {
-    static constexpr std::array kMissing{
-        "a valid track (RMC or VTG)", "a true heading (HDT)", "a second magnetic heading (another talker's HDG or HDM)"};
+    static constexpr std::array kMissing{MARKED("core", "a valid track (RMC or VTG)"), MARKED("core", "a true heading (HDT)"),
+        MARKED("core", "a second magnetic heading (another talker's HDG or HDM)")};
     if (m_swing.pairs.empty())
-        return wrong(std::string("no compass heading stands behind ") + kMissing[static_cast<std::size_t>(m_options.reference)]
-            + "; expected a log that holds both");
+        return wrong({MARKED("core", "no compass heading stands behind %1; expected a log that holds both"),
+            kMissing[static_cast<std::size_t>(m_options.reference)]});
     return {};
 }
 
@@ -244,10 +246,10 @@ Result<NmeaSwing> SwingOfLog::make()
     m_swing.otherLines = m_log.otherLines;
     m_swing.date = m_log.firstDate;
     if (m_log.sentences == 0)
-        return wrong(
-            "holds no NMEA 0183 sentence ($ talker, type, fields)" + std::string(m_log.badChecksums ? ": every checksum is wrong" : ""));
+        return wrong(m_log.badChecksums ? MARKED("core", "holds no NMEA 0183 sentence ($ talker, type, fields): every checksum is wrong")
+                                        : MARKED("core", "holds no NMEA 0183 sentence ($ talker, type, fields)"));
     if (m_log.headings().empty())
-        return wrong("holds no compass heading; expected HDG or HDM sentences");
+        return wrong(MARKED("core", "holds no compass heading; expected HDG or HDM sentences"));
     if (const auto chosen = chooseTalker(); !chosen)
         return chosen.error();
     dropCorrectedHeadings();
@@ -258,10 +260,11 @@ Result<NmeaSwing> SwingOfLog::make()
     if (const auto checked = checkPairs(); !checked)
         return checked.error();
     if (m_swing.badChecksums > 0)
-        m_swing.warnings.push_back(counted(static_cast<std::size_t>(m_swing.badChecksums), "sentence") + " with a wrong checksum left out");
+        m_swing.warnings.push_back(
+            {MARKED_N("core", "%n sentence(s) with a wrong checksum left out"), static_cast<std::size_t>(m_swing.badChecksums)});
     if (m_swing.withoutChecksum > 0)
-        m_swing.warnings.push_back(counted(static_cast<std::size_t>(m_swing.withoutChecksum), "sentence")
-            + " without a checksum: what was damaged on the way cannot be told");
+        m_swing.warnings.push_back({MARKED_N("core", "%n sentence(s) without a checksum: what was damaged on the way cannot be told"),
+            static_cast<std::size_t>(m_swing.withoutChecksum)});
     return std::move(m_swing);
 }
 
@@ -275,15 +278,15 @@ Result<NmeaSwing> readNmeaSwing(std::istream& input, const std::string& name, co
     std::vector<char> buffer(std::size_t{1} << 16);
     while (input) {
         if (progress && !progress(0.0))
-            return Error{ErrorCode::Cancelled, "reading was cancelled", name};
+            return Error{ErrorCode::Cancelled, MARKED("core", "reading was cancelled"), name};
         input.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
         lines.feed({buffer.data(), static_cast<std::size_t>(input.gcount())}, take);
         if (log.headings().size() > kMaxReadings)
             return Error{ErrorCode::InvalidInput,
-                "there are more than " + std::to_string(kMaxReadings) + " headings; expected the log of one swing", name};
+                {MARKED("core", "there are more than %1 headings; expected the log of one swing"), kMaxReadings}, name};
     }
     if (input.bad())
-        return Error{ErrorCode::Io, "cannot be read to its end", name};
+        return Error{ErrorCode::Io, MARKED("core", "cannot be read to its end"), name};
     lines.finish(take);
     return SwingOfLog(log, options, name).make();
 }
@@ -292,10 +295,10 @@ Result<NmeaSwing> readNmeaSwingFile(const std::string& path, const NmeaOptions& 
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
-        return Error{ErrorCode::Io, "is a folder; expected an NMEA log", path};
+        return Error{ErrorCode::Io, MARKED("core", "is a folder; expected an NMEA log"), path};
     std::ifstream file(path, std::ios::binary);
     if (!file)
-        return Error{ErrorCode::Io, "cannot be opened; expected an NMEA log that exists and may be read", path};
+        return Error{ErrorCode::Io, MARKED("core", "cannot be opened; expected an NMEA log that exists and may be read"), path};
     return readNmeaSwing(file, path, options, progress);
 }
 

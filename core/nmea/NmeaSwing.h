@@ -58,7 +58,7 @@ struct NmeaSwing {
     std::optional<Variation> variation; ///< the last that was applied
     std::string variationSource;        ///< "stated", "log", "WMM2025 at 60.0°N 24.8°E"
     std::string date;                   ///< of the first fix, ISO 8601; empty: not told
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 
 /// Errors: Io, Cancelled, InvalidInput: no sentences; no compass headings; several talkers and none chosen (names them); no

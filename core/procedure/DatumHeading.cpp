@@ -36,23 +36,24 @@ double uncertaintyOf(const std::vector<double>& headings_deg, double mean_deg, d
     return std::hypot(division, std::sqrt(squares / (count - 1.0) / count));
 }
 
-Error apart(const char* what, const std::vector<double>& figures_deg)
+/// `whose`: figures that lie apart (%1).
+Error apart(Pattern whose, const std::vector<double>& figures_deg)
 {
     std::string list;
     for (const double figure : figures_deg)
         list += (list.empty() ? "" : ", ") + shortestNumber(figure);
-    return {ErrorCode::InvalidInput, std::string(what) + " " + list + " lie more than 10° apart; expected readings of one heading"};
+    return {ErrorCode::InvalidInput, {whose, list}};
 }
 
 struct Side {
     double mean_deg = 0, spread_deg = 0, uncertainty_deg = 0;
 };
 
-Result<Side> sideOf(const char* what, const std::vector<double>& figures_deg, double resolution_deg)
+Result<Side> sideOf(Pattern apartWords, const std::vector<double>& figures_deg, double resolution_deg)
 {
     const double mean = meanHeading_deg(figures_deg), spread = spreadOf(figures_deg, mean);
     if (spread > kMostApart_deg)
-        return apart(what, figures_deg);
+        return apart(apartWords, figures_deg);
     return Side{mean, spread, uncertaintyOf(figures_deg, mean, resolution_deg)};
 }
 
@@ -70,18 +71,19 @@ double meanHeading_deg(const std::vector<double>& headings_deg)
 Result<DatumHeading> datumHeading(const DatumInstrument& instrument, const RawFigures& raw, std::optional<Variation> variation)
 {
     if (raw.datum_deg.empty() && raw.astern_deg.empty())
-        return Error{ErrorCode::InvalidInput, "no figure of the datum instrument; expected one to three"};
+        return Error{ErrorCode::InvalidInput, MARKED("core", "no figure of the datum instrument; expected one to three")};
     if (instrument.givesTrue && !variation)
         return Error{ErrorCode::InvalidInput,
-            instrument.name + " gives true headings, and the variation is not stated; expected it (degrees, east positive)"};
+            {MARKED("core", "%1 gives true headings, and the variation is not stated; expected it (degrees, east positive)"),
+                instrument.name}};
     const double turnAhead = instrument.ahead == SightingDirection::Reciprocal ? 180.0 : 0.0;
     std::vector<double> headings; // of the aircraft's axis, one a side
     DatumHeading heading;
     double variance = 0.0;
-    const auto takeSide = [&](const char* what, const std::vector<double>& figures, double turn) -> Result<void> {
+    const auto takeSide = [&](Pattern apartWords, const std::vector<double>& figures, double turn) -> Result<void> {
         if (figures.empty())
             return {};
-        const auto side = sideOf(what, figures, instrument.resolution_deg);
+        const auto side = sideOf(apartWords, figures, instrument.resolution_deg);
         if (!side)
             return side.error();
         headings.push_back(side->mean_deg + turn);
@@ -89,16 +91,21 @@ Result<DatumHeading> datumHeading(const DatumInstrument& instrument, const RawFi
         variance += side->uncertainty_deg * side->uncertainty_deg;
         return {};
     };
-    if (const auto taken = takeSide("the datum's figures", raw.datum_deg, turnAhead); !taken)
+    if (const auto taken = takeSide(
+            MARKED("core", "the datum's figures %1 lie more than 10° apart; expected readings of one heading"), raw.datum_deg, turnAhead);
+        !taken)
         return taken.error();
-    if (const auto taken = takeSide("the figures from astern", raw.astern_deg, turnAhead + 180.0); !taken)
+    if (const auto taken = takeSide(MARKED("core", "the figures from astern %1 lie more than 10° apart; expected readings of one heading"),
+            raw.astern_deg, turnAhead + 180.0);
+        !taken)
         return taken.error();
     if (headings.size() == 2) {
         const double differ = wrap180(headings[0] - headings[1]);
         if (std::abs(differ) > kMostApart_deg)
             return Error{ErrorCode::InvalidInput,
-                "ahead and astern differ by " + shortestNumber(std::round(std::abs(differ) * 10) / 10)
-                    + "° after turning; one of them was read the other way round, or is not of this heading"};
+                {MARKED("core",
+                     "ahead and astern differ by %1° after turning; one of them was read the other way round, or is not of this heading"),
+                    shortestNumber(std::round(std::abs(differ) * 10) / 10)}};
         heading.collimation_deg = differ / 2.0;
     }
     const double axis = wrap360(meanHeading_deg(headings) + instrument.zero_deg);
@@ -110,8 +117,9 @@ Result<DatumHeading> datumHeading(const DatumInstrument& instrument, const RawFi
 Result<CompassFigure> compassFigure(const RawFigures& raw, double resolution_deg)
 {
     if (raw.compass_deg.empty())
-        return Error{ErrorCode::InvalidInput, "no figure of the compass; expected one to three"};
-    const auto side = sideOf("the compass's figures", raw.compass_deg, resolution_deg);
+        return Error{ErrorCode::InvalidInput, MARKED("core", "no figure of the compass; expected one to three")};
+    const auto side = sideOf(MARKED("core", "the compass's figures %1 lie more than 10° apart; expected readings of one heading"),
+        raw.compass_deg, resolution_deg);
     if (!side)
         return side.error();
     return CompassFigure{CompassHeading::fromDegrees(side->mean_deg), side->spread_deg, side->uncertainty_deg};

@@ -56,11 +56,11 @@ Result<FourPointErrors> errorsOf(const FourPointTable& table)
         const int selected = static_cast<int>(i) * 90;
         if (!table.indicated_deg[i])
             return Error{
-                ErrorCode::InvalidInput, "nothing is indicated with " + std::to_string(selected) + "° selected; expected all four points"};
+                ErrorCode::InvalidInput, {MARKED("core", "nothing is indicated with %1° selected; expected all four points"), selected}};
         errors.error_deg[i] = wrap180(*table.indicated_deg[i] - selected);
         if (std::abs(errors.error_deg[i]) > kSlip_deg)
             return Error{ErrorCode::InvalidInput,
-                "with " + std::to_string(selected) + "° selected the figure is more than 30° off; expected what is indicated there"};
+                {MARKED("core", "with %1° selected the figure is more than 30° off; expected what is indicated there"), selected}};
     }
     const auto& e = errors.error_deg;
     errors.northSouth_deg = (e[0] - e[2]) / 2.0;
@@ -75,11 +75,12 @@ Result<FourPointErrors> errorsOf(const FourPointTable& table)
 Result<SelfCheck> selfCheckOf(const ElectricalSwing& swing)
 {
     if (!complete(swing.headings) || !complete(swing.selfCheck))
-        return Error{ErrorCode::InvalidInput, "the self-check needs all 24 headings both electrically and by the turntable"};
+        return Error{
+            ErrorCode::InvalidInput, MARKED("core", "the self-check needs all 24 headings both electrically and by the turntable")};
     for (std::size_t i = 0; i < kHeadings; ++i)
         if (swing.headings[i].selected_deg != swing.selfCheck[i].selected_deg)
-            return Error{
-                ErrorCode::InvalidInput, "the two tables of the self-check are of different headings; expected the same in the same order"};
+            return Error{ErrorCode::InvalidInput,
+                MARKED("core", "the two tables of the self-check are of different headings; expected the same in the same order")};
     const auto electrical = errorsWithoutIndex(swing.headings), turntable = errorsWithoutIndex(swing.selfCheck);
     SelfCheck check;
     for (std::size_t i = 0; i < kHeadings; ++i) {
@@ -93,19 +94,19 @@ Result<SelfCheck> selfCheckOf(const ElectricalSwing& swing)
     return check;
 }
 
-std::vector<std::string> openPoints(const ElectricalSwing& swing)
+std::vector<Message> openPoints(const ElectricalSwing& swing)
 {
-    std::vector<std::string> open;
+    std::vector<Message> open;
     if (swing.line.empty())
-        open.push_back("the north–south line is not named");
+        open.push_back(MARKED("core", "the north–south line is not named"));
     if (!swing.E1.mean_V() || !swing.E2.mean_V())
-        open.push_back("E1 and E2 are not both nulled in NORM and REV");
+        open.push_back(MARKED("core", "E1 and E2 are not both nulled in NORM and REV"));
     if (const auto after = errorsOf(swing.after); !after)
-        open.push_back("table F1 after the adjustment: " + after.error().message);
+        open.push_back({MARKED("core", "table F1 after the adjustment: %1"), after.error().message});
     else if (!after->pairsAgree)
-        open.push_back("the pairs 0/180 and 90/270 do not agree within 0.2°");
+        open.push_back(MARKED("core", "the pairs 0/180 and 90/270 do not agree within 0.2°"));
     if (!complete(swing.headings))
-        open.push_back("not all of the 24 headings are read");
+        open.push_back(MARKED("core", "not all of the 24 headings are read"));
     return open;
 }
 

@@ -39,7 +39,7 @@ struct SelfCheck {
 Result<SelfCheck> selfCheckOf(const ElectricalSwing& swing);
 
 /// What is still missing or wrong before the record may be signed; empty: nothing.
-[[nodiscard]] std::vector<std::string> openPoints(const ElectricalSwing& swing);
+[[nodiscard]] std::vector<Message> openPoints(const ElectricalSwing& swing);
 
 /// The calibration swing, as left, that the headings of an electrical swing are: selected as magnetic, indicated as compass; those
 /// that nobody indicated are left out. What stands in its particulars is English, whatever the window speaks: it is stored.

@@ -18,7 +18,7 @@ public:
     Result<JobState> run();
 
 private:
-    using Fault = std::optional<std::string>; ///< why an event cannot have happened; none: it did
+    using Fault = std::optional<Message>; ///< why an event cannot have happened; none: it did
 
     Fault take(const job::Ticked& event);
     Fault take(const job::InterferenceRead&) { return {}; }
@@ -61,11 +61,11 @@ Fold::Fold(const SwingJob& job) : m_job(job)
 Result<JobState> Fold::run()
 {
     for (std::size_t i = 0; i < m_job.events.size(); ++i) {
-        const auto fault = m_abandoned ? Fault("the job was abandoned before")
+        const auto fault = m_abandoned ? Fault(MARKED("core", "the job was abandoned before"))
                                        : std::visit([this](const auto& event) { return take(event); }, m_job.events[i].what);
         if (fault)
             return Error{
-                ErrorCode::InvalidInput, "step " + std::to_string(i + 1) + " of the guided swing cannot have happened there: " + *fault};
+                ErrorCode::InvalidInput, {MARKED("core", "step %1 of the guided swing cannot have happened there: %2"), i + 1, *fault}};
     }
     m_state.index_deg = checkIndex_deg();
     findPhase();
@@ -76,11 +76,11 @@ Result<JobState> Fold::run()
 Fold::Fault Fold::checkStation(int station) const
 {
     if (!m_prepared)
-        return "the preparation is not finished";
+        return MARKED("core", "the preparation is not finished");
     if (!m_state.fault.empty())
-        return "the fault is not mended";
+        return MARKED("core", "the fault is not mended");
     if (station < 0 || station >= static_cast<int>(m_state.stations.size()))
-        return "there is no station " + std::to_string(station + 1);
+        return Message{MARKED("core", "there is no station %1"), station + 1};
     return {};
 }
 
@@ -88,7 +88,7 @@ Fold::Fault Fold::take(const job::Ticked& event)
 {
     const auto listed = std::find(m_job.checklist.begin(), m_job.checklist.end(), event.item);
     if (listed == m_job.checklist.end())
-        return "\"" + event.item + "\" is not on the checklist";
+        return Message{MARKED("core", "\"%1\" is not on the checklist"), event.item};
     std::erase(m_state.openItems, event.item);
     if (!event.done)
         m_state.openItems.push_back(event.item);
@@ -98,7 +98,7 @@ Fold::Fault Fold::take(const job::Ticked& event)
 Fold::Fault Fold::take(const job::Prepared&)
 {
     if (!m_state.openItems.empty())
-        return "\"" + m_state.openItems.front() + "\" is not ticked";
+        return Message{MARKED("core", "\"%1\" is not ticked"), m_state.openItems.front()};
     m_prepared = true;
     return {};
 }
@@ -109,7 +109,7 @@ Fold::Fault Fold::take(const job::ReadingTaken& event)
         return fault;
     auto& station = m_state.stations[event.station];
     if (station.reading && !station.voided)
-        return "the station has a reading that was not put aside";
+        return MARKED("core", "the station has a reading that was not put aside");
     station.reading = Observation{MagneticHeading::fromDegrees(event.magnetic_deg), CompassHeading::fromDegrees(event.compass_deg)};
     station.voided = false;
     station.skipped.clear();
@@ -128,9 +128,9 @@ Fold::Fault Fold::take(const job::ReadingRejected& event)
         return fault;
     auto& station = m_state.stations[event.station];
     if (!station.reading)
-        return "the station has no reading";
+        return MARKED("core", "the station has no reading");
     if (station.correctionsDone > 0)
-        return "a control was turned on this reading";
+        return MARKED("core", "a control was turned on this reading");
     station.reading.reset();
     station.voided = false;
     m_accepted = false;
@@ -142,20 +142,32 @@ Fold::Fault Fold::take(const job::StationSkipped& event)
     if (const auto fault = checkStation(event.station))
         return fault;
     if (event.reason.empty())
-        return "a station is skipped only with a reason";
+        return MARKED("core", "a station is skipped only with a reason");
     auto& station = m_state.stations[event.station];
     if (station.reading && !station.voided)
-        return "the station has a reading";
+        return MARKED("core", "the station has a reading");
     station.reading.reset();
     station.voided = false;
     station.skipped = event.reason;
     return {};
 }
 
+/// `%n`: the readings that this made void.
+Pattern controlTurned(Control control)
+{
+    switch (control) {
+    case Control::NorthSouth:
+        return MARKED_N("core", "the N\u2013S control was turned after %n reading(s) of the check swing: void, and to be read again");
+    case Control::EastWest:
+        return MARKED_N("core", "the E\u2013W control was turned after %n reading(s) of the check swing: void, and to be read again");
+    case Control::Index: break;
+    }
+    return MARKED_N("core", "the index control was turned after %n reading(s) of the check swing: void, and to be read again");
+}
+
 /// What was read before is no longer what the compass does.
 void Fold::voidCheckSwing(Control control)
 {
-    static constexpr const char* kNames[] = {"N\u2013S", "E\u2013W", "index"};
     int voided = 0;
     for (auto& station : m_state.stations)
         if ((station.station.phase == StationPhase::Check || station.station.phase == StationPhase::Configuration) && station.reading
@@ -164,8 +176,7 @@ void Fold::voidCheckSwing(Control control)
             ++voided;
         }
     if (voided > 0)
-        m_state.notes.push_back("the " + std::string(kNames[static_cast<int>(control)]) + " control was turned after "
-            + std::to_string(voided) + " readings of the check swing: they are void and to be read again");
+        m_state.notes.push_back({controlTurned(control), voided});
     m_state.indexRemoved_deg.reset();
     m_state.indexLeft.clear();
     m_accepted = false;
@@ -177,7 +188,7 @@ Fold::Fault Fold::take(const job::Adjusted& event)
         return fault;
     auto& station = m_state.stations[event.station];
     if (!station.reading)
-        return "a control is turned only on a station that was read";
+        return MARKED("core", "a control is turned only on a station that was read");
     const auto& corrections = station.station.corrections;
     if (station.correctionsDone < corrections.size() && corrections[station.correctionsDone].control == event.control)
         ++station.correctionsDone;
@@ -192,10 +203,10 @@ Fold::Fault Fold::take(const job::NotAdjusted& event)
         return fault;
     auto& station = m_state.stations[event.station];
     if (event.reason.empty())
-        return "a correction is left out only with a reason";
+        return MARKED("core", "a correction is left out only with a reason");
     if (station.correctionsDone == station.station.corrections.size()
         || station.station.corrections[station.correctionsDone].control != event.control)
-        return "this correction does not stand here";
+        return MARKED("core", "this correction does not stand here");
     ++station.correctionsDone;
     return {};
 }
@@ -209,7 +220,7 @@ bool Fold::checkComplete() const
 Fold::Fault Fold::take(const job::IndexRemoved& event)
 {
     if (!checkComplete())
-        return "the check swing is not complete";
+        return MARKED("core", "the check swing is not complete");
     m_state.indexRemoved_deg = wrap180(event.after_deg - event.before_deg);
     m_accepted = false;
     return {};
@@ -218,7 +229,7 @@ Fold::Fault Fold::take(const job::IndexRemoved& event)
 Fold::Fault Fold::take(const job::IndexLeft& event)
 {
     if (event.reason.empty())
-        return "the index is left in only with a reason";
+        return MARKED("core", "the index is left in only with a reason");
     m_state.indexLeft = event.reason;
     return {};
 }
@@ -227,7 +238,7 @@ Fold::Fault Fold::take(const job::Accepted&)
 {
     findPhase();
     if (m_state.phase != JobPhase::Review && m_state.phase != JobPhase::Card)
-        return "the swing is not complete";
+        return MARKED("core", "the swing is not complete");
     m_accepted = true;
     return {};
 }
@@ -235,7 +246,7 @@ Fold::Fault Fold::take(const job::Accepted&)
 Fold::Fault Fold::take(const job::Faulted& event)
 {
     if (event.cause.empty())
-        return "a fault has a cause";
+        return MARKED("core", "a fault has a cause");
     m_state.fault = event.cause;
     return {};
 }
@@ -243,7 +254,7 @@ Fold::Fault Fold::take(const job::Faulted& event)
 Fold::Fault Fold::take(const job::Mended&)
 {
     if (m_state.fault.empty())
-        return "there is no fault";
+        return MARKED("core", "there is no fault");
     m_state.fault.clear();
     return {};
 }
@@ -329,7 +340,7 @@ void Fold::findTurn()
             m_state.turn
                 = MakeCompassRead{Control::Index, HowMuch::CoefficientPart, *m_state.index_deg, reads, wrap360(reads + *m_state.index_deg)};
         } else {
-            m_state.whyNoTurn = "the check swing has too few readings to tell A";
+            m_state.whyNoTurn = MARKED("core", "the check swing has too few readings to tell A");
         }
         return;
     }
@@ -347,7 +358,7 @@ void Fold::findTurn()
     }
     const auto coefficient = coefficient_deg(turn.control);
     if (!coefficient) {
-        m_state.whyNoTurn = "a cardinal heading was skipped, so that the coefficient cannot be told by the classical rule";
+        m_state.whyNoTurn = MARKED("core", "a cardinal heading was skipped, so that the coefficient cannot be told by the classical rule");
         return;
     }
     const double nominal = toRadians(here.station.nominal_deg);

@@ -39,12 +39,12 @@ struct JobState {
     int current = -1;                       ///< station; −1: none
     std::vector<std::string> openItems;     ///< of the checklist
     std::optional<MakeCompassRead> turn;    ///< what to turn now; none: read, or nothing to turn
-    std::string whyNoTurn;                  ///< a correction stands here but cannot be computed (a cardinal was skipped)
+    Message whyNoTurn;                      ///< a correction stands here but cannot be computed (a cardinal was skipped)
     std::optional<double> index_deg;        ///< A of the check swing's cardinals (or of the mean); none before it is complete
     std::optional<double> indexRemoved_deg; ///< what was taken out by turning the compass after the check swing
     std::string indexLeft;                  ///< why it was left in
     std::string fault;
-    std::vector<std::string> notes; ///< what was voided by what
+    std::vector<Message> notes; ///< what was voided by what
     [[nodiscard]] int done() const;
 };
 

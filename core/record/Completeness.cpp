@@ -9,20 +9,21 @@ constexpr std::size_t kFewestReadings = 4;
 
 } // namespace
 
-std::string missingIn(const Swing& swing)
+Message missingIn(const Swing& swing)
 {
     if (swing.date.empty())
-        return "its date is not stated";
+        return MARKED("core", "its date is not stated");
     for (std::size_t i = 0; i < swing.readings.size(); ++i) {
         const auto& reading = swing.readings[i];
         if (reading.exclusion || reading.magnetic.has_value() == reading.compass.has_value())
             continue;
-        return "reading " + std::to_string(i + 1) + " has no " + (reading.magnetic ? "compass heading" : "magnetic heading")
-            + "; fill it in or exclude it with a reason";
+        return Message{reading.magnetic ? MARKED("core", "reading %1 has no compass heading; fill it in or exclude it with a reason")
+                                        : MARKED("core", "reading %1 has no magnetic heading; fill it in or exclude it with a reason"),
+            i + 1};
     }
     const auto used = usedReadings(swing).size();
     if (used < kFewestReadings)
-        return "it has " + std::to_string(used) + " readings that count; expected at least " + std::to_string(kFewestReadings);
+        return Message{MARKED_N("core", "it has %n reading(s) that count; expected at least %1"), used, kFewestReadings};
     return {};
 }
 

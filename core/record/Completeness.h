@@ -1,12 +1,11 @@
 #pragma once
 
-#include <string>
-
+#include "core/base/Message.h"
 #include "core/record/Swing.h"
 
 namespace lubberline {
 
-/// What keeps a swing from being completed, in words: no date; half a reading; fewer than four that count. Empty: nothing.
-[[nodiscard]] std::string missingIn(const Swing& swing);
+/// What keeps a swing from being completed: no date; half a reading; fewer than four that count. Empty: nothing.
+[[nodiscard]] Message missingIn(const Swing& swing);
 
 } // namespace lubberline

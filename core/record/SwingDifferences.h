@@ -4,14 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "core/base/Message.h"
 #include "core/record/Swing.h"
 
 namespace lubberline {
 
 struct SwingDifference {
-    std::string what;   ///< "date", "reading 3, compass"; plain English
-    std::string before; ///< empty: it was not stated
-    std::string after;  ///< empty: it is not stated any more
+    Message what;   ///< "date", "reading 3, compass"
+    Message before; ///< empty: it was not stated
+    Message after;  ///< empty: it is not stated any more
     friend bool operator==(const SwingDifference&, const SwingDifference&) = default;
 };
 

@@ -13,7 +13,7 @@ namespace {
 /// A part of the response: the parts of gain and offset add up to the whole, and so do their coefficients, which are linear in
 /// both once λ is known.
 struct Part {
-    std::string cause;
+    Message cause;
     Eigen::Matrix3d gain = Eigen::Matrix3d::Zero();
     Eigen::Vector3d offset_nT = Eigen::Vector3d::Zero();
 };
@@ -40,19 +40,20 @@ bool allFinite(const ExactSmith& smith)
 
 void addSoftIron(std::vector<Part>& parts, const SensorModel& model)
 {
-    static constexpr const char* kNames[3][3] = {{"a", "b", "c (dip)"}, {"d", "e", "f (dip)"}, {"g", "h", "k (dip)"}};
+    static constexpr char kNames[3][3] = {{'a', 'b', 'c'}, {'d', 'e', 'f'}, {'g', 'h', 'k'}};
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) {
-            Part part{std::string("soft iron ") + kNames[row][column]};
+            // The third column is excited by the vertical field.
+            Part part{{column == 2 ? MARKED("core", "soft iron %1 (dip)") : MARKED("core", "soft iron %1"), kNames[row][column]}};
             part.gain(row, column) = model.softIron(row, column);
             parts.push_back(std::move(part));
         }
 }
 
-void addConstant(std::vector<Part>& parts, const Eigen::Vector3d& constant_nT, const char* what, const std::array<const char*, 3>& names)
+void addConstant(std::vector<Part>& parts, const Eigen::Vector3d& constant_nT, Pattern what, const std::array<std::string, 3>& names)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        Part part{std::string(what) + " " + names[static_cast<std::size_t>(axis)]};
+        Part part{{what, names[static_cast<std::size_t>(axis)]}};
         part.offset_nT(axis) = constant_nT(axis);
         parts.push_back(std::move(part));
     }
@@ -63,11 +64,12 @@ std::vector<Part> partsOf(const SensorModel& model)
 {
     std::vector<Part> parts;
     addSoftIron(parts, model);
-    addConstant(parts, model.hardIron_nT, "hard iron", {"P", "Q", "R"});
-    addConstant(parts, model.softConstant_nT, "soft constant", {"D1", "D2", "D3"});
+    addConstant(parts, model.hardIron_nT, MARKED("core", "hard iron %1"), {"P", "Q", "R"});
+    addConstant(parts, model.softConstant_nT, MARKED("core", "soft constant %1"), {"D1", "D2", "D3"});
     for (const auto& circuit : model.circuits)
         if (circuit.on)
-            parts.push_back({"circuit " + circuit.name, Eigen::Matrix3d::Zero(), circuit.current_A * circuit.field_nT_per_A});
+            parts.push_back(
+                {Message{MARKED("core", "circuit %1"), circuit.name}, Eigen::Matrix3d::Zero(), circuit.current_A * circuit.field_nT_per_A});
     return parts;
 }
 
@@ -76,7 +78,7 @@ std::vector<SmithTerm> termsOf(const SensorModel& model, const MeridianField& fi
     const Misalignment& turned = model.misalignment;
     const Eigen::Matrix3d mount = rotation(turned.roll_rad, turned.pitch_rad, turned.yaw_rad);
     std::vector<Part> parts = partsOf(model);
-    parts.push_back({"misalignment", Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()});
+    parts.push_back({MARKED("core", "misalignment"), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()});
     std::vector<SmithTerm> terms;
     for (const Coefficient coefficient : kCoefficients)
         for (const auto& part : parts) {
@@ -95,19 +97,20 @@ std::vector<SmithTerm> termsOf(const SensorModel& model, const MeridianField& fi
 Result<PoissonSmith> smithOf(const SensorModel& model, const MeridianField& field)
 {
     if (!(field.horizontal_nT > 0))
-        return Error{ErrorCode::Numeric, "the horizontal field H is 0: a level compass has nothing to point by there; expected H > 0"};
+        return Error{ErrorCode::Numeric,
+            MARKED("core", "the horizontal field H is 0: a level compass has nothing to point by there; expected H > 0")};
     const SensorResponse response = responseOf(model);
     PoissonSmith smith;
     smith.lambda = (response.gain(0, 0) + response.gain(1, 1)) / 2;
     if (!(smith.lambda > 0))
         return Error{ErrorCode::Numeric,
-            "λ = " + std::to_string(smith.lambda)
-                + ": the iron (or the mount) turns the compass round, and no coefficients describe it; expected λ > 0"};
+            {MARKED("core", "λ = %1: the iron (or the mount) turns the compass round, and no coefficients describe it; expected λ > 0"),
+                std::to_string(smith.lambda)}};
     smith.exact = dividedBy(timesLambda(response.gain, response.offset_nT, field), smith.lambda);
     if (!allFinite(smith.exact))
         return Error{ErrorCode::Numeric,
-            "the coefficients are beyond all numbers: H = " + std::to_string(field.horizontal_nT)
-                + " nT and λ = " + std::to_string(smith.lambda) + " are too small for the iron"};
+            {MARKED("core", "the coefficients are beyond all numbers: H = %1 nT and λ = %2 are too small for the iron"),
+                std::to_string(field.horizontal_nT), std::to_string(smith.lambda)}};
     if (const auto approximate = toApproximate(smith.exact))
         smith.approximate = *approximate;
     else

@@ -19,16 +19,16 @@ namespace lubberline {
 /// rounding. Terms that are zero are left out; they stand in the order of the coefficients, and the largest of each come first.
 struct SmithTerm {
     Coefficient coefficient;
-    std::string cause; ///< "soft iron a", "soft iron c (dip)", "hard iron P", "soft constant D1", "circuit landing light",
-                       ///< "misalignment"
-    double value = 0;  ///< dimensionless
+    Message cause;    ///< "soft iron a", "soft iron c (dip)", "hard iron P", "soft constant D1", "circuit landing light",
+                      ///< "misalignment"
+    double value = 0; ///< dimensionless
 };
 
 struct PoissonSmith {
     double lambda = 1; ///< directive force: mean horizontal field at the sensor as a part of H
     ExactSmith exact;
     std::optional<ApproximateSmith> approximate;
-    std::string whyNoApproximate; ///< names the coefficient when |argument of asin| ≥ 1
+    Message whyNoApproximate; ///< names the coefficient when |argument of asin| ≥ 1
     std::vector<SmithTerm> terms;
 };
 

@@ -45,9 +45,11 @@ SiteClass classOf(double off_deg)
     return SiteClass::None;
 }
 
-const char* nameOf(SiteClass siteClass)
+Pattern nameOf(SiteClass siteClass)
 {
-    return siteClass == SiteClass::Class1 ? "class 1" : siteClass == SiteClass::Class2 ? "class 2" : "no class";
+    return siteClass == SiteClass::Class1 ? MARKED("core", "class 1")
+        : siteClass == SiteClass::Class2  ? MARKED("core", "class 2")
+                                          : MARKED("core", "no class");
 }
 
 } // namespace
@@ -64,12 +66,13 @@ std::span<const ClassRule> classRules()
 Result<SurveySummary> summarise(std::span<const SurveyPoint> points, double horizontal_nT)
 {
     if (!std::all_of(points.begin(), points.end(), finite))
-        return Error{ErrorCode::InvalidInput, "a survey point is not a number; expected metres, degrees and nT"};
+        return Error{ErrorCode::InvalidInput, MARKED("core", "a survey point is not a number; expected metres, degrees and nT")};
     SurveySummary summary;
     summary.declination_deg = extentOf(points, &SurveyPoint::declination_deg);
     summary.total_nT = extentOf(points, &SurveyPoint::total_nT);
     if (!summary.declination_deg && !summary.total_nT)
-        return Error{ErrorCode::InvalidInput, "no point of the survey has a declination or a total field; expected at least one"};
+        return Error{
+            ErrorCode::InvalidInput, MARKED("core", "no point of the survey has a declination or a total field; expected at least one")};
     if (summary.declination_deg) {
         const auto& declination = *summary.declination_deg;
         summary.largestOff_deg = std::max(declination.most - declination.mean, declination.mean - declination.least);
@@ -87,13 +90,13 @@ Result<SurveySummary> summarise(std::span<const SurveyPoint> points, double hori
 
 double paintedLineOffset_deg(Variation painted, Variation today) { return wrap180(painted.degrees() - today.degrees()); }
 
-std::string whyUnfit(const SiteFitness& site, const std::string& date)
+Message whyUnfit(const SiteFitness& site, const std::string& date)
 {
     if (!site.certificateExpiry.empty() && site.certificateExpiry < date)
-        return "the base's certificate ended on " + site.certificateExpiry;
+        return Message{MARKED("core", "the base's certificate ended on %1"), site.certificateExpiry};
     const bool enough = site.wanted == SiteClass::None || site.siteClass == SiteClass::Class1 || site.siteClass == site.wanted;
     if (!enough)
-        return std::string("the base is of ") + nameOf(site.siteClass) + ", and the procedure wants " + nameOf(site.wanted);
+        return Message{MARKED("core", "the base is of %1, and the procedure wants %2"), nameOf(site.siteClass), nameOf(site.wanted)};
     return {};
 }
 

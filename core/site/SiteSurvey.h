@@ -50,6 +50,6 @@ struct SiteFitness {
     SiteClass siteClass = SiteClass::None;
     SiteClass wanted = SiteClass::None; ///< by the procedure
 };
-[[nodiscard]] std::string whyUnfit(const SiteFitness& site, const std::string& date);
+[[nodiscard]] Message whyUnfit(const SiteFitness& site, const std::string& date);
 
 } // namespace lubberline

@@ -37,24 +37,26 @@ std::string degreesText(double heading_deg)
     return digits.insert(0, 3 - digits.size(), '0') + "°";
 }
 
-std::string gapText(std::span<const Observation> readings)
+Message gapText(std::span<const Observation> readings)
 {
     const Arc gap = largestGap(readings);
-    return "no reading between " + degreesText(gap.from_deg) + " and " + degreesText(gap.to_deg) + " (compass)";
+    return {MARKED("core", "no reading between %1 and %2 (compass)"), degreesText(gap.from_deg), degreesText(gap.to_deg)};
 }
 
-void warnOfFit(std::vector<std::string>& warnings, const SmithFitReport& fit, const char* name, std::span<const Observation> readings)
+void warnOfFit(std::vector<Message>& warnings, const SmithFitReport& fit, Pattern name, std::span<const Observation> readings)
 {
     if (!fit.fitted())
         warnings.push_back(
-            std::string(name) + " A, B, C, D and E cannot be told: the headings stand too close together; " + gapText(readings));
+            {MARKED("core", "%1 A, B, C, D and E cannot be told: the headings stand too close together; %2"), name, gapText(readings)});
     else if (fit.parameters == 3)
-        warnings.push_back(std::string(name) + " D and E cannot be told: they need at least 5 different headings around the compass; "
-            + gapText(readings) + "; whatever there is of them is hidden in A, B and C");
+        warnings.push_back(
+            {MARKED("core",
+                 "%1 D and E cannot be told: they need at least 5 different headings around the compass; %2; whatever there is of them is hidden in A, B and C"),
+                name, gapText(readings)});
     if (fit.fitted() && fit.conditionNumber > kLeaningCondition)
-        warnings.push_back(std::string(name) + " coefficients lean on few headings: " + gapText(readings));
+        warnings.push_back({MARKED("core", "%1 coefficients lean on few headings: %2"), name, gapText(readings)});
     if (fit.fitted() && fit.degreesOfFreedom == 0)
-        warnings.push_back(std::string(name) + " coefficients have no uncertainty: there are as many of them as readings");
+        warnings.push_back({MARKED("core", "%1 coefficients have no uncertainty: there are as many of them as readings"), name});
 }
 
 Summary summarise(const std::vector<AnalysedReading>& readings)
@@ -126,8 +128,8 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     analysis.pointRules = pointRules(readings);
     analysis.summary = summarise(analysis.readings);
     addResiduals(analysis);
-    warnOfFit(analysis.warnings, analysis.approximate, "approximate", readings);
-    warnOfFit(analysis.warnings, analysis.exact, "exact", readings);
+    warnOfFit(analysis.warnings, analysis.approximate, MARKED("core", "approximate"), readings);
+    warnOfFit(analysis.warnings, analysis.exact, MARKED("core", "exact"), readings);
     return analysis;
 }
 

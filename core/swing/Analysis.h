@@ -39,7 +39,7 @@ struct Analysis {
     std::optional<PointRules> pointRules;
     Harmonics harmonics;
     Summary summary;
-    std::vector<std::string> warnings; ///< what the readings cannot tell, in words
+    std::vector<Message> warnings; ///< what the readings cannot tell, in words
 };
 
 struct AnalysisOptions {

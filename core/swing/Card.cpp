@@ -7,9 +7,9 @@ namespace lubberline {
 
 namespace {
 
-Error cannotTell(const std::string& what)
+Error cannotTell(const Message& what)
 {
-    return {ErrorCode::Numeric, what + " cannot be told from these headings; expected readings all around the compass"};
+    return {ErrorCode::Numeric, {MARKED("core", "%1 cannot be told from these headings; expected readings all around the compass"), what}};
 }
 
 /// The approximate coefficients that are taken out when the card is made of readings: the worksheet takes those of the point
@@ -30,7 +30,7 @@ Result<ApproximateSmith> removedFromReadings(const Analysis& analysis, Coefficie
                 value = byRule[indexOf(coefficient)];
         }
         if (!value)
-            return cannotTell(std::string("coefficient ") + letterOf(coefficient));
+            return cannotTell({MARKED("core", "coefficient %1"), letterOf(coefficient)});
         *field[indexOf(coefficient)] = *value;
     }
     return smith;
@@ -58,10 +58,10 @@ Result<Deviation> residualFromReadings(const Analysis& analysis, const Approxima
 Result<Deviation> residualFromFit(const Analysis& analysis, CoefficientSet removed, MagneticHeading heading)
 {
     if (!analysis.exact.fitted())
-        return cannotTell("the deviation curve");
+        return cannotTell(MARKED("core", "the deviation curve"));
     const bool removeA = removed.test(indexOf(Coefficient::A));
     if (removeA && !analysis.approximate.of(Coefficient::A))
-        return cannotTell("coefficient A");
+        return cannotTell({MARKED("core", "coefficient %1"), 'A'});
     // A is a turn of the compass in its mount, an angle; the others are fields at the sensor.
     removed.reset(indexOf(Coefficient::A));
     const Deviation left = deviationAt(without(analysis.exact.smith(), removed), heading);
@@ -76,7 +76,7 @@ int CardRow::steerRounded_deg() const { return static_cast<int>(std::floor(steer
 Result<Card> makeCard(const Analysis& analysis, const CardOptions& options)
 {
     if (options.step_deg != 30 && options.step_deg != 45)
-        return Error{ErrorCode::InvalidInput, "a card has steps of 30° or 45°, not " + std::to_string(options.step_deg) + "°"};
+        return Error{ErrorCode::InvalidInput, {MARKED("core", "a card has steps of 30° or 45°, not %1°"), options.step_deg}};
     const auto removed = removedFromReadings(analysis, options.source == CardSource::Readings ? options.removed : CoefficientSet{});
     if (!removed)
         return removed.error();

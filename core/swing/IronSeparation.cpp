@@ -83,15 +83,15 @@ Result<double> Separation::likeness() const
 {
     const Eigen::RowVector2d length = m_design.colwise().norm();
     if (length.minCoeff() == 0.0) // dip 0 everywhere: vertical soft iron shows nowhere
-        return Error{
-            ErrorCode::Numeric, "the dip is 0 at every place (" + places() + "): vertical soft iron shows nowhere and cannot be told"};
+        return Error{ErrorCode::Numeric,
+            {MARKED("core", "the dip is 0 at every place (%1): vertical soft iron shows nowhere and cannot be told"), places()}};
     const Eigen::MatrixXd scaled = m_design * length.cwiseInverse().asDiagonal();
     const double condition = conditionNumber(singularValues(scaled));
     if (!(condition <= kSamePlaces))
         return Error{ErrorCode::Numeric,
-            "the field is the same at all places (" + places()
-                + "): hard iron and vertical soft iron cannot be told apart; "
-                  "expected swings where H and dip differ"};
+            {MARKED("core",
+                 "the field is the same at all places (%1): hard iron and vertical soft iron cannot be told apart; expected swings where H and dip differ"),
+                places()}};
     return condition;
 }
 
@@ -143,23 +143,26 @@ void Separation::warn(IronSeparation& separation) const
 {
     if (separation.conditionNumber > kAlikePlaces)
         separation.warnings.push_back(
-            "the fields at " + places() + " are too alike: hard iron and vertical soft iron are told apart only roughly");
+            {MARKED("core", "the fields at %1 are too alike: hard iron and vertical soft iron are told apart only roughly"), places()});
     if (!m_errorsKnown && m_swings.size() == 2)
-        separation.warnings.push_back("the swings' own errors are not known, and two swings have no scatter: no errors can be stated");
+        separation.warnings.push_back(
+            MARKED("core", "the swings' own errors are not known, and two swings have no scatter: no errors can be stated"));
     if (m_errorsKnown && separation.degreesOfFreedom > 0
         && separation.chiSquare > boost::math::quantile(boost::math::chi_squared(separation.degreesOfFreedom), kContradiction))
-        separation.warnings.push_back(
-            "the swings contradict each other beyond their errors: something was changed between them, or a swing is wrong");
+        separation.warnings.push_back(MARKED(
+            "core", "the swings contradict each other beyond their errors: something was changed between them, or a swing is wrong"));
 }
 
 Result<IronSeparation> Separation::make()
 {
     if (m_swings.size() < 2)
         return Error{ErrorCode::InvalidInput,
-            "one swing cannot tell hard iron from vertical soft iron; expected swings of the compass at two places at least"};
+            MARKED(
+                "core", "one swing cannot tell hard iron from vertical soft iron; expected swings of the compass at two places at least")};
     for (const auto& swing : m_swings)
         if (!(swing.field.horizontal_nT > 0) || !std::isfinite(swing.field.down_nT))
-            return Error{ErrorCode::InvalidInput, "the field of " + swing.label + " is not known; expected H above 0 and the dip"};
+            return Error{
+                ErrorCode::InvalidInput, {MARKED("core", "the field of %1 is not known; expected H above 0 and the dip"), swing.label}};
     makeDesign();
     const auto condition = likeness();
     if (!condition)
@@ -213,28 +216,30 @@ std::vector<Knowledge> whatSwingsTell(const SwingAtPlace& swing, const std::opti
     const ExactSmith& value = swing.exact;
     const ExactSmith& error = swing.standardError;
     std::vector<Knowledge> list{
-        {true, "(d \u2212 b)/2\u03bb = A = " + withError(value.A, error.A, 4) + " (with the turn of the mount)"},
-        {true, "(a \u2212 e)/2\u03bb = D = " + withError(value.D, error.D, 4)},
-        {true, "(d + b)/2\u03bb = E = " + withError(value.E, error.E, 4)},
-        {true, "(c tan I + P/H)/\u03bb = B = " + withError(value.B, error.B, 4)},
-        {true, "(f tan I + Q/H)/\u03bb = C = " + withError(value.C, error.C, 4)},
+        {true, {MARKED("core", "(d \u2212 b)/2\u03bb = A = %1 (with the turn of the mount)"), withError(value.A, error.A, 4)}},
+        {true, {MARKED("core", "(a \u2212 e)/2\u03bb = D = %1"), withError(value.D, error.D, 4)}},
+        {true, {MARKED("core", "(d + b)/2\u03bb = E = %1"), withError(value.E, error.E, 4)}},
+        {true, {MARKED("core", "(c tan I + P/H)/\u03bb = B = %1"), withError(value.B, error.B, 4)}},
+        {true, {MARKED("core", "(f tan I + Q/H)/\u03bb = C = %1"), withError(value.C, error.C, 4)}},
     };
     if (separation) {
         list.push_back({true,
-            "vertical soft iron: c/\u03bb = " + withError(separation->c.value, separation->c.standardError, 4)
-                + ", f/\u03bb = " + withError(separation->f.value, separation->f.standardError, 4)});
+            {MARKED("core", "vertical soft iron: c/\u03bb = %1, f/\u03bb = %2"),
+                withError(separation->c.value, separation->c.standardError, 4),
+                withError(separation->f.value, separation->f.standardError, 4)}});
         list.push_back({true,
-            "hard iron: P/\u03bb = " + withError(separation->P_nT.value, separation->P_nT.standardError, 0)
-                + " nT, Q/\u03bb = " + withError(separation->Q_nT.value, separation->Q_nT.standardError, 0) + " nT"});
+            {MARKED("core", "hard iron: P/\u03bb = %1 nT, Q/\u03bb = %2 nT"),
+                withError(separation->P_nT.value, separation->P_nT.standardError, 0),
+                withError(separation->Q_nT.value, separation->Q_nT.standardError, 0)}});
     } else {
-        list.push_back(
-            {false, "c apart from P, f apart from Q: one place gives their sum; a swing where H and dip differ tells them apart"});
+        list.push_back({false,
+            MARKED("core", "c apart from P, f apart from Q: one place gives their sum; a swing where H and dip differ tells them apart")});
     }
-    list.push_back({false, "\u03bb, the directive force: a compass shows directions, not sizes"});
-    list.push_back({false, "a and e each, b and d each: on a level heading only a \u2212 e, d + b and d \u2212 b act"});
-    list.push_back({false, "g, h, k and R: they act in pitch and roll only"});
-    list.push_back({false, "the turn of the mount apart from (d \u2212 b)/2\u03bb, and its tilt"});
-    list.push_back({false, "soft-iron constants and currents apart from hard iron: both are constant in body axes"});
+    list.push_back({false, MARKED("core", "\u03bb, the directive force: a compass shows directions, not sizes")});
+    list.push_back({false, MARKED("core", "a and e each, b and d each: on a level heading only a \u2212 e, d + b and d \u2212 b act")});
+    list.push_back({false, MARKED("core", "g, h, k and R: they act in pitch and roll only")});
+    list.push_back({false, MARKED("core", "the turn of the mount apart from (d \u2212 b)/2\u03bb, and its tilt")});
+    list.push_back({false, MARKED("core", "soft-iron constants and currents apart from hard iron: both are constant in body axes")});
     return list;
 }
 
@@ -247,7 +252,7 @@ Result<SensorModel> modelOf(const ExactSmith& exact, const MeridianField& field,
         return model;
     }
     if (field.down_nT == 0.0)
-        return Error{ErrorCode::Numeric, "the dip is 0 there: vertical soft iron cannot have made B and C"};
+        return Error{ErrorCode::Numeric, MARKED("core", "the dip is 0 there: vertical soft iron cannot have made B and C")};
     model.softIron(0, 2) = exact.B * field.horizontal_nT / field.down_nT;
     model.softIron(1, 2) = exact.C * field.horizontal_nT / field.down_nT;
     return model;

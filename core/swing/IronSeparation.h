@@ -33,10 +33,10 @@ struct Estimate {
     double value = 0, standardError = 0;
 };
 
-/// A sentence of the list "what a swing can tell": shown as it is.
+/// A sentence of the list "what a swing can tell".
 struct Knowledge {
     bool known = false;
-    std::string what; ///< "(a − e)/2λ = 0.0123", "a and e each: only their difference acts on a level compass"
+    Message what; ///< "(a − e)/2λ = 0.0123", "a and e each: only their difference acts on a level compass"
 };
 
 struct IronSeparation {
@@ -47,7 +47,7 @@ struct IronSeparation {
     Estimate A, D, E;           ///< 𝔄, 𝔇, 𝔈: the means of the swings, as they do not depend on place
     double chiSquare = 0;       ///< of B and C over the swings
     int degreesOfFreedom = 0;
-    std::vector<std::string> warnings; ///< places too alike; swings that contradict each other
+    std::vector<Message> warnings; ///< places too alike; swings that contradict each other
 };
 
 /// Above this condition number the places are too alike: results come with a warning and wide errors.

@@ -11,7 +11,8 @@ namespace {
 Result<MeridianField> fieldAt(const Site& base, const std::string& today)
 {
     if (!base.latitude_deg || !base.longitude_deg)
-        return Error{ErrorCode::InvalidInput, "the position of " + base.name + " is not stated; expected latitude and longitude"};
+        return Error{
+            ErrorCode::InvalidInput, {MARKED("core", "the position of %1 is not stated; expected latitude and longitude"), base.name}};
     const auto place = makePlace(*base.latitude_deg, *base.longitude_deg, base.elevation_m.value_or(0));
     if (!place)
         return place.error();
@@ -27,7 +28,7 @@ Result<MeridianField> fieldAt(const Site& base, const std::string& today)
 
 } // namespace
 
-Result<std::string> whySwingAfterMove(const SwingRecord& last, const Site& base, const std::string& today)
+Result<Message> whySwingAfterMove(const SwingRecord& last, const Site& base, const std::string& today)
 {
     const auto there = fieldAt(base, today);
     if (!there)
@@ -39,7 +40,7 @@ Result<std::string> whySwingAfterMove(const SwingRecord& last, const Site& base,
     if (!predictedThere || !predictedHere)
         return predictedThere ? predictedHere.error() : predictedThere.error();
     const SwingAgain again = swingAgainAfterMove(*predictedHere, *predictedThere, last.limits);
-    return again.needed ? "based at " + base.name + ": " + again.reason : std::string();
+    return again.needed ? Message{MARKED("core", "based at %1: %2"), base.name, again.reason} : Message();
 }
 
 } // namespace lubberline

@@ -22,15 +22,15 @@ Result<void> check(const MeridianField& there, int count)
     LUBBERLINE_EXPECT(count >= 8 && count <= 3600, "a predicted curve has 8 to 3600 points");
     if (!(there.horizontal_nT >= kBlackoutHorizontal_nT))
         return Error{ErrorCode::Numeric,
-            "H there is " + std::to_string(std::lround(there.horizontal_nT))
-                + " nT, below 2000 nT (blackout zone): a compass tells nothing there"};
+            {MARKED("core", "H there is %1 nT, below 2000 nT (blackout zone): a compass tells nothing there"),
+                std::lround(there.horizontal_nT)}};
     return {};
 }
 
 void warnOfField(Prediction& prediction)
 {
     if (prediction.there.horizontal_nT < kCautionHorizontal_nT)
-        prediction.warnings.push_back("caution zone: H there is below 6000 nT, compasses are unreliable");
+        prediction.warnings.push_back(MARKED("core", "caution zone: H there is below 6000 nT, compasses are unreliable"));
 }
 
 /// The horizontal field that is left, as a part of λH: the length of [P 3]'s numerator and denominator.
@@ -120,7 +120,7 @@ Result<Prediction> predict(const SensorModel& model, const MeridianField& there,
         return checked.error();
     Prediction prediction;
     prediction.there = there;
-    prediction.basis = "a sensor model";
+    prediction.basis = MARKED("core", "a sensor model");
     if (const auto smith = smithOf(model, there))
         prediction.exact = smith->exact;
     else
@@ -143,7 +143,8 @@ Result<Prediction> predict(const SwingAtPlace& swing, const MeridianField& there
     if (const auto checked = check(there, count); !checked)
         return checked.error();
     if (!(swing.field.horizontal_nT > 0))
-        return Error{ErrorCode::InvalidInput, "the field of " + swing.label + " is not known; expected H above 0 and the dip"};
+        return Error{
+            ErrorCode::InvalidInput, {MARKED("core", "the field of %1 is not known; expected H above 0 and the dip"), swing.label}};
     Prediction prediction;
     prediction.there = there;
     const double hard = swing.field.horizontal_nT / there.horizontal_nT; // B of hard iron goes by 1/H
@@ -153,13 +154,14 @@ Result<Prediction> predict(const SwingAtPlace& swing, const MeridianField& there
         soft = tanThere / tanHere; // B of vertical soft iron goes by tan I
     else
         prediction.warnings.push_back(
-            "the dip is 0 where it was swung: vertical soft iron did not show, and what it does elsewhere is not known");
+            MARKED("core", "the dip is 0 where it was swung: vertical soft iron did not show, and what it does elsewhere is not known"));
     if (tanHere != 0.0 && std::abs(tanHere) < kSmallTanDip)
         prediction.warnings.push_back(
-            "the dip is small where it was swung: vertical soft iron hardly showed, and the band is wide for that");
-    prediction.basis = "one swing (" + swing.label
-        + "), between the two extremes: all hard iron, and all vertical soft iron; where the two oppose each other "
-          "the curve may lie beyond";
+            MARKED("core", "the dip is small where it was swung: vertical soft iron hardly showed, and the band is wide for that"));
+    prediction.basis = {
+        MARKED("core",
+            "one swing (%1), between the two extremes: all hard iron, and all vertical soft iron; where the two oppose each other the curve may lie beyond"),
+        swing.label};
     const auto scaled = [&swing](double byB, double byC) {
         ExactSmith smith = swing.exact;
         smith.B *= byB;
@@ -175,7 +177,7 @@ Result<Prediction> predict(const SwingAtPlace& swing, const MeridianField& there
         *each *= widening(swing.degreesOfFreedom);
     fill(prediction, scaled((hard + soft) / 2, (hard + soft) / 2), corners, error, count);
     if (hard > kFarRatio || hard < 1 / kFarRatio)
-        prediction.warnings.push_back("H differs by more than a factor of two between the places");
+        prediction.warnings.push_back(MARKED("core", "H differs by more than a factor of two between the places"));
     warnOfField(prediction);
     return prediction;
 }
@@ -186,7 +188,7 @@ Result<Prediction> predict(const IronSeparation& separation, const MeridianField
         return checked.error();
     Prediction prediction;
     prediction.there = there;
-    prediction.basis = "swings at several places";
+    prediction.basis = MARKED("core", "swings at several places");
     const double tanI = there.down_nT / there.horizontal_nT, perH = 1.0 / there.horizontal_nT;
     const auto sum = [&](const Estimate& soft, const Estimate& hard) { return soft.value * tanI + hard.value * perH; };
     const auto error = [&](const Estimate& soft, const Estimate& hard) {
@@ -219,16 +221,17 @@ SwingAgain swingAgainAfterMove(
     const Prediction& here, const Prediction& there, const std::optional<LimitsProfile>& limits, double change_deg)
 {
     switch (judge(there, limits)) {
-    case PredictedVerdict::OutOfLimits: return {true, "up to " + degrees(there.maxAbs_rad) + " is expected there, beyond the limit"};
+    case PredictedVerdict::OutOfLimits:
+        return {true, {MARKED("core", "up to %1 is expected there, beyond the limit"), degrees(there.maxAbs_rad)}};
     case PredictedVerdict::MayLeaveLimits:
-        return {true, "up to " + degrees(there.maxAbsPossible_rad) + " is possible there, beyond the limit"};
+        return {true, {MARKED("core", "up to %1 is possible there, beyond the limit"), degrees(there.maxAbsPossible_rad)}};
     case PredictedVerdict::InLimits:
     case PredictedVerdict::NoLimit: break;
     }
     const double change = largestChange_rad(here, there);
     if (toDegrees(change) > change_deg)
-        return {true, "the deviation changes by up to " + degrees(change) + ": the card of here is not right there"};
-    return {false, "the deviation changes by " + degrees(change) + " at most"};
+        return {true, {MARKED("core", "the deviation changes by up to %1: the card of here is not right there"), degrees(change)}};
+    return {false, {MARKED("core", "the deviation changes by %1 at most"), degrees(change)}};
 }
 
 } // namespace lubberline

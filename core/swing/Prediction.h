@@ -23,8 +23,8 @@ struct Prediction {
     std::optional<ExactSmith> exact; ///< there; none when λ ≤ 0
     double maxAbs_rad = 0;           ///< of the middle curve
     double maxAbsPossible_rad = 0;   ///< of the band
-    std::string basis;               ///< in words: a model; one swing, between two extremes; swings at several places
-    std::vector<std::string> warnings;
+    Message basis;                   ///< a model; one swing, between two extremes; swings at several places
+    std::vector<Message> warnings;
 };
 
 /// From a model: exact, no band beyond the curve. `headings`: evenly spaced from north, `count` of them (8…3600).
@@ -44,7 +44,7 @@ enum class PredictedVerdict { InLimits, MayLeaveLimits, OutOfLimits, NoLimit };
 /// change by more than `change_deg` anywhere. The reason in words.
 struct SwingAgain {
     bool needed = false;
-    std::string reason;
+    Message reason;
 };
 [[nodiscard]] SwingAgain swingAgainAfterMove(
     const Prediction& here, const Prediction& there, const std::optional<LimitsProfile>& limits, double change_deg = 3.0);

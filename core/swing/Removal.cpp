@@ -10,7 +10,7 @@ Result<Removal> removeComponents(const Analysis& analysis, CoefficientSet remove
     for (const Coefficient coefficient : kCoefficients)
         if (removed.test(indexOf(coefficient)) && !analysis.approximate.of(coefficient))
             return Error{ErrorCode::Numeric,
-                std::string("coefficient ") + letterOf(coefficient) + " cannot be removed: these headings do not tell it"};
+                {MARKED("core", "coefficient %1 cannot be removed: these headings do not tell it"), letterOf(coefficient)}};
 
     const ApproximateSmith taken = without(analysis.approximate.smith(), ~removed);
     Removal result;

@@ -11,8 +11,9 @@ Result<SwingAtPlace> swingAtPlace(const SwingRecord& record)
     const auto stamp = record.swing.field ? record.swing.field : stampFor(record.swing, record.site);
     if (!stamp)
         return Error{ErrorCode::InvalidInput,
-            "the Earth's field of the swing of " + label
-                + " is not known; expected a site with latitude and longitude, and a date within the magnetic models"};
+            {MARKED("core",
+                 "the Earth's field of the swing of %1 is not known; expected a site with latitude and longitude, and a date within the magnetic models"),
+                label}};
     const auto readings = observationsOf(record.swing);
     const auto fit = fitExact(readings);
     if (!fit)
@@ -24,8 +25,9 @@ Result<SwingAtPlace> swingAtPlace(const ExactFit& fit, const MeridianField& fiel
 {
     if (fit.parameters != static_cast<int>(kCoefficientCount))
         return Error{ErrorCode::InvalidInput,
-            "the readings of the swing of " + label
-                + " do not tell all five coefficients; expected five headings at least, round the compass"};
+            {MARKED("core",
+                 "the readings of the swing of %1 do not tell all five coefficients; expected five headings at least, round the compass"),
+                label}};
     const auto error = [&fit](Coefficient which) { return fit.standardError[indexOf(which)].value_or(0.0); };
     return SwingAtPlace{fit.smith(),
         {error(Coefficient::A), error(Coefficient::B), error(Coefficient::C), error(Coefficient::D), error(Coefficient::E)}, field, label,

@@ -32,19 +32,21 @@ Result<void> checkFile(const QString& path, OpenMode mode)
     const QFileInfo file(path);
     const std::string name = path.toStdString();
     if (file.isDir())
-        return Error{ErrorCode::Io, "this is a folder; expected a database file", name};
+        return Error{ErrorCode::Io, MARKED("db", "this is a folder; expected a database file"), name};
     if (file.exists() && file.size() == 0 && mode == OpenMode::ReadOnly)
-        return Error{ErrorCode::Format, "the file is empty; expected a Lubberline database", name};
+        return Error{ErrorCode::Format, MARKED("db", "the file is empty; expected a Lubberline database"), name};
     if (file.exists())
         return {};
     if (mode == OpenMode::ReadOnly)
-        return Error{ErrorCode::NotFound, "there is no such database; expected an existing file", name};
+        return Error{ErrorCode::NotFound, MARKED("db", "there is no such database; expected an existing file"), name};
     const QFileInfo folder(file.absolutePath());
     if (!folder.isDir())
         return Error{ErrorCode::Io,
-            "the folder " + folder.filePath().toStdString() + " is not there; expected an existing one for the new database", name};
+            {MARKED("db", "the folder %1 is not there; expected an existing one for the new database"), folder.filePath().toStdString()},
+            name};
     if (!folder.isWritable())
-        return Error{ErrorCode::Io, "the folder " + folder.filePath().toStdString() + " may not be written; expected one that may", name};
+        return Error{ErrorCode::Io,
+            {MARKED("db", "the folder %1 may not be written; expected one that may"), folder.filePath().toStdString()}, name};
     return {};
 }
 
@@ -94,11 +96,11 @@ Result<void> checkIdentity(Database& database, int newest)
     if (*tables == 0 && *application == 0 && *version == 0)
         return {};
     if (*application != kApplicationId)
-        return Error{ErrorCode::Format, "this SQLite file was not made by Lubberline; expected a fleet database", file};
+        return Error{ErrorCode::Format, MARKED("db", "this SQLite file was not made by Lubberline; expected a fleet database"), file};
     if (*version > newest)
         return Error{ErrorCode::NewerSchema,
-            "the database has schema " + std::to_string(*version) + ", made by a newer Lubberline; this one knows schemas up to "
-                + std::to_string(newest) + ": update the program",
+            {MARKED("db", "the database has schema %1, made by a newer Lubberline; this one knows schemas up to %2: update the program"),
+                *version, newest},
             file};
     return {};
 }
@@ -117,8 +119,8 @@ Result<void> apply(Database& database, const Migration& step)
     for (const char* statement : step.statements)
         if (const auto done = execute(database, statement); !done) {
             Error error = done.error();
-            error.message = "the step to schema " + std::to_string(step.version) + " (" + step.description
-                + ") failed, nothing was changed: " + error.message;
+            error.message = {MARKED("db", "the step to schema %1 (%2) failed, nothing was changed: %3"), step.version,
+                std::string(step.description), std::move(error.message)};
             return error;
         }
     for (const QString& pragma :
@@ -138,8 +140,9 @@ Result<void> migrate(Database& database, const std::vector<Migration>& steps)
             continue;
         if (database.readOnly())
             return Error{ErrorCode::ReadOnly,
-                "the database has the old schema " + std::to_string(*version)
-                    + " and may only be read; expected one that may be written once, to bring it up to date",
+                {MARKED("db",
+                     "the database has the old schema %1 and may only be read; expected one that may be written once, to bring it up to date"),
+                    *version},
                 database.path().toStdString()};
         if (const auto done = apply(database, step); !done)
             return done;
@@ -236,8 +239,8 @@ Result<void> Database::connectToOurs(int newest)
     // which is so unless somebody with more rights opens it at the same time. A log with contents, however, would be left out.
     if (QFileInfo(path() + "-wal").size() > 0)
         return Error{ErrorCode::Io,
-            "the database was not closed properly, and its folder may not be written; expected one that may, so that what was "
-            "stored last can be recovered",
+            MARKED("db",
+                "the database was not closed properly, and its folder may not be written; expected one that may, so that what was stored last can be recovered"),
             path().toStdString()};
     if (const auto connected = m_state->connect(true); !connected)
         return connected;

@@ -15,15 +15,16 @@ constexpr int kCheck = 275, kForeignKey = 787, kNotNull = 1299, kTrigger = 1811;
 /// What SQLite names in "UNIQUE constraint failed: …", in words.
 struct UniqueName {
     const char* columns;
-    const char* words;
+    Pattern words;
 };
 constexpr std::array kUniqueNames{
-    UniqueName{"aircraft_type.name", "an aircraft type of this name"},
-    UniqueName{"aircraft.registration", "an aircraft of this registration"},
-    UniqueName{"compass.aircraft_id, compass.name", "a compass of this name on this aircraft"},
-    UniqueName{"site.name", "a site of this name"},
-    UniqueName{"limits_profile.name", "a limits profile of this name"},
-    UniqueName{".record", "a record of this identity"},
+    UniqueName{"aircraft_type.name", MARKED("db", "there is an aircraft type of this name already; expected another")},
+    UniqueName{"aircraft.registration", MARKED("db", "there is an aircraft of this registration already; expected another")},
+    UniqueName{
+        "compass.aircraft_id, compass.name", MARKED("db", "there is a compass of this name on this aircraft already; expected another")},
+    UniqueName{"site.name", MARKED("db", "there is a site of this name already; expected another")},
+    UniqueName{"limits_profile.name", MARKED("db", "there is a limits profile of this name already; expected another")},
+    UniqueName{".record", MARKED("db", "there is a record of this identity already; expected another")},
 };
 
 Error constraintError(int code, const std::string& detail, const std::string& file)
@@ -31,21 +32,22 @@ Error constraintError(int code, const std::string& detail, const std::string& fi
     switch (code) {
     case kTrigger: // ours: what the triggers say is in the schema
         if (detail.find("signed") != std::string::npos)
-            return {ErrorCode::Frozen, "the swing is signed and frozen; expected a new revision instead of a change", file};
-        return {ErrorCode::Frozen, detail + "; expected no change of it", file};
+            return {ErrorCode::Frozen, MARKED("db", "the swing is signed and frozen; expected a new revision instead of a change"), file};
+        return {ErrorCode::Frozen, {MARKED("db", "%1; expected no change of it"), detail}, file};
     case kCheck:
-        return {
-            ErrorCode::InvalidInput, "a value is outside its range; expected one that fits " + detail.substr(detail.find(':') + 1), file};
+        return {ErrorCode::InvalidInput,
+            {MARKED("db", "a value is outside its range; expected one that fits %1"), detail.substr(detail.find(':') + 1)}, file};
     case kForeignKey:
-        return {ErrorCode::Conflict, "the record refers to another that is not in the database, or is still referred to", file};
+        return {
+            ErrorCode::Conflict, MARKED("db", "the record refers to another that is not in the database, or is still referred to"), file};
     case kNotNull:
         return {ErrorCode::InvalidInput,
-            "something that is needed is not stated (" + detail.substr(detail.find(':') + 2) + "); expected a value", file};
+            {MARKED("db", "something that is needed is not stated (%1); expected a value"), detail.substr(detail.find(':') + 2)}, file};
     default:
         for (const auto& [columns, words] : kUniqueNames)
             if (detail.find(columns) != std::string::npos)
-                return {ErrorCode::Conflict, std::string("there is ") + words + " already; expected another", file};
-        return {ErrorCode::Conflict, "the record contradicts another in the database (" + detail + ")", file};
+                return {ErrorCode::Conflict, words, file};
+        return {ErrorCode::Conflict, {MARKED("db", "the record contradicts another in the database (%1)"), detail}, file};
     }
 }
 
@@ -60,18 +62,22 @@ Error errorOf(const QSqlError& error, const QString& path)
     case kBusy:
     case kLocked:
         return {ErrorCode::Locked,
-            "another program is writing to the database; expected it to be free: close the other program or try again", file};
-    case kReadOnly: return {ErrorCode::ReadOnly, "the database may only be read; expected a file and folder that may be written", file};
+            MARKED("db", "another program is writing to the database; expected it to be free: close the other program or try again"), file};
+    case kReadOnly:
+        return {ErrorCode::ReadOnly, MARKED("db", "the database may only be read; expected a file and folder that may be written"), file};
     case kIoError:
-        return {ErrorCode::Io, "the drive failed while the database was read or written (" + detail + "); expected a drive that is there",
-            file};
-    case kCorrupt: return {ErrorCode::Corrupt, "the database is damaged (" + detail + "); expected a whole one: restore a backup", file};
-    case kFull: return {ErrorCode::Full, "the drive is full; expected room for the database: free some space", file};
+        return {ErrorCode::Io,
+            {MARKED("db", "the drive failed while the database was read or written (%1); expected a drive that is there"), detail}, file};
+    case kCorrupt:
+        return {ErrorCode::Corrupt, {MARKED("db", "the database is damaged (%1); expected a whole one: restore a backup"), detail}, file};
+    case kFull: return {ErrorCode::Full, MARKED("db", "the drive is full; expected room for the database: free some space"), file};
     case kCannotOpen:
-        return {ErrorCode::Io, "the database cannot be opened; expected a file in a folder that is there and may be read", file};
-    case kNotADatabase: return {ErrorCode::Format, "this is not a Lubberline database; expected an SQLite file made by this program", file};
+        return {
+            ErrorCode::Io, MARKED("db", "the database cannot be opened; expected a file in a folder that is there and may be read"), file};
+    case kNotADatabase:
+        return {ErrorCode::Format, MARKED("db", "this is not a Lubberline database; expected an SQLite file made by this program"), file};
     case kConstraint: return constraintError(code, detail, file);
-    default: return {ErrorCode::Io, "the database refused (" + detail + ")", file};
+    default: return {ErrorCode::Io, {MARKED("db", "the database refused (%1)"), detail}, file};
     }
 }
 

@@ -45,7 +45,8 @@ Result<void> Statement::run()
     if (!m_prepared)
         return errorOf(m_query.lastError(), m_database.path());
     if (!m_finite)
-        return Error{ErrorCode::InvalidInput, "a number is not finite; expected a real figure", m_database.path().toStdString()};
+        return Error{
+            ErrorCode::InvalidInput, MARKED("db", "a number is not finite; expected a real figure"), m_database.path().toStdString()};
     if (m_database.fault())
         if (const auto failed = m_database.fault()(m_query.lastQuery()))
             return *failed;

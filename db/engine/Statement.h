@@ -114,13 +114,13 @@ Result<std::optional<Row>> firstOf(Statement& statement, Make make)
 
 /// The first row. Errors: NotFound ("there is no such `what` in the database").
 template <class Row, class Make>
-Result<Row> oneOf(Statement& statement, const Database& database, const char* what, Make make)
+Result<Row> oneOf(Statement& statement, const Database& database, const Message& what, Make make)
 {
     auto found = firstOf<Row>(statement, make);
     if (!found)
         return found.error();
     if (!*found)
-        return Error{ErrorCode::NotFound, std::string("there is no such ") + what + " in the database", database.path().toStdString()};
+        return Error{ErrorCode::NotFound, {MARKED("db", "there is no such %1 in the database"), what}, database.path().toStdString()};
     return std::move(**found);
 }
 

@@ -28,7 +28,8 @@ Result<void> Transaction::commit()
     LUBBERLINE_EXPECT(m_database, "a transaction is committed once");
     TransactionState& state = m_database->transactionState();
     if (state.broken)
-        return Error{ErrorCode::Conflict, "a part of the change failed; nothing was stored", m_database->path().toStdString()};
+        return Error{
+            ErrorCode::Conflict, MARKED("db", "a part of the change failed; nothing was stored"), m_database->path().toStdString()};
     if (state.depth == 1)
         if (const auto done = execute(*m_database, "COMMIT"); !done)
             return done; // the destructor rolls back

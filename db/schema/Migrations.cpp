@@ -166,11 +166,16 @@ const Migration kFourth{4,
         "CREATE INDEX electrical_by_compass ON electrical_swing(compass_id, date)",
     }};
 
+const Migration kFifth{5, "signatures name the version of what they stand for",
+    {
+        "ALTER TABLE signature ADD COLUMN contents INTEGER NOT NULL DEFAULT 1 CHECK (contents >= 1)",
+    }};
+
 } // namespace
 
 const std::vector<Migration>& migrations()
 {
-    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth};
+    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth};
     return steps;
 }
 

@@ -10,13 +10,14 @@ namespace {
 
 const Table& ruleTable()
 {
-    static const Table table{"due rule", "due_rule", {"name", "months", "grace_days", "warn_days", "document", "issue", "type_record"}};
+    static const Table table{
+        MARKED("db", "due rule"), "due_rule", {"name", "months", "grace_days", "warn_days", "document", "issue", "type_record"}};
     return table;
 }
 
 const Table& waiverTable()
 {
-    static const Table table{"waiver", "waiver", {"event_id", "date", "reason", "signed_by"}};
+    static const Table table{MARKED("db", "waiver"), "waiver", {"event_id", "date", "reason", "signed_by"}};
     return table;
 }
 
@@ -62,7 +63,7 @@ Result<std::vector<DueRule>> DueStore::rules()
 
 Result<RecordId> DueStore::add(const DueRule& rule)
 {
-    if (const auto named = requireName(rule.name, "the name of the rule"); !named)
+    if (const auto named = requireName(rule.name, MARKED("db", "the name of the rule")); !named)
         return named.error();
     DueRule whole = rule;
     if (whole.record.empty())
@@ -76,7 +77,7 @@ Result<RecordId> DueStore::add(const DueRule& rule)
 
 Result<void> DueStore::change(const DueRule& known, const DueRule& rule)
 {
-    if (const auto named = requireName(rule.name, "the name of the rule"); !named)
+    if (const auto named = requireName(rule.name, MARKED("db", "the name of the rule")); !named)
         return named.error();
     const auto id = rowWith(m_database, ruleTable(), known.record);
     if (!id)
@@ -102,18 +103,19 @@ Result<std::vector<Waiver>> DueStore::waiversOf(AircraftId aircraft)
 
 Result<void> DueStore::add(const Waiver& waiver)
 {
-    if (const auto named = requireName(waiver.by, "the name of who waives"); !named)
+    if (const auto named = requireName(waiver.by, MARKED("db", "the name of who waives")); !named)
         return named.error();
     if (waiver.reason.find_first_not_of(' ') == std::string::npos)
-        return Error{ErrorCode::InvalidInput, "the reason of the waiver is empty; expected why no swing is needed"};
+        return Error{ErrorCode::InvalidInput, MARKED("db", "the reason of the waiver is empty; expected why no swing is needed")};
     const auto known = rowWith(m_database, waiverTable(), waiver.record);
     if (!known)
         return known.error();
     if (known->valid())
-        return Error{ErrorCode::Conflict, "the waiver is on record already; a waiver is not changed", m_database.path().toStdString()};
+        return Error{
+            ErrorCode::Conflict, MARKED("db", "the waiver is on record already; a waiver is not changed"), m_database.path().toStdString()};
     Statement event(m_database, "SELECT id FROM event WHERE record = ?");
     event << waiver.event;
-    const auto answered = oneOf<EventId>(event, m_database, "event", [](Statement& row) { return row.id<EventId>(0); });
+    const auto answered = oneOf<EventId>(event, m_database, MARKED("db", "event"), [](Statement& row) { return row.id<EventId>(0); });
     if (!answered)
         return answered.error();
     const auto bind = [&](Statement& statement, const Waiver& one) { statement << *answered << one.date << one.reason << one.by; };

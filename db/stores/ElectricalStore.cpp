@@ -9,7 +9,7 @@ namespace {
 
 const Table& electricalTable()
 {
-    static const Table table{"electrical swing", "electrical_swing", {"compass_id", "date", "electrical_json"}};
+    static const Table table{MARKED("db", "electrical swing"), "electrical_swing", {"compass_id", "date", "electrical_json"}};
     return table;
 }
 
@@ -30,7 +30,8 @@ Result<std::vector<ElectricalSwing>> ElectricalStore::of(CompassId compass)
     return wholeRows(rowsOf<Result<ElectricalSwing>>(statement, [&](Statement& row) -> Result<ElectricalSwing> {
         auto swing = readElectricalJson(row.text(1), file);
         if (!swing)
-            return Error{ErrorCode::Corrupt, "the electrical swing " + row.text(0) + " does not read: " + swing.error().message, file};
+            return Error{
+                ErrorCode::Corrupt, {MARKED("db", "the electrical swing %1 does not read: %2"), row.text(0), swing.error().message}, file};
         swing->record = row.text(0);
         return swing;
     }));

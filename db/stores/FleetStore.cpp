@@ -9,20 +9,20 @@ namespace {
 
 const Table& typeTable()
 {
-    static const Table table{"aircraft type", "aircraft_type", {"name", "maker", "note"}};
+    static const Table table{MARKED("db", "aircraft type"), "aircraft_type", {"name", "maker", "note"}};
     return table;
 }
 
 const Table& aircraftTable()
 {
-    static const Table table{"aircraft", "aircraft",
+    static const Table table{MARKED("db", "aircraft"), "aircraft",
         {"type_id", "registration", "serial_number", "operator_name", "built_year", "note", "demonstration", "base_id"}};
     return table;
 }
 
 const Table& compassTable()
 {
-    static const Table table{"compass", "compass",
+    static const Table table{MARKED("db", "compass"), "compass",
         {"aircraft_id", "name", "kind", "compensator", "maker", "part_number", "serial_number", "location", "resolution_deg", "limits_id",
             "installed"}};
     return table;
@@ -30,7 +30,7 @@ const Table& compassTable()
 
 const Table& eventTable()
 {
-    static const Table table{"event", "event", {"aircraft_id", "date", "kind", "note", "cause"}};
+    static const Table table{MARKED("db", "event"), "event", {"aircraft_id", "date", "kind", "note", "cause"}};
     return table;
 }
 
@@ -63,7 +63,7 @@ Result<Totals> FleetStore::totals()
     Statement statement(m_database,
         "SELECT (SELECT COUNT(*) FROM aircraft_type), (SELECT COUNT(*) FROM aircraft), (SELECT COUNT(*) FROM compass),"
         " (SELECT COUNT(*) FROM swing)");
-    return oneOf<Totals>(statement, m_database, "fleet", [](Statement& row) {
+    return oneOf<Totals>(statement, m_database, MARKED("db", "fleet"), [](Statement& row) {
         return Totals{static_cast<int>(row.integer(0)), static_cast<int>(row.integer(1)), static_cast<int>(row.integer(2)), row.integer(3)};
     });
 }
@@ -107,7 +107,7 @@ Result<AircraftType> FleetStore::type(AircraftTypeId id)
 {
     Statement statement(m_database, select(typeTable()) + "WHERE id = ?");
     statement << id;
-    return oneOf<AircraftType>(statement, m_database, "aircraft type", [](Statement& row) {
+    return oneOf<AircraftType>(statement, m_database, MARKED("db", "aircraft type"), [](Statement& row) {
         return AircraftType{row.id<AircraftTypeId>(0), row.text(1), row.text(2), row.text(3), row.text(4)};
     });
 }
@@ -116,7 +116,7 @@ Result<Aircraft> FleetStore::aircraft(AircraftId id)
 {
     Statement statement(m_database, select(aircraftTable()) + "WHERE id = ?");
     statement << id;
-    return oneOf<Aircraft>(statement, m_database, "aircraft", [](Statement& row) {
+    return oneOf<Aircraft>(statement, m_database, MARKED("db", "aircraft"), [](Statement& row) {
         return Aircraft{row.id<AircraftId>(0), row.text(1), row.id<AircraftTypeId>(2), row.text(3), row.text(4), row.text(5),
             row.optionalInteger(6), row.text(7), row.integer(8) != 0, row.id<SiteId>(9)};
     });
@@ -126,7 +126,7 @@ Result<CompassSystem> FleetStore::compass(CompassId id)
 {
     Statement statement(m_database, select(compassTable()) + "WHERE id = ?");
     statement << id;
-    return oneOf<CompassSystem>(statement, m_database, "compass", [](Statement& row) {
+    return oneOf<CompassSystem>(statement, m_database, MARKED("db", "compass"), [](Statement& row) {
         return CompassSystem{row.id<CompassId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.as<CompassKind>(4),
             row.as<Compensator>(5), row.text(6), row.text(7), row.text(8), row.text(9), row.real(10), row.id<LimitsProfileId>(11),
             row.text(12)};
@@ -147,12 +147,12 @@ Result<AircraftId> FleetStore::aircraftNamed(const std::string& registration)
     Statement statement(m_database, "SELECT id FROM aircraft WHERE registration = ?");
     statement << registration;
     return oneOf<AircraftId>(
-        statement, m_database, ("aircraft as " + registration).c_str(), [](Statement& row) { return row.id<AircraftId>(0); });
+        statement, m_database, {MARKED("db", "aircraft as %1"), registration}, [](Statement& row) { return row.id<AircraftId>(0); });
 }
 
 Result<AircraftTypeId> FleetStore::add(const AircraftType& type)
 {
-    if (const auto named = requireName(type.name, "the name of the aircraft type"); !named)
+    if (const auto named = requireName(type.name, MARKED("db", "the name of the aircraft type")); !named)
         return named.error();
     return noting(
         m_database, [&] { return addRecord<AircraftTypeId>(m_database, typeTable(), type, bindType); },
@@ -161,7 +161,7 @@ Result<AircraftTypeId> FleetStore::add(const AircraftType& type)
 
 Result<void> FleetStore::change(const AircraftType& known, const AircraftType& type)
 {
-    if (const auto named = requireName(type.name, "the name of the aircraft type"); !named)
+    if (const auto named = requireName(type.name, MARKED("db", "the name of the aircraft type")); !named)
         return named.error();
     return noting(
         m_database, [&] { return changeRecord(m_database, typeTable(), type.id, known, type, bindType); },
@@ -170,7 +170,7 @@ Result<void> FleetStore::change(const AircraftType& known, const AircraftType& t
 
 Result<AircraftId> FleetStore::add(const Aircraft& aircraft)
 {
-    if (const auto named = requireName(aircraft.registration, "the registration"); !named)
+    if (const auto named = requireName(aircraft.registration, MARKED("db", "the registration")); !named)
         return named.error();
     return noting(
         m_database, [&] { return addRecord<AircraftId>(m_database, aircraftTable(), aircraft, bindAircraft); },
@@ -179,7 +179,7 @@ Result<AircraftId> FleetStore::add(const Aircraft& aircraft)
 
 Result<void> FleetStore::change(const Aircraft& known, const Aircraft& aircraft)
 {
-    if (const auto named = requireName(aircraft.registration, "the registration"); !named)
+    if (const auto named = requireName(aircraft.registration, MARKED("db", "the registration")); !named)
         return named.error();
     return noting(
         m_database, [&] { return changeRecord(m_database, aircraftTable(), aircraft.id, known, aircraft, bindAircraft); },
@@ -188,7 +188,7 @@ Result<void> FleetStore::change(const Aircraft& known, const Aircraft& aircraft)
 
 Result<CompassId> FleetStore::add(const CompassSystem& compass)
 {
-    if (const auto named = requireName(compass.name, "the name of the compass"); !named)
+    if (const auto named = requireName(compass.name, MARKED("db", "the name of the compass")); !named)
         return named.error();
     return noting(
         m_database, [&] { return addRecord<CompassId>(m_database, compassTable(), compass, bindCompass); },
@@ -197,7 +197,7 @@ Result<CompassId> FleetStore::add(const CompassSystem& compass)
 
 Result<void> FleetStore::change(const CompassSystem& known, const CompassSystem& compass)
 {
-    if (const auto named = requireName(compass.name, "the name of the compass"); !named)
+    if (const auto named = requireName(compass.name, MARKED("db", "the name of the compass")); !named)
         return named.error();
     const auto store = [&]() -> Result<void> {
         if (auto changed = changeRecord(m_database, compassTable(), compass.id, known, compass, bindCompass); !changed)

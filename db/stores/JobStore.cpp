@@ -29,12 +29,13 @@ Result<JobRowIn> rowOf(Database& database, SwingId swing)
 {
     Statement statement(database, kSelectJob + "WHERE j.swing_id = ?");
     statement << swing;
-    return oneOf<JobRowIn>(statement, database, "guided swing", jobRowFrom);
+    return oneOf<JobRowIn>(statement, database, MARKED("db", "guided swing"), jobRowFrom);
 }
 
 Error corruptJob(const Database& database, const RecordId& record, const Error& error)
 {
-    return {ErrorCode::Corrupt, "the guided swing " + record + " does not read: " + error.message, database.path().toStdString()};
+    return {
+        ErrorCode::Corrupt, {MARKED("db", "the guided swing %1 does not read: %2"), record, error.message}, database.path().toStdString()};
 }
 
 Result<SwingJob> jobFrom(Database& database, const JobRowIn& row)
@@ -149,16 +150,17 @@ Result<void> JobStore::append(SwingId swing, std::size_t place, const JobEvent& 
         return row.error();
     const std::string file = m_database.path().toStdString();
     if (row->standing != JobStanding::Open)
-        return Error{ErrorCode::Frozen, "the guided swing is finished; nothing is added to it", file};
+        return Error{ErrorCode::Frozen, MARKED("db", "the guided swing is finished; nothing is added to it"), file};
     Statement count(m_database, "SELECT COUNT(*) FROM job_event WHERE job_id = ?");
     count << row->id;
-    const auto stored = oneOf<std::int64_t>(count, m_database, "guided swing", [](Statement& one) { return one.integer(0); });
+    const auto stored = oneOf<std::int64_t>(count, m_database, MARKED("db", "guided swing"), [](Statement& one) { return one.integer(0); });
     if (!stored)
         return stored.error();
     if (*stored != static_cast<std::int64_t>(place))
         return Error{ErrorCode::Conflict,
-            "this guided swing has gone on in another window (" + std::to_string(*stored) + " steps there, " + std::to_string(place)
-                + " known here); nothing was overwritten: take it up again",
+            {MARKED("db",
+                 "this guided swing has gone on in another window (%1 steps there, %2 known here); nothing was overwritten: take it up again"),
+                *stored, place},
             file};
     if (const auto done = insertEvent(m_database, row->id, place, event); !done)
         return done;

@@ -55,8 +55,8 @@ Result<RowId> rowWith(Database& database, const Table& table, const RecordId& re
 Error changedElsewhere(const Database& database, const Table& table, const StoredRow& row)
 {
     return {ErrorCode::Conflict,
-        "this " + std::string(table.what) + " (" + row.fields.front()
-            + ") has been changed elsewhere; nothing was overwritten, look at it again",
+        {MARKED("db", "this %1 (%2) has been changed elsewhere; nothing was overwritten, look at it again"), table.what,
+            row.fields.front()},
         database.path().toStdString()};
 }
 
@@ -82,15 +82,15 @@ Result<void> removeRecord(Database& database, const Table& table, const RecordId
     statement << *id;
     if (const auto done = statement.run(); !done)
         return done;
-    if (const auto kept = audit(database, "removed " + std::string(table.what), record, changesBetween(table, {}, *row)); !kept)
+    if (const auto kept = audit(database, "removed " + std::string(table.what.english), record, changesBetween(table, {}, *row)); !kept)
         return kept;
     return transaction->commit();
 }
 
-Result<void> requireName(const std::string& name, const char* what)
+Result<void> requireName(const std::string& name, Pattern what)
 {
     if (name.empty())
-        return Error{ErrorCode::InvalidInput, std::string(what) + " is empty; expected a name"};
+        return Error{ErrorCode::InvalidInput, {MARKED("db", "%1 is empty; expected a name"), what}};
     return {};
 }
 

@@ -13,7 +13,7 @@ namespace lubberline::db {
 
 /// Where the records of one kind are stored.
 struct Table {
-    const char* what; ///< for people: "aircraft type"
+    Pattern what; ///< "aircraft type"
     QString name;
     QStringList fields; ///< the columns of the particulars: all but the id, the record id and what is computed
 };
@@ -53,7 +53,8 @@ Result<IdType> addRecord(Database& database, const Table& table, const Record& r
     const auto after = storedRow(database, table, id.value);
     if (!after)
         return after.error();
-    if (const auto kept = audit(database, "added " + std::string(table.what), after->record, changesBetween(table, {}, *after)); !kept)
+    if (const auto kept = audit(database, "added " + std::string(table.what.english), after->record, changesBetween(table, {}, *after));
+        !kept)
         return kept.error();
     if (const auto committed = transaction->commit(); !committed)
         return committed.error();
@@ -96,7 +97,8 @@ Result<void> changeRecord(Database& database, const Table& table, IdType id, con
     const auto after = storedRow(database, table, id.value);
     if (!after)
         return after.error();
-    if (const auto kept = audit(database, "changed " + std::string(table.what), after->record, changesBetween(table, *before, *after));
+    if (const auto kept
+        = audit(database, "changed " + std::string(table.what.english), after->record, changesBetween(table, *before, *after));
         !kept)
         return kept;
     return transaction->commit();
@@ -110,7 +112,7 @@ Result<RowId> rowWith(Database& database, const Table& table, const RecordId& re
 Result<void> removeRecord(Database& database, const Table& table, const RecordId& record);
 
 /// Errors: InvalidInput when the name is empty.
-Result<void> requireName(const std::string& name, const char* what);
+Result<void> requireName(const std::string& name, Pattern what);
 
 /// Runs `store` in one transaction and notes what changed in it: `note()`, or `note(id)` where `store` returns an id.
 template <class Store, class Note>

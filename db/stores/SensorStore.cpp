@@ -12,7 +12,7 @@ namespace {
 const Table& sensorTable()
 {
     static const Table table{
-        "sensor model", "sensor_model", {"compass_id", "name", "origin", "note", "model_json", "bench_json", "states_json"}};
+        MARKED("db", "sensor model"), "sensor_model", {"compass_id", "name", "origin", "note", "model_json", "bench_json", "states_json"}};
     return table;
 }
 
@@ -47,7 +47,7 @@ void bindSensor(Statement& statement, const SensorRecord& sensor)
 
 Result<void> check(const SensorRecord& sensor)
 {
-    if (auto named = requireName(sensor.name, "the name of the sensor model"); !named)
+    if (auto named = requireName(sensor.name, MARKED("db", "the name of the sensor model")); !named)
         return named;
     return checkSensor(sensor);
 }
@@ -66,19 +66,19 @@ Result<SensorRecord> SensorStore::sensor(SensorModelId id)
     Statement statement(m_database, selectSensor() + "WHERE id = ?");
     statement << id;
     auto row = oneOf<Result<SensorRecord>>(
-        statement, m_database, "sensor model", [this](Statement& found) { return sensorFrom(found, m_database); });
+        statement, m_database, MARKED("db", "sensor model"), [this](Statement& found) { return sensorFrom(found, m_database); });
     if (!row)
         return row.error();
     return std::move(row.value());
 }
 
-Result<std::vector<std::string>> SensorStore::faults()
+Result<std::vector<Message>> SensorStore::faults()
 {
     Statement statement(m_database, selectSensor() + "ORDER BY id");
     auto rows = rowsOf<Result<SensorRecord>>(statement, [this](Statement& row) { return sensorFrom(row, m_database); });
     if (!rows)
         return rows.error();
-    std::vector<std::string> faults;
+    std::vector<Message> faults;
     for (const auto& row : *rows)
         if (!row)
             faults.push_back(row.error().message);

@@ -17,7 +17,7 @@ public:
     Result<std::vector<SensorRecord>> of(CompassId compass); ///< newest first
     Result<SensorRecord> sensor(SensorModelId id);
     /// What is wrong with stored models, one line each: for verify().
-    Result<std::vector<std::string>> faults();
+    Result<std::vector<Message>> faults();
 
     /// As FleetStore::add() and change(). Errors: also InvalidInput (a figure of the model that is not finite; a bench that
     /// checkBench() refuses).

@@ -23,13 +23,13 @@ bool isFinite(const SensorModel& model)
     return finite;
 }
 
-Error corruptSensor(const std::string& why) { return {ErrorCode::Corrupt, why}; }
+Error corruptSensor(const Message& why) { return {ErrorCode::Corrupt, why}; }
 
 Result<BenchStates> statesFrom(const std::string& text, const std::string& name)
 {
     const auto document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
     if (!document.isObject())
-        return corruptSensor(name + ": the states of its moving parts do not read; expected an object");
+        return corruptSensor({MARKED("db", "%1: the states of its moving parts do not read; expected an object"), name});
     BenchStates states;
     const QJsonObject object = document.object();
     for (auto one = object.begin(); one != object.end(); ++one)
@@ -50,8 +50,8 @@ std::string statesText(const BenchStates& states)
 Result<void> checkSensor(const SensorRecord& sensor)
 {
     if (!isFinite(sensor.model))
-        return Error{
-            ErrorCode::InvalidInput, "a figure of the sensor model " + sensor.name + " is not a real number; expected finite ones"};
+        return Error{ErrorCode::InvalidInput,
+            {MARKED("db", "a figure of the sensor model %1 is not a real number; expected finite ones"), sensor.name}};
     if (sensor.bench)
         if (auto checked = checkBench(*sensor.bench); !checked)
             return checked;
@@ -70,12 +70,12 @@ Result<SensorRecord> withTexts(SensorRecord sensor, const std::string& model, co
     const std::string name = "sensor model " + sensor.name + " (record " + sensor.record + ")";
     auto readModel = readSensorModelJson(model, name);
     if (!readModel)
-        return corruptSensor(describe(readModel.error()));
+        return corruptSensor(described(readModel.error()));
     sensor.model = std::move(readModel.value());
     if (!bench.empty()) {
         auto readBench = readBenchJson(bench, name);
         if (!readBench)
-            return corruptSensor(describe(readBench.error()));
+            return corruptSensor(described(readBench.error()));
         sensor.bench = std::move(readBench.value());
     }
     auto readStates = statesFrom(states, name);

@@ -6,9 +6,12 @@ namespace lubberline::db {
 
 namespace {
 
-Signature signatureFrom(const Statement& row) { return {row.as<SignatureRole>(1), row.text(2), row.text(3), row.text(4), row.text(5)}; }
+Signature signatureFrom(const Statement& row)
+{
+    return {row.as<SignatureRole>(1), row.text(2), row.text(3), row.text(4), row.text(5), static_cast<int>(row.integer(6))};
+}
 
-const QString kSelectSignature = "SELECT swing_id, role, name, licence, time_utc, hash FROM signature ";
+const QString kSelectSignature = "SELECT swing_id, role, name, licence, time_utc, hash, contents FROM signature ";
 
 } // namespace
 
@@ -34,8 +37,10 @@ Result<std::map<SwingId, std::vector<Signature>>> allSignatures(Database& databa
 
 Result<void> addSignature(Database& database, SwingId swing, const Signature& signature)
 {
-    Statement statement(database, "INSERT INTO signature (swing_id, role, name, licence, time_utc, hash) VALUES (?, ?, ?, ?, ?, ?)");
-    statement << swing << static_cast<int>(signature.role) << signature.name << signature.licence << signature.timeUtc << signature.hash;
+    Statement statement(
+        database, "INSERT INTO signature (swing_id, role, name, licence, time_utc, hash, contents) VALUES (?, ?, ?, ?, ?, ?, ?)");
+    statement << swing << static_cast<int>(signature.role) << signature.name << signature.licence << signature.timeUtc << signature.hash
+              << signature.contents;
     return statement.run();
 }
 

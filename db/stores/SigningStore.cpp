@@ -2,6 +2,7 @@
 
 #include <QCryptographicHash>
 #include <algorithm>
+#include <map>
 
 #include "core/format/exchange/SignedContent.h"
 #include "core/record/Completeness.h"
@@ -16,7 +17,17 @@
 
 namespace lubberline::db {
 
+<<<<<<< HEAD
 Result<std::string> SigningStore::hashOf(SwingId id)
+=======
+namespace {
+
+std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
+
+} // namespace
+
+Result<std::string> SigningStore::hashOf(SwingId id, int contents)
+>>>>>>> 878a80e (Signed content carries a version: what was signed before holds under its own (schema 5, exchange 4))
 {
     const auto record = SwingStore(m_database).record(id);
     if (!record)
@@ -27,7 +38,7 @@ Result<std::string> SigningStore::hashOf(SwingId id)
     std::optional<SwingJob> job;
     if (*found && (*found)->swing == id)
         job = (*found)->job;
-    return QCryptographicHash::hash(QByteArray::fromStdString(signedContent(*record, job)), QCryptographicHash::Sha256)
+    return QCryptographicHash::hash(QByteArray::fromStdString(signedContent(*record, job, contents)), QCryptographicHash::Sha256)
         .toHex()
         .toStdString();
 }
@@ -62,9 +73,10 @@ Result<void> SigningStore::complete(SwingId id)
     if (!swing)
         return swing.error();
     if (swing->state != SwingState::Draft)
-        return Error{ErrorCode::InvalidInput, "the swing is " + std::string(fileWord(swing->state)) + " already; expected a draft"};
+        return Error{
+            ErrorCode::InvalidInput, {MARKED("db", "the swing is %1 already; expected a draft"), std::string(fileWord(swing->state))}};
     if (const auto missing = missingIn(*swing); !missing.empty())
-        return Error{ErrorCode::InvalidInput, "the swing is not complete: " + missing};
+        return Error{ErrorCode::InvalidInput, {MARKED("db", "the swing is not complete: %1"), missing}};
     if (const auto done = setState(id, SwingState::Complete, "completed swing", {}); !done)
         return done;
     return transaction->commit();
@@ -79,11 +91,12 @@ Result<void> SigningStore::reopen(SwingId id, const std::string& reason)
     if (!swing)
         return swing.error();
     if (swing->state == SwingState::Signed)
-        return Error{ErrorCode::Frozen, "the swing is signed and frozen; expected an amendment instead", m_database.path().toStdString()};
+        return Error{ErrorCode::Frozen, MARKED("db", "the swing is signed and frozen; expected an amendment instead"),
+            m_database.path().toStdString()};
     if (swing->state != SwingState::Complete)
-        return Error{ErrorCode::InvalidInput, "the swing is a draft already; expected a complete one"};
+        return Error{ErrorCode::InvalidInput, MARKED("db", "the swing is a draft already; expected a complete one")};
     if (reason.empty())
-        return Error{ErrorCode::InvalidInput, "the reason is empty; expected why a complete swing is opened again"};
+        return Error{ErrorCode::InvalidInput, MARKED("db", "the reason is empty; expected why a complete swing is opened again")};
     if (const auto done = setState(id, SwingState::Draft, "reopened swing", reason); !done)
         return done;
     return transaction->commit();
@@ -98,10 +111,12 @@ Result<void> SigningStore::sign(SwingId id, Signature signature)
     if (!swing)
         return swing.error();
     if (swing->state == SwingState::Draft)
-        return Error{ErrorCode::InvalidInput, "the swing is a draft; expected a complete one: it is completed before it is signed"};
+        return Error{
+            ErrorCode::InvalidInput, MARKED("db", "the swing is a draft; expected a complete one: it is completed before it is signed")};
     if (signature.name.find_first_not_of(' ') == std::string::npos)
-        return Error{ErrorCode::InvalidInput, "the name is empty; expected who signs"};
-    const auto hash = hashOf(id);
+        return Error{ErrorCode::InvalidInput, MARKED("db", "the name is empty; expected who signs")};
+    signature.contents = kSignedContents;
+    const auto hash = hashOf(id, signature.contents);
     if (!hash)
         return hash.error();
     signature.timeUtc = m_database.clock().nowUtc();
@@ -114,7 +129,10 @@ Result<void> SigningStore::sign(SwingId id, Signature signature)
         return kept;
     noteState(id);
     swing->signatures.push_back(std::move(signature));
-    if (swing->state == SwingState::Complete && freezes(swing->signatures, *hash))
+    const auto holding = hold(id);
+    if (!holding)
+        return holding.error();
+    if (swing->state == SwingState::Complete && freezes(swing->signatures, *holding))
         if (const auto done = setState(id, SwingState::Signed, "froze swing", "hash " + *hash); !done)
             return done;
     return transaction->commit();
@@ -128,14 +146,18 @@ Result<std::vector<bool>> SigningStore::hold(SwingId id)
     const auto signatures = signaturesOf(m_database, id);
     if (!signatures)
         return signatures.error();
+    std::map<int, std::string> hashes; // of each version that was used
     std::vector<bool> hold;
-    if (signatures->empty())
-        return hold;
-    const auto hash = hashOf(id);
-    if (!hash)
-        return hash.error();
-    for (const auto& signature : *signatures)
-        hold.push_back(signature.hash == *hash);
+    for (const auto& signature : *signatures) {
+        auto& hash = hashes[signature.contents];
+        if (hash.empty()) {
+            const auto now = hashOf(id, signature.contents);
+            if (!now)
+                return now.error();
+            hash = *now;
+        }
+        hold.push_back(signature.hash == hash);
+    }
     return hold;
 }
 
@@ -149,9 +171,10 @@ Result<SwingId> SigningStore::amend(SwingId id, const std::string& reason)
     if (!swing)
         return swing.error();
     if (swing->state != SwingState::Signed)
-        return Error{ErrorCode::InvalidInput, "the swing is not signed; expected a signed one: anything else can be changed as it is"};
+        return Error{
+            ErrorCode::InvalidInput, MARKED("db", "the swing is not signed; expected a signed one: anything else can be changed as it is")};
     if (reason.find_first_not_of(' ') == std::string::npos)
-        return Error{ErrorCode::InvalidInput, "the reason is empty; expected why the signed swing is amended"};
+        return Error{ErrorCode::InvalidInput, MARKED("db", "the reason is empty; expected why the signed swing is amended")};
     Statement later(m_database, "SELECT record FROM swing WHERE supersedes = ?");
     later << swing->record;
     const auto other = firstOf<std::string>(later, [](Statement& row) { return row.text(0); });
@@ -159,7 +182,7 @@ Result<SwingId> SigningStore::amend(SwingId id, const std::string& reason)
         return other.error();
     if (*other)
         return Error{ErrorCode::Conflict,
-            "the swing is amended already by the record " + **other + "; expected that one to be changed or amended",
+            {MARKED("db", "the swing is amended already by the record %1; expected that one to be changed or amended"), **other},
             m_database.path().toStdString()};
     swing->supersedes = swing->record;
     swing->record.clear();
@@ -185,21 +208,21 @@ Result<std::vector<AuditRow>> SigningStore::auditOf(const RecordId& record)
     return rowsOf<AuditRow>(statement, [](Statement& row) { return AuditRow{row.text(0), row.text(1), row.text(2)}; });
 }
 
-Result<std::vector<std::string>> SigningStore::faults()
+Result<std::vector<Message>> SigningStore::faults()
 {
     Statement statement(m_database, "SELECT DISTINCT s.id FROM swing s JOIN signature g ON g.swing_id = s.id WHERE s.state = 2");
     const auto ids = rowsOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
     if (!ids)
         return ids.error();
-    std::vector<std::string> faults;
+    std::vector<Message> faults;
     for (const auto id : *ids) {
-        const auto hash = hashOf(id);
+        const auto holding = hold(id);
         const auto signatures = signaturesOf(m_database, id);
         const auto swing = SwingStore(m_database).swing(id);
         if (!signatures || !swing)
             return signatures ? swing.error() : signatures.error();
-        if (!hash || !freezes(*signatures, *hash))
-            faults.push_back("the signed swing of " + swing->date + " (record " + swing->record + ") is not what was signed");
+        if (!holding || !freezes(*signatures, *holding))
+            faults.push_back({MARKED("db", "the signed swing of %1 (record %2) is not what was signed"), swing->date, swing->record});
     }
     return faults;
 }

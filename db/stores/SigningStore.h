@@ -26,11 +26,12 @@ public:
     Result<SwingId> amend(SwingId id, const std::string& reason);
     Result<std::vector<AuditRow>> auditOf(const RecordId& record); ///< oldest first
     /// Signed swings of which a deciding signature does not hold: for verify().
-    Result<std::vector<std::string>> faults();
+    Result<std::vector<Message>> faults();
 
 private:
     void noteState(SwingId id);
-    Result<std::string> hashOf(SwingId id);
+    /// What a signature by that version of the signed content would stand for.
+    Result<std::string> hashOf(SwingId id, int contents);
     Result<void> setState(SwingId id, SwingState state, const std::string& what, const std::string& detail);
     Database& m_database;
 };

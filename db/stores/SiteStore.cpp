@@ -10,7 +10,7 @@ namespace {
 
 const Table& siteTable()
 {
-    static const Table table{"site", "site",
+    static const Table table{MARKED("db", "site"), "site",
         {"name", "latitude_deg", "longitude_deg", "elevation_m", "variation_deg", "variation_source", "note", "owner", "site_class",
             "certificate", "certificate_expiry", "painted_variation_deg", "painted_date", "survey_date", "surveyor", "survey_instrument",
             "survey_json"}};
@@ -20,7 +20,7 @@ const Table& siteTable()
 const Table& limitsTable()
 {
     static const Table table{
-        "limits profile", "limits_profile", {"name", "document", "issue", "scope", "max_deviation_deg", "max_spread_deg"}};
+        MARKED("db", "limits profile"), "limits_profile", {"name", "document", "issue", "scope", "max_deviation_deg", "max_spread_deg"}};
     return table;
 }
 
@@ -46,7 +46,7 @@ Result<Site> siteFrom(const Statement& row, const Database& database)
         return site;
     auto survey = readSurvey(points, database.path().toStdString());
     if (!survey)
-        return Error{ErrorCode::Corrupt, "the survey of the site " + site.name + " does not read: " + survey.error().message,
+        return Error{ErrorCode::Corrupt, {MARKED("db", "the survey of the site %1 does not read: %2"), site.name, survey.error().message},
             database.path().toStdString()};
     site.survey = std::move(*survey);
     return site;
@@ -73,7 +73,7 @@ void bindLimits(Statement& statement, const LimitsProfile& profile)
 
 const Table& instrumentTable()
 {
-    static const Table table{"datum instrument", "datum_instrument",
+    static const Table table{MARKED("db", "datum instrument"), "datum_instrument",
         {"name", "kind", "maker", "serial_number", "calibration_due", "ahead", "gives_true", "zero_deg", "resolution_deg", "note"}};
     return table;
 }
@@ -131,7 +131,7 @@ Result<std::vector<DatumInstrument>> SiteStore::instruments()
 
 Result<SiteId> SiteStore::add(const Site& site)
 {
-    if (const auto named = requireName(site.name, "the name of the site"); !named)
+    if (const auto named = requireName(site.name, MARKED("db", "the name of the site")); !named)
         return named.error();
     return noting(
         m_database, [&] { return addRecord<SiteId>(m_database, siteTable(), site, bindSite); }, [&](SiteId) { noteSites(); });
@@ -139,7 +139,7 @@ Result<SiteId> SiteStore::add(const Site& site)
 
 Result<void> SiteStore::change(const Site& known, const Site& site)
 {
-    if (const auto named = requireName(site.name, "the name of the site"); !named)
+    if (const auto named = requireName(site.name, MARKED("db", "the name of the site")); !named)
         return named.error();
     return noting(
         m_database, [&] { return changeRecord(m_database, siteTable(), site.id, known, site, bindSite); }, [&] { noteSites(); });
@@ -147,7 +147,7 @@ Result<void> SiteStore::change(const Site& known, const Site& site)
 
 Result<LimitsProfileId> SiteStore::add(const LimitsProfile& profile)
 {
-    if (const auto named = requireName(profile.name, "the name of the limits profile"); !named)
+    if (const auto named = requireName(profile.name, MARKED("db", "the name of the limits profile")); !named)
         return named.error();
     return noting(
         m_database, [&] { return addRecord<LimitsProfileId>(m_database, limitsTable(), profile, bindLimits); },
@@ -156,7 +156,7 @@ Result<LimitsProfileId> SiteStore::add(const LimitsProfile& profile)
 
 Result<void> SiteStore::change(const LimitsProfile& known, const LimitsProfile& profile)
 {
-    if (const auto named = requireName(profile.name, "the name of the limits profile"); !named)
+    if (const auto named = requireName(profile.name, MARKED("db", "the name of the limits profile")); !named)
         return named.error();
     const auto store = [&]() -> Result<void> {
         if (auto changed = changeRecord(m_database, limitsTable(), profile.id, known, profile, bindLimits); !changed)
@@ -171,7 +171,7 @@ Result<void> SiteStore::change(const LimitsProfile& known, const LimitsProfile& 
 
 Result<RecordId> SiteStore::add(const DatumInstrument& instrument)
 {
-    if (const auto named = requireName(instrument.name, "the name of the instrument"); !named)
+    if (const auto named = requireName(instrument.name, MARKED("db", "the name of the instrument")); !named)
         return named.error();
     DatumInstrument whole = instrument;
     if (whole.record.empty())
@@ -185,7 +185,7 @@ Result<RecordId> SiteStore::add(const DatumInstrument& instrument)
 
 Result<void> SiteStore::change(const DatumInstrument& known, const DatumInstrument& instrument)
 {
-    if (const auto named = requireName(instrument.name, "the name of the instrument"); !named)
+    if (const auto named = requireName(instrument.name, MARKED("db", "the name of the instrument")); !named)
         return named.error();
     const auto id = rowWith(m_database, instrumentTable(), known.record);
     if (!id)

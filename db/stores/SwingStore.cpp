@@ -17,21 +17,21 @@ namespace {
 
 const Table& swingTable()
 {
-    static const Table table{"swing", "swing", swingFields()};
+    static const Table table{MARKED("db", "swing"), "swing", swingFields()};
     return table;
 }
 
 Error isSigned(const Database& database)
 {
-    return {
-        ErrorCode::Frozen, "the swing is signed and frozen; expected a new revision instead of a change", database.path().toStdString()};
+    return {ErrorCode::Frozen, MARKED("db", "the swing is signed and frozen; expected a new revision instead of a change"),
+        database.path().toStdString()};
 }
 
 Result<Swing> particulars(Database& database, SwingId id)
 {
     Statement statement(database, "SELECT " + swingColumns() + " FROM swing s WHERE s.id = ?");
     statement << id;
-    return oneOf<Swing>(statement, database, "swing", [](Statement& row) { return swingFrom(row, 0); });
+    return oneOf<Swing>(statement, database, MARKED("db", "swing"), [](Statement& row) { return swingFrom(row, 0); });
 }
 
 /// The particulars of a swing whose readings may be changed. Errors: NotFound, Frozen.
@@ -62,7 +62,7 @@ Result<Reading> storedReading(Database& database, SwingId swing, ReadingId id)
 {
     Statement statement(database, "SELECT " + readingColumns() + " FROM reading r WHERE r.id = ? AND r.swing_id = ?");
     statement << id << swing;
-    return oneOf<Reading>(statement, database, "reading of the swing", [](Statement& row) { return readingFrom(row, 0); });
+    return oneOf<Reading>(statement, database, MARKED("db", "reading of the swing"), [](Statement& row) { return readingFrom(row, 0); });
 }
 
 /// After a change of readings: cached results, audit entry, commit.
@@ -164,16 +164,17 @@ Result<SwingId> SwingStore::named(const std::string& beginning)
     const std::string file = m_database.path().toStdString();
     if (beginning.empty() || beginning.find_first_not_of("0123456789abcdef-") != std::string::npos)
         return Error{ErrorCode::InvalidInput,
-            "'" + beginning + "' is no record id; expected one, or its beginning, as `lubberline swings` lists them", file};
+            {MARKED("db", "'%1' is no record id; expected one, or its beginning, as `lubberline swings` lists them"), beginning}, file};
     Statement statement(m_database, "SELECT id FROM swing WHERE record LIKE ? LIMIT 2");
     statement << beginning + "%";
     const auto found = rowsOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
     if (!found)
         return found.error();
     if (found->empty())
-        return Error{ErrorCode::NotFound, "there is no swing whose record id begins with " + beginning, file};
+        return Error{ErrorCode::NotFound, {MARKED("db", "there is no swing whose record id begins with %1"), beginning}, file};
     if (found->size() > 1)
-        return Error{ErrorCode::Conflict, "several swings have record ids that begin with " + beginning + "; expected more of it", file};
+        return Error{
+            ErrorCode::Conflict, {MARKED("db", "several swings have record ids that begin with %1; expected more of it"), beginning}, file};
     return found->front();
 }
 
@@ -253,7 +254,7 @@ Result<void> SwingStore::change(const Swing& known, const Swing& swing)
 {
     if (known.state != swing.state)
         return Error{ErrorCode::InvalidInput,
-            "the state of a swing is no particular; expected it to be completed, opened again with a reason, or signed",
+            MARKED("db", "the state of a swing is no particular; expected it to be completed, opened again with a reason, or signed"),
             m_database.path().toStdString()};
     return replace(known, swing);
 }
@@ -308,9 +309,11 @@ Result<void> SwingStore::remove(SwingId id)
     if (found->state == SwingState::Signed)
         return isSigned(m_database);
     if (!found->signatures.empty())
-        return Error{ErrorCode::Frozen, "somebody has signed this swing; it stays on record", m_database.path().toStdString()};
+        return Error{
+            ErrorCode::Frozen, MARKED("db", "somebody has signed this swing; it stays on record"), m_database.path().toStdString()};
     if (found->state != SwingState::Draft)
-        return Error{ErrorCode::Frozen, "only a draft can be removed; this swing is complete", m_database.path().toStdString()};
+        return Error{
+            ErrorCode::Frozen, MARKED("db", "only a draft can be removed; this swing is complete"), m_database.path().toStdString()};
     const auto row = storedRow(m_database, swingTable(), id.value);
     if (!row)
         return row.error();
@@ -365,7 +368,7 @@ Result<void> SwingStore::changeReading(SwingId swing, const Reading& known, cons
         return transaction->commit();
     if (*before != known)
         return Error{ErrorCode::Conflict,
-            "this reading has been changed elsewhere to: " + auditText(*before) + "; nothing was overwritten, look at it again",
+            {MARKED("db", "this reading has been changed elsewhere to: %1; nothing was overwritten, look at it again"), auditText(*before)},
             m_database.path().toStdString()};
     static const QString kUpdate = "UPDATE reading SET " + readingFields().join(" = ?, ") + " = ? WHERE id = ?";
     Statement statement(m_database, kUpdate);

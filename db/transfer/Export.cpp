@@ -148,7 +148,7 @@ Result<Fleet> exportFleet(Database& database, const std::vector<AircraftId>& air
     std::set<AircraftTypeId> types;
     for (std::size_t i = 0; i < ids->size(); ++i) {
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(ids->size())))
-            return Error{ErrorCode::Cancelled, "cancelled; nothing was exported", database.path().toStdString()};
+            return Error{ErrorCode::Cancelled, MARKED("db", "cancelled; nothing was exported"), database.path().toStdString()};
         if (const auto done = append(database, fleet, types, (*ids)[i]); !done)
             return done.error();
     }

@@ -327,8 +327,9 @@ Result<void> Importer::goOn(const Swing& incoming, const JobRecord& job, const S
     const bool same = *here && (*here)->job.record == job.job.record && stored.swing.state == SwingState::Draft;
     if (!same || (!isBeginningOf((*here)->job.events, job.job.events) && !isBeginningOf(job.job.events, (*here)->job.events)))
         return Error{ErrorCode::Conflict,
-            "the guided swing of " + stored.aircraft.registration + ", " + stored.compass.name + ", " + stored.swing.date
-                + " has gone on here and elsewhere in different ways (record " + stored.swing.record + "); nothing was stored",
+            {MARKED(
+                 "db", "the guided swing of %1, %2, %3 has gone on here and elsewhere in different ways (record %4); nothing was stored"),
+                stored.aircraft.registration, stored.compass.name, stored.swing.date, stored.swing.record},
             m_database.path().toStdString()};
     if (job.job.events.size() <= (*here)->job.events.size() && incoming.readings.empty())
         return {}; // it is as far here, or farther
@@ -377,8 +378,8 @@ Result<void> Importer::swing(const Swing& original)
         return record.error();
     if (!sameContents(one, record->swing)) {
         const Error conflict{ErrorCode::Conflict,
-            "the swing of " + record->aircraft.registration + ", " + record->compass.name + ", " + record->swing.date
-                + " is in the database already with other contents (record " + one.record + "); nothing was stored",
+            {MARKED("db", "the swing of %1, %2, %3 is in the database already with other contents (record %4); nothing was stored"),
+                record->aircraft.registration, record->compass.name, record->swing.date, one.record},
             m_database.path().toStdString()};
         if (!job || !record->swing.readings.empty())
             return conflict;
@@ -403,12 +404,12 @@ Result<Imported> importFleet(Database& database, const Fleet& fleet, const Progr
         return done.error();
     for (std::size_t i = 0; i < fleet.swings.size(); ++i) {
         if (progress && i % 64 == 0 && !progress(static_cast<double>(i) / static_cast<double>(fleet.swings.size())))
-            return Error{ErrorCode::Cancelled, "cancelled; nothing was stored", database.path().toStdString()};
+            return Error{ErrorCode::Cancelled, MARKED("db", "cancelled; nothing was stored"), database.path().toStdString()};
         if (const auto done = importer.swing(fleet.swings[i]); !done)
             return done.error();
     }
     if (progress && !progress(1.0)) // the last moment at which nothing has been stored
-        return Error{ErrorCode::Cancelled, "cancelled; nothing was stored", database.path().toStdString()};
+        return Error{ErrorCode::Cancelled, MARKED("db", "cancelled; nothing was stored"), database.path().toStdString()};
     if (const auto committed = transaction->commit(); !committed)
         return committed.error();
     return importer.imported;

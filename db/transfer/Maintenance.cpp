@@ -49,7 +49,7 @@ template <class Words>
 Result<void> findings(Database& database, VerifyReport& report, const QString& sql, Words words)
 {
     Statement statement(database, sql);
-    const auto found = rowsOf<std::string>(statement, words);
+    const auto found = rowsOf<Message>(statement, words);
     if (!found)
         return found.error();
     report.findings.insert(report.findings.end(), found->begin(), found->end());
@@ -60,16 +60,21 @@ Result<void> findings(Database& database, VerifyReport& report, const QString& s
 /// promise.
 Result<void> checkStructure(Database& database, VerifyReport& report)
 {
-    auto done = findings(database, report, "SELECT integrity_check FROM pragma_integrity_check WHERE integrity_check <> 'ok'",
-        [](Statement& row) { return "integrity: " + row.text(0); });
+    auto done = findings(
+        database, report, "SELECT integrity_check FROM pragma_integrity_check WHERE integrity_check <> 'ok'", [](Statement& row) {
+            return Message{MARKED("db", "integrity: %1"), row.text(0)};
+        });
     if (done)
-        done = findings(database, report, "PRAGMA foreign_key_check",
-            [](Statement& row) { return "foreign key: a row of " + row.text(0) + " refers to a missing row of " + row.text(2); });
+        done = findings(database, report, "PRAGMA foreign_key_check", [](Statement& row) {
+            return Message{MARKED("db", "foreign key: a row of %1 refers to a missing row of %2"), row.text(0), row.text(2)};
+        });
     if (done)
         done = findings(database, report,
             "SELECT DISTINCT s.record FROM reading r JOIN swing s ON s.id = r.swing_id GROUP BY r.swing_id, r.position"
             " HAVING COUNT(*) > 1",
-            [](Statement& row) { return "order: two readings of the swing " + row.text(0) + " are in one place"; });
+            [](Statement& row) {
+                return Message{MARKED("db", "order: two readings of the swing %1 are in one place"), row.text(0)};
+            });
     for (const char* column :
         {"swing.variation_deg", "swing.index_removed_deg", "swing.field_latitude_deg", "swing.field_longitude_deg", "swing.field_height_m",
             "swing.field_north_nT", "swing.field_east_nT", "swing.field_down_nT", "site.latitude_deg", "site.longitude_deg",
@@ -79,7 +84,7 @@ Result<void> checkStructure(Database& database, VerifyReport& report)
             done = findings(database, report,
                 QStringLiteral("SELECT record FROM %1 WHERE typeof(%2) IN ('text', 'blob') OR abs(%2) > 1e300").arg(parts[0], parts[1]),
                 [&](Statement& row) {
-                    return std::string("figure: ") + column + " of the record " + row.text(0) + " is not a real number";
+                    return Message{MARKED("db", "figure: %1 of the record %2 is not a real number"), std::string(column), row.text(0)};
                 });
         }
     return done;
@@ -91,7 +96,7 @@ Result<void> checkSensors(Database& database, VerifyReport& report)
     if (!faults)
         return faults.error();
     for (const auto& fault : *faults)
-        report.findings.push_back("sensor model: " + fault);
+        report.findings.push_back({MARKED("db", "sensor model: %1"), fault});
     return {};
 }
 
@@ -104,7 +109,7 @@ Result<void> checkJobs(Database& database, VerifyReport& report)
     if (!faults)
         return faults.error();
     for (const auto& fault : *faults)
-        report.findings.push_back("signature: " + fault);
+        report.findings.push_back({MARKED("db", "signature: %1"), fault});
     return {};
 }
 
@@ -114,7 +119,7 @@ Result<void> checkBadges(Database& database, VerifyReport& report)
     return findings(database, report,
         "SELECT a.registration, c.name FROM compass c JOIN aircraft a ON a.id = c.aircraft_id WHERE c.status <> " + statusOfLatest(),
         [](Statement& row) {
-            return "results: the state kept for " + row.text(0) + ", " + row.text(1) + " is not that of its latest swing";
+            return Message{MARKED("db", "results: the state kept for %1, %2 is not that of its latest swing"), row.text(0), row.text(1)};
         });
 }
 
@@ -165,8 +170,8 @@ Result<void> checkResults(Database& database, VerifyReport& report, const Progre
         const auto row = stored->find(swing.id);
         const auto profile = limits->find(swing.compass);
         if (row == stored->end() || profile == limits->end() || !same(resultOf(swing, profile->second), row->second))
-            report.findings.push_back(
-                "results: those kept for the swing of " + swing.date + " (record " + swing.record + ") are not what its readings give");
+            report.findings.push_back({MARKED("db", "results: those kept for the swing of %1 (record %2) are not what its readings give"),
+                swing.date, swing.record});
         cancelled
             = progress && report.swings % 64 == 0 && !progress(static_cast<double>(report.swings) / static_cast<double>(stored->size()));
         return !cancelled;
@@ -174,7 +179,7 @@ Result<void> checkResults(Database& database, VerifyReport& report, const Progre
     if (!done)
         return done;
     if (cancelled)
-        return Error{ErrorCode::Cancelled, "cancelled", database.path().toStdString()};
+        return Error{ErrorCode::Cancelled, MARKED("db", "cancelled"), database.path().toStdString()};
     if (progress)
         progress(1.0);
     return {};
@@ -215,7 +220,7 @@ Result<void> backup(Database& database, const QString& path)
 {
     const std::string file = path.toStdString();
     if (QFileInfo::exists(path))
-        return Error{ErrorCode::Conflict, "there is a file of this name already; expected a new name for the backup", file};
+        return Error{ErrorCode::Conflict, MARKED("db", "there is a file of this name already; expected a new name for the backup"), file};
     if (auto allowed = checkOutput(file); !allowed)
         return allowed;
     const QFileInfo folder(QFileInfo(path).absolutePath());
@@ -225,8 +230,9 @@ Result<void> backup(Database& database, const QString& path)
     if (kept)
         return {};
     QFile::remove(partial);
-    return copied ? Error{ErrorCode::Io, "the backup could not be written to its place; expected a folder that may be written", file}
-                  : named(copied.error(), file);
+    return copied
+        ? Error{ErrorCode::Io, MARKED("db", "the backup could not be written to its place; expected a folder that may be written"), file}
+        : named(copied.error(), file);
 }
 
 Result<VerifyReport> verify(Database& database, const Progress& progress)
@@ -263,7 +269,7 @@ Result<DatabaseStatus> status(Database& database)
     Statement statement(database,
         "SELECT (SELECT COUNT(*) FROM reading), (SELECT COUNT(*) FROM audit_entry), (SELECT user_version FROM pragma_user_version),"
         " (SELECT journal_mode FROM pragma_journal_mode), (SELECT COUNT(*) FROM sensor_model)");
-    return oneOf<DatabaseStatus>(statement, database, "status", [&](Statement& row) {
+    return oneOf<DatabaseStatus>(statement, database, MARKED("db", "status"), [&](Statement& row) {
         status.readings = row.integer(0);
         status.auditEntries = row.integer(1);
         status.schema = static_cast<int>(row.integer(2));

@@ -18,7 +18,7 @@ Result<void> backup(Database& database, const QString& path);
 struct VerifyReport {
     std::int64_t swings = 0;
     std::int64_t readings = 0;
-    std::vector<std::string> findings; ///< empty: all is well
+    std::vector<Message> findings; ///< empty: all is well
 };
 
 /// SQLite's integrity check, foreign keys, figures that are none, sensor models that do not read, and every cached result

@@ -79,7 +79,7 @@ TEST(Database, namesMissingFilesAndFolders)
     const auto nowhere = openDatabase(folder.filePath("no/a.db"), OpenMode::ReadWriteCreate);
     ASSERT_FALSE(nowhere);
     EXPECT_EQ(nowhere.error().code, ErrorCode::Io);
-    EXPECT_THAT(nowhere.error().message, testing::HasSubstr(folder.filePath("no").toStdString()));
+    EXPECT_THAT(nowhere.error().message.english(), testing::HasSubstr(folder.filePath("no").toStdString()));
     EXPECT_EQ(openDatabase(folder.path(), OpenMode::ReadWriteCreate).error().code, ErrorCode::Io);
 }
 

@@ -14,7 +14,7 @@ TEST_F(JobStore, aGuidedSwingOnlyGrowsAndASecondWriterIsTold)
     const auto late = m_jobs.append(id, 2, taken(1)); // somebody who does not know of the last step
     ASSERT_FALSE(late);
     EXPECT_EQ(late.error().code, ErrorCode::Conflict);
-    EXPECT_THAT(late.error().message, testing::HasSubstr("3 steps there, 2 known here"));
+    EXPECT_THAT(late.error().message.english(), testing::HasSubstr("3 steps there, 2 known here"));
     const auto job = m_jobs.jobOf(id);
     ASSERT_TRUE(job && *job);
     EXPECT_EQ((*job)->job.events.size(), 3u);

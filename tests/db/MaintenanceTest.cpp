@@ -38,7 +38,7 @@ TEST(Maintenance, verifyFindsResultsThatAreNotThoseOfTheReadings)
     ASSERT_TRUE(db::execute(database, "UPDATE swing SET max_abs_deviation_deg = 1"));
     const auto report = db::verify(database, {});
     ASSERT_EQ(report->findings.size(), 1u);
-    EXPECT_THAT(report->findings.front(), testing::HasSubstr("2026-11-20"));
+    EXPECT_THAT(report->findings.front().english(), testing::HasSubstr("2026-11-20"));
 }
 
 TEST(Maintenance, verifyNamesEachKindOfDamage)
@@ -66,7 +66,7 @@ TEST(Maintenance, verifyNamesEachKindOfDamage)
         ASSERT_TRUE(db::execute(database, sql)) << sql;
         const auto report = db::verify(database, {});
         ASSERT_TRUE(report) << describe(report.error());
-        EXPECT_THAT(report->findings, testing::Contains(testing::HasSubstr(words))) << sql;
+        EXPECT_THAT(inEnglish(report->findings), testing::Contains(testing::HasSubstr(words))) << sql;
     }
 }
 

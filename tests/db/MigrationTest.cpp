@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "core/format/exchange/SignedContent.h"
 #include "db/engine/Statement.h"
 #include "db/schema/Schema.h"
 #include "db/stores/JobStore.h"
@@ -81,7 +82,7 @@ TEST_P(OldDatabase, isLeftAsItWasWhenAStepFails)
         {"CREATE TABLE half (id INTEGER)", "DELETE FROM event", "CREATE TABLE half (id INTEGER)"}});
     const auto broken = Database::open(m_path, OpenMode::ReadWriteCreate, steps);
     ASSERT_FALSE(broken);
-    EXPECT_THAT(broken.error().message, testing::HasSubstr("a step that breaks half-way"));
+    EXPECT_THAT(broken.error().message.english(), testing::HasSubstr("a step that breaks half-way"));
     auto again = openDatabase(m_path, OpenMode::ReadWriteCreate);
     ASSERT_TRUE(again);
     EXPECT_EQ(version(*again), db::schemaVersion()); // the steps before the broken one are whole
@@ -130,6 +131,37 @@ TEST_P(OldDatabase, hasNoJobsAndSignaturesAndTakesThem)
 
 INSTANTIATE_TEST_SUITE_P(EverySchema, OldDatabase, testing::Range(1, db::schemaVersion()),
     [](const auto& test) { return "schema" + std::to_string(test.param); });
+
+/// The signatures of schema4.sql were made by the program of then, over version 1 of the signed content.
+TEST(Migration, whatWasSignedBeforeHoldsUnderItsOwnVersion)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("old.db");
+    ASSERT_TRUE(restoreSchema(4, path));
+    auto database = openDatabase(path, OpenMode::ReadWriteCreate);
+    ASSERT_TRUE(database) << describe(database.error());
+    const auto swing = db::SwingStore(*database).swing(SwingId{1});
+    ASSERT_TRUE(swing);
+    ASSERT_EQ(swing->signatures.size(), 2u);
+    EXPECT_EQ(swing->signatures[0].contents, 1);
+    db::SigningStore signing(*database);
+    EXPECT_EQ(*signing.hold(SwingId{1}), (std::vector<bool>{true, true}));
+    // One of today stands beside them, over the same figures by today's version.
+    ASSERT_TRUE(signing.sign(SwingId{1}, {SignatureRole::Authority, "Eva", "", "", ""}));
+    const auto after = db::SwingStore(*database).swing(SwingId{1});
+    EXPECT_EQ(after->signatures[2].contents, kSignedContents);
+    EXPECT_NE(after->signatures[2].hash, after->signatures[0].hash);
+    EXPECT_EQ(*signing.hold(SwingId{1}), (std::vector<bool>{true, true, true}));
+    EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
+    // A figure changed behind the program's back: none of the three holds.
+    database = Error{};
+    ASSERT_TRUE(RawDatabase(path).run({"DROP TRIGGER signed_readings_no_update",
+        "UPDATE reading SET compass_deg = compass_deg + 1 WHERE swing_id = 1 AND position = 2"}));
+    database = openDatabase(path, OpenMode::ReadWriteCreate);
+    ASSERT_TRUE(database) << describe(database.error());
+    EXPECT_EQ(*db::SigningStore(*database).hold(SwingId{1}), (std::vector<bool>{false, false, false}));
+    EXPECT_THAT(inEnglish(db::verify(*database, {})->findings), testing::Contains(testing::HasSubstr("is not what was signed")));
+}
 
 TEST(Migration, ofANewerProgramIsRefusedByName)
 {

@@ -17,7 +17,7 @@ TEST_F(RecordStores, twoWritersOfOneReading)
     const auto second = m_swings.changeReading(id, known, mine);
     ASSERT_FALSE(second);
     EXPECT_EQ(second.error().code, ErrorCode::Conflict);
-    EXPECT_THAT(second.error().message, testing::HasSubstr("compass 300"));
+    EXPECT_THAT(second.error().message.english(), testing::HasSubstr("compass 300"));
     EXPECT_EQ(m_swings.swing(id)->readings[0].compass->degrees(), 300);
     EXPECT_TRUE(m_swings.changeReading(id, known, theirs)); // the same twice is no conflict
 

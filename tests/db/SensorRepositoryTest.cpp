@@ -45,7 +45,7 @@ TEST(SensorStore, whatCouldNotBeReadAgainIsNotStored)
     const auto refused = db::SensorStore(database).add(sensor);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::InvalidInput);
-    EXPECT_THAT(refused.error().message, testing::HasSubstr("yaw_deg"));
+    EXPECT_THAT(refused.error().message.english(), testing::HasSubstr("yaw_deg"));
     EXPECT_TRUE(db::SensorStore(database).of(stored.compass)->empty());
 }
 
@@ -137,7 +137,7 @@ TEST(SensorStore, oneThatDoesNotReadIsNamed)
     ASSERT_TRUE(db::execute(database, "UPDATE sensor_model SET model_json = '{\"soft_irn\": 1}'"));
     for (const Error& error : {sensors.sensor(id).error(), sensors.of(stored.compass).error()}) {
         EXPECT_EQ(error.code, ErrorCode::Corrupt);
-        EXPECT_THAT(error.message, testing::AllOf(HasSubstr("as entered"), HasSubstr("soft_irn")));
+        EXPECT_THAT(error.message.english(), testing::AllOf(HasSubstr("as entered"), HasSubstr("soft_irn")));
     }
     ASSERT_EQ(sensors.faults()->size(), 1u);
 }

@@ -69,7 +69,7 @@ TEST_F(SigningStore, whatTheDatabaseIsMadeToSayBehindItsBackIsFound)
     ASSERT_TRUE(m_signing.sign(id, {SignatureRole::Inspector, "Ben", "", "", ""}));
     for (const char* sql : {"DROP TRIGGER signed_readings_no_update", "UPDATE reading SET compass_heading_deg = 315 WHERE position = 0"})
         ASSERT_TRUE(db::execute(m_database, sql));
-    EXPECT_THAT(db::verify(m_database, {})->findings, testing::Contains(testing::HasSubstr("is not what was signed")));
+    EXPECT_THAT(inEnglish(db::verify(m_database, {})->findings), testing::Contains(testing::HasSubstr("is not what was signed")));
 }
 
 TEST_F(SigningStore, anAmendmentIsANewRevision)
@@ -102,14 +102,14 @@ TEST_F(SigningStore, aSwingIsCompleteOnlyWhenItIs)
     Swing swing = worksheetSwing(m_stored);
     swing.readings[2].compass.reset();
     const SwingId half = *save(m_swings, swing);
-    EXPECT_THAT(m_signing.complete(half).error().message, testing::HasSubstr("reading 3 has no compass heading"));
+    EXPECT_THAT(m_signing.complete(half).error().message.english(), testing::HasSubstr("reading 3 has no compass heading"));
     swing = worksheetSwing(m_stored);
     swing.record.clear();
     swing.readings.resize(3);
-    EXPECT_THAT(m_signing.complete(*save(m_swings, swing)).error().message, testing::HasSubstr("3 readings"));
+    EXPECT_THAT(m_signing.complete(*save(m_swings, swing)).error().message.english(), testing::HasSubstr("3 readings"));
     swing.readings = worksheetReadings();
     swing.date.clear();
-    EXPECT_THAT(m_signing.complete(*save(m_swings, swing)).error().message, testing::HasSubstr("date"));
+    EXPECT_THAT(m_signing.complete(*save(m_swings, swing)).error().message.english(), testing::HasSubstr("date"));
 }
 
 } // namespace lubberline::test

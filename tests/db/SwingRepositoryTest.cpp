@@ -213,7 +213,7 @@ TEST_F(Swings, figuresOutsideTheirRangeAreRefused)
     swing.readings[0].pitch_deg = 91.0;
     const auto pitch = save(m_swings, swing);
     EXPECT_EQ(pitch.error().code, ErrorCode::InvalidInput);
-    EXPECT_THAT(pitch.error().message, testing::HasSubstr("pitch_deg"));
+    EXPECT_THAT(pitch.error().message.english(), testing::HasSubstr("pitch_deg"));
     swing.readings[0].pitch_deg.reset();
     swing.readings[0].nominal_deg = 360.0;
     EXPECT_EQ(save(m_swings, swing).error().code, ErrorCode::InvalidInput);
@@ -312,11 +312,12 @@ TEST_F(Swings, twoRecordsOfOneNameAreAConflict)
 {
     const auto type = save(m_fleet, AircraftType{{}, {}, "Su-22", "", ""});
     EXPECT_EQ(type.error().code, ErrorCode::Conflict);
-    EXPECT_EQ(type.error().message, "there is an aircraft type of this name already; expected another");
+    EXPECT_EQ(type.error().message.english(), "there is an aircraft type of this name already; expected another");
     CompassSystem compass = *m_fleet.compass(m_stored.compass);
     compass.id = {};
     compass.record.clear();
-    EXPECT_EQ(save(m_fleet, compass).error().message, "there is a compass of this name on this aircraft already; expected another");
+    EXPECT_EQ(
+        save(m_fleet, compass).error().message.english(), "there is a compass of this name on this aircraft already; expected another");
     EXPECT_EQ(save(m_fleet, AircraftType{AircraftTypeId{99}, {}, "An-2", "", ""}).error().code, ErrorCode::NotFound);
     EXPECT_EQ(save(m_fleet, AircraftType{}).error().code, ErrorCode::InvalidInput);
 }

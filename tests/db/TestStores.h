@@ -38,7 +38,7 @@ struct Watch {
     {
         const bool writes = sql.startsWith("INSERT") || sql.startsWith("UPDATE") || sql.startsWith("DELETE");
         if (writes && refuseWrites)
-            return Error{ErrorCode::Full, "the disk is full"};
+            return Error{ErrorCode::Full, Message::verbatim(std::string("the disk is full"))};
         if (delay_ms > 0 && sql.startsWith("INSERT INTO swing "))
             QThread::msleep(static_cast<unsigned long>(delay_ms));
         typesAsked += sql.contains("FROM aircraft_type t ORDER BY");

@@ -152,7 +152,7 @@ TEST(Transfer, anotherContentUnderTheSameRecordIsAConflictAndStoresNothing)
     const auto refused = db::importFleet(database, fleet, {});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Conflict);
-    EXPECT_THAT(refused.error().message, testing::AllOf(testing::HasSubstr("3713"), testing::HasSubstr("2026-11-20")));
+    EXPECT_THAT(refused.error().message.english(), testing::AllOf(testing::HasSubstr("3713"), testing::HasSubstr("2026-11-20")));
     EXPECT_EQ(db::FleetStore(database).totals()->swings, 1);
 }
 

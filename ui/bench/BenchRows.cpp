@@ -22,10 +22,7 @@ struct Words {
 
 constexpr std::array kShapes{"box", "cylinder", "ellipsoid", "sphere"};
 
-Error wrong(int row, const QString& what)
-{
-    return {ErrorCode::InvalidInput, Words::tr("row %1: %2").arg(row + 1).arg(what).toStdString()};
-}
+Error wrong(int row, const QString& what) { return {ErrorCode::InvalidInput, said(Words::tr("row %1: %2").arg(row + 1).arg(what))}; }
 
 QString text(double value) { return toText(shortestNumber(value)); }
 QString text(const Eigen::Vector3d& v) { return text(v.x()) + ' ' + text(v.y()) + ' ' + text(v.z()); }
@@ -38,7 +35,7 @@ Result<std::vector<double>> numbers(const QString& cell)
     for (const QString& part : cell.split(separators, Qt::SkipEmptyParts)) {
         const FileNumber number = readNumber(part.toStdString(), true);
         if (number.fault != NumberFault::None)
-            return Error{ErrorCode::InvalidInput, Words::tr("\"%1\" is not a number").arg(part).toStdString()};
+            return Error{ErrorCode::InvalidInput, said(Words::tr("\"%1\" is not a number").arg(part))};
         values.push_back(number.value);
     }
     return values;
@@ -52,7 +49,7 @@ Result<std::vector<double>> numbers(const QString& cell, std::size_t count, bool
         return std::vector<double>(count, 0.0);
     if (values && values->size() != count)
         return Error{ErrorCode::InvalidInput,
-            Words::tr("\"%1\" has %2 numbers; expected %3 apart by spaces").arg(cell).arg(values->size()).arg(count).toStdString()};
+            said(Words::tr("\"%1\" has %2 numbers; expected %3 apart by spaces").arg(cell).arg(values->size()).arg(count))};
     return values;
 }
 
@@ -73,8 +70,7 @@ Result<Shape> shapeOf(const QString& name, const QString& size)
 {
     const auto found = std::find(kShapes.begin(), kShapes.end(), name.trimmed().toLower().toStdString());
     if (found == kShapes.end())
-        return Error{
-            ErrorCode::InvalidInput, Words::tr("\"%1\" is no shape; expected box, cylinder, ellipsoid or sphere").arg(name).toStdString()};
+        return Error{ErrorCode::InvalidInput, said(Words::tr("\"%1\" is no shape; expected box, cylinder, ellipsoid or sphere").arg(name))};
     const auto kind = found - kShapes.begin();
     const auto values = numbers(size, kind == 1 ? 2 : kind == 3 ? 1 : 3, false);
     if (!values)
@@ -135,17 +131,16 @@ Result<std::variant<CurrentLoop, WirePath>> conductorOf(const QStringList& row)
         return values.error();
     if (kind == QLatin1String("loop")) {
         if (values->size() != 8)
-            return Error{
-                ErrorCode::InvalidInput, Words::tr("a loop has 8 numbers: centre x y z; normal x y z; diameter; turns").toStdString()};
+            return Error{ErrorCode::InvalidInput, said(Words::tr("a loop has 8 numbers: centre x y z; normal x y z; diameter; turns"))};
         if (!((*values)[7] >= 1 && (*values)[7] <= 1e6 && (*values)[7] == std::floor((*values)[7])))
-            return Error{ErrorCode::InvalidInput, Words::tr("a loop has a whole number of turns, 1 or more").toStdString()};
+            return Error{ErrorCode::InvalidInput, said(Words::tr("a loop has a whole number of turns, 1 or more"))};
         return std::variant<CurrentLoop, WirePath>(CurrentLoop{{(*values)[0], (*values)[1], (*values)[2]},
             {(*values)[3], (*values)[4], (*values)[5]}, (*values)[6], static_cast<int>((*values)[7])});
     }
     if (kind != QLatin1String("wire"))
-        return Error{ErrorCode::InvalidInput, Words::tr("\"%1\" is no conductor; expected loop or wire").arg(kind).toStdString()};
+        return Error{ErrorCode::InvalidInput, said(Words::tr("\"%1\" is no conductor; expected loop or wire").arg(kind))};
     if (values->size() < 6 || values->size() % 3 != 0)
-        return Error{ErrorCode::InvalidInput, Words::tr("a wire has points x y z; x y z; … two at least").toStdString()};
+        return Error{ErrorCode::InvalidInput, said(Words::tr("a wire has points x y z; x y z; … two at least"))};
     WirePath path;
     for (std::size_t i = 0; i + 2 < values->size(); i += 3)
         path.points_m.push_back({(*values)[i], (*values)[i + 1], (*values)[i + 2]});
@@ -168,7 +163,7 @@ Result<void> addPart(IronBench& bench, const QStringList& row)
 {
     if (cell(row, PartColumn::Name).isEmpty()) { // another placement of the part above
         if (bench.parts.empty())
-            return Error{ErrorCode::InvalidInput, Words::tr("the first row has no name").toStdString()};
+            return Error{ErrorCode::InvalidInput, said(Words::tr("the first row has no name"))};
     } else {
         auto part = partOf(row);
         if (!part)
@@ -186,14 +181,14 @@ Result<void> addConductor(IronBench& bench, const QStringList& row)
 {
     if (cell(row, ConductorColumn::Circuit).isEmpty()) {
         if (bench.circuits.empty())
-            return Error{ErrorCode::InvalidInput, Words::tr("the first conductor has no circuit").toStdString()};
+            return Error{ErrorCode::InvalidInput, said(Words::tr("the first conductor has no circuit"))};
     } else {
         const auto current = numbers(cell(row, ConductorColumn::Current), 1, true);
         if (!current)
             return current.error();
         const QString on = cell(row, ConductorColumn::On).toLower();
         if (on != QLatin1String("on") && on != QLatin1String("off"))
-            return Error{ErrorCode::InvalidInput, Words::tr("\"%1\" is no state of a circuit; expected on or off").arg(on).toStdString()};
+            return Error{ErrorCode::InvalidInput, said(Words::tr("\"%1\" is no state of a circuit; expected on or off").arg(on))};
         bench.circuits.push_back({cell(row, ConductorColumn::Circuit).toStdString(), {}, current->front(), on == QLatin1String("on")});
     }
     const auto conductor = conductorOf(row);
@@ -257,7 +252,7 @@ Result<IronBench> benchOf(const BenchRows& rows)
     IronBench bench;
     const auto sensor = numbers(rows.sensor, 3, true);
     if (!sensor)
-        return Error{ErrorCode::InvalidInput, Words::tr("sensor: %1").arg(toText(sensor.error().message)).toStdString()};
+        return Error{ErrorCode::InvalidInput, said(Words::tr("sensor: %1").arg(toText(sensor.error().message)))};
     bench.sensor_m = vector(*sensor);
     for (std::size_t i = 0; i < rows.parts.size(); ++i)
         if (const auto added = addPart(bench, rows.parts[i]); !added)

@@ -24,7 +24,7 @@ Result<int> wholeNumber(const QString& text, int least, const QString& what)
     const int value = text.trimmed().toInt(&whole);
     if (!whole || value < least || value > 100000)
         return Error{ErrorCode::InvalidInput,
-            DueRulesTable::tr("'%1' is not allowed for %2; expected a whole number from %3 on").arg(text, what).arg(least).toStdString()};
+            said(DueRulesTable::tr("'%1' is not allowed for %2; expected a whole number from %3 on").arg(text, what).arg(least))};
     return value;
 }
 
@@ -135,8 +135,7 @@ void DueRulesTable::takeCell(int row, int column)
     case Type: {
         const auto type = std::find_if(m_typeNames.begin(), m_typeNames.end(), [&](const auto& one) { return toText(one.second) == text; });
         if (type == m_typeNames.end() && !text.isEmpty() && text != allTypes())
-            number = Error{
-                ErrorCode::InvalidInput, tr("there is no aircraft type %1; expected one of the fleet, or all").arg(text).toStdString()};
+            number = Error{ErrorCode::InvalidInput, said(tr("there is no aircraft type %1; expected one of the fleet, or all").arg(text))};
         else
             rule.type = type == m_typeNames.end() ? RecordId() : type->first;
         break;

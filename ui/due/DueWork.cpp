@@ -47,7 +47,7 @@ Result<DueNews> dueNews(db::Stores& stores, const std::string& today, const Prog
     for (std::size_t i = 0; i < compasses->size(); ++i) {
         const DueCompass& compass = (*compasses)[i];
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(compasses->size())))
-            return Error{ErrorCode::Cancelled, "cancelled"};
+            return Error{ErrorCode::Cancelled, MARKED("ui", "cancelled")};
         const auto base = std::find_if(sites->begin(), sites->end(), [&](const Site& site) { return site.id == compass.base; });
         if (!compass.base.valid() || base == sites->end())
             continue;
@@ -58,7 +58,7 @@ Result<DueNews> dueNews(db::Stores& stores, const std::string& today, const Prog
             continue;
         const auto why = whySwingAfterMove(**last, *base, today);
         if (!why)
-            news.warnings.push_back(compass.registration + ", " + compass.compassName + ": " + why.error().message);
+            news.warnings.push_back({MARKED("ui", "%1, %2: %3"), compass.registration, compass.compassName, why.error().message});
         else
             moves.push_back({compass.compass, *why});
     }

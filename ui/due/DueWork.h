@@ -12,8 +12,8 @@ namespace lubberline::ui {
 struct DueNews {
     std::vector<DueLine> lines;
     std::vector<DueRule> rules;
-    std::vector<std::string> warnings; ///< moves that could not be predicted
-    [[nodiscard]] int due() const;     ///< lines that are due or overdue
+    std::vector<Message> warnings; ///< moves that could not be predicted
+    [[nodiscard]] int due() const; ///< lines that are due or overdue
 };
 
 /// @param today ISO 8601. Errors: those of the stores; Cancelled.

@@ -273,9 +273,8 @@ FieldElement EarthFieldPage::element() const { return kElements[static_cast<std:
 void EarthFieldPage::recompute()
 {
     const bool noPlace = m_latitude->text().trimmed().isEmpty() && m_longitude->text().trimmed().isEmpty();
-    const auto place = noPlace
-        ? Result<Place>(Error{ErrorCode::InvalidInput, tr("Pick a site, or type latitude and longitude.").toStdString()})
-        : readPlace();
+    const auto place
+        = noPlace ? Result<Place>(Error{ErrorCode::InvalidInput, said(tr("Pick a site, or type latitude and longitude."))}) : readPlace();
     const auto year = decimalYear(m_date->text().trimmed().toStdString());
     markRefused(*m_date, year ? QString() : messageOf(year.error()));
     const auto model = year ? chosenModel(*year) : Result<FieldModel>(year.error());
@@ -301,7 +300,7 @@ void EarthFieldPage::showField(const FieldModel& model, const Result<Place>& pla
     m_values->showAnswer(*answer);
     const auto compass = fieldForCompass(model, *place, year);
     QStringList cautions;
-    for (const std::string& warning : answer->warnings)
+    for (const auto& warning : answer->warnings)
         cautions.append(toText(warning));
     say(compass ? cautions.join(u'\n') : messageOf(compass.error()), !compass);
 }

@@ -16,7 +16,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(lubberline::ui::FieldText)
 };
 
-Error wrong(const QString& message) { return {ErrorCode::InvalidInput, message.toStdString()}; }
+Error wrong(const QString& message) { return {ErrorCode::InvalidInput, said(message)}; }
 
 } // namespace
 

@@ -61,7 +61,7 @@ FormFields<ElectricalSwing>::Take takeNumber(std::function<std::optional<double>
         const auto value = typedNumber(text);
         if (!isEmpty && (!value || std::abs(*value) > most))
             return Error{ErrorCode::InvalidInput,
-                ElectricalPage::tr("'%1' is not allowed; expected a number from −%2 to %2").arg(text).arg(most).toStdString()};
+                said(ElectricalPage::tr("'%1' is not allowed; expected a number from −%2 to %2").arg(text).arg(most))};
         field(swing) = value;
         return {};
     };

@@ -48,7 +48,7 @@ typename FormFields<Record>::Take takeName(std::string Record::*member, const QS
 {
     return [member, message](Record& record, const QString& text) -> Result<void> {
         if (text.trimmed().isEmpty())
-            return Error{ErrorCode::InvalidInput, message.toStdString()};
+            return Error{ErrorCode::InvalidInput, said(message)};
         record.*member = text.trimmed().toStdString();
         return {};
     };
@@ -287,8 +287,8 @@ Result<SiteId> AircraftPage::siteNamed(const QString& name) const
             return site.id;
         known += toText(site.name);
     }
-    return Error{ErrorCode::InvalidInput,
-        tr("there is no compass base %1; expected one of: %2").arg(name, known.join(QStringLiteral(", "))).toStdString()};
+    return Error{
+        ErrorCode::InvalidInput, said(tr("there is no compass base %1; expected one of: %2").arg(name, known.join(QStringLiteral(", "))))};
 }
 
 void AircraftPage::loadLimits()

@@ -31,8 +31,8 @@ Result<std::vector<double>> parseFigures(const QString& text)
         figures.push_back(*figure);
     }
     if (figures.size() > kMostFigures)
-        return Error{ErrorCode::InvalidInput,
-            GuidedJob::tr("%1 figures; expected one to three of the same heading").arg(figures.size()).toStdString()};
+        return Error{
+            ErrorCode::InvalidInput, said(GuidedJob::tr("%1 figures; expected one to three of the same heading").arg(figures.size()))};
     return figures;
 }
 
@@ -92,10 +92,9 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     const double off = std::abs(wrap180(heading->magnetic.degrees() - here->station.nominal_deg));
     if (off > reachOfStation_deg(m_job.plan))
         return Error{ErrorCode::InvalidInput,
-            tr("the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)")
-                .arg(heading->magnetic.degrees(), 0, 'f', 1)
-                .arg(here->station.nominal_deg, 3, 'f', 0, QChar('0'))
-                .toStdString()};
+            said(tr("the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)")
+                     .arg(heading->magnetic.degrees(), 0, 'f', 1)
+                     .arg(here->station.nominal_deg, 3, 'f', 0, QChar('0')))};
 
     Prepared prepared;
     prepared.reading = {m_state.current, raw, heading->magnetic.degrees(), compass->compass.degrees(), {}};
@@ -152,7 +151,7 @@ SwingPicture GuidedJob::picture() const
         widenToReadings(*made, readingError_rad(m_job.resolution_deg, m_job.datum.resolution_deg));
         analysis = std::make_shared<const Analysis>(std::move(made.value()));
     } else
-        why = QString::fromStdString(made.error().message);
+        why = translated(made.error().message);
     return pictureOf(record, std::move(analysis), why, m_previous, m_previousLabel, AngleStyle::DecimalDegrees);
 }
 

@@ -178,7 +178,7 @@ Result<void> GuidedPage::takeUp(SwingId swing)
     if (!found)
         return found.error();
     if (!*found || (*found)->swing != swing)
-        return Error{ErrorCode::NotFound, tr("this swing is not a guided one").toStdString()};
+        return Error{ErrorCode::NotFound, said(tr("this swing is not a guided one"))};
     const auto record = m_stores.swings.record(swing);
     if (!record)
         return record.error();

@@ -207,23 +207,22 @@ double GuidedStart::paintedOffset_deg() const
     return paintedLineOffset_deg(Variation::fromDegrees(*site()->paintedVariation_deg), today);
 }
 
-std::string GuidedStart::whyNot() const
+Message GuidedStart::whyNot() const
 {
     const std::string date = typed(*m_date);
-    std::string why;
+    Message why;
     if (!parseDate(m_date->text(), false))
         return why;
     if (site())
         why = whyUnfit({site()->certificateExpiry, site()->siteClass, SiteClass::None}, date);
     if (calibrationOver(datum(), date))
-        why += (why.empty() ? "" : "; ")
-            + tr("the calibration of %1 was due on %2").arg(toText(datum().name), toText(datum().calibrationDue)).toStdString();
+        why = together({std::move(why), {MARKED("ui", "the calibration of %1 was due on %2"), datum().name, datum().calibrationDue}});
     return why;
 }
 
 void GuidedStart::check()
 {
-    const std::string why = whyNot();
+    const Message why = whyNot();
     QStringList words;
     if (!why.empty())
         words += tr("Not to be used on that day: %1").arg(toText(why));
@@ -256,15 +255,13 @@ Result<Swing> GuidedStart::particulars() const
         swing.variation_deg = variationOf(swing, site());
         if (!swing.variation_deg)
             return Error{ErrorCode::InvalidInput,
-                tr("%1 gives true headings; expected a site with its variation or its position")
-                    .arg(toText(instrument.name))
-                    .toStdString()};
+                said(tr("%1 gives true headings; expected a site with its variation or its position").arg(toText(instrument.name)))};
     }
     if (!whyNot().empty()) {
         if (typed(*m_override).empty())
             return Error{ErrorCode::InvalidInput,
-                tr("Not to be used on that day: %1. A reason is expected to swing in spite of that.").arg(toText(whyNot())).toStdString()};
-        swing.siteOverride = whyNot() + ": " + typed(*m_override);
+                said(tr("Not to be used on that day: %1. A reason is expected to swing in spite of that.").arg(toText(whyNot())))};
+        swing.siteOverride = whyNot().english() + ": " + typed(*m_override);
     }
     return swing;
 }

@@ -34,7 +34,7 @@ private:
     void build();
     void check(); ///< is the site, is the datum fit for that day?
     void start();
-    [[nodiscard]] std::string whyNot() const;
+    [[nodiscard]] Message whyNot() const;
     [[nodiscard]] Result<Swing> particulars() const;
     [[nodiscard]] SwingJob job() const;
     [[nodiscard]] DatumInstrument datum() const;

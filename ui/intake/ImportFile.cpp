@@ -48,8 +48,8 @@ Result<std::string> readWhole(const QString& path)
 {
     QFile file(path);
     if (QFileInfo(path).isDir() || !file.open(QIODevice::ReadOnly))
-        return Error{
-            ErrorCode::Io, "cannot be read: " + file.errorString().toStdString() + "; expected an exchange file", path.toStdString()};
+        return Error{ErrorCode::Io, {MARKED("ui", "cannot be read: %1; expected an exchange file"), file.errorString().toStdString()},
+            path.toStdString()};
     return file.readAll().toStdString();
 }
 
@@ -65,7 +65,8 @@ Result<ImportFile> readImportFile(const QString& path, const CsvParticulars& par
     if (ending == "pdf")
         return parseExchange(exchangeInReport(path), path);
     return Error{ErrorCode::InvalidInput,
-        "cannot be imported: expected a name that ends in .csv (swing), .json (exchange) or .pdf (report)", path.toStdString()};
+        MARKED("ui", "cannot be imported: expected a name that ends in .csv (swing), .json (exchange) or .pdf (report)"),
+        path.toStdString()};
 }
 
 } // namespace lubberline::ui

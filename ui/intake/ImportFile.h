@@ -22,7 +22,7 @@ struct CsvParticulars {
 
 struct ImportFile {
     Fleet fleet;
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 
 /// What a CSV states itself goes before `particulars`. Errors: those of the readers; InvalidInput for another ending and for a

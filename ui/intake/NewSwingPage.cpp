@@ -49,7 +49,7 @@ void fill(QComboBox& box, const std::vector<Row>& rows, std::string Row::*member
     box.clearEditText();
 }
 
-Error missing(const QString& message) { return {ErrorCode::InvalidInput, message.toStdString()}; }
+Error missing(const QString& message) { return {ErrorCode::InvalidInput, said(message)}; }
 
 } // namespace
 

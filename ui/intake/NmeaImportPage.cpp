@@ -27,8 +27,8 @@ Result<double> positive(const QString& text, const QString& what)
 {
     const auto value = typedNumber(text);
     if (!value || *value < 0 || *value > 1e6)
-        return Error{ErrorCode::InvalidInput,
-            NmeaImportPage::tr("'%1' is not allowed for %2; expected a number from 0 on").arg(text, what).toStdString()};
+        return Error{
+            ErrorCode::InvalidInput, said(NmeaImportPage::tr("'%1' is not allowed for %2; expected a number from 0 on").arg(text, what))};
     return *value;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/Result.h"
+#include "ui/text/Translated.h"
 
 namespace lubberline::ui {
 
@@ -81,7 +82,7 @@ void FormFields<Record>::takeLine(QLineEdit& edit, const Take& take, const QStri
         return;
     Record after = m_record;
     const auto taken = take(after, edit.text());
-    markRefused(edit, taken ? QString() : QString::fromStdString(taken.error().message));
+    markRefused(edit, taken ? QString() : translated(taken.error().message));
     if (!taken)
         return;
     edit.setModified(false);

@@ -8,6 +8,7 @@
 #include "core/angle/AngleText.h"
 #include "ui/plots/world/WorldFieldText.h"
 #include "ui/text/NumberText.h"
+#include "ui/text/Translated.h"
 
 namespace lubberline::ui {
 
@@ -17,7 +18,7 @@ struct PlaceTextTexts {
     Q_DECLARE_TR_FUNCTIONS(lubberline::ui::PlaceText)
 };
 
-Error wrong(const QString& message) { return {ErrorCode::InvalidInput, message.toStdString()}; }
+Error wrong(const QString& message) { return {ErrorCode::InvalidInput, said(message)}; }
 
 /// A word of the compass at the end; a null character where there is none.
 QChar letterAtEnd(const QString& text)

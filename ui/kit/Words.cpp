@@ -59,8 +59,6 @@ QString titleOf(const SwingRecord& record)
     return parts.join(QStringLiteral(" · "));
 }
 
-QString messageOf(const Error& error) { return toText(describe(error)); }
-
 QString numberText(std::optional<double> value) { return value ? QString::number(*value, 'g', 10) : QString(); }
 
 } // namespace lubberline::ui

@@ -10,10 +10,12 @@
 #include "core/base/Result.h"
 #include "core/record/Fleet.h"
 #include "ui/text/NumberText.h"
+#include "ui/text/Translated.h"
 
 namespace lubberline::ui {
 
 [[nodiscard]] inline QString toText(const std::string& text) { return QString::fromStdString(text); }
+[[nodiscard]] inline QString toText(const Message& message) { return translated(message); }
 
 [[nodiscard]] QString wordFor(SwingKind kind);
 [[nodiscard]] QString wordFor(SwingStage stage);
@@ -28,8 +30,6 @@ namespace lubberline::ui {
 
 /// "Su-22 · 3713 · standby compass · 2026-11-20 check swing, as found".
 [[nodiscard]] QString titleOf(const SwingRecord& record);
-/// "FILE:LINE: what is wrong and what was expected".
-[[nodiscard]] QString messageOf(const Error& error);
 /// "12.5", or empty; never NaN.
 [[nodiscard]] QString numberText(std::optional<double> value);
 

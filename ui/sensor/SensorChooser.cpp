@@ -82,10 +82,10 @@ void SensorChooser::buildFields()
     const auto takeName = [this](SensorRecord& record, const QString& text) -> Result<void> {
         const std::string name = text.trimmed().toStdString();
         if (name.empty())
-            return Error{ErrorCode::InvalidInput, tr("a model must have a name").toStdString()};
+            return Error{ErrorCode::InvalidInput, said(tr("a model must have a name"))};
         const auto& all = m_editor.records();
         if (std::any_of(all.begin(), all.end(), [&](const SensorRecord& one) { return one.name == name && one.record != record.record; }))
-            return Error{ErrorCode::InvalidInput, tr("another model of this compass has this name").toStdString()};
+            return Error{ErrorCode::InvalidInput, said(tr("another model of this compass has this name"))};
         record.name = name;
         return {};
     };

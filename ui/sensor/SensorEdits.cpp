@@ -29,7 +29,7 @@ Result<void> ChangeSensor::store(SensorRecord known, SensorRecord sensor) const
     if (!id)
         return id.error();
     if (!id->valid())
-        return Error{ErrorCode::NotFound, "there is no sensor model \"" + sensor.name + "\" any more"};
+        return Error{ErrorCode::NotFound, {MARKED("ui", "there is no sensor model \"%1\" any more"), sensor.name}};
     known.id = sensor.id = *id;
     return stores().sensors.change(known, sensor);
 }
@@ -56,8 +56,9 @@ Result<void> MakeSensor::remove() const
     const auto id = idOf(m_sensor.record);
     if (!id)
         return id.error();
-    return id->valid() ? stores().sensors.remove(*id)
-                       : Result<void>(Error{ErrorCode::NotFound, "there is no sensor model \"" + m_sensor.name + "\" any more"});
+    return id->valid()
+        ? stores().sensors.remove(*id)
+        : Result<void>(Error{ErrorCode::NotFound, {MARKED("ui", "there is no sensor model \"%1\" any more"), m_sensor.name}});
 }
 
 } // namespace lubberline::ui

@@ -94,7 +94,7 @@ QString separationNote(const IronSeparation& separation, const std::vector<Swing
     parts += estimateText(QStringLiteral("Q"), separation.Q_nT, 0) + QStringLiteral(" nT");
     parts += estimateText(QStringLiteral("c"), separation.c, 4);
     parts += estimateText(QStringLiteral("f"), separation.f, 4);
-    for (const std::string& warning : separation.warnings)
+    for (const auto& warning : separation.warnings)
         parts += toText(warning);
     return parts.join(QStringLiteral("; "));
 }
@@ -108,9 +108,8 @@ Result<SensorRecord> estimateFromNewest(db::Stores& stores, CompassId compass, O
         return swings.error();
     if (swings->empty())
         return Error{ErrorCode::InvalidInput,
-            SensorEstimateTexts::tr(
-                "no swing of this compass tells all five exact coefficients; expected one with five or more headings all round")
-                .toStdString()};
+            said(SensorEstimateTexts::tr(
+                "no swing of this compass tells all five exact coefficients; expected one with five or more headings all round"))};
     const EstimatedSwing& newest = swings->front();
     if (!newest.stamp && !field)
         return field.error();
@@ -136,10 +135,9 @@ Result<SensorRecord> estimateBySeparation(db::Stores& stores, CompassId compass)
     const auto swings = newestOfEachPlace(*found);
     if (swings.size() < 2)
         return Error{ErrorCode::InvalidInput,
-            SensorEstimateTexts::tr(
+            said(SensorEstimateTexts::tr(
                 "swings at %n place(s) with a known field; expected two or more where H and dip differ (sites need latitude and longitude)",
-                nullptr, static_cast<int>(swings.size()))
-                .toStdString()};
+                nullptr, static_cast<int>(swings.size())))};
     const auto separation = separateIron(swings);
     if (!separation)
         return separation.error();

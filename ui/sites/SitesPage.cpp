@@ -79,8 +79,8 @@ Result<SurveyPoint> pointOf(const QStringList& cells)
             return std::optional<double>();
         const auto value = typedNumber(cells.value(column));
         if (!value)
-            return Error{ErrorCode::InvalidInput,
-                SitesPage::tr("'%1' is no number; expected metres, degrees or nT").arg(cells.value(column)).toStdString()};
+            return Error{
+                ErrorCode::InvalidInput, said(SitesPage::tr("'%1' is no number; expected metres, degrees or nT").arg(cells.value(column)))};
         return value;
     };
     const auto east = number(East, true), north = number(North, true), height = number(Height, false),
@@ -90,7 +90,7 @@ Result<SurveyPoint> pointOf(const QStringList& cells)
             return each->error();
     point = {**east, **north, (*height).value_or(0), *declination, *total};
     if (!point.declination_deg && !point.total_nT)
-        return Error{ErrorCode::InvalidInput, SitesPage::tr("a point of a survey has a declination or a total field").toStdString()};
+        return Error{ErrorCode::InvalidInput, said(SitesPage::tr("a point of a survey has a declination or a total field"))};
     return point;
 }
 
@@ -182,7 +182,7 @@ void SitesPage::buildForm(QFormLayout& form)
         form, tr("Name:"), QStringLiteral("siteName"), [](const Site& site) { return toText(site.name); },
         [](Site& site, const QString& name) -> Result<void> {
             if (name.trimmed().isEmpty())
-                return Error{ErrorCode::InvalidInput, tr("a base must have a name").toStdString()};
+                return Error{ErrorCode::InvalidInput, said(tr("a base must have a name"))};
             site.name = name.trimmed().toStdString();
             return {};
         });
@@ -276,7 +276,7 @@ std::optional<double> SitesPage::variationToday() const
 void SitesPage::showFitness()
 {
     const Site& site = m_fields.record();
-    const std::string why = whyUnfit({site.certificateExpiry, site.siteClass, SiteClass::None}, m_today());
+    const Message why = whyUnfit({site.certificateExpiry, site.siteClass, SiteClass::None}, m_today());
     m_fitness->setText(why.empty() ? tr("● may be used today") : tr("▲ not to be used today: %1").arg(toText(why)));
     QString lines;
     if (const auto today = variationToday(); site.paintedVariation_deg && today) {

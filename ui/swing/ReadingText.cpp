@@ -34,7 +34,7 @@ std::optional<double> deviation_deg(const Reading& reading)
 /// The shortest decimal text without the noise of binary fractions.
 QString exactText(double value) { return QString::number(value, 'g', 10); }
 
-Error wrong(const QString& message) { return {ErrorCode::InvalidInput, message.toStdString()}; }
+Error wrong(const QString& message) { return {ErrorCode::InvalidInput, said(message)}; }
 
 void setHeading(Reading& reading, ReadingColumn column, std::optional<double> heading_deg)
 {

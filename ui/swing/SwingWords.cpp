@@ -87,7 +87,7 @@ QString suspicionOf(const Analysis& analysis, std::size_t index, AngleStyle styl
 QString limitationsOf(const Analysis& analysis)
 {
     QStringList lines;
-    for (const std::string& warning : analysis.warnings)
+    for (const auto& warning : analysis.warnings)
         lines += toText(warning);
     return lines.join('\n');
 }

@@ -147,7 +147,7 @@ Result<void> Recovery::keep(const LostEntry& entry) const
         if (file.open(QIODevice::WriteOnly | QIODevice::Append) && file.write(line) == line.size() && file.flush())
             return {};
     }
-    return Error{ErrorCode::Io, "no place was found to keep it until the database can be written again"};
+    return Error{ErrorCode::Io, MARKED("ui", "no place was found to keep it until the database can be written again")};
 }
 
 std::vector<LostEntry> Recovery::entriesFor(const QString& database) const
@@ -166,8 +166,8 @@ Recovery::Restored Recovery::restore(db::Stores& stores) const
     std::vector<LostEntry> gone;
     for (const auto& entry : entriesFor(stores.location())) {
         const auto record = stores.swings.record(entry.swing);
-        Result<void> done = !record                        ? Result<void>(record.error())
-            : record->swing.record != entry.record         ? Result<void>(Error{ErrorCode::NotFound, "the swing is no longer there"})
+        Result<void> done = !record                ? Result<void>(record.error())
+            : record->swing.record != entry.record ? Result<void>(Error{ErrorCode::NotFound, MARKED("ui", "the swing is no longer there")})
             : std::holds_alternative<LostStep>(entry.what) ? putStep(stores, entry.swing, std::get<LostStep>(entry.what))
                                                            : putReading(stores, *record, std::get<LostReading>(entry.what));
         if (done) {

@@ -43,7 +43,7 @@ Result<TransferOutcome> importFile(
         return imported.error();
     TransferOutcome outcome;
     outcome.message = importMessage(path, *imported);
-    for (const std::string& warning : file->warnings)
+    for (const auto& warning : file->warnings)
         outcome.warnings += toText(warning);
     if (imported->swingIds.size() == 1)
         outcome.swing = imported->swingIds.front();

@@ -34,7 +34,7 @@ struct SwingFile {
     std::string operatorName;
     std::optional<double> latitude_deg, longitude_deg, height_m; ///< of the compass base
     std::vector<std::pair<std::string, std::string>> otherKeys;  ///< keys that mean nothing to us, kept in the swing's note
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 
 /// Reads a stream with constant memory besides the readings. `name` is the file named in errors.

@@ -10,8 +10,9 @@ namespace lubberline::csv {
 
 namespace {
 
-constexpr const char* kExpectedColumns = "two of magnetic_heading_deg, compass_heading_deg, deviation_deg "
-                                         "(or true_heading_deg with a line \"# variation_deg: \u2026\" in place of the magnetic heading)";
+constexpr Pattern kExpectedColumns = MARKED("core",
+    "two of magnetic_heading_deg, compass_heading_deg, deviation_deg "
+    "(or true_heading_deg with a line \"# variation_deg: \u2026\" in place of the magnetic heading)");
 
 std::optional<std::size_t> knownColumn(std::string_view name)
 {
@@ -40,7 +41,7 @@ Result<void> requireTwoOfThree(const Columns& columns, const std::vector<std::st
         + (columns.has(Column::Deviation) || columns.has(Column::IndicationError));
     if (given >= 2)
         return {};
-    return Error{ErrorCode::InvalidInput, "a column is missing; expected " + std::string(kExpectedColumns) + ", found " + listed(header)};
+    return Error{ErrorCode::InvalidInput, {MARKED("core", "a column is missing; expected %1, found %2"), kExpectedColumns, listed(header)}};
 }
 
 Result<void> addColumn(Columns& columns, std::size_t place, const std::string& name)
@@ -50,9 +51,9 @@ Result<void> addColumn(Columns& columns, std::size_t place, const std::string& n
         ? columns.place[*known].has_value()
         : std::any_of(columns.unknown.begin(), columns.unknown.end(), [&](const auto& other) { return other.second == name; });
     if (doubled)
-        return Error{ErrorCode::InvalidInput, "the column " + inQuotes(name) + " is there twice; expected each column once"};
+        return Error{ErrorCode::InvalidInput, {MARKED("core", "the column %1 is there twice; expected each column once"), inQuotes(name)}};
     if (name.empty())
-        return Error{ErrorCode::Format, "column " + std::to_string(place + 1) + " has no name; expected a name for each column"};
+        return Error{ErrorCode::Format, {MARKED("core", "column %1 has no name; expected a name for each column"), place + 1}};
     if (known)
         columns.place[*known] = place;
     else
@@ -86,7 +87,7 @@ Result<Columns> columnsOf(const std::vector<std::string>& header)
 {
     if (looksLikeReadings(header))
         return Error{ErrorCode::Format,
-            "there is no header: the first row is numbers; expected a row of column names, " + std::string(kExpectedColumns)};
+            {MARKED("core", "there is no header: the first row is numbers; expected a row of column names, %1"), kExpectedColumns}};
     Columns columns;
     columns.count = header.size();
     for (std::size_t place = 0; place < header.size(); ++place)

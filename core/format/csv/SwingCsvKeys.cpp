@@ -39,9 +39,10 @@ constexpr std::array kTextKeys{
     TextKey{"note", [](SwingFile& file) -> std::string& { return file.swing.note; }},
 };
 
-Error wrongValue(const KeyLine& line, const std::string& expected)
+Error wrongValue(const KeyLine& line, const Message& expected)
 {
-    return {ErrorCode::InvalidInput, std::string(line.key) + ": " + inQuotes(line.value) + " is not allowed; expected " + expected};
+    return {ErrorCode::InvalidInput,
+        {MARKED("core", "%1: %2 is not allowed; expected %3"), std::string(line.key), inQuotes(line.value), expected}};
 }
 
 template <class Choice>
@@ -49,7 +50,7 @@ Result<void> takeChoice(const KeyLine& line, Choice& into)
 {
     const auto choice = choiceOf<Choice>(line.value);
     if (!choice)
-        return wrongValue(line, allowedWords<Choice>());
+        return wrongValue(line, Message::verbatim(allowedWords<Choice>()));
     into = *choice;
     return {};
 }
@@ -57,7 +58,7 @@ Result<void> takeChoice(const KeyLine& line, Choice& into)
 Result<void> takeDate(const KeyLine& line, std::string& into)
 {
     if (!isIsoDate(line.value))
-        return wrongValue(line, "a date of the calendar as YYYY-MM-DD");
+        return wrongValue(line, MARKED("core", "a date of the calendar as YYYY-MM-DD"));
     into = line.value;
     return {};
 }
@@ -66,12 +67,12 @@ Result<void> takeVariation(const KeyLine& line, std::optional<double>& into)
 {
     const auto number = readNumber(line.value, true); // no separator in this line: a comma is a decimal comma
     if (number.fault != NumberFault::None || std::abs(number.value) > 180.0)
-        return wrongValue(line, "degrees from -180 to 180, east positive, such as 6.5");
+        return wrongValue(line, MARKED("core", "degrees from -180 to 180, east positive, such as 6.5"));
     into = number.value;
     return {};
 }
 
-Result<void> takeNumber(const KeyLine& line, double least, double most, const char* expected, std::optional<double>& into)
+Result<void> takeNumber(const KeyLine& line, double least, double most, Pattern expected, std::optional<double>& into)
 {
     const auto number = readNumber(line.value, true);
     if (number.fault != NumberFault::None || number.value < least || number.value > most)
@@ -93,15 +94,15 @@ constexpr std::array kValueKeys{
     ValueKey{"variation_deg", [](SwingFile& file, const KeyLine& line) { return takeVariation(line, file.swing.variation_deg); }},
     ValueKey{"latitude_deg",
         [](SwingFile& file, const KeyLine& line) {
-            return takeNumber(line, -90, 90, "degrees from -90 to 90, north positive", file.latitude_deg);
+            return takeNumber(line, -90, 90, MARKED("core", "degrees from -90 to 90, north positive"), file.latitude_deg);
         }},
     ValueKey{"longitude_deg",
         [](SwingFile& file, const KeyLine& line) {
-            return takeNumber(line, -540, 540, "degrees from -180 to 180, east positive", file.longitude_deg);
+            return takeNumber(line, -540, 540, MARKED("core", "degrees from -180 to 180, east positive"), file.longitude_deg);
         }},
     ValueKey{"height_m",
         [](SwingFile& file, const KeyLine& line) {
-            return takeNumber(line, -10'000, 600'000, "metres from -10000 to 600000", file.height_m);
+            return takeNumber(line, -10'000, 600'000, MARKED("core", "metres from -10000 to 600000"), file.height_m);
         }},
 };
 
@@ -146,7 +147,7 @@ std::optional<KeyLine> keyLineOf(std::string_view line)
 Result<void> KeyReader::take(const KeyLine& line)
 {
     if (!m_taken.emplace(line.key).second)
-        return Error{ErrorCode::InvalidInput, "the key " + inQuotes(line.key) + " is there twice; expected each key once"};
+        return Error{ErrorCode::InvalidInput, {MARKED("core", "the key %1 is there twice; expected each key once"), inQuotes(line.key)}};
     if (const auto* text = find(kTextKeys, line.key)) {
         text->field(m_file) = line.value;
         return {};
@@ -161,22 +162,23 @@ Result<void> stampFromKeys(SwingFile& file)
 {
     if (file.latitude_deg.has_value() != file.longitude_deg.has_value())
         return Error{ErrorCode::InvalidInput,
-            std::string(file.latitude_deg ? "latitude_deg" : "longitude_deg") + " is stated without "
-                + (file.latitude_deg ? "longitude_deg" : "latitude_deg") + "; expected both or neither"};
+            {MARKED("core", "%1 is stated without %2; expected both or neither"),
+                std::string(file.latitude_deg ? "latitude_deg" : "longitude_deg"),
+                std::string(file.latitude_deg ? "longitude_deg" : "latitude_deg")}};
     if (!file.latitude_deg)
         return {};
     const auto place = makePlace(*file.latitude_deg, *file.longitude_deg, file.height_m.value_or(0.0));
     if (!place)
         return place.error();
     if (file.swing.date.empty()) {
-        file.warnings.push_back(
-            "the place of the swing is stated, but no date, so the field there is not known; expected a line \"# date: YYYY-MM-DD\"");
+        file.warnings.push_back(MARKED("core",
+            "the place of the swing is stated, but no date, so the field there is not known; expected a line \"# date: YYYY-MM-DD\""));
         return {};
     }
     if (const auto stamp = stampField(*place, file.swing.date))
         file.swing.field = *stamp;
     else
-        file.warnings.push_back("the Earth's field at the swing's place is not known: " + stamp.error().message);
+        file.warnings.push_back({MARKED("core", "the Earth's field at the swing's place is not known: %1"), stamp.error().message});
     return {};
 }
 

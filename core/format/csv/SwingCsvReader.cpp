@@ -16,7 +16,8 @@ namespace {
 
 using namespace csv;
 
-constexpr const char* kExpectedFile = "expected a Swing CSV: text in UTF-8 with a header of named columns and one reading a row";
+constexpr Pattern kExpectedFile
+    = MARKED("core", "expected a Swing CSV: text in UTF-8 with a header of named columns and one reading a row");
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 
 /// Reads one file. Every step returns the error with file and line filled in.
@@ -40,8 +41,8 @@ private:
     Result<void> takeReading();
     Result<SwingFile> finish();
 
-    [[nodiscard]] Error wholeFile(ErrorCode code, const std::string& message) const { return {code, message, m_name}; }
-    [[nodiscard]] Error here(ErrorCode code, const std::string& message) const { return {code, message, m_name, m_rowLine}; }
+    [[nodiscard]] Error wholeFile(ErrorCode code, const Message& message) const { return {code, message, m_name}; }
+    [[nodiscard]] Error here(ErrorCode code, const Message& message) const { return {code, message, m_name, m_rowLine}; }
     [[nodiscard]] Error here(const Error& error) const { return here(error.code, error.message); }
 
     LineReader m_lines;
@@ -59,7 +60,7 @@ Result<void> SwingReader::checkBeginning()
 {
     const std::string_view beginning = m_lines.beginning();
     if (beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF"))
-        return wholeFile(ErrorCode::Format, "is UTF-16; expected UTF-8: save it as \"CSV UTF-8\"");
+        return wholeFile(ErrorCode::Format, MARKED("core", "is UTF-16; expected UTF-8: save it as \"CSV UTF-8\""));
     return {};
 }
 
@@ -69,14 +70,15 @@ Result<bool> SwingReader::nextLine()
     case LineOutcome::Line: break;
     case LineOutcome::End: return false;
     case LineOutcome::Binary:
-        return wholeFile(ErrorCode::Format, std::string("is binary: it has NUL bytes or lines of more than 1 MiB; ") + kExpectedFile);
-    case LineOutcome::ReadError: return wholeFile(ErrorCode::Io, "cannot be read to its end");
-    case LineOutcome::Cancelled: return wholeFile(ErrorCode::Cancelled, "reading was cancelled");
+        return wholeFile(ErrorCode::Format, {MARKED("core", "is binary: it has NUL bytes or lines of more than 1 MiB; %1"), kExpectedFile});
+    case LineOutcome::ReadError: return wholeFile(ErrorCode::Io, MARKED("core", "cannot be read to its end"));
+    case LineOutcome::Cancelled: return wholeFile(ErrorCode::Cancelled, MARKED("core", "reading was cancelled"));
     }
     if (m_lines.lineNumber() == 1 && std::string_view(m_line).starts_with(kUtf8Mark))
         m_line.erase(0, kUtf8Mark.size());
     if (!isUtf8(m_line))
-        return Error{ErrorCode::Format, "the line is not well-formed UTF-8; expected text in UTF-8", m_name, m_lines.lineNumber()};
+        return Error{
+            ErrorCode::Format, MARKED("core", "the line is not well-formed UTF-8; expected text in UTF-8"), m_name, m_lines.lineNumber()};
     return true;
 }
 
@@ -114,8 +116,8 @@ Result<void> SwingReader::takeKey()
     if (!line)
         return {};
     if (m_columns && line->key == "variation_deg")
-        return here(
-            ErrorCode::InvalidInput, "variation_deg stands below the header; expected it above, since the rows are computed with it");
+        return here(ErrorCode::InvalidInput,
+            MARKED("core", "variation_deg stands below the header; expected it above, since the rows are computed with it"));
     const auto taken = m_keys.take(*line);
     return taken ? Result<void>() : Result<void>(here(taken.error()));
 }
@@ -129,11 +131,12 @@ Result<bool> SwingReader::splitRow()
         if (!more)
             return more.error();
         if (!*more || m_splitter->bytes() + m_line.size() > kMaxLineBytes)
-            return here(ErrorCode::Format, "a quoted cell that begins in this row is not closed; expected a second \"");
+            return here(ErrorCode::Format, MARKED("core", "a quoted cell that begins in this row is not closed; expected a second \""));
         state = m_splitter->resume(m_line);
     }
     if (state == RowSplitter::State::TextAfterQuote)
-        return here(ErrorCode::Format, "there is text behind a closing quote; expected a separator there, or \"\" for a quote inside");
+        return here(ErrorCode::Format,
+            MARKED("core", "there is text behind a closing quote; expected a separator there, or \"\" for a quote inside"));
     return true;
 }
 
@@ -150,11 +153,11 @@ Result<void> SwingReader::takeHeader()
     const auto variation_deg = m_file.swing.variation_deg;
     if (m_columns->trueIsDatum() && !variation_deg)
         return here(ErrorCode::InvalidInput,
-            "true_heading_deg stands in place of the magnetic heading, but the variation is not stated; "
-            "expected a line \"# variation_deg: \u2026\" (degrees, east positive) above the header");
+            MARKED("core",
+                "true_heading_deg stands in place of the magnetic heading, but the variation is not stated; expected a line \"# variation_deg: \u2026\" (degrees, east positive) above the header"));
     m_rows.emplace(*m_columns, separator != ',', variation_deg);
     for (const auto& [place, name] : m_columns->unknown)
-        m_file.warnings.push_back("the column " + inQuotes(name) + " means nothing here; it is kept with the readings");
+        m_file.warnings.push_back({MARKED("core", "the column %1 means nothing here; it is kept with the readings"), inQuotes(name)});
     return {};
 }
 
@@ -166,7 +169,7 @@ Result<void> SwingReader::takeReading()
     if (!reading)
         return here(reading.error());
     if (m_file.swing.readings.size() == kMaxReadings)
-        return here(ErrorCode::InvalidInput, "there are more than " + std::to_string(kMaxReadings) + " readings; expected a compass swing");
+        return here(ErrorCode::InvalidInput, {MARKED("core", "there are more than %1 readings; expected a compass swing"), kMaxReadings});
     m_file.swing.readings.push_back(std::move(reading.value()));
     return {};
 }
@@ -174,11 +177,11 @@ Result<void> SwingReader::takeReading()
 Result<SwingFile> SwingReader::finish()
 {
     if (m_lines.lineNumber() == 0)
-        return wholeFile(ErrorCode::Format, std::string("is empty; ") + kExpectedFile);
+        return wholeFile(ErrorCode::Format, {MARKED("core", "is empty; %1"), kExpectedFile});
     if (!m_columns)
-        return wholeFile(ErrorCode::Format, std::string("has no header; ") + kExpectedFile);
+        return wholeFile(ErrorCode::Format, {MARKED("core", "has no header; %1"), kExpectedFile});
     if (m_file.swing.readings.empty())
-        return wholeFile(ErrorCode::Format, "has a header but no readings; expected one reading a row below it");
+        return wholeFile(ErrorCode::Format, MARKED("core", "has a header but no readings; expected one reading a row below it"));
     for (const auto& [key, value] : m_file.otherKeys)
         m_file.swing.note += (m_file.swing.note.empty() ? "" : "\n") + key + ": " + value;
     if (const auto stamped = stampFromKeys(m_file); !stamped)
@@ -198,10 +201,10 @@ Result<SwingFile> readSwingCsvFile(const std::string& path, const Progress& prog
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
-        return Error{ErrorCode::Io, "is a folder; expected a Swing CSV", path};
+        return Error{ErrorCode::Io, MARKED("core", "is a folder; expected a Swing CSV"), path};
     std::ifstream file(path, std::ios::binary);
     if (!file)
-        return Error{ErrorCode::Io, "cannot be opened; expected a Swing CSV that exists and may be read", path};
+        return Error{ErrorCode::Io, MARKED("core", "cannot be opened; expected a Swing CSV that exists and may be read"), path};
     return readSwingCsv(file, path, progress);
 }
 

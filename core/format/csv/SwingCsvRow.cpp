@@ -11,31 +11,33 @@ namespace {
 
 struct Range {
     double least, most;
-    const char* words;
+    Pattern words;
 };
 
 Range rangeOf(Column column)
 {
     switch (column) {
     case Column::Deviation:
-    case Column::IndicationError: return {-180, 180, "degrees from -180 to 180, east positive"};
-    case Column::Pitch: return {-90, 90, "degrees from -90 to 90"};
-    case Column::Roll: return {-180, 180, "degrees from -180 to 180"};
-    default: return {0, 360, "degrees from 0 to 360"};
+    case Column::IndicationError: return {-180, 180, MARKED("core", "degrees from -180 to 180, east positive")};
+    case Column::Pitch: return {-90, 90, MARKED("core", "degrees from -90 to 90")};
+    case Column::Roll: return {-180, 180, MARKED("core", "degrees from -180 to 180")};
+    default: return {0, 360, MARKED("core", "degrees from 0 to 360")};
     }
 }
 
-Error wrongCell(Column column, const std::string& cell, const std::string& what, const Range& range)
+/// `what`: of the column %1, the cell %2 and what was expected %3.
+Error wrongCell(Column column, const std::string& cell, Pattern what, const Range& range)
 {
-    return {ErrorCode::InvalidInput, std::string(nameOf(column)) + ": " + inQuotes(cell) + " " + what + "; expected " + range.words};
+    return {ErrorCode::InvalidInput, {what, std::string(nameOf(column)), inQuotes(cell), range.words}};
 }
 
-Error contradiction(const std::string& what, double stated_deg, double computed_deg, const std::string& expected)
+/// `rule`: what the column should be of the others; %1: to how many degrees they agree.
+Error contradiction(const std::string& column, double stated_deg, double computed_deg, Pattern rule)
 {
     const auto tenth = [](double angle_deg) { return shortestNumber(std::round(angle_deg * 1e4) / 1e4); };
     return {ErrorCode::InvalidInput,
-        what + " " + tenth(stated_deg) + " contradicts the row's other columns, which give " + tenth(computed_deg) + "; expected "
-            + expected};
+        {MARKED("core", "%1 %2 contradicts the row's other columns, which give %3; expected %4"), column, tenth(stated_deg),
+            tenth(computed_deg), Message{rule, shortestNumber(kAgreement_deg)}}};
 }
 
 template <class Angle>
@@ -81,11 +83,11 @@ Result<std::optional<double>> RowReader::angle(const std::vector<std::string>& c
     const Range range = rangeOf(column);
     const FileNumber number = readNumber(cell, m_decimalComma);
     if (cell.empty())
-        return wrongCell(column, cell, "is empty", range);
+        return wrongCell(column, cell, MARKED("core", "%1: %2 is empty; expected %3"), range);
     if (number.fault == NumberFault::NotANumber)
-        return wrongCell(column, cell, "is not a number", range);
+        return wrongCell(column, cell, MARKED("core", "%1: %2 is not a number; expected %3"), range);
     if (number.fault == NumberFault::OutOfRange || number.value < range.least || number.value > range.most)
-        return wrongCell(column, cell, "is out of range", range);
+        return wrongCell(column, cell, MARKED("core", "%1: %2 is out of range; expected %3"), range);
     return std::optional(number.value);
 }
 
@@ -130,16 +132,18 @@ Result<void> RowReader::complete(Cells& given) const
 Result<void> RowReader::agree(const Cells& given) const
 {
     const double deviation_deg = deviationOf(*given.magnetic, *given.compass).degrees();
-    const std::string rule = "agreement to " + shortestNumber(kAgreement_deg) + " degrees";
     if (given.deviation && differ(given.deviation->degrees(), deviation_deg))
-        return contradiction("deviation_deg", given.deviation->degrees(), deviation_deg, "magnetic - compass, in " + rule);
+        return contradiction(
+            "deviation_deg", given.deviation->degrees(), deviation_deg, MARKED("core", "magnetic - compass, in agreement to %1 degrees"));
     if (given.indicationError && differ(given.indicationError->degrees(), -deviation_deg))
-        return contradiction("indication_error_deg", given.indicationError->degrees(), -deviation_deg, "compass - magnetic, in " + rule);
+        return contradiction("indication_error_deg", given.indicationError->degrees(), -deviation_deg,
+            MARKED("core", "compass - magnetic, in agreement to %1 degrees"));
     if (!given.trueHeading || !m_variation_deg)
         return {};
     const double true_deg = toTrue(*given.magnetic, Variation::fromDegrees(*m_variation_deg)).degrees();
     if (differ(given.trueHeading->degrees(), true_deg))
-        return contradiction("true_heading_deg", given.trueHeading->degrees(), true_deg, "magnetic + variation, in " + rule);
+        return contradiction(
+            "true_heading_deg", given.trueHeading->degrees(), true_deg, MARKED("core", "magnetic + variation, in agreement to %1 degrees"));
     return {};
 }
 
@@ -153,7 +157,7 @@ Result<Reading> RowReader::read(const std::vector<std::string>& cells) const
 {
     if (cells.size() != m_columns.count)
         return Error{ErrorCode::InvalidInput,
-            "the row has " + counted(cells.size(), "cell") + "; expected " + std::to_string(m_columns.count) + " cells as in the header"};
+            {MARKED_N("core", "the row has %n cell(s); expected %1 cells as in the header"), cells.size(), m_columns.count}};
     auto given = angles(cells);
     if (!given)
         return given.error();

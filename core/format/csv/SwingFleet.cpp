@@ -37,7 +37,7 @@ Result<Fleet> toFleet(const SwingFile& file)
 {
     if (file.aircraft.empty())
         return Error{ErrorCode::InvalidInput,
-            "the aircraft is not named; expected a line \"# aircraft: REGISTRATION\", or its registration beside the file"};
+            MARKED("core", "the aircraft is not named; expected a line \"# aircraft: REGISTRATION\", or its registration beside the file")};
     SwingRecord record = recordOf(file);
     // The names may have been filled in since the file was read: the same readings of two aircraft are two swings.
     record.swing.record.clear();

@@ -13,7 +13,7 @@ namespace lubberline {
 
 namespace {
 
-const std::string kExpectedBench = "a Bench JSON (parts and wires round a sensor)";
+constexpr Pattern kExpectedBench = MARKED("core", "a Bench JSON (parts and wires round a sensor)");
 
 constexpr NumberRange kPlace{-kBenchReach_m, kBenchReach_m};
 constexpr NumberRange kLength{1e-9, kBenchReach_m};
@@ -22,14 +22,14 @@ Eigen::Vector3d readVector(JsonObject& object, std::string_view key, NumberRange
 {
     Eigen::Vector3d vector = Eigen::Vector3d::Zero();
     if (!object.has(key))
-        object.missing(key, "[x, y, z]");
+        object.missing(key, MARKED("core", "[x, y, z]"));
     object.numbers(key, {vector.data(), 3}, range);
     return vector;
 }
 
 Shape readShape(JsonObject& object)
 {
-    const auto kind = object.requiredText("shape", "box, cylinder, ellipsoid or sphere");
+    const auto kind = object.requiredText("shape", MARKED("core", "box, cylinder, ellipsoid or sphere"));
     if (kind == "box" || kind == "ellipsoid") {
         object.only({"name", "shape", "size_m", "susceptibility", "remanence_T", "group", "placements"});
         const Eigen::Vector3d size_m = readVector(object, "size_m", kLength);
@@ -40,7 +40,7 @@ Shape readShape(JsonObject& object)
         return Cylinder{object.requiredNumber("diameter_m", kLength), object.requiredNumber("length_m", kLength)};
     }
     if (kind != "sphere")
-        object.fault("shape", "is “" + kind + "”; expected box, cylinder, ellipsoid or sphere");
+        object.fault("shape", {MARKED("core", "is “%1”; expected box, cylinder, ellipsoid or sphere"), kind});
     object.only({"name", "shape", "diameter_m", "susceptibility", "remanence_T", "group", "placements"});
     return Sphere{object.requiredNumber("diameter_m", kLength)};
 }
@@ -78,7 +78,7 @@ WirePath readWire(JsonObject& object, FirstFault& fault)
 {
     object.only({"kind", "points_m"});
     if (!object.has("points_m"))
-        object.missing("points_m", "[[x, y, z], [x, y, z], …]");
+        object.missing("points_m", MARKED("core", "[[x, y, z], [x, y, z], …]"));
     WirePath path;
     object.array("points_m", [&](const nlohmann::json& value, const JsonPath& here) {
         Eigen::Vector3d point_m = Eigen::Vector3d::Zero();
@@ -95,16 +95,16 @@ BenchCircuit readCircuit(JsonObject& object, FirstFault& fault)
     circuit.name = object.requiredText("name");
     circuit.current_A = object.requiredNumber("current_A", {-1e6, 1e6});
     if (!object.has("on"))
-        object.missing("on", "true or false");
+        object.missing("on", MARKED("core", "true or false"));
     circuit.on = object.boolean("on");
     object.objects("conductors", [&](JsonObject& conductor) {
-        const auto kind = conductor.requiredText("kind", "loop or wire");
+        const auto kind = conductor.requiredText("kind", MARKED("core", "loop or wire"));
         if (kind == "loop")
             circuit.conductors.emplace_back(readLoop(conductor));
         else if (kind == "wire")
             circuit.conductors.emplace_back(readWire(conductor, fault));
         else
-            conductor.fault("kind", "is “" + kind + "”; expected loop or wire");
+            conductor.fault("kind", {MARKED("core", "is “%1”; expected loop or wire"), kind});
     });
     if (const auto checked = checkCircuit(circuit); !checked)
         object.fault("conductors", checked.error().message);

@@ -56,7 +56,7 @@ std::vector<SelectedHeading> headings(JsonObject& object, std::string_view key)
         list.push_back({selected_deg, one.number("indicated_deg", kHeadingRange)});
     });
     if (list.size() > kMostHeadings)
-        object.fault(key, "are more than 360; expected the headings of an electrical swing");
+        object.fault(key, MARKED("core", "are more than 360; expected the headings of an electrical swing"));
     return list;
 }
 
@@ -76,9 +76,9 @@ FourPointTable table(JsonObject& object, std::string_view key)
     for (const auto& one : headings(object, key)) {
         const double quarter = one.selected_deg / 90;
         if (quarter != 0 && quarter != 1 && quarter != 2 && quarter != 3)
-            object.fault(key, "holds a selected heading other than 0, 90, 180 and 270");
+            object.fault(key, MARKED("core", "holds a selected heading other than 0, 90, 180 and 270"));
         else if (value.indicated_deg[static_cast<std::size_t>(quarter)])
-            object.fault(key, "holds a selected heading twice; expected each once");
+            object.fault(key, MARKED("core", "holds a selected heading twice; expected each once"));
         else
             value.indicated_deg[static_cast<std::size_t>(quarter)] = one.indicated_deg;
     }
@@ -144,7 +144,7 @@ std::string writeElectricalJson(const ElectricalSwing& swing)
 
 Result<ElectricalSwing> readElectricalJson(std::string_view text, const std::string& name)
 {
-    const auto document = parseJson(text, name, "an electrical swing");
+    const auto document = parseJson(text, name, MARKED("core", "an electrical swing"));
     if (!document)
         return document.error();
     FirstFault fault(name);

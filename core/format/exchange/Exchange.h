@@ -13,8 +13,9 @@ namespace lubberline {
 
 /// The newest version. 2 has sensor models inside their compass and, in a swing, the field stamp and the index that was
 /// removed. 3 has the ramp: instruments, due rules, waivers and causes of events, particulars of bases, a base of aircraft, and
-/// in a swing times, signatures, revisions, raw figures and its guided swing (whose particulars are the swing's own).
-inline constexpr int kExchangeVersion = 3;
+/// in a swing times, signatures, revisions, raw figures and its guided swing (whose particulars are the swing's own). 4 has
+/// signatures that say by which version of the signed content they were made.
+inline constexpr int kExchangeVersion = 4;
 /// The lowest version that can hold the fleet: what is written. A file says no more than it must, so that older programs read
 /// what they can, and what was written (and hashed) before there was a version 2 is written the same.
 [[nodiscard]] int exchangeVersionOf(const Fleet& fleet);

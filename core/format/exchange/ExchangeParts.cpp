@@ -19,7 +19,7 @@ void readStates(JsonObject& object, BenchStates& states)
         one.only({"group", "state"});
         const std::string group = one.requiredText("group");
         if (!states.emplace(group, one.requiredText("state")).second)
-            one.fault("group", inQuotes(group) + " is there twice; expected each group once");
+            one.fault("group", {MARKED("core", "%1 is there twice; expected each group once"), inQuotes(group)});
     });
 }
 
@@ -88,10 +88,10 @@ FieldStamp readStamp(JsonObject& object)
     stamp.place = {object.requiredNumber("latitude_deg", {-90, 90}), object.requiredNumber("longitude_deg", {-180, 180}),
         object.requiredNumber("height_m", {-1e5, 1e6})};
     if (!object.has("date"))
-        object.missing("date", "a day of the calendar as YYYY-MM-DD");
+        object.missing("date", MARKED("core", "a day of the calendar as YYYY-MM-DD"));
     stamp.date = object.date("date");
     if (object.has("date") && stamp.date.empty())
-        object.fault("date", "is empty; expected a day of the calendar as YYYY-MM-DD");
+        object.fault("date", MARKED("core", "is empty; expected a day of the calendar as YYYY-MM-DD"));
     stamp.field
         = {object.requiredNumber("north_nT", kField), object.requiredNumber("east_nT", kField), object.requiredNumber("down_nT", kField)};
     return stamp;
@@ -114,7 +114,7 @@ void writeStamp(JsonWriter& json, std::string_view key, const FieldStamp& stamp)
 void readSensorParts(JsonObject& object, SensorRecord& sensor, FirstFault& fault)
 {
     if (!object.has("model"))
-        object.missing("model", "a sensor model as in a Model JSON, without its field");
+        object.missing("model", MARKED("core", "a sensor model as in a Model JSON, without its field"));
     object.object("model", [&](JsonObject& model) {
         model.only({"soft_iron", "hard_iron_nT", "soft_constant_nT", "circuits", "misalignment_deg"});
         sensor.model = readSensorModel(model);

@@ -32,8 +32,8 @@ public:
         const JsonPath root;
         JsonObject file(m_document, root, m_fault);
         if (file.requiredText("format") != "lubberline")
-            m_fault.report(
-                ErrorCode::Format, JsonPath{&root, "format"}, "is not \"lubberline\"; expected an exchange file (.lubberline.json)");
+            m_fault.report(ErrorCode::Format, JsonPath{&root, "format"},
+                MARKED("core", "is not \"lubberline\"; expected an exchange file (.lubberline.json)"));
         checkVersion(file, root);
         if (!m_fault.error())
             readRecords(file);
@@ -70,16 +70,17 @@ private:
     void own(JsonObject& object, const RecordId& record)
     {
         if (!m_records.insert(record).second)
-            object.fault("record", inQuotes(record) + " is the identity of another record, too; expected one of its own");
+            object.fault(
+                "record", {MARKED("core", "%1 is the identity of another record, too; expected one of its own"), inQuotes(record)});
     }
     template <class IdType>
-    IdType reference(JsonObject& object, std::string_view key, const std::map<RecordId, IdType>& known, const char* what)
+    IdType reference(JsonObject& object, std::string_view key, const std::map<RecordId, IdType>& known, Pattern what)
     {
         if (!object.has(key))
             return {};
         const auto found = known.find(object.recordId(key));
         if (found == known.end())
-            object.fault(key, std::string("refers to a record that is not there; expected ") + what + " of this file");
+            object.fault(key, {MARKED("core", "refers to a record that is not there; expected %1 of this file"), what});
         return found == known.end() ? IdType{} : found->second;
     }
 
@@ -98,9 +99,9 @@ void FleetReader::checkVersion(JsonObject& file, const JsonPath& root)
     m_version = file.requiredNumber("version", {1, 1e9});
     if (!m_fault.error() && m_version > kExchangeVersion)
         m_fault.report(ErrorCode::NewerSchema, JsonPath{&root, "version"},
-            "the file is of exchange version " + std::to_string(static_cast<long long>(m_version))
-                + ", written by a newer Lubberline; expected versions up to " + std::to_string(kExchangeVersion)
-                + ", which this one reads");
+            {MARKED("core",
+                 "the file is of exchange version %1, written by a newer Lubberline; expected versions up to %2, which this one reads"),
+                static_cast<long long>(m_version), kExchangeVersion});
 }
 
 void FleetReader::readRecords(JsonObject& file)
@@ -181,8 +182,8 @@ void FleetReader::readAircraft(const Json& value, const JsonPath& path)
     aircraft.id = nextId(m_fleet.aircraft);
     aircraft.record = identity(object);
     if (!object.has("type"))
-        object.missing("type", "the record id of a type of this file");
-    aircraft.type = reference(object, "type", m_types, "a type");
+        object.missing("type", MARKED("core", "the record id of a type of this file"));
+    aircraft.type = reference(object, "type", m_types, MARKED("core", "a type"));
     aircraft.registration = object.requiredText("registration");
     aircraft.serialNumber = object.text("serial_number");
     aircraft.operatorName = object.text("operator");
@@ -190,7 +191,7 @@ void FleetReader::readAircraft(const Json& value, const JsonPath& path)
     aircraft.note = object.text("note");
     aircraft.demonstration = object.boolean("demonstration");
     if (m_version >= 3)
-        aircraft.base = reference(object, "base", m_sites, "a site");
+        aircraft.base = reference(object, "base", m_sites, MARKED("core", "a site"));
     const AircraftId id = aircraft.id;
     m_fleet.aircraft.push_back(std::move(aircraft));
     object.array("compasses", [&](const Json& one, const JsonPath& place) { readCompass(one, place, id); });
@@ -229,7 +230,7 @@ void FleetReader::readCompass(const Json& value, const JsonPath& path, AircraftI
     compass.serialNumber = object.text("serial_number");
     compass.location = object.text("location");
     compass.resolution_deg = object.requiredNumber("resolution_deg", kPositive);
-    compass.limits = reference(object, "limits", m_limits, "a limits profile");
+    compass.limits = reference(object, "limits", m_limits, MARKED("core", "a limits profile"));
     if (m_version >= 3)
         compass.installed = object.date("installed");
     const CompassId id = compass.id;
@@ -241,7 +242,7 @@ void FleetReader::readCompass(const Json& value, const JsonPath& path, AircraftI
         object.objects("electrical_swings", [&](JsonObject& one) {
             ElectricalSwing swing = readElectrical(one);
             if (swing.record.empty())
-                one.missing("record", "a record id");
+                one.missing("record", MARKED("core", "a record id"));
             own(one, swing.record);
             m_fleet.electrical.push_back({id, std::move(swing)});
         });
@@ -258,7 +259,8 @@ void FleetReader::readSensor(const Json& value, const JsonPath& path, CompassId 
     sensor.name = object.requiredText("name");
     for (const auto& other : m_fleet.sensors)
         if (other.compass == compass && other.name == sensor.name)
-            object.fault("name", inQuotes(sensor.name) + " is the name of another sensor model of this compass; expected one of its own");
+            object.fault("name",
+                {MARKED("core", "%1 is the name of another sensor model of this compass; expected one of its own"), inQuotes(sensor.name)});
     sensor.origin = choice<ModelOrigin>(object, "origin");
     sensor.note = object.text("note");
     exchange::readSensorParts(object, sensor, m_fault);
@@ -273,7 +275,7 @@ void FleetReader::readSwing(const Json& value, const JsonPath& path, CompassId c
     swing.id = nextId(m_fleet.swings);
     swing.record = identity(object);
     swing.compass = compass;
-    swing.site = reference(object, "site", m_sites, "a site");
+    swing.site = reference(object, "site", m_sites, MARKED("core", "a site"));
     swing.date = object.date("date");
     swing.kind = choice<SwingKind>(object, "kind");
     swing.stage = choice<SwingStage>(object, "stage");
@@ -292,7 +294,7 @@ void FleetReader::readSwing(const Json& value, const JsonPath& path, CompassId c
         readVersion3(object, swing);
     object.objects("readings", [&](JsonObject& one) { swing.readings.push_back(exchange::readReading(one, m_version >= 3)); });
     if (swing.readings.size() > kMaxReadings)
-        object.fault("readings", "are more than " + std::to_string(kMaxReadings) + "; expected a compass swing");
+        object.fault("readings", {MARKED("core", "are more than %1; expected a compass swing"), kMaxReadings});
     object.finish();
     m_fleet.swings.push_back(std::move(swing));
 }
@@ -316,9 +318,9 @@ void FleetReader::readInstrumentOf(JsonObject& object)
 {
     DatumInstrument instrument = readInstrument(object);
     if (instrument.record.empty())
-        object.missing("record", "a record id");
+        object.missing("record", MARKED("core", "a record id"));
     if (instrument.name.empty())
-        object.missing("name", "the instrument's name");
+        object.missing("name", MARKED("core", "the instrument's name"));
     own(object, instrument.record);
     m_fleet.instruments.push_back(std::move(instrument));
 }
@@ -328,7 +330,7 @@ void FleetReader::readRule(JsonObject& object)
     DueRule rule = readDueRule(object);
     own(object, rule.record);
     if (!rule.type.empty() && !m_types.contains(rule.type))
-        object.fault("type", "refers to a record that is not there; expected a type of this file");
+        object.fault("type", MARKED("core", "refers to a record that is not there; expected a type of this file"));
     m_fleet.dueRules.push_back(std::move(rule));
 }
 
@@ -337,7 +339,8 @@ void FleetReader::readCause(JsonObject& object, Event& event)
     if (const std::string word = object.text("cause"); !word.empty()) {
         const auto cause = dueCauseNamed(word);
         if (!cause)
-            object.fault("cause", inQuotes(word) + " is not known; expected a cause such as lightning, engine_change or parts_replaced");
+            object.fault("cause",
+                {MARKED("core", "%1 is not known; expected a cause such as lightning, engine_change or parts_replaced"), inQuotes(word)});
         event.cause = cause.value_or(DueCause::Other);
     }
     object.objects("waivers", [&](JsonObject& one) {
@@ -361,7 +364,7 @@ void FleetReader::readVersion3(JsonObject& object, Swing& swing)
 
 Result<Fleet> readExchange(std::string_view text, const std::string& name)
 {
-    const auto document = parseJson(text, name, "an exchange file (.lubberline.json)");
+    const auto document = parseJson(text, name, MARKED("core", "an exchange file (.lubberline.json)"));
     if (!document)
         return document.error();
     return FleetReader(*document, name).read();

@@ -315,7 +315,9 @@ int exchangeVersionOf(const Fleet& fleet)
            });
     const bool second
         = !fleet.sensors.empty() || any(fleet.swings, [](const Swing& swing) { return swing.field || swing.indexRemoved_deg; });
-    return third ? 3 : second ? 2 : 1;
+    const bool fourth = any(
+        fleet.swings, [&](const Swing& swing) { return any(swing.signatures, [](const Signature& one) { return one.contents != 1; }); });
+    return fourth ? 4 : third ? 3 : second ? 2 : 1;
 }
 
 std::string writeExchange(const Fleet& fleet) { return FleetWriter(fleet).write(); }

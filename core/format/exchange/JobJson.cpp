@@ -32,7 +32,7 @@ Choice choose(JsonObject& object, std::string_view key, const std::array<std::st
     for (const auto& each : words)
         allowed += (allowed.empty() ? "" : ", ") + std::string(each);
     if (!word.empty())
-        object.fault(key, "is \"" + word + "\"; expected one of " + allowed);
+        object.fault(key, {MARKED("core", "is \"%1\"; expected one of %2"), word, allowed});
     return {};
 }
 
@@ -183,7 +183,7 @@ std::vector<std::string> texts(JsonObject& object, std::string_view key)
         if (value.is_string())
             all.push_back(value.get<std::string>());
         else
-            object.fault(key, "holds what is no text");
+            object.fault(key, MARKED("core", "holds what is no text"));
     });
     return all;
 }
@@ -193,7 +193,7 @@ void readPlanKeys(JsonObject& object, SwingJob& job)
     job.plan.kind = choose<ProcedureKind>(object, "procedure", kKinds);
     job.plan.checkPoints = object.integer("check_points", {8, 24}).value_or(8);
     if (job.plan.checkPoints != 8 && job.plan.checkPoints != 12 && job.plan.checkPoints != 24)
-        object.fault("check_points", "is " + std::to_string(job.plan.checkPoints) + "; expected 8, 12 or 24"), job.plan.checkPoints = 8;
+        object.fault("check_points", {MARKED("core", "is %1; expected 8, 12 or 24"), job.plan.checkPoints}), job.plan.checkPoints = 8;
     job.resolution_deg = object.requiredNumber("resolution_deg", {1e-6, 90});
     object.object("datum", [&](JsonObject& datum) { job.datum = readInstrument(datum); });
     job.plan.configurations = texts(object, "configurations");
@@ -204,7 +204,7 @@ void readPlanKeys(JsonObject& object, SwingJob& job)
 template <class Value, class Read>
 Result<Value> readObject(std::string_view text, const std::string& name, Read read)
 {
-    const auto json = parseJson(text, name, "a guided swing");
+    const auto json = parseJson(text, name, MARKED("core", "a guided swing"));
     if (!json)
         return json.error();
     FirstFault fault(name);

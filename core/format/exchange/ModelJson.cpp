@@ -15,7 +15,7 @@ namespace lubberline {
 
 namespace {
 
-const std::string kExpectedModel = "a Model JSON (a sensor on an aircraft)";
+constexpr Pattern kExpectedModel = MARKED("core", "a Model JSON (a sensor on an aircraft)");
 
 /// Far beyond any aircraft, and far from what a double cannot square.
 constexpr NumberRange kAny{-1e9, 1e9};
@@ -39,8 +39,8 @@ Eigen::Matrix3d readMatrix(JsonObject& object, std::string_view key)
 Circuit readSensorCircuit(JsonObject& object)
 {
     object.only({"name", "field_nT_per_A", "current_A", "on"});
-    for (const auto& [key, expected] :
-        {std::pair{"name", "text"}, {"field_nT_per_A", "[S, T, V]"}, {"current_A", "a number"}, {"on", "true or false"}})
+    for (const auto& [key, expected] : {std::pair{"name", MARKED("core", "text")}, {"field_nT_per_A", MARKED("core", "[S, T, V]")},
+             {"current_A", MARKED("core", "a number")}, {"on", MARKED("core", "true or false")}})
         if (!object.has(key))
             object.missing(key, expected);
     return {object.text("name"), readVector(object, "field_nT_per_A"), object.number("current_A", kAny).value_or(0), object.boolean("on")};
@@ -64,7 +64,7 @@ PlaceAndDate readPlace(JsonObject& object)
         field.place = *place;
     else
         object.fault("alt_m", place.error().message);
-    field.date = object.requiredText("date", "a date as YYYY-MM-DD, or a decimal year as text");
+    field.date = object.requiredText("date", MARKED("core", "a date as YYYY-MM-DD, or a decimal year as text"));
     if (const auto year = decimalYear(field.date); !year)
         object.fault("date", year.error().message);
     return field;
@@ -76,12 +76,13 @@ MeridianField readMeridian(JsonObject& object)
     const double horizontal_nT = object.requiredNumber("H_nT", {0, 1e9});
     if (object.has("Z_nT")) {
         if (object.has("dip_deg"))
-            object.fault("dip_deg", "says again what Z_nT says; expected one of them");
+            object.fault("dip_deg", MARKED("core", "says again what Z_nT says; expected one of them"));
         return {horizontal_nT, object.number("Z_nT", kAny).value_or(0)};
     }
     const double dip_deg = object.requiredNumber("dip_deg", {-90, 90});
     if (std::abs(dip_deg) == 90)
-        object.fault("dip_deg", "is that of a magnetic pole, where H is 0 and the dip does not tell the field; expected H_nT with Z_nT");
+        object.fault("dip_deg",
+            MARKED("core", "is that of a magnetic pole, where H is 0 and the dip does not tell the field; expected H_nT with Z_nT"));
     return MeridianField::fromDip(horizontal_nT, toRadians(dip_deg));
 }
 
@@ -103,7 +104,7 @@ SensorSetup readSetup(JsonObject& object)
     SensorSetup setup;
     setup.note = object.text("note");
     if (!object.has("field"))
-        object.missing("field", "{H_nT, dip_deg} or {lat_deg, lon_deg, alt_m, date}");
+        object.missing("field", MARKED("core", "{H_nT, dip_deg} or {lat_deg, lon_deg, alt_m, date}"));
     object.object("field", [&](JsonObject& field) { setup.field = readField(field); });
     setup.model = readSensorModel(object);
     return setup;

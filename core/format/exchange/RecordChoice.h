@@ -11,10 +11,10 @@ template <class Choice>
 Choice choice(JsonObject& object, std::string_view key)
 {
     const std::string allowed = allowedWords<Choice>();
-    const std::string word = object.requiredText(key, allowed.c_str());
+    const std::string word = object.requiredText(key, Message::verbatim(allowed));
     const auto found = choiceOf<Choice>(word);
     if (!found)
-        object.fault(key, inQuotes(word) + " is not allowed; expected " + allowed);
+        object.fault(key, {MARKED("core", "%1 is not allowed; expected %2"), inQuotes(word), allowed});
     return found.value_or(Choice{});
 }
 

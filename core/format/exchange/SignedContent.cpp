@@ -4,7 +4,7 @@
 
 namespace lubberline {
 
-std::string signedContent(const SwingRecord& record, const std::optional<SwingJob>& job)
+std::string signedContent(const SwingRecord& record, const std::optional<SwingJob>& job, int version)
 {
     SwingRecord bare;
     bare.swing = record.swing;
@@ -22,7 +22,8 @@ std::string signedContent(const SwingRecord& record, const std::optional<SwingJo
         fleet.jobs = {{fleet.swings.front().id, *job}};
         fleet.jobs.front().job.particulars = {};
     }
-    return writeExchange(fleet);
+    const std::string text = writeExchange(fleet);
+    return version == 1 ? text : "lubberline signed content " + std::to_string(version) + "\n" + text;
 }
 
 } // namespace lubberline

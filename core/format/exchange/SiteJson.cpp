@@ -99,7 +99,7 @@ std::string writeSurvey(const std::vector<SurveyPoint>& points)
 
 Result<std::vector<SurveyPoint>> readSurvey(std::string_view text, const std::string& name)
 {
-    const auto document = parseJson(text, name, "the survey of a compass base");
+    const auto document = parseJson(text, name, MARKED("core", "the survey of a compass base"));
     if (!document)
         return document.error();
     FirstFault fault(name);

@@ -1,4 +1,5 @@
 #include "core/format/exchange/SwingJson.h"
+#include "core/format/exchange/SignedContent.h"
 
 #include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/Ranges.h"
@@ -24,7 +25,7 @@ std::vector<double> figures(JsonObject& object, std::string_view key)
         if (std::abs(figure) <= kFigureRange.most)
             values.push_back(figure);
         else
-            object.fault(key, "holds what is no heading; expected numbers from -360 to 360");
+            object.fault(key, MARKED("core", "holds what is no heading; expected numbers from -360 to 360"));
     });
     return values;
 }
@@ -41,6 +42,8 @@ void writeSignatures(JsonWriter& json, const std::vector<Signature>& signatures)
         textIfAny(json, "licence", one.licence);
         json.text("time_utc", one.timeUtc);
         json.text("hash", one.hash);
+        if (one.contents != 1)
+            json.integer("contents", one.contents);
         json.end();
     }
     json.end();
@@ -50,7 +53,7 @@ std::vector<Signature> readSignatures(JsonObject& object)
 {
     std::vector<Signature> signatures;
     object.objects("signatures", [&](JsonObject& one) {
-        one.only({"role", "name", "licence", "time_utc", "hash"});
+        one.only({"role", "name", "licence", "time_utc", "hash", "contents"});
         Signature signature;
         signature.role = choice<SignatureRole>(one, "role");
         signature.name = one.requiredText("name");
@@ -58,11 +61,12 @@ std::vector<Signature> readSignatures(JsonObject& object)
         signature.timeUtc = one.requiredText("time_utc");
         signature.hash = one.requiredText("hash");
         if (signature.hash.size() != kHashDigits || signature.hash.find_first_not_of("0123456789abcdef") != std::string::npos)
-            one.fault("hash", "is no SHA-256; expected 64 hexadecimal digits");
+            one.fault("hash", MARKED("core", "is no SHA-256; expected 64 hexadecimal digits"));
+        signature.contents = one.integer("contents", {1, kSignedContents}).value_or(1);
         signatures.push_back(std::move(signature));
     });
     if (signatures.size() > kMostSigned)
-        object.fault("signatures", "are more than 64; expected a signed swing");
+        object.fault("signatures", MARKED("core", "are more than 64; expected a signed swing"));
     return signatures;
 }
 

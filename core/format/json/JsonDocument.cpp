@@ -22,14 +22,14 @@ constexpr std::size_t kMaxDepth = 32;
 /// Follows the parser: where it is, and which keys the open objects have.
 class Follower {
 public:
-    explicit Follower(const std::string& expected) : m_expected(expected) {}
+    explicit Follower(const Message& expected) : m_expected(expected) {}
     bool operator()(Json::parse_event_t event, const Json& parsed)
     {
         switch (event) {
         case Json::parse_event_t::object_start:
         case Json::parse_event_t::array_start:
             if (m_levels.size() == kMaxDepth)
-                refuse(path() + ": is nested too deeply; expected " + m_expected);
+                refuse({MARKED("core", "%1: is nested too deeply; expected %2"), path(), m_expected});
             m_levels.push_back({event == Json::parse_event_t::array_start, 0, {}, {}});
             break;
         case Json::parse_event_t::object_end:
@@ -40,19 +40,19 @@ public:
         case Json::parse_event_t::key:
             m_levels.back().key = parsed.get_ref<const std::string&>();
             if (!m_levels.back().keys.insert(m_levels.back().key).second)
-                refuse(path() + ": is there twice; expected each key once");
+                refuse({MARKED("core", "%1: is there twice; expected each key once"), path()});
             break;
         case Json::parse_event_t::value: valueEnds(); break;
         }
         return !m_problem; // what is not kept takes no memory
     }
-    [[nodiscard]] const std::optional<std::string>& problem() const { return m_problem; }
-    [[nodiscard]] std::string path() const
+    [[nodiscard]] const std::optional<Message>& problem() const { return m_problem; }
+    [[nodiscard]] Message path() const
     {
         std::string text;
         for (const auto& level : m_levels)
             appendStep(text, level.isArray ? std::nullopt : std::optional<std::string_view>(level.key), level.index);
-        return text.empty() ? "the file" : text;
+        return text.empty() ? Message(MARKED("core", "the file")) : Message::verbatim(text);
     }
 
 private:
@@ -67,33 +67,32 @@ private:
         if (!m_levels.empty())
             ++m_levels.back().index;
     }
-    void refuse(const std::string& problem)
+    void refuse(const Message& problem)
     {
         if (!m_problem)
             m_problem = problem;
     }
 
-    const std::string& m_expected;
+    const Message& m_expected;
     std::vector<Level> m_levels;
-    std::optional<std::string> m_problem;
+    std::optional<Message> m_problem;
 };
 
-Error notJson(std::string_view text, std::size_t byte, const std::string& name, const std::string& expected)
+Error notJson(std::string_view text, std::size_t byte, const std::string& name, const Message& expected)
 {
     const auto before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
     const auto lineStart = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
     return {ErrorCode::Format,
-        "is not well-formed JSON at column " + std::to_string(before.size() - lineStart + 1) + "; expected " + expected + ", whole", name,
-        line};
+        {MARKED("core", "is not well-formed JSON at column %1; expected %2, whole"), before.size() - lineStart + 1, expected}, name, line};
 }
 
 } // namespace
 
-Result<Json> parseJson(std::string_view text, const std::string& name, const std::string& expected)
+Result<Json> parseJson(std::string_view text, const std::string& name, const Message& expected)
 {
     if (trimmed(text).empty())
-        return Error{ErrorCode::Format, "is empty; expected " + expected, name};
+        return Error{ErrorCode::Format, {MARKED("core", "is empty; expected %1"), expected}, name};
     Follower follower(expected);
     try {
         Json document = Json::parse(text, [&](int, Json::parse_event_t event, Json& parsed) { return follower(event, parsed); });
@@ -103,7 +102,8 @@ Result<Json> parseJson(std::string_view text, const std::string& name, const std
     } catch (const Json::parse_error& error) {
         return follower.problem() ? Error{ErrorCode::Format, *follower.problem(), name} : notJson(text, error.byte, name, expected);
     } catch (const Json::out_of_range&) {
-        return Error{ErrorCode::InvalidInput, follower.path() + ": is out of range; expected a number that can be held", name};
+        return Error{
+            ErrorCode::InvalidInput, {MARKED("core", "%1: is out of range; expected a number that can be held"), follower.path()}, name};
     }
 }
 

@@ -13,14 +13,14 @@ using Json = nlohmann::json;
 
 namespace {
 
-std::string words(const NumberRange& range)
+Message words(const NumberRange& range)
 {
     const bool above = range.least > std::numeric_limits<double>::lowest(), below = range.most < std::numeric_limits<double>::max();
     if (above && below)
-        return "a number from " + shortestNumber(range.least) + " to " + shortestNumber(range.most);
+        return Message{MARKED("core", "a number from %1 to %2"), shortestNumber(range.least), shortestNumber(range.most)};
     if (above)
-        return "a number from " + shortestNumber(range.least) + " up";
-    return "a number";
+        return Message{MARKED("core", "a number from %1 up"), shortestNumber(range.least)};
+    return MARKED("core", "a number");
 }
 
 std::string listed(std::span<const std::string_view> keys)
@@ -33,12 +33,13 @@ std::string listed(std::span<const std::string_view> keys)
 
 } // namespace
 
-void FirstFault::report(ErrorCode code, const JsonPath& path, const std::string& what)
+void FirstFault::report(ErrorCode code, const JsonPath& path, const Message& what)
 {
     if (m_error)
         return;
     const std::string place = path.text();
-    m_error = Error{code, (place.empty() ? "the file" : place) + ": " + what, m_file};
+    m_error = Error{
+        code, {MARKED("core", "%1: %2"), place.empty() ? Message(MARKED("core", "the file")) : Message::verbatim(place), what}, m_file};
 }
 
 namespace {
@@ -46,12 +47,13 @@ namespace {
 std::optional<double> numberOf(const Json& value, const JsonPath& path, FirstFault& fault, const NumberRange& range)
 {
     if (!value.is_number()) {
-        fault.report(ErrorCode::Format, path, "has a value of the wrong kind; expected " + words(range));
+        fault.report(ErrorCode::Format, path, {MARKED("core", "has a value of the wrong kind; expected %1"), words(range)});
         return {};
     }
     const double figure = value.get<double>();
     if (!(figure >= range.least && figure <= range.most)) {
-        fault.report(ErrorCode::InvalidInput, path, shortestNumber(figure) + " is out of range; expected " + words(range));
+        fault.report(
+            ErrorCode::InvalidInput, path, {MARKED("core", "%1 is out of range; expected %2"), shortestNumber(figure), words(range)});
         return {};
     }
     return figure;
@@ -62,8 +64,8 @@ std::optional<double> numberOf(const Json& value, const JsonPath& path, FirstFau
 void readNumbers(const Json& value, const JsonPath& path, FirstFault& fault, std::span<double> into, NumberRange range)
 {
     if (!value.is_array() || value.size() != into.size()) {
-        fault.report(ErrorCode::Format, path,
-            "is not an array of " + std::to_string(into.size()) + "; expected " + std::to_string(into.size()) + " numbers in brackets");
+        fault.report(
+            ErrorCode::Format, path, {MARKED("core", "is not an array of %1; expected %2 numbers in brackets"), into.size(), into.size()});
         return;
     }
     std::vector<double> figures;
@@ -77,7 +79,7 @@ void readNumbers(const Json& value, const JsonPath& path, FirstFault& fault, std
 JsonObject::JsonObject(const Json& value, const JsonPath& path, FirstFault& fault) : m_value(value), m_path(path), m_fault(fault)
 {
     if (!value.is_object())
-        m_fault.report(ErrorCode::Format, path, "is not an object; expected {\u2026}");
+        m_fault.report(ErrorCode::Format, path, MARKED("core", "is not an object; expected {\u2026}"));
     m_asked.reserve(32);
 }
 
@@ -93,7 +95,7 @@ const Json* JsonObject::find(std::string_view key)
     return &*found;
 }
 
-const Json* JsonObject::find(std::string_view key, Json::value_t type, const char* expected)
+const Json* JsonObject::find(std::string_view key, Json::value_t type, Pattern expected)
 {
     const Json* value = find(key);
     if (value && value->type() != type) {
@@ -105,24 +107,24 @@ const Json* JsonObject::find(std::string_view key, Json::value_t type, const cha
 
 bool JsonObject::has(std::string_view key) const { return m_value.is_object() && m_value.contains(key); }
 
-void JsonObject::wrongType(std::string_view key, const char* expected)
+void JsonObject::wrongType(std::string_view key, const Message& expected)
 {
-    m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, std::string("has a value of the wrong kind; expected ") + expected);
+    m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, {MARKED("core", "has a value of the wrong kind; expected %1"), expected});
 }
 
 std::string JsonObject::text(std::string_view key)
 {
-    const Json* value = find(key, Json::value_t::string, "text");
+    const Json* value = find(key, Json::value_t::string, MARKED("core", "text"));
     return value ? value->get_ref<const std::string&>() : std::string();
 }
 
-std::string JsonObject::requiredText(std::string_view key, const char* expected)
+std::string JsonObject::requiredText(std::string_view key, const Message& expected)
 {
     if (!has(key))
         missing(key, expected);
     std::string value = text(key);
     if (value.empty())
-        fault(key, std::string("is empty; expected ") + expected);
+        fault(key, {MARKED("core", "is empty; expected %1"), expected});
     return value;
 }
 
@@ -135,15 +137,15 @@ std::string JsonObject::date(std::string_view key)
 {
     std::string value = text(key);
     if (!value.empty() && !isIsoDate(value))
-        fault(key, inQuotes(value) + " is not a date; expected a day of the calendar as YYYY-MM-DD");
+        fault(key, {MARKED("core", "%1 is not a date; expected a day of the calendar as YYYY-MM-DD"), inQuotes(value)});
     return value;
 }
 
 std::string JsonObject::recordId(std::string_view key)
 {
-    std::string value = requiredText(key, "a record id");
+    std::string value = requiredText(key, MARKED("core", "a record id"));
     if (!isRecordId(value))
-        fault(key, inQuotes(value) + " is not a record id; expected a UUID in lower case with hyphens");
+        fault(key, {MARKED("core", "%1 is not a record id; expected a UUID in lower case with hyphens"), inQuotes(value)});
     return value;
 }
 
@@ -164,13 +166,13 @@ std::optional<int> JsonObject::integer(std::string_view key, NumberRange range)
 {
     const auto value = number(key, range);
     if (value && *value != std::floor(*value))
-        fault(key, shortestNumber(*value) + " is not whole; expected a whole number");
+        fault(key, {MARKED("core", "%1 is not whole; expected a whole number"), shortestNumber(*value)});
     return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
 }
 
 bool JsonObject::boolean(std::string_view key)
 {
-    const Json* value = find(key, Json::value_t::boolean, "true or false");
+    const Json* value = find(key, Json::value_t::boolean, MARKED("core", "true or false"));
     return value && value->get<bool>();
 }
 
@@ -189,8 +191,7 @@ void JsonObject::numberRows(std::string_view key, std::span<double> into, std::s
     const std::size_t rows = into.size() / columns;
     if (!value->is_array() || value->size() != rows)
         m_fault.report(ErrorCode::Format, here,
-            "is not an array of " + std::to_string(rows) + " rows; expected " + std::to_string(rows) + " rows of " + std::to_string(columns)
-                + " numbers in brackets");
+            {MARKED("core", "is not an array of %1 rows; expected %2 rows of %3 numbers in brackets"), rows, rows, columns});
     else
         for (std::size_t row = 0; row < rows; ++row)
             readNumbers((*value)[row], JsonPath{&here, {}, row}, m_fault, into.subspan(row * columns, columns), range);
@@ -214,9 +215,10 @@ void JsonObject::refuseOthers(std::span<const std::string_view> known)
         if (std::find(known.begin(), known.end(), key) != known.end())
             continue;
         if (const auto near = nearWord(key, known); !near.empty())
-            m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, "is not known; did you mean \"" + std::string(near) + "\"?");
+            m_fault.report(
+                ErrorCode::Format, JsonPath{&m_path, key}, {MARKED("core", "is not known; did you mean \"%1\"?"), std::string(near)});
         else
-            m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, "is not known; expected only " + listed(known));
+            m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, {MARKED("core", "is not known; expected only %1"), listed(known)});
         return; // the first fault is the one that is told
     }
 }

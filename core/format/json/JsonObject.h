@@ -21,7 +21,7 @@ namespace lubberline {
 class FirstFault {
 public:
     explicit FirstFault(const std::string& file) : m_file(file) {}
-    void report(ErrorCode code, const JsonPath& path, const std::string& what);
+    void report(ErrorCode code, const JsonPath& path, const Message& what);
     [[nodiscard]] const std::optional<Error>& error() const { return m_error; }
 
 private:
@@ -44,10 +44,11 @@ public:
     JsonObject(const JsonObject&) = delete;
     JsonObject& operator=(const JsonObject&) = delete;
 
-    [[nodiscard]] std::string text(std::string_view key);                                        ///< empty when the key is not there
-    [[nodiscard]] std::string requiredText(std::string_view key, const char* expected = "text"); ///< neither missing nor empty
-    [[nodiscard]] std::optional<std::string> optionalText(std::string_view key);                 ///< when there, not empty
-    [[nodiscard]] std::string date(std::string_view key);                                        ///< empty, or a day of the calendar
+    [[nodiscard]] std::string text(std::string_view key); ///< empty when the key is not there
+    [[nodiscard]] std::string requiredText(
+        std::string_view key, const Message& expected = MARKED("core", "text")); ///< neither missing nor empty
+    [[nodiscard]] std::optional<std::string> optionalText(std::string_view key); ///< when there, not empty
+    [[nodiscard]] std::string date(std::string_view key);                        ///< empty, or a day of the calendar
     [[nodiscard]] std::string recordId(std::string_view key);
     [[nodiscard]] std::optional<double> number(std::string_view key, NumberRange range = {});
     [[nodiscard]] double requiredNumber(std::string_view key, NumberRange range);
@@ -82,7 +83,7 @@ public:
     template <class Each>
     void array(std::string_view key, Each each)
     {
-        const auto* value = find(key, nlohmann::json::value_t::array, "an array");
+        const auto* value = find(key, nlohmann::json::value_t::array, MARKED("core", "an array"));
         if (!value)
             return;
         const JsonPath here{&m_path, key};
@@ -91,10 +92,10 @@ public:
     }
 
     [[nodiscard]] bool has(std::string_view key) const;
-    void fault(std::string_view key, const std::string& what) { m_fault.report(ErrorCode::InvalidInput, JsonPath{&m_path, key}, what); }
-    void missing(std::string_view key, const std::string& expected)
+    void fault(std::string_view key, const Message& what) { m_fault.report(ErrorCode::InvalidInput, JsonPath{&m_path, key}, what); }
+    void missing(std::string_view key, const Message& expected)
     {
-        m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, "is missing; expected " + expected);
+        m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, {MARKED("core", "is missing; expected %1"), expected});
     }
     /// Refuses all keys but these, before a required one that is only misspelt is said to be missing. No finish() is needed
     /// then.
@@ -105,8 +106,8 @@ public:
 
 private:
     const nlohmann::json* find(std::string_view key);
-    const nlohmann::json* find(std::string_view key, nlohmann::json::value_t type, const char* expected);
-    void wrongType(std::string_view key, const char* expected);
+    const nlohmann::json* find(std::string_view key, nlohmann::json::value_t type, Pattern expected);
+    void wrongType(std::string_view key, const Message& expected);
     void refuseOthers(std::span<const std::string_view> known);
 
     const nlohmann::json& m_value;

@@ -101,7 +101,7 @@ Json analysisJson(const Analysis& analysis)
         {"rms_deviation_deg", degrees(analysis.summary.rmsDeviation_rad)},
         {"min_deviation_deg", degrees(analysis.summary.minDeviation_rad)},
         {"max_deviation_deg", degrees(analysis.summary.maxDeviation_rad)}, {"spread_deg", degrees(analysis.summary.spread_rad())}};
-    json["warnings"] = analysis.warnings;
+    json["warnings"] = inEnglish(analysis.warnings);
     return json;
 }
 

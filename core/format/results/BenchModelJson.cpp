@@ -37,7 +37,7 @@ std::string toJson(const BenchModel& model, const BenchStates& states)
     json["parts"] = Json::array();
     for (const auto& part : model.parts)
         json["parts"].push_back(partJson(part));
-    json["warnings"] = model.warnings;
+    json["warnings"] = inEnglish(model.warnings);
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -29,7 +29,7 @@ void writeLine(JsonWriter& json, const DueLine& line)
         json.beginObject({}, true);
         json.text("state", nameOf(flag.state));
         textOrNull(json, "since", flag.since);
-        json.text("reason", flag.reason);
+        json.text("reason", flag.reason.english());
         textOrNull(json, "event", flag.event);
         json.end();
     }
@@ -39,7 +39,7 @@ void writeLine(JsonWriter& json, const DueLine& line)
 
 } // namespace
 
-std::string toJson(std::span<const DueLine> lines, std::span<const std::string> warnings, const std::string& today)
+std::string toJson(std::span<const DueLine> lines, std::span<const Message> warnings, const std::string& today)
 {
     JsonWriter json;
     json.beginObject();
@@ -50,7 +50,7 @@ std::string toJson(std::span<const DueLine> lines, std::span<const std::string> 
     json.end();
     json.beginArray("warnings");
     for (const auto& warning : warnings)
-        json.text({}, warning);
+        json.text({}, warning.english());
     json.end();
     json.end();
     return json.take();

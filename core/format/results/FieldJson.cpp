@@ -33,7 +33,7 @@ std::string toJson(const FieldAnswer& answer)
             {{"X_nT_per_year", answer.rate.north_nT}, {"Y_nT_per_year", answer.rate.east_nT}, {"Z_nT_per_year", answer.rate.down_nT},
                 {"H_nT_per_year", answer.horizontalRate_nT}, {"F_nT_per_year", answer.totalRate_nT},
                 {"declination_deg_per_year", answer.declinationRate_deg}, {"inclination_deg_per_year", answer.inclinationRate_deg}}},
-        {"uncertainty", uncertaintyJson(answer.uncertainty)}, {"warnings", answer.warnings}};
+        {"uncertainty", uncertaintyJson(answer.uncertainty)}, {"warnings", inEnglish(answer.warnings)}};
     return json.dump(2);
 }
 

@@ -34,10 +34,10 @@ std::string toJson(const NmeaSwing& swing, const std::optional<Analysis>& analys
     const Json result = analysis ? Json::parse(toJson(*analysis)) : Json();
     for (const char* key : {"approximate", "exact", "harmonics", "summary"})
         json[key] = analysis ? result.at(key) : Json();
-    json["warnings"] = swing.warnings;
+    json["warnings"] = inEnglish(swing.warnings);
     if (analysis)
         for (const auto& warning : analysis->warnings)
-            json["warnings"].push_back(warning);
+            json["warnings"].push_back(warning.english());
     return json.dump(2);
 }
 

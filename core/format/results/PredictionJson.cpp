@@ -44,7 +44,7 @@ const char* nameOf(PredictedVerdict verdict)
 
 std::string toJson(const Prediction& prediction, const PredictionContext& context)
 {
-    Json json{{"basis", prediction.basis},
+    Json json{{"basis", prediction.basis.english()},
         {"there",
             {{"H_nT", prediction.there.horizontal_nT}, {"Z_nT", prediction.there.down_nT},
                 {"dip_deg", toDegrees(prediction.there.inclination_rad())}}},
@@ -59,8 +59,8 @@ std::string toJson(const Prediction& prediction, const PredictionContext& contex
     json["limit_deg"] = context.limits && context.limits->maxDeviation_deg ? Json(*context.limits->maxDeviation_deg) : Json();
     json["verdict"] = nameOf(judge(prediction, context.limits));
     json["swing_again"]
-        = context.swingAgain ? Json{{"needed", context.swingAgain->needed}, {"reason", context.swingAgain->reason}} : Json();
-    json["warnings"] = prediction.warnings;
+        = context.swingAgain ? Json{{"needed", context.swingAgain->needed}, {"reason", context.swingAgain->reason.english()}} : Json();
+    json["warnings"] = inEnglish(prediction.warnings);
     return json.dump(2);
 }
 
@@ -72,8 +72,8 @@ std::string toJson(const IronSeparation& separation, std::span<const Knowledge> 
         {"chi_square", separation.chiSquare}, {"degrees_of_freedom", separation.degreesOfFreedom}, {"known", Json::array()},
         {"not_known", Json::array()}};
     for (const auto& each : knowledge)
-        json[each.known ? "known" : "not_known"].push_back(each.what);
-    json["warnings"] = separation.warnings;
+        json[each.known ? "known" : "not_known"].push_back(each.what.english());
+    json["warnings"] = inEnglish(separation.warnings);
     return json.dump(2);
 }
 

@@ -37,11 +37,11 @@ Json pointJson(const SensorReading& point)
 std::string toJson(const PoissonSmith& smith, const MeridianField& field)
 {
     Json json{{"lambda", smith.lambda}, {"exact", exactJson(smith.exact)}, {"approximate", approximateJson(smith.approximate)}};
-    json["why_no_approximate"] = smith.approximate ? Json() : Json(smith.whyNoApproximate);
+    json["why_no_approximate"] = smith.approximate ? Json() : Json(smith.whyNoApproximate.english());
     json["terms"] = Json::array();
     for (const auto& term : smith.terms)
         json["terms"].push_back(
-            {{"coefficient", std::string(1, letterOf(term.coefficient))}, {"cause", term.cause}, {"value", term.value}});
+            {{"coefficient", std::string(1, letterOf(term.coefficient))}, {"cause", term.cause.english()}, {"value", term.value}});
     json["field"] = fieldJson(field);
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -210,16 +210,15 @@ AttitudeAxis heldAxis(const MapRequest& request)
 Result<void> checkMapRequest(const MapRequest& request)
 {
     if (request.x.axis == request.y.axis)
-        return Error{ErrorCode::InvalidInput, "both axes of the map are the same; expected two of heading, pitch and roll"};
+        return Error{ErrorCode::InvalidInput, MARKED("core", "both axes of the map are the same; expected two of heading, pitch and roll")};
     if (request.x.nodes < 2 || request.y.nodes < 2)
         return Error{ErrorCode::InvalidInput,
-            "a map has at least 2 x 2 points; asked for " + std::to_string(request.x.nodes) + " x " + std::to_string(request.y.nodes)};
+            {MARKED("core", "a map has at least 2 x 2 points; asked for %1 x %2"), request.x.nodes, request.y.nodes}};
     const auto points = static_cast<std::size_t>(request.x.nodes) * static_cast<std::size_t>(request.y.nodes);
     if (points > kMostPoints)
         return Error{ErrorCode::InvalidInput,
-            "a map of " + std::to_string(request.x.nodes) + " x " + std::to_string(request.y.nodes) + " has " + std::to_string(points)
-                + " points and takes " + std::to_string(points * (sizeof(double) + 1) >> 20) + " MiB; expected at most "
-                + std::to_string(kMostPoints) + " points"};
+            {MARKED("core", "a map of %1 x %2 has %3 points and takes %4 MiB; expected at most %5 points"), request.x.nodes,
+                request.y.nodes, points, points * (sizeof(double) + 1) >> 20, kMostPoints}};
     return {};
 }
 

@@ -11,7 +11,7 @@ namespace {
 double signedOf(const char* text)
 {
     const auto angle = parseSignedAngle_deg(text);
-    EXPECT_TRUE(angle.ok()) << text << ": " << (angle.ok() ? "" : angle.error().message);
+    EXPECT_TRUE(angle.ok()) << text << ": " << (angle.ok() ? "" : angle.error().message.english());
     return angle.ok() ? *angle : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -61,15 +61,15 @@ TEST(SignedAngle, refusesWhatIsNotOneNamingTheText)
         const auto angle = parseSignedAngle_deg(text);
         ASSERT_FALSE(angle) << text;
         EXPECT_EQ(angle.error().code, ErrorCode::InvalidInput);
-        EXPECT_THAT(
-            angle.error().message, testing::AllOf(testing::HasSubstr(std::string("\"") + text + "\""), testing::HasSubstr("expected")));
+        EXPECT_THAT(angle.error().message.english(),
+            testing::AllOf(testing::HasSubstr(std::string("\"") + text + "\""), testing::HasSubstr("expected")));
     }
 }
 
 TEST(SignedAngle, refusesASignTogetherWithALetter)
 {
     for (const char* text : {"-3W", "+3E", "-3E", "\u22123\u00B015'W"})
-        EXPECT_THAT(parseSignedAngle_deg(text).error().message, testing::HasSubstr("not both")) << text;
+        EXPECT_THAT(parseSignedAngle_deg(text).error().message.english(), testing::HasSubstr("not both")) << text;
 }
 
 TEST(HeadingText, isTakenInEveryForm)
@@ -96,7 +96,7 @@ TEST(HeadingText, refusesWhatIsNone)
         const auto heading = parseHeading_deg(text);
         ASSERT_FALSE(heading) << text;
         EXPECT_EQ(heading.error().code, ErrorCode::InvalidInput);
-        EXPECT_THAT(heading.error().message, testing::HasSubstr("expected"));
+        EXPECT_THAT(heading.error().message.english(), testing::HasSubstr("expected"));
     }
 }
 

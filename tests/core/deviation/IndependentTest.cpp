@@ -203,7 +203,7 @@ TEST(Independent, aFoldedCurveIsAnErrorThatNamesTheHeadings)
     const auto solved = magneticHeadingFor(folded, CompassHeading::fromDegrees(10));
     ASSERT_FALSE(solved);
     EXPECT_EQ(solved.error().code, ErrorCode::Numeric);
-    EXPECT_NE(solved.error().message.find("°"), std::string::npos);
+    EXPECT_NE(solved.error().message.english().find("°"), std::string::npos);
 }
 
 TEST(Independent, ninetyFivePercentBandsHoldTheTruthThatOften)

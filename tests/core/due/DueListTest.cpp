@@ -62,17 +62,17 @@ TEST(DueList, withoutRulesOnlyEventsCount)
     const auto lines = dueList(fleet, {}, {}, "2026-11-23");
     EXPECT_EQ(lines[0].answer.state, DueState::Due);
     ASSERT_EQ(lines[0].answer.flags.size(), 1u);
-    EXPECT_EQ(lines[0].answer.flags[0].reason, "lightning strike");
+    EXPECT_EQ(lines[0].answer.flags[0].reason.english(), "lightning strike");
     EXPECT_EQ(lines[1].answer.state, DueState::NotDue);
 }
 
 TEST(DueList, aMoveIsOfItsOwnCompass)
 {
     const std::vector<DueCompass> fleet{compass(1, "1", {"2026-10-01"}), compass(2, "2", {"2026-10-01"}), compass(3, "3", {"2026-10-01"})};
-    const std::vector<MovePrediction> moves{{{2}, "based at Far: up to 13 deg"}, {{3}, {}}};
+    const std::vector<MovePrediction> moves{{{2}, Message::verbatim(std::string("based at Far: up to 13 deg"))}, {{3}, {}}};
     const auto lines = dueList(fleet, kTwoYears, moves, "2026-11-23");
     EXPECT_EQ(lines[0].compass.registration, "2");
-    EXPECT_EQ(lines[0].answer.flags.at(0).reason, "based at Far: up to 13 deg");
+    EXPECT_EQ(lines[0].answer.flags.at(0).reason.english(), "based at Far: up to 13 deg");
     EXPECT_EQ(lines[1].answer.state, DueState::NotDue);
     EXPECT_EQ(lines[2].answer.state, DueState::NotDue);
 }
@@ -122,7 +122,7 @@ TEST(DueList, theCalendarHasOneEntryForEachDay)
     struck.events = {event("e1", "2026-10-05", DueCause::Lightning, "lightning strike")};
     auto moved = compass(2, "2", {"2026-01-01"});
     const std::vector<DueCompass> fleet{struck, moved, compass(3, "3", {})};
-    const std::vector<MovePrediction> moves{{{2}, "based at Far"}};
+    const std::vector<MovePrediction> moves{{{2}, Message::verbatim(std::string("based at Far"))}};
     const auto entries = calendarOf(dueList(fleet, kTwoYears, moves, "2026-12-24"));
     std::vector<std::pair<std::string, std::string>> told;
     for (const auto& entry : entries)
@@ -138,7 +138,7 @@ TEST(DueList, theCalendarHasOneEntryForEachDay)
 TEST(DueList, whatThereIsNoneOfIsNull)
 {
     const std::vector<DueCompass> fleet{compass(1, "SP-\"X\"", {})};
-    const std::vector<std::string> warnings{"no position"};
+    const std::vector<Message> warnings{Message::verbatim(std::string("no position"))};
     const auto json = nlohmann::json::parse(toJson(dueList(fleet, kTwoYears, {}, "2026-11-23"), warnings, "2026-11-23"));
     EXPECT_EQ(json["today"], "2026-11-23");
     const auto& line = json["compasses"][0];

@@ -140,7 +140,7 @@ TEST(DueRules, theMostUrgentFlagIsFirst)
     auto made = input("2027-06-01", {"2024-11-23"});
     made.events = {{"e1", "2026-02-10", DueCause::Moved, "moved to Singapore"}};
     made.predictedOutOfLimits = true;
-    made.predictedReason = "13 degrees expected";
+    made.predictedReason = Message::verbatim(std::string("13 degrees expected"));
     const auto due = dueOf(made);
     ASSERT_EQ(due.flags.size(), 3u);
     EXPECT_EQ(due.state, DueState::Overdue);

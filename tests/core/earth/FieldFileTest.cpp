@@ -15,11 +15,11 @@ void refused(const std::string& text, const char* words, std::int64_t line = -1)
     const CoefficientFile file(text);
     const auto model = readFieldModel(file.path());
     ASSERT_FALSE(model) << words;
-    EXPECT_EQ(model.error().code, ErrorCode::Format) << model.error().message;
+    EXPECT_EQ(model.error().code, ErrorCode::Format) << model.error().message.english();
     EXPECT_EQ(model.error().file, file.path());
-    EXPECT_NE(model.error().message.find(words), std::string::npos) << model.error().message;
+    EXPECT_NE(model.error().message.english().find(words), std::string::npos) << model.error().message.english();
     if (line >= 0) {
-        EXPECT_EQ(model.error().line, line) << model.error().message;
+        EXPECT_EQ(model.error().line, line) << model.error().message.english();
     }
 }
 
@@ -83,7 +83,7 @@ TEST(FieldFile, igrfTable)
 {
     const CoefficientFile file(kSmallIgrf);
     const auto model = readFieldModel(file.path());
-    ASSERT_TRUE(model) << model.error().message;
+    ASSERT_TRUE(model) << model.error().message.english();
     EXPECT_EQ(model->firstYear(), 2020.0);
     EXPECT_EQ(model->lastYear(), 2030.0);
     EXPECT_EQ(model->degree(), 2);
@@ -122,7 +122,7 @@ TEST(FieldFile, highDegrees)
             text += std::to_string(n) + " " + std::to_string(m) + (n == 1 && m == 0 ? " -30000 0 10 0\n" : " 0 0 0 0\n");
     const CoefficientFile file(text + std::string(48, '9') + "\n");
     const auto model = readFieldModel(file.path());
-    ASSERT_TRUE(model) << model.error().message;
+    ASSERT_TRUE(model) << model.error().message.english();
     EXPECT_EQ(model->degree(), kDegree);
     // A dipole along the axis: at the geographic equator H = −g (a/r)³, Z = 0.
     const auto answer = model->evaluate(*makePlace(0, 33), 2027);

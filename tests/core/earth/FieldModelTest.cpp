@@ -13,11 +13,11 @@ namespace {
 
 FieldAnswer at(const Result<FieldModel>& model, double year, double latitude_deg, double longitude_deg, double height_km)
 {
-    EXPECT_TRUE(model) << (model ? "" : model.error().message);
+    EXPECT_TRUE(model) << (model ? "" : model.error().message.english());
     const auto place = makePlace(latitude_deg, longitude_deg, height_km * 1000);
     EXPECT_TRUE(place);
     const auto answer = model->evaluate(*place, year);
-    EXPECT_TRUE(answer) << (answer ? "" : answer.error().message);
+    EXPECT_TRUE(answer) << (answer ? "" : answer.error().message.english());
     return answer ? *answer : FieldAnswer{};
 }
 
@@ -79,7 +79,7 @@ TEST(FieldModel, igrf14AgainstItsAuthorsProgram)
         }
         // Up to 1000 km and more: not by makePlace(), which keeps to heights of aircraft.
         const auto answer = model.evaluate({toDegrees(latitude), point.longitude_deg, height_km * 1000}, point.year);
-        ASSERT_TRUE(answer) << answer.error().message;
+        ASSERT_TRUE(answer) << answer.error().message.english();
         const EarthField& field = answer->field;
         const double turn = latitude - geocentric, north = field.north_nT * std::cos(turn) - field.down_nT * std::sin(turn);
         EXPECT_NEAR(north, point.X_nT, 0.02);
@@ -92,7 +92,7 @@ TEST(FieldModel, wmm2020FromAFile)
 {
     const CoefficientFile file(wmm2020Cof());
     const auto model = readFieldModel(file.path());
-    ASSERT_TRUE(model) << model.error().message;
+    ASSERT_TRUE(model) << model.error().message.english();
     EXPECT_EQ(model->name(), "WMM2020");
     EXPECT_EQ(model->degree(), 12);
     for (const auto& point : kWmm2020Report) {
@@ -121,7 +121,7 @@ TEST(FieldModel, yearsAreNamedWhereADateIsOutside)
     const auto says = [](const auto& result, const char* words) {
         ASSERT_FALSE(result);
         EXPECT_EQ(result.error().code, ErrorCode::InvalidInput);
-        EXPECT_NE(result.error().message.find(words), std::string::npos) << result.error().message;
+        EXPECT_NE(result.error().message.english().find(words), std::string::npos) << result.error().message.english();
     };
     const auto warsaw = *makePlace(52.2, 21.0);
     says(wmm2025().evaluate(warsaw, 2024.99), "from 2025 to 2030");
@@ -158,11 +158,11 @@ TEST(FieldModel, cautionAndBlackout)
     const auto refused = fieldForCompass(model, pole, 2025.0);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Numeric);
-    EXPECT_NE(refused.error().message.find("blackout"), std::string::npos);
+    EXPECT_NE(refused.error().message.english().find("blackout"), std::string::npos);
     const auto resolute = fieldForCompass(model, *makePlace(74.7, -94.9), 2026.0);
     ASSERT_TRUE(resolute);
     ASSERT_EQ(resolute->warnings.size(), 1u);
-    EXPECT_NE(resolute->warnings[0].find("caution"), std::string::npos);
+    EXPECT_NE(resolute->warnings[0].english().find("caution"), std::string::npos);
     EXPECT_TRUE(fieldForCompass(model, *makePlace(52.2, 21.0), 2026.0)->warnings.empty());
 }
 

@@ -15,7 +15,7 @@ namespace {
 Analysis analysisOf(const std::string& csv)
 {
     auto analysis = analyse(observationsOf(readCsv(csv)->swing));
-    EXPECT_TRUE(analysis.ok()) << (analysis.ok() ? "" : analysis.error().message);
+    EXPECT_TRUE(analysis.ok()) << (analysis.ok() ? "" : analysis.error().message.english());
     return std::move(analysis.value());
 }
 
@@ -102,7 +102,7 @@ TEST(AnalysisJson, neverHasNanOrInfinity)
 TEST(AnalysisJson, cardFiguresAreExactWithTheRoundedOnesBeside)
 {
     const auto card = makeCard(analysisOf(kCheck), {45, CardSource::Readings, CoefficientSet(1)});
-    ASSERT_TRUE(card) << card.error().message;
+    ASSERT_TRUE(card) << card.error().message.english();
     const auto json = nlohmann::json::parse(toJson(*card));
     const std::array<double, 8> sheet{1, 43, 89, 137, 181, 223, 269, 317}; // worksheet question 1
     ASSERT_EQ(json["rows"].size(), 8u);

@@ -31,7 +31,7 @@ std::string faultOf(const std::string& text)
     if (bench)
         return "read";
     EXPECT_EQ(bench.error().file, "bench.json");
-    return bench.error().message;
+    return bench.error().message.english();
 }
 
 } // namespace
@@ -39,7 +39,7 @@ std::string faultOf(const std::string& text)
 TEST(BenchJson, ReadsWhatItSays)
 {
     const auto bench = readBenchJson(kSmall, "bench.json");
-    ASSERT_TRUE(bench.ok()) << bench.error().message;
+    ASSERT_TRUE(bench.ok()) << bench.error().message.english();
     ASSERT_EQ(bench->parts.size(), 2U);
     EXPECT_EQ(std::get<Cylinder>(bench->parts[0].shape), (Cylinder{0.1, 1}));
     EXPECT_NEAR(bench->parts[0].placements[1].pitch_rad, 1.5707963267948966, 1e-15);
@@ -56,7 +56,7 @@ TEST(BenchJson, ReadsBackEqualAndIsWrittenTheSameAgain)
     bench.parts.push_back({"“tray” \n\t\\ ü", Box{{0.1, 0.2, 0.3}}, 0, {0, 0, 0}, {}, {{{}, {1, 2, 3}, 0, 0, 0}}});
     const auto text = writeBenchJson(bench);
     const auto back = readBenchJson(text, "again");
-    ASSERT_TRUE(back.ok()) << back.error().message;
+    ASSERT_TRUE(back.ok()) << back.error().message.english();
     EXPECT_EQ(back->parts[0], bench.parts[0]);
     EXPECT_EQ(back->parts[3], bench.parts[3]);
     EXPECT_EQ(back->circuits, bench.circuits);
@@ -72,7 +72,7 @@ TEST(BenchJson, ReadsBackEqualAndIsWrittenTheSameAgain)
 TEST(BenchJson, TheExampleAirframeIsReadAndItsGearMovesTheModel)
 {
     const auto bench = readBenchJsonFile(LUBBERLINE_SAMPLES "/example-airframe.json");
-    ASSERT_TRUE(bench.ok()) << bench.error().message;
+    ASSERT_TRUE(bench.ok()) << bench.error().message.english();
     EXPECT_EQ(groupsOf(*bench).size(), 1U);
     const auto up = benchModel(*bench, {{"gear", "retracted"}}), down = benchModel(*bench, {{"gear", "extended"}});
     ASSERT_TRUE(up.ok() && down.ok());

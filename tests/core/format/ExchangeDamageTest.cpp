@@ -92,11 +92,11 @@ TEST_P(DamagedExchange, isRefusedNamingThePath)
     const auto fleet = readDamaged(text);
     ASSERT_FALSE(fleet);
     EXPECT_EQ(fleet.error().file, "fleet.json");
-    EXPECT_EQ(fleet.error().code, damage.code) << fleet.error().message;
+    EXPECT_EQ(fleet.error().code, damage.code) << fleet.error().message.english();
     for (const char* words : damage.says)
-        EXPECT_THAT(fleet.error().message, HasSubstr(words));
-    EXPECT_THAT(fleet.error().message, HasSubstr("expected"));
-    EXPECT_EQ(fleet.error().message.find('\n'), std::string::npos);
+        EXPECT_THAT(fleet.error().message.english(), HasSubstr(words));
+    EXPECT_THAT(fleet.error().message.english(), HasSubstr("expected"));
+    EXPECT_EQ(fleet.error().message.english().find('\n'), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -111,7 +111,7 @@ TEST(DamagedExchangeFile, whatIsNoJsonNamesTheLine)
         const auto fleet = readDamaged(text);
         ASSERT_FALSE(fleet);
         EXPECT_EQ(fleet.error().code, ErrorCode::Format);
-        EXPECT_THAT(fleet.error().message, HasSubstr("expected"));
+        EXPECT_THAT(fleet.error().message.english(), HasSubstr("expected"));
     }
 }
 
@@ -129,7 +129,7 @@ TEST(DamagedExchangeFile, aNewerVersionIsNamedEvenWithKeysThatWeDoNotKnow)
     const auto fleet = readDamaged(R"({"format": "lubberline", "version": 7, "engines": []})");
     ASSERT_FALSE(fleet);
     EXPECT_EQ(fleet.error().code, ErrorCode::NewerSchema);
-    EXPECT_THAT(fleet.error().message, HasSubstr("7"));
+    EXPECT_THAT(fleet.error().message.english(), HasSubstr("7"));
 }
 
 TEST(DamagedExchangeFile, deepNestingIsRefusedWithoutTakingMemory)
@@ -137,8 +137,8 @@ TEST(DamagedExchangeFile, deepNestingIsRefusedWithoutTakingMemory)
     const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
     const auto fleet = readDamaged(R"({"format": "lubberline", "version": 1, "sites": )" + deep + "}");
     ASSERT_FALSE(fleet);
-    EXPECT_THAT(fleet.error().message, HasSubstr("too deeply"));
-    EXPECT_LT(fleet.error().message.size(), 500u);
+    EXPECT_THAT(fleet.error().message.english(), HasSubstr("too deeply"));
+    EXPECT_LT(fleet.error().message.english().size(), 500u);
 }
 
 TEST(DamagedExchangeFile, theSameIdentityTwiceIsRefused)
@@ -148,7 +148,7 @@ TEST(DamagedExchangeFile, theSameIdentityTwiceIsRefused)
     text.replace(text.find(other), other.size(), one);
     const auto fleet = readDamaged(text);
     ASSERT_FALSE(fleet);
-    EXPECT_THAT(fleet.error().message, testing::AllOf(HasSubstr(kSwing), HasSubstr("identity of another record")));
+    EXPECT_THAT(fleet.error().message.english(), testing::AllOf(HasSubstr(kSwing), HasSubstr("identity of another record")));
 }
 
 } // namespace lubberline::test

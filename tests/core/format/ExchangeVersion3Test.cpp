@@ -89,7 +89,7 @@ TEST(ExchangeVersion3, readsBackEqualAndIsWrittenTheSame)
     EXPECT_EQ(exchangeVersionOf(fleet), 3);
     const std::string text = writeExchange(fleet);
     const auto again = readExchange(text, "ramp.json");
-    ASSERT_TRUE(again) << again.error().message;
+    ASSERT_TRUE(again) << again.error().message.english();
     EXPECT_EQ(*again, fleet);
     EXPECT_EQ(writeExchange(*again), text);
 }
@@ -125,7 +125,7 @@ TEST(ExchangeVersion3, damageIsNamedByItsPath)
         const auto at = damaged.find(from);
         EXPECT_NE(at, std::string::npos) << from;
         const auto fleet = readExchange(damaged.replace(at, from.size(), to), "ramp.json");
-        return fleet ? std::string("it was read") : fleet.error().message;
+        return fleet ? std::string("it was read") : fleet.error().message.english();
     };
     EXPECT_THAT(refused("\"performer\"", "\"pilot\""), testing::HasSubstr("performer, inspector or authority"));
     EXPECT_THAT(refused("aaaaaaaa", "AAAAAAAA"), testing::HasSubstr("SHA-256"));
@@ -157,6 +157,31 @@ TEST(SignedContent, isWhatWasReadAndNotWhatItIsCalled)
     EXPECT_NE(signedContent(record, SwingJob{newRecordId(), {}, {}, {}, {}, 1.0, {}}), content);
 }
 
+TEST(SignedContent, aVersionNamesItselfAndStandsInTheFile)
+{
+    SwingRecord record;
+    record.swing = signedSwing();
+    record.swing.record = newRecordId();
+    record.swing.supersedes.clear();
+    record.type.record = record.type.name = newRecordId();
+    record.aircraft.record = record.aircraft.registration = newRecordId();
+    record.compass.record = record.compass.name = newRecordId();
+    EXPECT_TRUE(signedContent(record, {}, 1).starts_with("{"));
+    EXPECT_EQ(signedContent(record, {}, 2), "lubberline signed content 2\n" + signedContent(record, {}, 1));
+    record.swing.signatures.push_back(record.swing.signatures.front());
+    record.swing.signatures.back().contents = 2;
+    const Fleet fleet = toFleet(record);
+    EXPECT_EQ(exchangeVersionOf(fleet), 4);
+    const auto back = readExchange(writeExchange(fleet), "file");
+    ASSERT_TRUE(back) << describe(back.error());
+    EXPECT_EQ(back->swings.front().signatures, record.swing.signatures);
+    std::string other = writeExchange(fleet);
+    other.replace(other.find("\"contents\": 2"), 13, "\"contents\": 9");
+    const auto refused = readExchange(other, "file");
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(describe(refused.error()), testing::HasSubstr("contents"));
+}
+
 TEST(SwingDifferences, nameTheFieldAndBothValues)
 {
     const Swing before = signedSwing();
@@ -167,11 +192,14 @@ TEST(SwingDifferences, nameTheFieldAndBothValues)
     after.readings[3].exclusion = Exclusion{"misread"};
     after.readings.push_back(before.readings[0]);
     const auto all = differencesBetween(before, after);
-    EXPECT_EQ(all[0], (SwingDifference{"date", "2026-11-23", "2026-11-22"}));
-    EXPECT_EQ(all[1], (SwingDifference{"reading 3, compass", "181", "182.5"}));
-    EXPECT_EQ(all[2], (SwingDifference{"reading 4, excluded", "", "misread"}));
-    EXPECT_EQ(all[3].what, "reading 5, magnetic");
-    EXPECT_EQ(all[3].before, "");
+    std::vector<std::string> said;
+    for (const auto& one : all)
+        said.push_back(one.what.english() + ": " + one.before.english() + " > " + one.after.english());
+    said.resize(3);
+    EXPECT_EQ(said,
+        (std::vector<std::string>{"date: 2026-11-23 > 2026-11-22", "reading 3, compass: 181 > 182.5", "reading 4, excluded:  > misread"}));
+    EXPECT_EQ(all[3].what.english(), "reading 5, magnetic");
+    EXPECT_TRUE(all[3].before.empty());
 }
 
 } // namespace

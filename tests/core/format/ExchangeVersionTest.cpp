@@ -144,9 +144,9 @@ TEST_P(DamagedVersion2, isRefusedNamingThePath)
     const Damage& damage = GetParam();
     const auto fleet = read(replaced(writeExchange(fleetOfBoth()), damage.piece, damage.replacement));
     ASSERT_FALSE(fleet);
-    EXPECT_EQ(fleet.error().code, damage.code) << fleet.error().message;
+    EXPECT_EQ(fleet.error().code, damage.code) << fleet.error().message.english();
     for (const char* words : damage.says)
-        EXPECT_THAT(fleet.error().message, HasSubstr(words));
+        EXPECT_THAT(fleet.error().message.english(), HasSubstr(words));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -23,7 +23,7 @@ TEST(JobJson, everyEventReadsBackEqualFromOneLine)
         const std::string text = writeJobEvent(event);
         EXPECT_EQ(text.find('\n'), std::string::npos) << text;
         const auto read = readJobEvent(text, "event");
-        ASSERT_TRUE(read) << read.error().message;
+        ASSERT_TRUE(read) << read.error().message.english();
         EXPECT_EQ(*read, event) << text;
     }
 }
@@ -35,7 +35,7 @@ TEST(JobJson, planReadsBackEqual)
     job.checklist = {"a", "b"};
     job.resolution_deg = 0.5;
     const auto read = readJobPlan(writeJobPlan(job), "plan");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(*read, job);
 }
 
@@ -44,7 +44,7 @@ TEST(JobJson, faultsNameTheirKey)
     const auto says = [](const char* text, const char* words) {
         const auto read = readJobEvent(text, "event");
         ASSERT_FALSE(read) << text;
-        EXPECT_NE(read.error().message.find(words), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.english().find(words), std::string::npos) << read.error().message.english();
     };
     says("", "empty");
     says("{}", "what");

@@ -78,7 +78,7 @@ TEST(ModelJson, aPlaceAndADate)
     ASSERT_TRUE(setup) << describe(setup.error());
     EXPECT_EQ(std::get<PlaceAndDate>(setup->field), (PlaceAndDate{{52.17, 20.97, 110}, "2026-11-23"}));
     const auto field = fieldOf(*setup);
-    ASSERT_TRUE(field) << field.error().message;
+    ASSERT_TRUE(field) << field.error().message.english();
     // Warsaw: H and dip of any recent main field model, to what a few years change.
     EXPECT_NEAR(field->horizontal_nT, 18900, 400);
     EXPECT_NEAR(toDegrees(field->inclination_rad()), 68, 1);
@@ -100,7 +100,7 @@ TEST(ModelJson, aDateOutsideEveryModelNamesTheYears)
     ASSERT_TRUE(setup);
     const auto field = fieldOf(*setup);
     ASSERT_FALSE(field);
-    EXPECT_THAT(field.error().message, HasSubstr("1900"));
+    EXPECT_THAT(field.error().message.english(), HasSubstr("1900"));
 }
 
 // Damage
@@ -174,10 +174,10 @@ TEST_P(DamagedModel, isRefusedByItsPath)
     const auto& damage = GetParam();
     const auto setup = readModelJson(replaced(kWhole, damage.piece, damage.replacement), "model.json");
     ASSERT_FALSE(setup);
-    EXPECT_EQ(setup.error().code, damage.code) << setup.error().message;
+    EXPECT_EQ(setup.error().code, damage.code) << setup.error().message.english();
     EXPECT_EQ(setup.error().file, "model.json");
     for (const char* words : damage.says)
-        EXPECT_THAT(setup.error().message, HasSubstr(words));
+        EXPECT_THAT(setup.error().message.english(), HasSubstr(words));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, DamagedModel, testing::ValuesIn(kDamages), [](const auto& one) { return std::string(one.param.name); });
@@ -198,7 +198,7 @@ TEST(ModelJson, damagedPlaces)
             {"\"2026-11-23\"", "2026", "field.date: "}, {"110", "1e8", "field.alt_m: "}}) {
         const auto setup = readModelJson(inBraces(replaced(kPlace, piece, replacement)), "model.json");
         ASSERT_FALSE(setup) << replacement;
-        EXPECT_THAT(setup.error().message, HasSubstr(says));
+        EXPECT_THAT(setup.error().message.english(), HasSubstr(says));
     }
 }
 
@@ -210,7 +210,7 @@ TEST(ModelJson, whatIsNoModelAtAll)
         ASSERT_FALSE(setup) << text;
         EXPECT_EQ(setup.error().code, ErrorCode::Format) << text;
     }
-    EXPECT_THAT(readModelJson("", "model.json").error().message, HasSubstr("Model JSON"));
+    EXPECT_THAT(readModelJson("", "model.json").error().message.english(), HasSubstr("Model JSON"));
     EXPECT_FALSE(readModelJson(std::string(100'000, '['), "model.json"));
     EXPECT_EQ(readModelJsonFile("/no/such/model.json").error().code, ErrorCode::Io);
     EXPECT_EQ(readModelJsonFile("/").error().code, ErrorCode::Io);
@@ -233,7 +233,7 @@ TEST(ModelJson, changedBytesAreRefusedOrReadBack)
             text[random() % text.size()] = bytes[random() % bytes.size()];
         const auto setup = readModelJson(text, "model.json");
         if (!setup) {
-            EXPECT_FALSE(setup.error().message.empty());
+            EXPECT_FALSE(setup.error().message.english().empty());
             continue;
         }
         ++accepted;
@@ -324,7 +324,7 @@ TEST(SensorModelJson, theModelWithoutItsField)
     EXPECT_EQ(*readSensorModelJson("{}", "model"), SensorModel{});
     const auto withField = readSensorModelJson(kWhole, "model");
     ASSERT_FALSE(withField);
-    EXPECT_THAT(withField.error().message, HasSubstr("field: is not known"));
+    EXPECT_THAT(withField.error().message.english(), HasSubstr("field: is not known"));
 }
 
 TEST(SensorModelJson, insideAnotherObject)
@@ -350,7 +350,7 @@ TEST(SensorModelJson, insideAnotherObject)
     });
     EXPECT_EQ(object.text("name"), "fin");
     object.finish();
-    EXPECT_FALSE(fault.error()) << fault.error()->message;
+    EXPECT_FALSE(fault.error()) << fault.error()->message.english();
     EXPECT_EQ(back, model);
 }
 

@@ -103,14 +103,14 @@ TEST_P(DamagedCsv, isRefusedInOneClearLine)
     const auto& damage = GetParam();
     const auto file = readCsv(damage.text);
     ASSERT_FALSE(file);
-    EXPECT_EQ(file.error().code, damage.code) << file.error().message;
+    EXPECT_EQ(file.error().code, damage.code) << file.error().message.english();
     EXPECT_EQ(file.error().file, "swing.csv");
-    EXPECT_EQ(file.error().line, damage.line) << file.error().message;
+    EXPECT_EQ(file.error().line, damage.line) << file.error().message.english();
     for (const char* words : damage.says)
-        EXPECT_THAT(file.error().message, HasSubstr(words));
-    EXPECT_EQ(file.error().message.find('\n'), std::string::npos);
-    EXPECT_LT(file.error().message.size(), 400u);
-    EXPECT_THAT(file.error().message, HasSubstr("expected"));
+        EXPECT_THAT(file.error().message.english(), HasSubstr(words));
+    EXPECT_EQ(file.error().message.english().find('\n'), std::string::npos);
+    EXPECT_LT(file.error().message.english().size(), 400u);
+    EXPECT_THAT(file.error().message.english(), HasSubstr("expected"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, DamagedCsv, testing::ValuesIn(kDamages), [](const auto& test) { return std::string(test.param.name); });
@@ -145,7 +145,7 @@ TEST(DamagedCsvFile, moreThanAMillionReadingsAreNoSwing)
     const auto file = readCsv(text);
     ASSERT_FALSE(file);
     EXPECT_EQ(file.error().line, static_cast<std::int64_t>(kMaxReadings) + 2);
-    EXPECT_THAT(file.error().message, HasSubstr("1000000"));
+    EXPECT_THAT(file.error().message.english(), HasSubstr("1000000"));
 }
 
 TEST(DamagedCsvFile, aQuoteThatSwallowsTheRestIsEndedAtAMebibyte)
@@ -156,7 +156,7 @@ TEST(DamagedCsvFile, aQuoteThatSwallowsTheRestIsEndedAtAMebibyte)
     const auto file = readCsv(text);
     ASSERT_FALSE(file);
     EXPECT_EQ(file.error().line, 2);
-    EXPECT_THAT(file.error().message, HasSubstr("not closed"));
+    EXPECT_THAT(file.error().message.english(), HasSubstr("not closed"));
 }
 
 } // namespace lubberline::test

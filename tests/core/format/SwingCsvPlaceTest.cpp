@@ -59,7 +59,7 @@ TEST(SwingCsvPlace, whereNoFieldIsKnownAWarningSaysWhy)
         const auto file = readCsv(keys + kHeader + kRow);
         ASSERT_TRUE(file) << describe(file.error());
         EXPECT_FALSE(file->swing.field);
-        EXPECT_THAT(file->warnings, testing::ElementsAre(HasSubstr(words)));
+        EXPECT_THAT(inEnglish(file->warnings), testing::ElementsAre(HasSubstr(words)));
     }
 }
 
@@ -76,7 +76,7 @@ TEST(SwingCsvPlace, halfAPlaceAndNoPlaceOnEarthAreRefused)
         const auto file = readCsv(keys + kHeader + kRow);
         ASSERT_FALSE(file) << keys;
         EXPECT_EQ(file.error().code, ErrorCode::InvalidInput);
-        EXPECT_THAT(file.error().message, testing::AllOf(HasSubstr(words), HasSubstr("expected")));
+        EXPECT_THAT(file.error().message.english(), testing::AllOf(HasSubstr(words), HasSubstr("expected")));
     }
 }
 

@@ -32,7 +32,7 @@ FerrousPart part(const std::string& name, const Shape& shape, double susceptibil
 BenchModel modelOf(const IronBench& bench, const BenchStates& states = {})
 {
     auto model = benchModel(bench, states);
-    EXPECT_TRUE(model.ok()) << (model.ok() ? "" : model.error().message);
+    EXPECT_TRUE(model.ok()) << (model.ok() ? "" : model.error().message.english());
     return model.ok() ? std::move(*model) : BenchModel{};
 }
 
@@ -40,7 +40,7 @@ std::string faultOf(const IronBench& bench, const BenchStates& states = {})
 {
     const auto model = benchModel(bench, states);
     EXPECT_TRUE(model.ok() || model.error().code == ErrorCode::InvalidInput);
-    return model.ok() ? "ok" : model.error().message;
+    return model.ok() ? "ok" : model.error().message.english();
 }
 
 /// The deviation [°] at a level heading in central Europe: H 18,500 nT, dip 67°.
@@ -342,7 +342,7 @@ TEST(BenchModel, SaysWhereItIsUncertain)
     bench.sensor_m = {0.27, 0, 0};
     const auto near = modelOf(bench);
     ASSERT_EQ(near.warnings.size(), 1U);
-    EXPECT_NE(near.warnings[0].find("bracket"), std::string::npos);
+    EXPECT_NE(near.warnings[0].english().find("bracket"), std::string::npos);
     bench.sensor_m = {0.5, 0, 0};
     EXPECT_TRUE(modelOf(bench).warnings.empty());
 }

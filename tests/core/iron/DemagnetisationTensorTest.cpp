@@ -149,7 +149,7 @@ TEST(DemagnetisationTensor, RefusesWhatDoesNotFitBeforeItTakesMemory)
 {
     const auto code = [](const Shape& shape, int cells, double cell_m) {
         const auto tensor = demagnetisationTensor(shape, {cells, cell_m});
-        return tensor.ok() ? std::string("ok") : tensor.error().message;
+        return tensor.ok() ? std::string("ok") : tensor.error().message.english();
     };
     EXPECT_NE(code(Sphere{1}, 4000, 1).find("MiB"), std::string::npos);
     EXPECT_NE(code(Sphere{1}, std::numeric_limits<int>::max(), 1).find("MiB"), std::string::npos);

@@ -116,7 +116,7 @@ TEST(NmeaSwing, variationOfTheModelAtTheLogsPlaceAndDate)
     NmeaOptions options;
     options.variation = VariationOfModel{};
     const auto swing = read(circle(6.5), options);
-    ASSERT_TRUE(swing) << swing.error().message;
+    ASSERT_TRUE(swing) << swing.error().message.english();
     EXPECT_NEAR(swing->variation->degrees(), 7.0, 1.0); // WMM2025: Warsaw has some 7° E in 2026
     EXPECT_NE(swing->variationSource.find("WMM2025 at 52.17"), std::string::npos) << swing->variationSource;
     options.variation = VariationOfLog{};
@@ -209,7 +209,7 @@ TEST(NmeaSwing, twoTalkers)
     EXPECT_EQ(read(both, options).error().code, ErrorCode::InvalidInput);
     const auto unclear = read(rmc(0, 10) + hdg(10, "II") + hdg(14, "YX"), stated(0));
     ASSERT_FALSE(unclear);
-    EXPECT_NE(unclear.error().message.find("IIHDG (1), YXHDG (1)"), std::string::npos) << unclear.error().message;
+    EXPECT_NE(unclear.error().message.english().find("IIHDG (1), YXHDG (1)"), std::string::npos) << unclear.error().message.english();
 }
 
 TEST(NmeaSwing, anotherInstrumentIsTheReference)
@@ -249,7 +249,7 @@ TEST(NmeaSwing, whatALogLacksIsNamed)
 {
     const auto says = [](const Result<NmeaSwing>& result, const char* words) {
         ASSERT_FALSE(result);
-        EXPECT_NE(result.error().message.find(words), std::string::npos) << result.error().message;
+        EXPECT_NE(result.error().message.english().find(words), std::string::npos) << result.error().message.english();
         EXPECT_EQ(result.error().file, "turn.nmea");
     };
     says(read(""), "no NMEA 0183 sentence");

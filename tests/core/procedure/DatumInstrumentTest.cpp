@@ -40,7 +40,7 @@ TEST(DatumInstrument, aheadAndAsternAreAveragedAndCompared)
     EXPECT_NEAR(*heading->collimation_deg, 0.3, 1e-9);
     const auto wrong = datumHeading(sightingCompass(SightingDirection::Direct), {{90.4}, {90.0}, {}}, {});
     ASSERT_FALSE(wrong);
-    EXPECT_NE(wrong.error().message.find("other way round"), std::string::npos);
+    EXPECT_NE(wrong.error().message.english().find("other way round"), std::string::npos);
 }
 
 TEST(DatumInstrument, threeReadingsAcrossNorth)

@@ -30,13 +30,13 @@ public:
     JobState state() const
     {
         auto state = stateOf(m_job);
-        EXPECT_TRUE(state) << (state ? "" : state.error().message);
+        EXPECT_TRUE(state) << (state ? "" : state.error().message.english());
         return state ? std::move(state.value()) : JobState{};
     }
     std::string refusal() const
     {
         const auto state = stateOf(m_job);
-        return state ? std::string() : state.error().message;
+        return state ? std::string() : state.error().message.english();
     }
     void read(Pair pair)
     {
@@ -47,7 +47,7 @@ public:
     MakeCompassRead obey()
     {
         const auto now = state();
-        EXPECT_TRUE(now.turn) << now.whyNoTurn;
+        EXPECT_TRUE(now.turn) << now.whyNoTurn.english();
         if (!now.turn)
             return {};
         if (now.phase == JobPhase::Index)
@@ -215,7 +215,7 @@ TEST(GuidedSwing, turningAControlAfterTheCheckSwingVoidsIt)
     EXPECT_EQ(state.current, 4);
     EXPECT_FALSE(state.indexRemoved_deg);
     ASSERT_EQ(state.notes.size(), 1u);
-    EXPECT_NE(state.notes[0].find("after 8 readings"), std::string::npos) << state.notes[0];
+    EXPECT_NE(state.notes[0].english().find("after 8 readings"), std::string::npos) << state.notes[0].english();
     EXPECT_TRUE(residualsOf(state).empty());
     for (const auto& pair : sheet.check)
         crew.read(pair);
@@ -232,7 +232,7 @@ TEST(GuidedSwing, anUnreachableHeadingIsSkippedWithAReason)
     EXPECT_DOUBLE_EQ(crew.obey().makeCompassRead_deg, 176.0); // C needs N and S only
     crew.read(sheet.correction[3]);
     EXPECT_FALSE(crew.state().turn);
-    EXPECT_NE(crew.state().whyNoTurn.find("cardinal"), std::string::npos);
+    EXPECT_NE(crew.state().whyNoTurn.english().find("cardinal"), std::string::npos);
     crew.tell(job::NotAdjusted{3, Control::EastWest, "east could not be reached"});
     for (std::size_t i = 0; i < 8; ++i) {
         if (i == 3)

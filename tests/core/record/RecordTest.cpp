@@ -99,13 +99,13 @@ TEST(ShippedLimits, areThoseWhoseSourceWasRead)
 TEST(Signatures, twoPeopleOverTheSameContentsFreezeASwing)
 {
     const Signature performer{SignatureRole::Performer, "Ada", "", "", "h1"}, inspector{SignatureRole::Inspector, "Ben", "", "", "h1"};
-    const Signature authority{SignatureRole::Authority, "Cyd", "", "", "h1"}, before{SignatureRole::Inspector, "Ben", "", "", "h0"};
-    EXPECT_FALSE(freezes({}, "h1"));
-    EXPECT_FALSE(freezes({performer}, "h1"));
-    EXPECT_FALSE(freezes({inspector, authority}, "h1"));
-    EXPECT_FALSE(freezes({performer, before}, "h1")); // he stood over other contents
-    EXPECT_TRUE(freezes({performer, inspector}, "h1"));
-    EXPECT_TRUE(freezes({performer, authority}, "h1"));
+    const Signature authority{SignatureRole::Authority, "Cyd", "", "", "h1"};
+    EXPECT_FALSE(freezes({}, {}));
+    EXPECT_FALSE(freezes({performer}, {true}));
+    EXPECT_FALSE(freezes({inspector, authority}, {true, true}));
+    EXPECT_FALSE(freezes({performer, inspector}, {true, false})); // he stood over other contents
+    EXPECT_TRUE(freezes({performer, inspector}, {true, true}));
+    EXPECT_TRUE(freezes({performer, inspector, authority}, {true, false, true}));
 }
 
 } // namespace lubberline::test

@@ -54,7 +54,7 @@ TEST(PoissonSmith, formulasWrittenOut)
 void expectSwingOf(const SensorModel& model, const MeridianField& field)
 {
     const auto smith = smithOf(model, field);
-    ASSERT_TRUE(smith) << smith.error().message;
+    ASSERT_TRUE(smith) << smith.error().message.english();
     const auto swing = levelSwing(model, field);
     for (const auto& point : swing)
         EXPECT_NEAR(
@@ -94,7 +94,7 @@ TEST(PoissonSmith, anExactFoldedCurveStillFollowsTheFormula)
     ASSERT_TRUE(smith);
     EXPECT_GT(smith->exact.B, 1);
     EXPECT_FALSE(smith->approximate);
-    EXPECT_NE(smith->whyNoApproximate.find("coefficient B"), std::string::npos) << smith->whyNoApproximate;
+    EXPECT_NE(smith->whyNoApproximate.english().find("coefficient B"), std::string::npos) << smith->whyNoApproximate.english();
     for (const auto& point : levelSwing(model, field, 36))
         EXPECT_NEAR(
             wrap180(deviationAt(smith->exact, point.magnetic).degrees() - deviationOf(point.magnetic, point.compass).degrees()), 0, 1e-9);
@@ -111,7 +111,7 @@ TEST(PoissonSmith, termsNameWhereTheyComeFrom)
     ASSERT_TRUE(smith);
     const auto has = [&](Coefficient coefficient, const std::string& cause) {
         return std::any_of(smith->terms.begin(), smith->terms.end(),
-            [&](const SmithTerm& term) { return term.coefficient == coefficient && term.cause == cause; });
+            [&](const SmithTerm& term) { return term.coefficient == coefficient && term.cause.english() == cause; });
     };
     EXPECT_TRUE(has(Coefficient::A, "soft iron b"));
     EXPECT_TRUE(has(Coefficient::A, "soft iron d"));
@@ -138,7 +138,7 @@ TEST(PoissonSmith, theMisalignmentOfAYawAloneIsMinusItsTangent)
     EXPECT_NEAR(smith->lambda, std::cos(0.05), 1e-15);
     EXPECT_NEAR(smith->exact.A, -std::tan(0.05), 1e-15);
     ASSERT_EQ(smith->terms.size(), 1u);
-    EXPECT_EQ(smith->terms[0].cause, "misalignment");
+    EXPECT_EQ(smith->terms[0].cause.english(), "misalignment");
     EXPECT_EQ(smith->exact.B, 0);
 }
 

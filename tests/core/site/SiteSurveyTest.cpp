@@ -64,11 +64,11 @@ TEST(PaintedLines, offsetOfToday)
 
 TEST(SiteFitness, expiryAndClass)
 {
-    EXPECT_EQ(whyUnfit({"2026-11-23", SiteClass::Class1, SiteClass::Class1}, "2026-11-23"), "");
-    EXPECT_NE(whyUnfit({"2026-11-23", SiteClass::Class1, SiteClass::Class1}, "2026-11-24"), "");
-    EXPECT_NE(whyUnfit({"", SiteClass::Class2, SiteClass::Class1}, "2026-11-24"), "");
-    EXPECT_EQ(whyUnfit({"", SiteClass::Class1, SiteClass::Class2}, "2026-11-24"), "");
-    EXPECT_EQ(whyUnfit({"", SiteClass::None, SiteClass::None}, "2026-11-24"), "");
+    EXPECT_TRUE(whyUnfit({"2026-11-23", SiteClass::Class1, SiteClass::Class1}, "2026-11-23").empty());
+    EXPECT_FALSE(whyUnfit({"2026-11-23", SiteClass::Class1, SiteClass::Class1}, "2026-11-24").empty());
+    EXPECT_FALSE(whyUnfit({"", SiteClass::Class2, SiteClass::Class1}, "2026-11-24").empty());
+    EXPECT_TRUE(whyUnfit({"", SiteClass::Class1, SiteClass::Class2}, "2026-11-24").empty());
+    EXPECT_TRUE(whyUnfit({"", SiteClass::None, SiteClass::None}, "2026-11-24").empty());
 }
 
 } // namespace

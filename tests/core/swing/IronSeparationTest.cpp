@@ -151,15 +151,15 @@ TEST(IronSeparation, placesThatAreAlikeOrEqual)
     ASSERT_TRUE(alike);
     EXPECT_GT(alike->conditionNumber, kAlikePlaces);
     ASSERT_FALSE(alike->warnings.empty());
-    EXPECT_NE(alike->warnings[0].find("Warsaw, Lodz"), std::string::npos);
+    EXPECT_NE(alike->warnings[0].english().find("Warsaw, Lodz"), std::string::npos);
     const auto equal = separateIron(std::vector{exactSwing(model, kWarsaw, "Warsaw 2025"), exactSwing(model, kWarsaw, "Warsaw 2026")});
     ASSERT_FALSE(equal);
     EXPECT_EQ(equal.error().code, ErrorCode::Numeric);
-    EXPECT_NE(equal.error().message.find("Warsaw 2025, Warsaw 2026"), std::string::npos);
+    EXPECT_NE(equal.error().message.english().find("Warsaw 2025, Warsaw 2026"), std::string::npos);
     EXPECT_FALSE(separateIron(std::vector{exactSwing(model, kWarsaw, "Warsaw")}));
     const auto level = separateIron(std::vector{exactSwing(model, {30000, 0}, "Quito"), exactSwing(model, {38000, 0}, "Lagos")});
     ASSERT_FALSE(level);
-    EXPECT_NE(level.error().message.find("Quito, Lagos"), std::string::npos);
+    EXPECT_NE(level.error().message.english().find("Quito, Lagos"), std::string::npos);
     auto unknown = exactSwing(model, kSingapore, "nowhere");
     unknown.field = {0, 1000};
     EXPECT_FALSE(separateIron(std::vector{exactSwing(model, kWarsaw, "Warsaw"), unknown}));
@@ -187,7 +187,7 @@ TEST(IronSeparation, scatterTellsTheErrorsThatNoSwingKnows)
     const auto two = separateIron(swings);
     EXPECT_EQ(two->c.standardError, 0);
     ASSERT_EQ(two->warnings.size(), 1u);
-    EXPECT_NE(two->warnings[0].find("no errors can be stated"), std::string::npos);
+    EXPECT_NE(two->warnings[0].english().find("no errors can be stated"), std::string::npos);
     swings.push_back(exactSwing(someIron(), kPerth, "Perth"));
     swings[2].exact.B += 0.01;
     const auto three = separateIron(swings);
@@ -209,7 +209,7 @@ TEST(IronSeparation, swingsThatContradictEachOtherAreSaidTo)
     EXPECT_GT(separation->chiSquare, 20);
     EXPECT_EQ(separation->degreesOfFreedom, 2);
     ASSERT_EQ(separation->warnings.size(), 1u);
-    EXPECT_NE(separation->warnings[0].find("contradict"), std::string::npos);
+    EXPECT_NE(separation->warnings[0].english().find("contradict"), std::string::npos);
 }
 
 TEST(IronSeparation, whatOneSwingTellsAndWhatNot)

@@ -89,7 +89,7 @@ TEST(Prediction, ironThatOpposesItselfLiesBeyondTheBandAndThatIsSaid)
     const auto prediction = predict(swingOf(model, kWarsaw), kPerth, 8);
     ASSERT_TRUE(prediction);
     EXPECT_LT(readSensor(model, kPerth, {MagneticHeading::fromDegrees(90), 0, 0}).deviation->radians(), *prediction->points[2].lowest_rad);
-    EXPECT_NE(prediction->basis.find("oppose each other"), std::string::npos);
+    EXPECT_NE(prediction->basis.english().find("oppose each other"), std::string::npos);
 }
 
 /// The band of a swing where it was made: two standard errors of the curve by the derivative of [P 3], here held against
@@ -146,7 +146,7 @@ TEST(Prediction, verdictsAndTheRule)
     EXPECT_TRUE(swingAgainAfterMove(here, *predict(swing, MeridianField::fromDip(8000, toRadians(75))), limits).needed);
     const auto far = swingAgainAfterMove(here, *predict(swing, MeridianField::fromDip(38000, toRadians(-20))), {});
     EXPECT_TRUE(far.needed); // from +5.7° to −0.8° on east: no limit is set, but the card is wrong
-    EXPECT_NE(far.reason.find("changes by up to"), std::string::npos);
+    EXPECT_NE(far.reason.english().find("changes by up to"), std::string::npos);
 }
 
 TEST(Prediction, edges)

@@ -56,7 +56,7 @@ private slots:
     void rowsAreReadBackAsTheyWere()
     {
         const auto back = benchOf(rowsOf(someBench()));
-        QVERIFY2(back, back ? "" : back.error().message.c_str());
+        QVERIFY2(back, back ? "" : back.error().message.english().c_str());
         QCOMPARE(rowsOf(*back).parts, rowsOf(someBench()).parts);
         QCOMPARE(rowsOf(*back).conductors, rowsOf(someBench()).conductors);
         QVERIFY(back->circuits == someBench().circuits);

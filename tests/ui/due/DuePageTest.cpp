@@ -308,7 +308,7 @@ private slots:
     {
         OpenDue open;
         QStringList errors;
-        EditContext context{open.stores, [&errors](const Error& error) { errors += QString::fromStdString(error.message); }};
+        EditContext context{open.stores, [&errors](const Error& error) { errors += QString::fromStdString(error.message.english()); }};
         QUndoStack stack;
         EventsPanel panel(context, stack);
         panel.showAircraft(open.fresh);

@@ -58,7 +58,7 @@ private slots:
             begun.release();
             while (progress(0.5))
                 QThread::msleep(1);
-            return Error{ErrorCode::Cancelled, "cancelled"};
+            return Error{ErrorCode::Cancelled, MARKED("ui", "cancelled")};
         });
         begun.acquire();
         worker.cancel();

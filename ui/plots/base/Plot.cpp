@@ -13,6 +13,7 @@
 #include "ui/plots/base/Chart.h"
 #include "ui/plots/base/ChartMouse.h"
 #include "ui/plots/base/PlotFile.h"
+#include "ui/text/Translated.h"
 
 namespace lubberline::ui {
 
@@ -85,7 +86,7 @@ void Plot::exportInteractively(const QString& suggestion)
         return;
     const Result<void> written = exportTo(path);
     if (!written)
-        emit failed(QString::fromStdString(describe(written.error())));
+        emit failed(messageOf(written.error()));
 }
 
 void Plot::copyToClipboard() const

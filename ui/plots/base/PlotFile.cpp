@@ -1,5 +1,7 @@
 #include "ui/plots/base/PlotFile.h"
 
+#include "ui/text/Translated.h"
+
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -23,7 +25,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(lubberline::ui::PlotFile)
 };
 
-Error failure(ErrorCode code, const QString& message, const QString& path) { return {code, message.toStdString(), path.toStdString()}; }
+Error failure(ErrorCode code, const QString& message, const QString& path) { return {code, said(message), path.toStdString()}; }
 
 void paintImage(QIODevice& device, QSize size_px, const PaintPlot& paint)
 {

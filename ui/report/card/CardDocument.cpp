@@ -23,7 +23,7 @@ namespace {
 constexpr double kMarks = mm(7); ///< room for the crop marks around the card
 constexpr double kScaleBar = mm(50);
 
-Error inputError(const QString& message) { return {ErrorCode::InvalidInput, message.toStdString()}; }
+Error inputError(const QString& message) { return {ErrorCode::InvalidInput, said(message)}; }
 
 Result<void> checkColumns(const std::vector<CardColumn>& columns)
 {

@@ -30,8 +30,7 @@ Result<QString> chooseFamily(const QStringList& installed, const QString& system
 {
     if (system.isEmpty()) {
         return Error{ErrorCode::Unsupported,
-            Words::tr("no font is installed, and a document without one would be blank; install the package fonts-dejavu-core")
-                .toStdString()};
+            said(Words::tr("no font is installed, and a document without one would be blank; install the package fonts-dejavu-core"))};
     }
     return installed.contains(QLatin1String(kPreferred)) ? QString(kPreferred) : system;
 }

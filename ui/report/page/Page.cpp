@@ -50,10 +50,10 @@ Result<void> paintSheets(QPagedPaintDevice& device, int pages, const std::functi
 {
     QPainter painter;
     if (!painter.begin(&device))
-        return Error{ErrorCode::Io, Words::tr("the printer takes no pages; expected one that is switched on and connected").toStdString()};
+        return Error{ErrorCode::Io, said(Words::tr("the printer takes no pages; expected one that is switched on and connected"))};
     for (int page = 0; page < pages; ++page) {
         if (page > 0 && !device.newPage())
-            return Error{ErrorCode::Io, Words::tr("the printer stopped before page %1 of %2").arg(page + 1).arg(pages).toStdString()};
+            return Error{ErrorCode::Io, said(Words::tr("the printer stopped before page %1 of %2").arg(page + 1).arg(pages))};
         painter.save();
         painter.setRenderHint(QPainter::Antialiasing); // on screen (print preview); paper has no pixels
         enterSheet(painter, device);

@@ -21,7 +21,7 @@ Result<QrMatrix> qrOf(const QString& text)
     const std::unique_ptr<QRcode, void (*)(QRcode*)> code(QRcode_encodeString8bit(text.toUtf8().constData(), 0, QR_ECLEVEL_M), QRcode_free);
     if (!code)
         return Error{ErrorCode::InvalidInput,
-            Words::tr("a QR code cannot hold '%1'; expected some text, up to about 2,000 characters").arg(text.left(40)).toStdString()};
+            said(Words::tr("a QR code cannot hold '%1'; expected some text, up to about 2,000 characters").arg(text.left(40)))};
     QrMatrix matrix;
     matrix.width = code->width;
     for (int i = 0; i < code->width * code->width; ++i)

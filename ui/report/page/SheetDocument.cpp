@@ -30,7 +30,7 @@ Result<void> writeSheet(const PageFrame& frame, const SheetBlocks& blocks, const
 {
     if (QFileInfo(path).suffix().toLower() != "pdf")
         return Error{ErrorCode::InvalidInput,
-            Words::tr("this document cannot be written under this name; expected one that ends in .pdf").toStdString(), path.toStdString()};
+            said(Words::tr("this document cannot be written under this name; expected one that ends in .pdf")), path.toStdString()};
     PdfKind kind;
     kind.title = joined({frame.title, frame.subject});
     kind.archive = true; // nothing is attached, and cards are kept for as long as the aircraft

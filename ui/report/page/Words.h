@@ -5,6 +5,7 @@
 #include <QString>
 
 #include "core/record/Fleet.h"
+#include "ui/text/Translated.h"
 
 namespace lubberline::ui {
 
@@ -27,6 +28,7 @@ struct Words {
 
 /// Text of a record in one line without control characters: XML and paper take none.
 [[nodiscard]] QString printable(const std::string& text);
+[[nodiscard]] inline QString printable(const Message& message) { return printable(translated(message).toStdString()); }
 
 /// What stands where the record says nothing.
 [[nodiscard]] QString notStated();

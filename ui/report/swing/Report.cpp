@@ -25,7 +25,7 @@ Result<QByteArray> reportAs(const QString& ending, const ReportInput& input, con
     if (ending == "json")
         return reportJson(input);
     return Error{ErrorCode::InvalidInput,
-        Words::tr("a report cannot be written under this name; expected one that ends in .pdf, .html, .csv or .json").toStdString(),
+        said(Words::tr("a report cannot be written under this name; expected one that ends in .pdf, .html, .csv or .json")),
         path.toStdString()};
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kEnding[] = ".lubberline.json";
 
-Error formatError(const QString& message, const QString& path) { return {ErrorCode::Format, message.toStdString(), path.toStdString()}; }
+Error formatError(const QString& message, const QString& path) { return {ErrorCode::Format, said(message), path.toStdString()}; }
 
 bool hasEnding(const std::string& name) { return QString::fromStdString(name).endsWith(QLatin1String(kEnding), Qt::CaseInsensitive); }
 
@@ -38,7 +38,7 @@ Result<std::string> exchangeInReport(const QString& path)
     QFile file(path);
     if (QFileInfo(path).isDir() || !file.open(QIODevice::ReadOnly)) {
         const QString why = QFileInfo(path).isDir() ? Words::tr("it is a folder") : file.errorString();
-        return Error{ErrorCode::Io, Words::tr("cannot be read: %1; expected a report PDF").arg(why).toStdString(), path.toStdString()};
+        return Error{ErrorCode::Io, said(Words::tr("cannot be read: %1; expected a report PDF").arg(why)), path.toStdString()};
     }
     if (file.peek(1024).indexOf("%PDF-") < 0) // where readers look for it (PDF Reference 1.7, appendix H, note 13)
         return formatError(Words::tr("this is not a PDF; expected a report PDF of this program"), path);

@@ -86,7 +86,7 @@ std::optional<Fact> changeFact(const ReportInput& input)
 QStringList warningsOf(const Analysis& analysis)
 {
     QStringList warnings;
-    for (const std::string& warning : analysis.warnings)
+    for (const auto& warning : analysis.warnings)
         warnings += printable(warning);
     return warnings;
 }
@@ -109,9 +109,8 @@ std::vector<SignatureLine> signatureLines(const ReportInput& input)
     std::optional<SwingJob> own;
     if (input.job && input.job->job.record == swing.job && input.job->swing == swing.id)
         own = input.job->job;
-    const QString now = swing.signatures.empty() ? QString() : hashOfText(signedContent(input.record, own));
     for (const auto& one : swing.signatures) {
-        const QString hash = printable(one.hash);
+        const QString hash = printable(one.hash), now = hashOfText(signedContent(input.record, own, one.contents));
         lines.push_back({roleWord(one.role), joined({printable(one.name), printable(one.licence)}), printable(one.timeUtc).left(10),
             hash == now ? Words::tr("signed %1 · hash %2").arg(printable(one.timeUtc).mid(11, 5), hash.left(12))
                         : Words::tr("no longer holds: changed after it")});

@@ -204,11 +204,11 @@ private slots:
         const auto bad = plot->exportTo(m_folder.filePath("plot.bmp"));
         QVERIFY(!bad);
         QVERIFY(bad.error().code == ErrorCode::InvalidInput);
-        QVERIFY(QString::fromStdString(bad.error().message).contains("plot.bmp"));
+        QVERIFY(QString::fromStdString(bad.error().message.english()).contains("plot.bmp"));
         QVERIFY(plot->exportTo(m_folder.filePath("plot")).error().code == ErrorCode::InvalidInput);
         const auto missing = plot->exportTo(m_folder.filePath("no/such/plot.pdf"));
         QVERIFY(missing.error().code == ErrorCode::Io);
-        QVERIFY(QString::fromStdString(missing.error().message).contains("no/such"));
+        QVERIFY(QString::fromStdString(missing.error().message.english()).contains("no/such"));
         QVERIFY(plot->exportTo(m_folder.filePath("plot.png"), {0, 10}).error().code == ErrorCode::InvalidInput);
         QDir(m_folder.path()).mkdir("taken.png"); // a folder of this name: the file cannot be put in its place
         QVERIFY(plot->exportTo(m_folder.filePath("taken.png")).error().code == ErrorCode::Io);

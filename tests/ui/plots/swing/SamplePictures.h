@@ -34,7 +34,7 @@ inline SwingPicture samplePicture(
     if (analysis)
         picture.analysis = std::make_shared<Analysis>(*analysis);
     else
-        picture.whyNoAnalysis = QString::fromStdString(analysis.error().message);
+        picture.whyNoAnalysis = QString::fromStdString(analysis.error().message.english());
     return picture;
 }
 

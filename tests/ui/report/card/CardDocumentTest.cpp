@@ -181,7 +181,7 @@ TEST(Card, refusesOtherEndingsAndMissingFolders)
     const auto missing = ui::writeCard(input, folder.filePath("none/card.pdf"));
     ASSERT_FALSE(missing.ok());
     EXPECT_EQ(missing.error().code, ErrorCode::Io);
-    EXPECT_NE(missing.error().message.find(folder.filePath("none").toStdString()), std::string::npos);
+    EXPECT_NE(missing.error().message.english().find(folder.filePath("none").toStdString()), std::string::npos);
 }
 
 TEST(Card, printersGetItAtItsTrueSize)

@@ -21,7 +21,7 @@ TEST(DocumentFont, refusesWithoutAnyAndNamesThePackage)
     const auto family = ui::chooseFamily({"Sans Serif", "Serif", "Monospace"}, ""); // what Qt lists without any file
     ASSERT_FALSE(family.ok());
     EXPECT_EQ(family.error().code, ErrorCode::Unsupported);
-    EXPECT_NE(family.error().message.find("fonts-dejavu-core"), std::string::npos);
+    EXPECT_NE(family.error().message.english().find("fonts-dejavu-core"), std::string::npos);
 }
 
 /// Run by the next test in a process without fonts; alone it finds fonts and has nothing to show.

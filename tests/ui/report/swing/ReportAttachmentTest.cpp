@@ -80,7 +80,7 @@ TEST(ReportAttachment, refusesWhatIsNoReportAndSaysWhy)
     EXPECT_EQ(codeOf(fileWith(folder, "text.pdf", "magnetic_heading_deg,compass_heading_deg\n0,1\n")), ErrorCode::Format);
     EXPECT_EQ(codeOf(fileWith(folder, "head.pdf", "%PDF-1.6\nnothing else")), ErrorCode::Format);
     const auto error = ui::exchangeInReport(folder.filePath("text.pdf")).error();
-    EXPECT_NE(error.message.find("not a PDF"), std::string::npos);
+    EXPECT_NE(error.message.english().find("not a PDF"), std::string::npos);
     EXPECT_EQ(error.file, folder.filePath("text.pdf").toStdString());
 }
 
@@ -104,7 +104,7 @@ TEST(ReportAttachment, aCardCarriesNone)
     const auto exchange = ui::exchangeInReport(card.path());
     ASSERT_FALSE(exchange.ok());
     EXPECT_EQ(exchange.error().code, ErrorCode::Format);
-    EXPECT_NE(exchange.error().message.find("no exchange data"), std::string::npos);
+    EXPECT_NE(exchange.error().message.english().find("no exchange data"), std::string::npos);
 }
 
 } // namespace lubberline::test

@@ -148,7 +148,7 @@ TEST(ReportField, aModelThatHasNoCoefficientsSaysWhy)
     ASSERT_FALSE(smith);
     const auto page = ui::fieldPageOf(input);
     EXPECT_TRUE(page->smith.rows.empty());
-    EXPECT_EQ(page->sensor.back().value, QString::fromStdString(smith.error().message));
+    EXPECT_EQ(page->sensor.back().value, QString::fromStdString(smith.error().message.english()));
     EXPECT_FALSE(PdfProbe(input).flowingText().contains(QRegularExpression("\\b(nan|inf)\\b", QRegularExpression::CaseInsensitiveOption)));
 }
 

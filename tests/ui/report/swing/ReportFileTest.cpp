@@ -26,7 +26,7 @@ TEST(ReportFile, anotherEndingIsRefusedAndTheKnownOnesAreNamed)
         const auto written = ui::writeReport(reportOf(simulatedRecord(8)), folder.filePath(name));
         ASSERT_FALSE(written.ok()) << name;
         EXPECT_EQ(written.error().code, ErrorCode::InvalidInput) << name;
-        EXPECT_NE(written.error().message.find(".pdf, .html, .csv or .json"), std::string::npos);
+        EXPECT_NE(written.error().message.english().find(".pdf, .html, .csv or .json"), std::string::npos);
         EXPECT_EQ(written.error().file, folder.filePath(name).toStdString());
     }
     EXPECT_TRUE(listOf(folder).isEmpty());
@@ -46,7 +46,8 @@ TEST(ReportFile, aMissingFolderIsNamed)
         const auto written = ui::writeReport(reportOf(simulatedRecord(8)), folder.filePath(QString("none/report.") + ending));
         ASSERT_FALSE(written.ok());
         EXPECT_EQ(written.error().code, ErrorCode::Io);
-        EXPECT_NE(written.error().message.find(folder.filePath("none").toStdString()), std::string::npos) << written.error().message;
+        EXPECT_NE(written.error().message.english().find(folder.filePath("none").toStdString()), std::string::npos)
+            << written.error().message.english();
     }
     EXPECT_TRUE(listOf(folder).isEmpty());
 }
@@ -68,7 +69,7 @@ TEST(ReportFile, aFolderThatTakesNoFilesIsNamed)
     const auto written = ui::writeReport(reportOf(simulatedRecord(8)), "/proc/report.pdf");
     ASSERT_FALSE(written.ok());
     EXPECT_EQ(written.error().code, ErrorCode::Io);
-    EXPECT_NE(written.error().message.find("/proc"), std::string::npos);
+    EXPECT_NE(written.error().message.english().find("/proc"), std::string::npos);
 }
 
 TEST(ReportFile, anOldReportIsReplacedWhole)
