@@ -1,6 +1,7 @@
 #include "db/stores/SigningStore.h"
 
 #include <QCryptographicHash>
+
 #include <algorithm>
 #include <map>
 
@@ -17,17 +18,7 @@
 
 namespace lubberline::db {
 
-<<<<<<< HEAD
-Result<std::string> SigningStore::hashOf(SwingId id)
-=======
-namespace {
-
-std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
-
-} // namespace
-
 Result<std::string> SigningStore::hashOf(SwingId id, int contents)
->>>>>>> 878a80e (Signed content carries a version: what was signed before holds under its own (schema 5, exchange 4))
 {
     const auto record = SwingStore(m_database).record(id);
     if (!record)
