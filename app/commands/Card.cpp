@@ -11,7 +11,7 @@
 #include "app/Tables.h"
 #include "app/commands/Command.h"
 #include "core/format/results/AnalysisJson.h"
-#include "ui/window/RecordDocuments.h"
+#include "ui/swing/RecordDocuments.h"
 
 namespace lubberline::app {
 

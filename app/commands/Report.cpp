@@ -5,7 +5,7 @@
 #include "app/QtSession.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
-#include "ui/window/RecordDocuments.h"
+#include "ui/swing/RecordDocuments.h"
 
 namespace lubberline::app {
 

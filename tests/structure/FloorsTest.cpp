@@ -184,6 +184,14 @@ TEST(Layers, coreKnowsNobody) { EXPECT_EQ(offences("core", "Q[A-Za-z]|qwt|sqlite
 TEST(Layers, databaseKnowsCoreOnly) { EXPECT_EQ(offences("db", "qwt|ui/|app/|QWidget|QApplication|QGui"), kNone); }
 TEST(Layers, windowWritesNoSql) { EXPECT_EQ(offences("ui", "QSql|QtSql|sqlite3|app/"), kNone); }
 TEST(Layers, appWritesNoSql) { EXPECT_EQ(offences("app", "QSql|QtSql|sqlite3|[Qq]wt"), kNone); }
+/// A new page is a folder and a line in the list of pages: nothing else of the window knows one.
+TEST(Layers, theWindowKnowsPagesByTheirListOnly)
+{
+    const auto found = offences("ui/window", "ui/(?!kit/)[a-z]+/[A-Za-z]*Page\\.h");
+    EXPECT_FALSE(found.empty()) << "the list of pages is looked for in the wrong place";
+    for (const auto& line : found)
+        EXPECT_TRUE(line.starts_with("ui/window/Pages.cpp ")) << line;
+}
 TEST(Layers, onlyPlotsUseQwt)
 {
     for (const auto& line : offences("ui", "[Qq]wt"))

@@ -29,7 +29,7 @@ const std::vector<OneWay> kWays = {
     {"machineClock", R"(machineClock\()", {"core/base/Clock.h", "core/base/Clock.cpp", "app/Paths.cpp", "db/engine/Database.cpp"}},
     // Besides: what could not be stored is appended, a line at once; a backup is written by SQLite, and put on the drive and in its place.
     {"writingFiles", R"(\bofstream|\bfopen\(|QSaveFile|QFile::rename|::rename\(|QIODevice::WriteOnly *\||\bmkstemp)",
-        {"core/base/OutputFile.cpp", "ui/window/Recovery.cpp", "db/transfer/Maintenance.cpp"}},
+        {"core/base/OutputFile.cpp", "ui/kit/Recovery.cpp", "db/transfer/Maintenance.cpp"}},
     {"threads", R"(QtConcurrent|QFutureWatcher|QThreadPool|QThread::create|public QThread\b|std::j?thread|std::async)",
         {"ui/kit/Worker.h", "ui/kit/Worker.cpp"}},
     {"askingForFiles", R"(QFileDialog\b)", {"ui/kit/Dialogs.h", "ui/kit/Dialogs.cpp"}},

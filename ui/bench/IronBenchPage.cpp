@@ -28,7 +28,7 @@ constexpr int kPatience_ms = 300;
 } // namespace
 
 IronBenchPage::IronBenchPage(EditContext& context, QUndoStack& stack, FileQuestions files, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_files(std::move(files))
     , m_stores(context.stores)
     , m_editor(new SensorEditor(context, stack, this))

@@ -3,10 +3,10 @@
 /// computed on a worker and stored with the compass as a sensor model, undoably.
 
 #include <QTimer>
-#include <QWidget>
 
 #include "core/iron/BenchModel.h"
 #include "ui/kit/FileQuestions.h"
+#include "ui/kit/Page.h"
 #include "ui/kit/Worker.h"
 #include "ui/sensor/SensorEditor.h"
 
@@ -21,7 +21,7 @@ class BenchDrawing;
 class BenchResults;
 class BenchTables;
 
-class IronBenchPage : public QWidget {
+class IronBenchPage : public Page {
     Q_OBJECT
 
 public:
@@ -35,9 +35,10 @@ public:
     /// What was computed last.
     [[nodiscard]] const std::optional<BenchModel>& result() const { return m_result; }
 
-signals:
-    void failed(const QString& message);
-    void readOut(const QString& text);
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] bool isOf(const FleetItem& record) const override;
+    [[nodiscard]] Shown shown() const override;
 
 private:
     void build();

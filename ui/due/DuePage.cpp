@@ -45,7 +45,7 @@ void plain(QTableWidget& table, const char* name, const QStringList& heads)
 } // namespace
 
 DuePage::DuePage(db::Stores& stores, std::function<std::string()> today, FileQuestions questions, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_stores(stores)
     , m_today(std::move(today))
     , m_questions(std::move(questions))

@@ -2,13 +2,12 @@
 /// What is due in the fleet: a list with filters, the waivers that answer events, the calendar rules, and the list as a
 /// calendar file.
 
-#include <QWidget>
-
 #include <functional>
 #include <memory>
 
 #include "ui/due/DueWork.h"
 #include "ui/kit/FileQuestions.h"
+#include "ui/kit/Page.h"
 
 class QComboBox;
 class QLabel;
@@ -20,7 +19,7 @@ namespace lubberline::ui {
 
 class DueRulesTable;
 
-class DuePage : public QWidget {
+class DuePage : public Page {
     Q_OBJECT
 
 public:
@@ -29,9 +28,11 @@ public:
     using QWidget::show;
     void show(std::shared_ptr<const DueNews> news);
 
+    static PageDescription description(PageContext& context);
+    [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
+
 signals:
     void openCompass(lubberline::AircraftId aircraft, lubberline::CompassId compass);
-    void failed(const QString& message);
     void done(const QString& message); ///< the calendar is written
 
 private:

@@ -63,7 +63,7 @@ bool hasPlace(const Site& site) { return site.latitude_deg && site.longitude_deg
 } // namespace
 
 EarthFieldPage::EarthFieldPage(db::Stores& stores, ChooseFile chooseFile, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_stores(stores)
     , m_chooseFile(std::move(chooseFile))
     , m_site(choice(QStringLiteral("fieldSite")))

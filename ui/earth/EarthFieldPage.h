@@ -1,13 +1,12 @@
 #pragma once
 
-#include <QWidget>
-
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "core/earth/FieldGrid.h"
 #include "core/record/Site.h"
+#include "ui/kit/Page.h"
 #include "ui/kit/Worker.h"
 
 class QComboBox;
@@ -25,7 +24,7 @@ class WorldFieldPlot;
 
 /// The Earth's field at a site or any other place, on a date, by a built-in model or one from a file; and a map of the world of
 /// one element with the place on it. It computes when it is shown; the map on a worker.
-class EarthFieldPage : public QWidget {
+class EarthFieldPage : public Page {
     Q_OBJECT
 
 public:
@@ -37,9 +36,9 @@ public:
     /// @param label  for the map; a site of that name is chosen in the list. An empty date is today.
     void showPlace(const QString& label, const Place& place, const QString& date);
 
-signals:
-    void failed(const QString& message);
-    void readOut(const QString& text);
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -48,7 +48,7 @@ QString verdictWords(const Prediction& prediction, const std::optional<LimitsPro
 
 } // namespace
 
-PredictionPage::PredictionPage(db::Stores& stores, QWidget* parent) : QWidget(parent), m_stores(stores)
+PredictionPage::PredictionPage(db::Stores& stores, QWidget* parent) : Page(parent), m_stores(stores)
 {
     build();
     showNothing(tr("Choose a swing, then the base that the aircraft moves to."));

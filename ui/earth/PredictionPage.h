@@ -1,13 +1,12 @@
 #pragma once
 /// What a compass will read at another base: from one swing between two extremes, or from its swings at several places.
 
-#include <QWidget>
-
 #include <optional>
 #include <vector>
 
 #include "core/swing/Prediction.h"
 #include "db/stores/Stores.h"
+#include "ui/kit/Page.h"
 
 class QComboBox;
 class QLabel;
@@ -18,7 +17,7 @@ namespace lubberline::ui {
 
 class PredictionPlot;
 
-class PredictionPage : public QWidget {
+class PredictionPage : public Page {
     Q_OBJECT
 
 public:
@@ -30,9 +29,8 @@ public:
     Result<void> showSwing(SwingId id);
     [[nodiscard]] const std::optional<Prediction>& prediction() const { return m_there; }
 
-signals:
-    void failed(const QString& message);
-    void readOut(const QString& text);
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
 
 private:
     void build();

@@ -90,7 +90,7 @@ QStringList electricalSteps(const FourPointTable& table)
 }
 
 ElectricalPage::ElectricalPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_stores(stores)
     , m_today(std::move(today))
     , m_fields([this](const ElectricalSwing& after, const QString&) { store(after); })

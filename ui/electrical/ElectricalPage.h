@@ -3,12 +3,11 @@
 /// that it must pass. Errors here are indicated − selected, as on the sheet; the deviation of the rest of the program is their
 /// negative.
 
-#include <QWidget>
-
 #include <functional>
 
 #include "db/stores/Stores.h"
 #include "ui/kit/FormField.h"
+#include "ui/kit/Page.h"
 
 class QComboBox;
 class QLabel;
@@ -19,7 +18,7 @@ namespace lubberline::ui {
 
 class SwingPlot;
 
-class ElectricalPage : public QWidget {
+class ElectricalPage : public Page {
     Q_OBJECT
 
 public:
@@ -27,10 +26,11 @@ public:
     ElectricalPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent = nullptr);
     Result<void> showCompass(CompassId compass);
 
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+
 signals:
     void makeSwing(const lubberline::Swing& swing);
-    void failed(const QString& message);
-    void readOut(const QString& text);
 
 private:
     void build();

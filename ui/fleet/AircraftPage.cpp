@@ -66,7 +66,7 @@ QString deviationText(std::optional<double> angle_deg) { return angle_deg ? sign
 } // namespace
 
 AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_context(context)
     , m_stack(stack)
     , m_aircraft([this](const Aircraft& after, const QString& field) {

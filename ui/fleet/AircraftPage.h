@@ -2,11 +2,10 @@
 /// One aircraft: particulars that are edited in place, its compasses with their limits, its events, the swings of a compass and
 /// its coefficients over the years.
 
-#include <QWidget>
-
 #include "core/record/FleetRows.h"
 #include "ui/kit/EditContext.h"
 #include "ui/kit/FormField.h"
+#include "ui/kit/Page.h"
 
 class QLabel;
 class QTableWidget;
@@ -18,7 +17,7 @@ namespace lubberline::ui {
 class HistoryPlot;
 class EventsPanel;
 
-class AircraftPage : public QWidget {
+class AircraftPage : public Page {
     Q_OBJECT
 
 public:
@@ -32,10 +31,14 @@ public:
     [[nodiscard]] AircraftId aircraft() const { return m_aircraft.record().id; }
     [[nodiscard]] CompassId compass() const { return m_compass.record().id; }
 
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] bool isOf(const FleetItem& record) const override;
+    [[nodiscard]] Shown shown() const override;
+    [[nodiscard]] std::vector<FleetItem> path() const override;
+
 signals:
     void swingChosen(lubberline::SwingId id);
-    void readOut(const QString& text);
-    void failed(const QString& message);
 
 private:
     QWidget* buildAircraftForm();
@@ -64,6 +67,7 @@ private:
     std::vector<CompassRow> m_compasses;
     std::vector<LimitsProfile> m_profiles;
     std::vector<SwingId> m_listed;
+    FleetItem m_asked; ///< a compass, or the aircraft as a whole
 };
 
 } // namespace lubberline::ui

@@ -6,16 +6,13 @@
 
 #include <map>
 #include <memory>
-#include <variant>
 #include <vector>
 
 #include "core/due/DueList.h"
 #include "db/stores/Stores.h"
+#include "ui/kit/Destination.h"
 
 namespace lubberline::ui {
-
-/// What a line of the tree stands for.
-using FleetItem = std::variant<std::monostate, AircraftTypeId, AircraftId, CompassId, SwingId>;
 
 class FleetModel : public QAbstractItemModel {
     Q_OBJECT

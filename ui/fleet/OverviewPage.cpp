@@ -38,7 +38,7 @@ QTableWidgetItem* fixedItem(const QString& text)
 } // namespace
 
 OverviewPage::OverviewPage(db::Stores& stores, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_stores(stores)
     , m_title(largeLabel(QStringLiteral("overviewTitle"), 1.5))
     , m_counts(largeLabel(QStringLiteral("overviewCounts"), 1.1))

@@ -1,16 +1,15 @@
 #pragma once
 /// The whole fleet, or one type: how many, what is out of limits, and how to go on.
 
-#include <QWidget>
-
 #include "db/stores/Stores.h"
+#include "ui/kit/Page.h"
 
 class QLabel;
 class QTableWidget;
 
 namespace lubberline::ui {
 
-class OverviewPage : public QWidget {
+class OverviewPage : public Page {
     Q_OBJECT
 
 public:
@@ -21,11 +20,15 @@ public:
     /// Asks storage again for what is shown.
     void refresh();
 
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
+    void fleetChanged() override { refresh(); }
+
 signals:
     void aircraftChosen(lubberline::AircraftId id);
     void newSwingWanted();
     void importWanted();
-    void failed(const QString& message);
 
 private:
     void fillFleet(const std::vector<TypeRow>& types);

@@ -24,7 +24,7 @@ QCommandLinkButton* choice(const QString& name, const QString& title, const QStr
 
 } // namespace
 
-StartPage::StartPage(QWidget* parent) : QWidget(parent)
+StartPage::StartPage(QWidget* parent) : Page(parent)
 {
     auto* title = new QLabel(tr("Compass swings, from the readings to the correction card"));
     QFont large = title->font();

@@ -29,7 +29,7 @@ constexpr int kWide_px = 900;
 } // namespace
 
 GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_stores(stores)
     , m_nowUtc(std::move(nowUtc))
     , m_work(new QWidget)

@@ -1,12 +1,11 @@
 #pragma once
 /// A swing on the ramp, one step a page, for cold hands: everything by keyboard, everything stored before it counts.
 
-#include <QWidget>
-
 #include <functional>
 
 #include "db/stores/Stores.h"
 #include "ui/guided/GuidedJob.h"
+#include "ui/kit/Page.h"
 
 class QLabel;
 class QLineEdit;
@@ -23,7 +22,7 @@ class LivePanel;
 class StationStrip;
 class SwingPlot;
 
-class GuidedPage : public QWidget {
+class GuidedPage : public Page {
     Q_OBJECT
 
 public:
@@ -42,10 +41,12 @@ public:
     void showLive(bool shown);
     [[nodiscard]] LivePanel& live() { return *m_live; }
 
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+
 signals:
     void finished(lubberline::SwingId swing); ///< the records are made
     void cancelled();
-    void failed(const QString& message);
     /// A step that could not be stored: (swing, how many were known, step): to be kept elsewhere.
     void notStored(lubberline::SwingId swing, std::size_t place, const lubberline::JobEvent& event);
 

@@ -54,7 +54,7 @@ Error missing(const QString& message) { return {ErrorCode::InvalidInput, said(me
 } // namespace
 
 NewSwingPage::NewSwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_context(context)
     , m_stack(stack)
     , m_type(typedChoice(QStringLiteral("newType"), tr("pick or type, as Su-22")))

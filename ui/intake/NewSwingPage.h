@@ -1,10 +1,9 @@
 #pragma once
 /// Asks for what a swing must have before its first reading: the aircraft and its compass, picked or typed anew.
 
-#include <QWidget>
-
 #include "core/record/FleetRows.h"
 #include "ui/kit/EditContext.h"
+#include "ui/kit/Page.h"
 
 class QComboBox;
 class QLabel;
@@ -14,7 +13,7 @@ class QUndoStack;
 
 namespace lubberline::ui {
 
-class NewSwingPage : public QWidget {
+class NewSwingPage : public Page {
     Q_OBJECT
 
 public:
@@ -22,6 +21,9 @@ public:
 
     /// Opens with what the window shows already chosen; a compass or aircraft that is not valid is left open.
     void begin(AircraftId aircraft, CompassId compass);
+
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
 
 signals:
     void created(lubberline::SwingId id);

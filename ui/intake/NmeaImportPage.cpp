@@ -77,7 +77,7 @@ QString cutWords(const NmeaSwing& read, const NmeaOptions& options)
 } // namespace
 
 NmeaImportPage::NmeaImportPage(db::Stores& stores, FileQuestions questions, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_stores(stores)
     , m_questions(std::move(questions))
     , m_title(new QLabel)

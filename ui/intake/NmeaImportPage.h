@@ -1,13 +1,12 @@
 #pragma once
 /// A log of a slow turn as a swing: what of it is used, what is cut off and why, and the curve that it gives.
 
-#include <QWidget>
-
 #include <memory>
 
 #include "core/nmea/NmeaSwing.h"
 #include "db/stores/Stores.h"
 #include "ui/kit/FileQuestions.h"
+#include "ui/kit/Page.h"
 #include "ui/kit/Worker.h"
 
 class QComboBox;
@@ -19,7 +18,7 @@ namespace lubberline::ui {
 
 class SwingPlot;
 
-class NmeaImportPage : public QWidget {
+class NmeaImportPage : public Page {
     Q_OBJECT
 
 public:
@@ -29,10 +28,11 @@ public:
     Result<void> showCompass(CompassId compass);
     void readLog(const QString& path);
 
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+
 signals:
     void makeSwing(const lubberline::Swing& swing);
-    void failed(const QString& message);
-    void readOut(const QString& text);
 
 private:
     void build();

@@ -4,6 +4,7 @@
 
 #include <QUndoCommand>
 
+#include "ui/kit/Destination.h"
 #include "ui/kit/EditContext.h"
 
 namespace lubberline::ui {
@@ -25,6 +26,15 @@ public:
     [[nodiscard]] virtual SwingId swing() const { return {}; }
     [[nodiscard]] virtual AircraftId aircraft() const { return {}; }
     [[nodiscard]] virtual CompassId sensorsOf() const { return {}; } ///< its sensor models
+    /// Where that is seen; no page and no record: nowhere.
+    [[nodiscard]] Destination seenAt() const
+    {
+        if (sensorsOf().valid())
+            return {QStringLiteral("sensor"), sensorsOf()};
+        if (swing().valid())
+            return {{}, swing()};
+        return aircraft().valid() ? Destination{{}, aircraft()} : Destination{};
+    }
 
 protected:
     virtual Result<void> apply() = 0;

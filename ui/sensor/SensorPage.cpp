@@ -29,7 +29,7 @@ constexpr int kFrame_ms = 16;
 } // namespace
 
 SensorPage::SensorPage(EditContext& context, QUndoStack& stack, FileQuestions files, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_context(context)
     , m_files(files)
     , m_editor(new SensorEditor(context, stack, this))

@@ -3,11 +3,11 @@
 /// causes.
 
 #include <QTimer>
-#include <QWidget>
 
 #include "core/record/Site.h"
 #include "ui/kit/EditContext.h"
 #include "ui/kit/FileQuestions.h"
+#include "ui/kit/Page.h"
 #include "ui/sensor/SensorPictures.h"
 
 class QLabel;
@@ -24,7 +24,7 @@ class SensorForm;
 class SensorMaps;
 class SmithTermsPanel;
 
-class SensorPage : public QWidget {
+class SensorPage : public Page {
     Q_OBJECT
 
 public:
@@ -38,9 +38,12 @@ public:
     /// What the maps show; none before the page is seen, and where the field does not exist.
     [[nodiscard]] const std::optional<ModelView>& view() const { return m_view; }
 
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] bool isOf(const FleetItem& record) const override;
+    [[nodiscard]] Shown shown() const override;
+
 signals:
-    void failed(const QString& message);
-    void readOut(const QString& text);
     void benchWanted(lubberline::CompassId compass);
 
 protected:

@@ -51,7 +51,7 @@ QString datumExample(const DatumInstrument& instrument)
 }
 
 InstrumentsPage::InstrumentsPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_stores(stores)
     , m_today(std::move(today))
     , m_fields([this](const DatumInstrument& after, const QString&) {

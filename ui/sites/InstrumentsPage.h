@@ -1,12 +1,11 @@
 #pragma once
 /// The datum instruments, and what their figures mean, with an example that makes a wrong setting obvious.
 
-#include <QWidget>
-
 #include <functional>
 
 #include "db/stores/Stores.h"
 #include "ui/kit/FormField.h"
+#include "ui/kit/Page.h"
 
 class QLabel;
 class QListWidget;
@@ -19,7 +18,7 @@ namespace lubberline::ui {
 /// What the instrument's setting makes of a figure: "It reads 358 from ahead: the aircraft heads 178 magnetic."
 [[nodiscard]] QString datumExample(const DatumInstrument& instrument);
 
-class InstrumentsPage : public QWidget {
+class InstrumentsPage : public Page {
     Q_OBJECT
 
 public:
@@ -27,8 +26,9 @@ public:
     InstrumentsPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent = nullptr);
     void reload();
 
-signals:
-    void failed(const QString& message);
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
 
 private:
     void build();

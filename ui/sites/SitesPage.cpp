@@ -97,7 +97,7 @@ Result<SurveyPoint> pointOf(const QStringList& cells)
 } // namespace
 
 SitesPage::SitesPage(EditContext& context, QUndoStack& stack, std::function<std::string()> today, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_context(context)
     , m_stack(stack)
     , m_today(std::move(today))

@@ -1,12 +1,11 @@
 #pragma once
 /// Compass bases: where they are, their class and certificate, what is painted there, and how they were surveyed.
 
-#include <QWidget>
-
 #include <functional>
 
 #include "ui/kit/EditContext.h"
 #include "ui/kit/FormField.h"
+#include "ui/kit/Page.h"
 
 class QLabel;
 class QListWidget;
@@ -18,7 +17,7 @@ namespace lubberline::ui {
 
 class SurveyDrawing;
 
-class SitesPage : public QWidget {
+class SitesPage : public Page {
     Q_OBJECT
 
 public:
@@ -26,8 +25,9 @@ public:
     SitesPage(EditContext& context, QUndoStack& stack, std::function<std::string()> today, QWidget* parent = nullptr);
     void reload();
 
-signals:
-    void failed(const QString& message);
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
 
 private:
     void build();

@@ -25,7 +25,7 @@
 namespace lubberline::ui {
 
 SwingPage::SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
-    : QWidget(parent)
+    : Page(parent)
     , m_context(context)
     , m_editor(new SwingEditor(context, stack, this))
     , m_model(new ReadingsModel(*m_editor, this))

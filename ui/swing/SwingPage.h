@@ -2,10 +2,10 @@
 /// One swing: its readings beside its plots, coefficients underneath, and what they mean. Everything follows every stored cell.
 
 #include <QByteArray>
-#include <QWidget>
 
 #include "core/angle/AngleText.h"
 #include "ui/kit/EditContext.h"
+#include "ui/kit/Page.h"
 
 class QLabel;
 class QPushButton;
@@ -24,7 +24,7 @@ class SigningPanel;
 class SwingEditor;
 class SwingParticulars;
 
-class SwingPage : public QWidget {
+class SwingPage : public Page {
     Q_OBJECT
 
 public:
@@ -32,7 +32,7 @@ public:
 
     /// Errors: those of SwingStore::record(); what was shown stays then.
     Result<void> showSwing(SwingId id);
-    void setAngleStyle(AngleStyle style);
+    void setAngleStyle(AngleStyle style) override;
 
     /// How people have set it out: what the page of another swing takes over.
     struct Look {
@@ -48,6 +48,13 @@ public:
     [[nodiscard]] bool rowSelected() const; ///< a reading, not the empty row
     void focusReadings();
 
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] bool isOf(const FleetItem& record) const override;
+    [[nodiscard]] Shown shown() const override;
+    [[nodiscard]] std::vector<FleetItem> path() const override;
+    void takeLook(const Page& before) override;
+
 public slots:
     void insertRow(); ///< before the current one
     void deleteRows();
@@ -58,11 +65,8 @@ public slots:
     void openSigning(); ///< the panel, with the cursor in it
 
 signals:
-    void readOut(const QString& text);
-    void failed(const QString& message);
     void openSwing(lubberline::SwingId id); ///< another one is to be shown
     void closed();                          ///< the swing that was shown is no more
-    void stateChanged();                    ///< another swing, record or row: actions may be enabled otherwise now
 
 private:
     void build();

@@ -8,26 +8,27 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
-#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "ui/bench/IronBenchPage.h"
-#include "ui/fleet/AircraftPage.h"
+#include "ui/due/DueWatch.h"
 #include "ui/fleet/FleetPanel.h"
-#include "ui/fleet/OverviewPage.h"
-#include "ui/fleet/StartPage.h"
+#include "ui/fleet/RecordEdits.h"
 #include "ui/intake/ImportPanels.h"
-#include "ui/intake/NewSwingPage.h"
 #include "ui/kit/MessagePanel.h"
 #include "ui/kit/Theme.h"
 #include "ui/kit/Words.h"
-#include "ui/sensor/SensorPage.h"
-#include "ui/swing/SwingEditor.h"
-#include "ui/swing/SwingPage.h"
+#include "ui/window/PageStack.h"
+#include "ui/window/Pages.h"
 
 namespace lubberline::ui {
+
+namespace {
+
+constexpr int kDueDelay_ms = 300; // many changes at once are looked at once
+
+}
 
 MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     : m_stores(stores)
@@ -40,10 +41,11 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     , m_recovery(m_services.recoveryFiles)
     , m_transfer([this](const Result<TransferOutcome>& outcome) { finishTransfer(outcome); },
           [this](int percent) { m_progress->setPercent(percent); })
+    , m_dueWatch(new DueWatch(
+          stores, [this] { return m_stores.clock().today(); }, this))
+    , m_pageContext(contextOfPages())
 {
     applyTheme(m_services.settings.value("view/dark", false).toBool());
-    if (m_services.settings.value("view/minutes", false).toBool())
-        m_style = AngleStyle::DegreesMinutes;
     setWindowTitle(tr("%1 – Lubberline").arg(QFileInfo(stores.location()).fileName()));
     setWindowIcon(icon("lubberline"));
     setAcceptDrops(true);
@@ -59,7 +61,27 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     connect(m_naming, &NamingStrip::named, this, &MainWindow::importFile);
 }
 
-MainWindow::~MainWindow() = default;
+/// Pages go while what they are made of is still there.
+MainWindow::~MainWindow() { delete m_pages; }
+
+PageContext MainWindow::contextOfPages()
+{
+    const FileQuestions files{
+        [this](const QString& title, const QString& filter) { return m_services.dialogs.openFile(this, title, filter); },
+        [this](const QString& title, const QString& suggestion, const QString& filter) { return askToSave(title, suggestion, filter); }};
+    PageContext context{m_stores, m_context, m_stack, m_services.settings, m_services.dialogs, *this, files};
+    context.due = m_dueWatch;
+    context.go = [this](const Destination& destination) { navigate(destination); };
+    context.goBack = [this](const QString& page) { goBack(page); };
+    context.say = [this](const QString& message) { m_messages->add(MessagePanel::Kind::Information, message); };
+    context.fail = [this](const QString& message) { fail(message); };
+    context.makeSwing = [this](Swing swing) { makeSwing(std::move(swing)); };
+    context.keep = [this](const SwingRecord& record, std::variant<LostStep, LostReading> what) { keepElsewhere(record, std::move(what)); };
+    context.leaveField = [this] { leaveField(); };
+    context.chooseImport = [this] { chooseImport(); };
+    context.openDemonstration = [this] { m_services.openDemonstration(); };
+    return context;
+}
 
 void MainWindow::buildParts()
 {
@@ -71,14 +93,25 @@ void MainWindow::buildParts()
     addDockWidget(Qt::LeftDockWidgetArea, dock);
     resizeDocks({dock}, {296}, Qt::Horizontal);
     connect(m_fleet, &FleetPanel::itemChosen, this, &MainWindow::go);
-    connect(m_fleet, &FleetPanel::itemOpened, this, [this] { m_pages->currentWidget()->setFocus(); });
+    connect(m_fleet, &FleetPanel::itemOpened, this, [this] { m_pages->current().setFocus(); });
     connect(m_fleet, &FleetPanel::failed, this, &MainWindow::fail);
+    buildCentre();
+}
 
+void MainWindow::buildCentre()
+{
     m_messages = new MessagePanel;
     m_progress = new ProgressStrip;
     m_naming = new NamingStrip;
-    m_pages = new QStackedWidget;
-    m_pages->addWidget(new QWidget); // nothing yet: what to show is asked after the first paint
+    m_pages = new PageStack(m_pageContext, allPages(m_pageContext));
+    m_pages->setAngleStyle(
+        m_services.settings.value("view/minutes", false).toBool() ? AngleStyle::DegreesMinutes : AngleStyle::DecimalDegrees);
+    connect(m_pages, &PageStack::failed, this, &MainWindow::fail);
+    connect(m_pages, &PageStack::stateChanged, this, &MainWindow::updateActions);
+    connect(m_pages, &PageStack::turned, this, [this] {
+        m_readOut->clear();
+        updateActions();
+    });
     auto* central = new QWidget;
     auto* layout = new QVBoxLayout(central);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -96,6 +129,7 @@ void MainWindow::buildStatusBar()
     m_saved->setObjectName(QStringLiteral("savedLabel"));
     m_readOut = new QLabel;
     m_readOut->setObjectName(QStringLiteral("readOut"));
+    connect(m_pages, &PageStack::readOut, m_readOut, &QLabel::setText);
     statusBar()->addWidget(m_saved);
     statusBar()->addPermanentWidget(m_readOut);
     showSaved(true);
@@ -123,226 +157,103 @@ void MainWindow::populate()
 {
     m_fleet->populate();
     m_fleet->focusTree();
-    showHome();
+    navigate({});
     watchDue();
     offerRecovery();
     if (m_stores.readOnly())
         m_messages->add(MessagePanel::Kind::Information, tr("This database can only be read: nothing can be changed here."));
 }
 
-void MainWindow::showHome()
-{
-    const auto totals = m_stores.fleet.totals();
-    if (!totals) {
-        fail(messageOf(totals.error()));
-        return;
-    }
-    if (totals->aircraft == 0) {
-        turnTo(startPage());
-        startPage().setFocus();
-        return;
-    }
-    overviewPage().showFleet();
-    turnTo(overviewPage());
-}
-
 void MainWindow::leaveField()
 {
     if (QWidget* typing = focusWidget(); typing && m_pages->isAncestorOf(typing)) {
         typing->clearFocus();
-        m_pages->currentWidget()->setFocus();
+        m_pages->current().setFocus();
     }
 }
 
-void MainWindow::go(const FleetItem& item)
+void MainWindow::go(const FleetItem& item) { navigate({{}, item}); }
+
+void MainWindow::navigate(const Destination& destination)
 {
     leaveField();
-    if (const auto* swing = std::get_if<SwingId>(&item))
-        showSwing(*swing);
-    else if (const auto* compass = std::get_if<CompassId>(&item)) {
-        if (const auto record = m_stores.fleet.compass(*compass))
-            showAircraft(record->aircraft, *compass);
-        else
-            fail(messageOf(record.error()));
-    } else if (const auto* aircraft = std::get_if<AircraftId>(&item))
-        showAircraft(*aircraft, {});
-    else if (const auto* type = std::get_if<AircraftTypeId>(&item)) {
-        overviewPage().showType(*type);
-        turnTo(overviewPage());
-    } else
-        showHome();
-}
-
-void MainWindow::showSwing(SwingId id)
-{
-    if (guidedOpen(id)) {
-        takeUpGuided(id);
-        return;
-    }
-    const bool same = m_swingPage && m_swingPage->editor().id() == id;
-    const auto look = m_swingPage ? m_swingPage->look() : SwingPage::Look();
-    if (!showOn(
-            m_swingPage, same, [this] { return makeSwingPage(); }, [id](SwingPage& page) { return page.showSwing(id); }))
-        return;
-    if (!same)
-        m_swingPage->setLook(look);
-    const SwingRecord& record = m_swingPage->editor().record();
-    m_fleet->select({record.type.id, record.aircraft.id, record.compass.id, record.swing.id});
-}
-
-void MainWindow::showAircraft(AircraftId id, CompassId compass)
-{
-    const bool same = m_aircraftPage && m_aircraftPage->aircraft() == id;
-    if (!showOn(
-            m_aircraftPage, same, [this] { return makeAircraftPage(); },
-            [id, compass](AircraftPage& page) { return page.showAircraft(id, compass); }))
-        return;
-    if (const auto record = m_stores.fleet.aircraft(id)) {
-        std::vector<FleetItem> path{record->type, id};
-        if (compass.valid())
-            path.emplace_back(compass);
+    if (const auto shown = m_pages->show(destination); !shown)
+        fail(messageOf(shown.error()));
+    else if (const auto path = m_pages->current().path(); !path.empty())
         m_fleet->select(path);
-    }
 }
 
-void MainWindow::showNewSwing()
+void MainWindow::goBack(const QString& page)
 {
-    const AircraftId aircraft = aircraftShown();
-    const CompassId compass = compassShown();
-    showOn(
-        m_newSwingPage, false, [this] { return makeNewSwingPage(); },
-        [aircraft, compass](NewSwingPage& page) {
-            page.begin(aircraft, compass);
-            return Result<void>();
-        });
-    m_newSwingPage->setFocus();
+    if (!m_pages->showAsLeft(page))
+        navigate({});
 }
 
-void MainWindow::turnTo(QWidget& page)
+Shown MainWindow::shown() const
 {
-    m_pages->setCurrentWidget(&page);
-    m_readOut->clear();
-    updateActions();
+    Shown shown = m_pages->current().shown();
+    shown.writable = !m_stores.readOnly();
+    return shown;
 }
 
-/// It may be in the middle of telling us something, so it goes when it has done.
-void MainWindow::retire(QWidget* page)
-{
-    if (!page)
-        return;
-    m_pages->removeWidget(page);
-    page->setParent(nullptr);
-    page->disconnect(this);
-    page->deleteLater();
-}
-
-void MainWindow::failWith(const Error& error) { fail(messageOf(error)); }
-
-void MainWindow::afterFleetChange()
-{
-    QWidget* shown = m_pages->currentWidget();
-    if (shown == m_startPage && m_startPage)
-        showHome();
-    else if (shown == m_overviewPage && m_overviewPage)
-        m_overviewPage->refresh();
-}
-
-void MainWindow::leaveRemovedSwing()
-{
-    if (m_aircraftPage && m_aircraftPage->aircraft().valid())
-        turnTo(*m_aircraftPage);
-    else
-        showHome();
-}
+void MainWindow::afterFleetChange() { m_pages->current().fleetChanged(); }
 
 void MainWindow::fail(const QString& message) { m_messages->add(MessagePanel::Kind::Failure, message); }
 
-SwingPage* MainWindow::makeSwingPage()
+/// Found on a worker after the first paint, and whenever something changed.
+void MainWindow::watchDue()
 {
-    auto* page = new SwingPage(m_context, m_stack);
-    page->setAngleStyle(m_style);
-    connect(page, &SwingPage::readOut, m_readOut, &QLabel::setText);
-    connect(page, &SwingPage::failed, this, &MainWindow::fail);
-    connect(page, &SwingPage::stateChanged, this, &MainWindow::updateActions);
-    connect(&page->editor(), &SwingEditor::notStored, this, [this, page](int row, const Reading& wanted) {
-        keepElsewhere(page->editor().record(), LostReading{row, wanted});
-    });
-    connect(page, &SwingPage::openSwing, this, [this](SwingId id) { showSwing(id); });
-    connect(page, &SwingPage::closed, this, [this, page] {
-        if (m_pages->currentWidget() == page)
-            leaveRemovedSwing();
-    });
-    return page;
+    auto* soon = new QTimer(this);
+    soon->setSingleShot(true);
+    soon->setInterval(kDueDelay_ms);
+    connect(soon, &QTimer::timeout, m_dueWatch, &DueWatch::start);
+    for (const auto signal : {&db::Changes::fleetChanged, &db::Changes::dueChanged, &db::Changes::sitesChanged})
+        connect(&m_stores.changes(), signal, soon, qOverload<>(&QTimer::start));
+    connect(m_dueWatch, &DueWatch::failed, this, &MainWindow::fail);
+    connect(m_dueWatch, &DueWatch::ready, this, [this] { m_fleet->showDue(m_dueWatch->news()->lines, m_dueWatch->news()->due()); });
+    connect(m_fleet, &FleetPanel::dueWanted, this, [this] { navigate({"due"}); });
+    soon->start();
 }
 
-AircraftPage* MainWindow::makeAircraftPage()
+/// What could not be stored when the drive failed is put in when the user says so.
+void MainWindow::offerRecovery()
 {
-    auto* page = new AircraftPage(m_context, m_stack);
-    connect(page, &AircraftPage::swingChosen, this, &MainWindow::showSwing);
-    connect(page, &AircraftPage::readOut, m_readOut, &QLabel::setText);
-    connect(page, &AircraftPage::failed, this, &MainWindow::fail);
-    return page;
+    const auto lost = m_recovery.entriesFor(m_stores.location());
+    if (lost.empty() || m_stores.readOnly())
+        return;
+    QStringList subjects;
+    for (const auto& entry : lost)
+        if (!subjects.contains(toText(entry.subject)))
+            subjects += toText(entry.subject);
+    m_messages->add(MessagePanel::Kind::Failure,
+        tr("%n figures or steps could not be stored last time and were kept: %1.", nullptr, static_cast<int>(lost.size()))
+            .arg(subjects.join(QStringLiteral("; "))),
+        tr("Put them in"), [this] {
+            const auto restored = m_recovery.restore(m_stores);
+            if (restored.done > 0)
+                m_messages->add(MessagePanel::Kind::Information, tr("%n were put in.", nullptr, restored.done));
+            for (const QString& failure : restored.failures)
+                fail(failure);
+        });
 }
 
-OverviewPage& MainWindow::overviewPage()
+void MainWindow::keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what)
 {
-    if (m_overviewPage)
-        return *m_overviewPage;
-    m_overviewPage = new OverviewPage(m_stores);
-    m_pages->addWidget(m_overviewPage);
-    connect(m_overviewPage, &OverviewPage::aircraftChosen, this, [this](AircraftId id) { showAircraft(id, {}); });
-    connect(m_overviewPage, &OverviewPage::newSwingWanted, this, &MainWindow::showNewSwing);
-    connect(m_overviewPage, &OverviewPage::importWanted, this, &MainWindow::chooseImport);
-    connect(m_overviewPage, &OverviewPage::failed, this, &MainWindow::fail);
-    return *m_overviewPage;
+    const LostEntry entry{m_stores.location().toStdString(), record.swing.id, record.swing.record,
+        record.aircraft.registration + ", " + record.compass.name + ", " + record.swing.date, std::move(what)};
+    if (const auto kept = m_recovery.keep(entry); kept)
+        m_messages->add(MessagePanel::Kind::Information, tr("What could not be stored is kept and offered at the next start."));
+    else
+        fail(messageOf(kept.error()));
 }
 
-StartPage& MainWindow::startPage()
+void MainWindow::makeSwing(Swing swing)
 {
-    if (m_startPage)
-        return *m_startPage;
-    m_startPage = new StartPage;
-    m_pages->addWidget(m_startPage);
-    connect(m_startPage, &StartPage::demonstrationWanted, this, [this] { m_services.openDemonstration(); });
-    connect(m_startPage, &StartPage::importWanted, this, &MainWindow::chooseImport);
-    connect(m_startPage, &StartPage::newSwingWanted, this, &MainWindow::showNewSwing);
-    return *m_startPage;
-}
-
-NewSwingPage* MainWindow::makeNewSwingPage()
-{
-    auto* page = new NewSwingPage(m_context, m_stack);
-    connect(page, &NewSwingPage::created, this, [this](SwingId id) {
-        showSwing(id);
-        m_swingPage->focusReadings();
-    });
-    connect(page, &NewSwingPage::cancelled, this, [this] {
-        if (m_swingPage && m_swingPage->editor().id().valid())
-            turnTo(*m_swingPage);
-        else
-            showHome();
-    });
-    return page;
-}
-
-bool MainWindow::swingShown() const { return m_swingPage && m_pages->currentWidget() == m_swingPage && m_swingPage->editor().id().valid(); }
-
-AircraftId MainWindow::aircraftShown() const
-{
-    if (swingShown())
-        return m_swingPage->editor().record().aircraft.id;
-    return m_aircraftPage && m_pages->currentWidget() == m_aircraftPage ? m_aircraftPage->aircraft() : AircraftId();
-}
-
-CompassId MainWindow::compassShown() const
-{
-    if (swingShown())
-        return m_swingPage->editor().record().compass.id;
-    if (m_sensorPage && m_pages->currentWidget() == m_sensorPage)
-        return m_sensorPage->compass();
-    if (m_ironBenchPage && m_pages->currentWidget() == m_ironBenchPage)
-        return m_ironBenchPage->compass();
-    return m_aircraftPage && m_pages->currentWidget() == m_aircraftPage ? m_aircraftPage->compass() : CompassId();
+    auto* edit = new MakeSwing(m_context, std::move(swing), MakeSwing::Direction::Make, tr("new swing"));
+    const int command = m_stack.index();
+    m_stack.push(edit);
+    if (m_stack.index() > command) // storage has not refused it
+        showEdited(command);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

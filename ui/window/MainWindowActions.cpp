@@ -7,84 +7,114 @@
 #include <QSettings>
 #include <QToolBar>
 
+#include <algorithm>
+#include <map>
+
 #include "ui/fleet/FleetPanel.h"
 #include "ui/kit/Edit.h"
 #include "ui/kit/MessagePanel.h"
 #include "ui/kit/Theme.h"
-#include "ui/plots/swing/SwingPlot.h"
-#include "ui/swing/NominalLayout.h"
-#include "ui/swing/PlotTabs.h"
-#include "ui/swing/SwingEditor.h"
-#include "ui/swing/SwingPage.h"
 #include "ui/window/MainWindow.h"
+#include "ui/window/PageStack.h"
 
 namespace lubberline::ui {
 
-QAction* MainWindow::addCommand(
-    QMenu& menu, const QString& text, const QKeySequence& keys, const std::function<void()>& act, const QString& name)
+QAction* MainWindow::addCommand(QMenu& menu, const Command& command)
 {
-    auto* action = menu.addAction(text);
-    action->setShortcut(keys);
-    action->setObjectName(name);
-    connect(action, &QAction::triggered, this, act);
+    auto* action = menu.addAction(command.text);
+    action->setShortcut(command.keys);
+    action->setObjectName(command.name);
+    connect(action, &QAction::triggered, this, [this, act = command.act] { act(m_pages->current()); });
+    if (command.needs)
+        m_needs.emplace_back(action, command.needs);
     return action;
+}
+
+/// In the order of their places, with a line between hundreds.
+void MainWindow::addCommands(QMenu& menu, const std::vector<Command>& commands)
+{
+    std::map<QString, QMenu*> submenus;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        const Command& command = commands[i];
+        if (i > 0 && command.place / 100 != commands[i - 1].place / 100)
+            menu.addSeparator();
+        QMenu* place = &menu;
+        if (!command.submenu.isEmpty()) {
+            QMenu*& submenu = submenus[command.submenu];
+            if (!submenu)
+                submenu = menu.addMenu(command.submenu);
+            place = submenu;
+        }
+        addCommand(*place, command);
+    }
 }
 
 void MainWindow::buildActions()
 {
-    buildFileMenu();
-    buildEditMenu();
-    buildSwingMenu();
-    buildFleetMenu();
-    buildModelMenu();
-    buildViewMenu();
-    buildHelpMenu();
+    std::map<MenuId, std::vector<Command>> commands;
+    for (const Command& command : ownCommands())
+        commands[command.menu].push_back(command);
+    for (const PageDescription& page : m_pages->descriptions())
+        for (const Command& command : page.commands)
+            commands[command.menu].push_back(command);
+    const std::pair<MenuId, QString> menus[] = {{MenuId::File, tr("&File")}, {MenuId::Edit, tr("&Edit")}, {MenuId::Swing, tr("&Swing")},
+        {MenuId::Fleet, tr("F&leet")}, {MenuId::Model, tr("&Model")}, {MenuId::View, tr("&View")}, {MenuId::Help, tr("&Help")}};
+    for (const auto& [id, title] : menus) {
+        QMenu& menu = *menuBar()->addMenu(title);
+        auto& own = commands[id];
+        std::stable_sort(own.begin(), own.end(), [](const Command& a, const Command& b) { return a.place < b.place; });
+        addCommands(menu, own);
+        if (id == MenuId::Edit)
+            buildEditMenu(menu);
+        if (id == MenuId::View)
+            addViewChoices(menu);
+    }
     buildToolBar();
     updateActions();
 }
 
-void MainWindow::buildFileMenu()
+/// Those that are of no page.
+std::vector<Command> MainWindow::ownCommands()
 {
-    auto& menu = *menuBar()->addMenu(tr("&File"));
-    m_writingActions += addCommand(
-        menu, tr("&New swing"), QKeySequence::New, [this] { showNewSwing(); }, "newSwing");
-    m_writingActions += addCommand(
-        menu, tr("&Import…"), tr("Ctrl+I"), [this] { chooseImport(); }, "import");
-    auto& exports = *menu.addMenu(tr("&Export exchange file"));
-    addCommand(
-        exports, tr("This &aircraft…"), {}, [this] { exportExchange(false); }, "exportAircraft");
-    addCommand(
-        exports, tr("The whole &fleet…"), {}, [this] { exportExchange(true); }, "exportFleet");
+    const QString exports = tr("&Export exchange file");
+    std::vector<Command> commands{
+        {MenuId::File, 110, tr("&Import…"), tr("Ctrl+I"), "import", [this](Page&) { chooseImport(); }, needsWriting},
+        {MenuId::File, 120, tr("This &aircraft…"), {}, "exportAircraft", [this](Page&) { exportExchange(false); }, needsAircraft, exports},
+        {MenuId::File, 121, tr("The whole &fleet…"), {}, "exportFleet", [this](Page&) { exportExchange(true); }, nullptr, exports},
+        {MenuId::File, 900, tr("&Quit"), QKeySequence::Quit, "quit", [this](Page&) { close(); }},
+        {MenuId::Fleet, 140, tr("&Search everything"), QKeySequence::Find, "search", [this](Page&) { m_fleet->focusSearch(); }},
+        {MenuId::Fleet, 150, tr("Go to the &tree"), tr("Ctrl+T"), "focusTree", [this](Page&) { m_fleet->focusTree(); }},
+    };
     if (m_services.backup)
-        addCommand(
-            menu, tr("&Back up the database…"), {}, [this] { backUp(); }, "backup");
-    menu.addSeparator();
-    m_swingActions += addCommand(
-        menu, tr("&Report…"), tr("Ctrl+R"), [this] { writeReportFile(); }, "report");
-    m_swingActions += addCommand(
-        menu, tr("&Print preview of the report…"), QKeySequence::Print, [this] { previewReport(); }, "printReport");
-    m_swingActions += addCommand(
-        menu, tr("Correction &card, every 30°…"), tr("Ctrl+K"), [this] { writeCardFile(30); }, "card30");
-    m_swingActions += addCommand(
-        menu, tr("Correction card, every &45°…"), tr("Ctrl+Shift+K"), [this] { writeCardFile(45); }, "card45");
-    m_swingActions += addCommand(
-        menu, tr("Print preview of the car&d…"), tr("Ctrl+Shift+P"), [this] { previewCard(); }, "printCard");
-    m_swingActions += addCommand(
-        menu, tr("&Job card to carry out…"), tr("Ctrl+Alt+J"), [this] { writeJobCardFile(); }, "jobCard");
-    m_swingActions += addCommand(
-        menu, tr("Sheet in DD &1613 style…"), {}, [this] { write1613File(); }, "sheet1613");
-    menu.addSeparator();
-    addCommand(
-        menu, tr("&Quit"), QKeySequence::Quit, [this] { close(); }, "quit");
+        commands.push_back({MenuId::File, 130, tr("&Back up the database…"), {}, "backup", [this](Page&) { backUp(); }});
+    const auto help = helpCommands();
+    commands.insert(commands.end(), help.begin(), help.end());
+    return commands;
 }
 
-void MainWindow::buildEditMenu()
+std::vector<Command> MainWindow::helpCommands()
 {
-    auto& menu = *menuBar()->addMenu(tr("&Edit"));
-    m_undo = addCommand(
-        menu, tr("&Undo"), QKeySequence::Undo, [this] { undo(); }, "undo");
-    m_redo = addCommand(
-        menu, tr("&Redo"), QKeySequence::Redo, [this] { redo(); }, "redo");
+    return {
+        {MenuId::Help, 100, tr("&Entering readings by keyboard"), QKeySequence::HelpContents, "helpEntering",
+            [this](Page&) {
+                m_messages->add(MessagePanel::Kind::Information,
+                    tr("Type the magnetic heading, Enter, the compass reading, Enter: the next row follows. Angles as 3.25, 3.25W, 3°15'W, 3 15 W; decimal point or comma.\n"
+                       "In the deviation column, W and E (or a sign) give the compass heading. = or Ctrl+D takes the nominal heading as read. Delete empties a cell.\n"
+                       "Ctrl+Z undoes everything, across swings. Ctrl+E leaves a reading out, with a reason that stays on the record."));
+            }},
+        {MenuId::Help, 110, tr("&About Lubberline"), {}, "about",
+            [this](Page&) {
+                m_messages->add(MessagePanel::Kind::Information,
+                    tr("Lubberline %1: aircraft magnetic deviation. Based in part on the work of the Qwt project (http://qwt.sf.net).")
+                        .arg(QApplication::applicationVersion()));
+            }},
+    };
+}
+
+void MainWindow::buildEditMenu(QMenu& menu)
+{
+    m_undo = addCommand(menu, {MenuId::Edit, 100, tr("&Undo"), QKeySequence::Undo, "undo", [this](Page&) { undo(); }});
+    m_redo = addCommand(menu, {MenuId::Edit, 110, tr("&Redo"), QKeySequence::Redo, "redo", [this](Page&) { redo(); }});
     m_undo->setEnabled(false);
     m_redo->setEnabled(false);
     connect(&m_stack, &QUndoStack::canUndoChanged, m_undo, &QAction::setEnabled);
@@ -93,82 +123,18 @@ void MainWindow::buildEditMenu()
     connect(&m_stack, &QUndoStack::redoTextChanged, m_redo, [this](const QString& text) { m_redo->setText(tr("&Redo %1").arg(text)); });
 }
 
-void MainWindow::buildSwingMenu()
+void MainWindow::addViewChoices(QMenu& menu)
 {
-    auto& menu = *menuBar()->addMenu(tr("&Swing"));
-    m_writingActions += addCommand(
-        menu, tr("&Guided swing on the ramp"), tr("Ctrl+Shift+G"), [this] { showGuided(); }, "guidedSwing");
-    menu.addSeparator();
-    m_compassActions += addCommand(
-        menu, tr("Swing from an &NMEA log…"), tr("Ctrl+Shift+I"), [this] { showNmeaImport(); }, "nmeaImport");
-    m_compassActions += addCommand(
-        menu, tr("&Electrical swings of this compass"), tr("Ctrl+Shift+L"), [this] { showElectrical(); }, "electricalSwings");
-    menu.addSeparator();
-    auto& layouts = *menu.addMenu(tr("&Lay out nominal headings"));
-    for (const int points : kLayoutPoints)
-        m_draftActions += addCommand(
-            layouts, tr("%1 points, every %2°").arg(points).arg(360.0 / points), {}, [this, points] { m_swingPage->layOut(points); },
-            QStringLiteral("layout%1").arg(points));
-    m_draftActions += addCommand(
-        menu, tr("&Accept the nominal heading"), tr("Ctrl+D"), [this] { m_swingPage->acceptNominal(); }, "acceptNominal");
-    m_draftActions += addCommand(
-        menu, tr("&Insert a row above"), tr("Ctrl+Ins"), [this] { m_swingPage->insertRow(); }, "insertRow");
-    m_draftActions += addCommand(
-        menu, tr("&Delete the selected rows"), tr("Ctrl+Del"), [this] { m_swingPage->deleteRows(); }, "deleteRows");
-    m_exclude = addCommand(
-        menu, tr("&Exclude the reading…"), tr("Ctrl+E"), [this] { m_swingPage->toggleExcluded(); }, "exclude");
-    menu.addSeparator();
-    m_swingActions += addCommand(
-        menu, tr("Mark &complete, or open again"), tr("Ctrl+Return"), [this] { m_swingPage->toggleComplete(); }, "complete");
-    m_swingActions += addCommand(
-        menu, tr("&Sign or amend"), tr("Ctrl+Shift+S"), [this] { m_swingPage->openSigning(); }, "signSwing");
-    m_draftActions += addCommand(
-        menu, tr("&Remove this draft swing"), {}, [this] { removeDraft(); }, "removeSwing");
-}
-
-void MainWindow::buildFleetMenu()
-{
-    auto& menu = *menuBar()->addMenu(tr("F&leet"));
-    addCommand(
-        menu, tr("&Overview"), tr("Alt+Home"), [this] { showHome(); }, "overview");
-    addCommand(
-        menu, tr("What is &due"), tr("Ctrl+J"), [this] { showDue(); }, "showDue");
-    addCommand(
-        menu, tr("Compass &bases"), tr("Ctrl+Alt+B"), [this] { showSites(); }, "showSites");
-    addCommand(
-        menu, tr("&Datum instruments"), tr("Ctrl+Shift+M"), [this] { showInstruments(); }, "showInstruments");
-    addCommand(
-        menu, tr("&Search everything"), QKeySequence::Find, [this] { m_fleet->focusSearch(); }, "search");
-    addCommand(
-        menu, tr("Go to the &tree"), tr("Ctrl+T"), [this] { m_fleet->focusTree(); }, "focusTree");
-    m_swingActions += addCommand(
-        menu, tr("Go to the &readings"), tr("Ctrl+G"), [this] { m_swingPage->focusReadings(); }, "focusReadings");
-    m_swingActions += addCommand(
-        menu, tr("Go to the &aircraft of this swing"), tr("Ctrl+U"), [this] { showAircraft(aircraftShown(), compassShown()); },
-        "goAircraft");
-}
-
-void MainWindow::buildViewMenu()
-{
-    auto& menu = *menuBar()->addMenu(tr("&View"));
-    const QString plots[] = {tr("&Polar plot"), tr("&Curve"), tr("&Spectrum"), tr("C&omponents")};
-    for (int tab = 0; tab < 4; ++tab)
-        m_swingActions += addCommand(
-            menu, plots[tab], QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + tab)),
-            [this, tab] { m_swingPage->plots().setCurrentIndex(tab); }, QStringLiteral("plot%1").arg(tab + 1));
-    m_swingActions += addCommand(
-        menu, tr("&Reset the zoom"), tr("Ctrl+0"), [this] { m_swingPage->plots().current()->resetZoom(); }, "resetZoom");
-    m_swingActions += addCommand(
-        menu, tr("Cop&y the plot"), tr("Ctrl+Shift+C"), [this] { m_swingPage->plots().current()->copyToClipboard(); }, "copyPlot");
-    m_swingActions += addCommand(
-        menu, tr("E&xport the plot…"), tr("Ctrl+Shift+E"), [this] { m_swingPage->plots().current()->exportInteractively(); }, "exportPlot");
     menu.addSeparator();
     auto* minutes = menu.addAction(tr("Degrees and &minutes"));
     minutes->setObjectName(QStringLiteral("minutes"));
     minutes->setShortcut(tr("Ctrl+M"));
     minutes->setCheckable(true);
-    minutes->setChecked(m_style == AngleStyle::DegreesMinutes);
-    connect(minutes, &QAction::toggled, this, &MainWindow::applyAngleStyle);
+    minutes->setChecked(m_services.settings.value("view/minutes", false).toBool());
+    connect(minutes, &QAction::toggled, this, [this](bool on) {
+        m_services.settings.setValue("view/minutes", on);
+        m_pages->setAngleStyle(on ? AngleStyle::DegreesMinutes : AngleStyle::DecimalDegrees);
+    });
     auto* dark = menu.addAction(tr("&Dark"));
     dark->setObjectName(QStringLiteral("dark"));
     dark->setShortcut(tr("Ctrl+Shift+D"));
@@ -182,28 +148,6 @@ void MainWindow::buildViewMenu()
     auto* dock = findChild<QDockWidget*>(QStringLiteral("fleetDock"))->toggleViewAction();
     dock->setShortcut(tr("F9"));
     menu.addAction(dock);
-}
-
-void MainWindow::buildHelpMenu()
-{
-    auto& menu = *menuBar()->addMenu(tr("&Help"));
-    addCommand(
-        menu, tr("&Entering readings by keyboard"), QKeySequence::HelpContents,
-        [this] {
-            m_messages->add(MessagePanel::Kind::Information,
-                tr("Type the magnetic heading, Enter, the compass reading, Enter: the next row follows. Angles as 3.25, 3.25W, 3°15'W, 3 15 W; decimal point or comma.\n"
-                   "In the deviation column, W and E (or a sign) give the compass heading. = or Ctrl+D takes the nominal heading as read. Delete empties a cell.\n"
-                   "Ctrl+Z undoes everything, across swings. Ctrl+E leaves a reading out, with a reason that stays on the record."));
-        },
-        "helpEntering");
-    addCommand(
-        menu, tr("&About Lubberline"), {},
-        [this] {
-            m_messages->add(MessagePanel::Kind::Information,
-                tr("Lubberline %1: aircraft magnetic deviation. Based in part on the work of the Qwt project (http://qwt.sf.net).")
-                    .arg(QApplication::applicationVersion()));
-        },
-        "about");
 }
 
 void MainWindow::buildToolBar()
@@ -231,19 +175,9 @@ void MainWindow::buildToolBar()
 
 void MainWindow::updateActions()
 {
-    const bool writable = !m_stores.readOnly();
-    const bool swing = swingShown();
-    const bool editable = swing && m_swingPage->editor().editable();
-    for (QAction* action : std::as_const(m_writingActions))
-        action->setEnabled(writable);
-    for (QAction* action : std::as_const(m_swingActions))
-        action->setEnabled(swing);
-    for (QAction* action : std::as_const(m_compassActions))
-        action->setEnabled(compassShown().valid());
-    for (QAction* action : std::as_const(m_draftActions))
-        action->setEnabled(editable);
-    m_exclude->setEnabled(editable && m_swingPage->rowSelected());
-    findChild<QAction*>(QStringLiteral("exportAircraft"))->setEnabled(aircraftShown().valid());
+    const Shown now = shown();
+    for (const auto& [action, usable] : m_needs)
+        action->setEnabled(usable(now));
 }
 
 void MainWindow::showEdited(int command)
@@ -251,12 +185,8 @@ void MainWindow::showEdited(int command)
     const auto* edit = dynamic_cast<const Edit*>(m_stack.command(command));
     if (!edit)
         return;
-    if (edit->sensorsOf().valid())
-        showSensor(edit->sensorsOf());
-    else if (edit->swing().valid())
-        showSwing(edit->swing());
-    else if (edit->aircraft().valid())
-        showAircraft(edit->aircraft(), {});
+    if (const Destination seen = edit->seenAt(); !std::holds_alternative<std::monostate>(seen.record))
+        navigate(seen);
 }
 
 void MainWindow::undo()

@@ -1,18 +1,12 @@
-// What the main window does with files: import, export, documents, backup.
+// What the main window does with files: import, export, backup.
 
 #include <QFileInfo>
-#include <QPrinter>
-#include <QSettings>
 
-#include "ui/fleet/RecordEdits.h"
+#include "core/base/OutputFile.h"
 #include "ui/intake/ImportPanels.h"
 #include "ui/kit/MessagePanel.h"
 #include "ui/kit/Words.h"
-#include "ui/swing/SwingEditor.h"
-#include "ui/swing/SwingPage.h"
-#include "ui/window/Documents.h"
 #include "ui/window/MainWindow.h"
-#include "ui/window/RecordDocuments.h"
 #include "ui/window/Transfers.h"
 
 namespace lubberline::ui {
@@ -20,7 +14,7 @@ namespace lubberline::ui {
 void MainWindow::chooseImport()
 {
     const QString path
-        = fileQuestions().open(tr("Import"), tr("Swings, exchange files, reports (*.csv *.txt *.tsv *.json *.pdf);;All files (*)"));
+        = m_pageContext.files.open(tr("Import"), tr("Swings, exchange files, reports (*.csv *.txt *.tsv *.json *.pdf);;All files (*)"));
     if (!path.isEmpty())
         importFile(path);
 }
@@ -52,14 +46,7 @@ void MainWindow::finishTransfer(const Result<TransferOutcome>& outcome)
         if (error.code == ErrorCode::Cancelled)
             m_messages->add(MessagePanel::Kind::Information, tr("Cancelled: nothing was changed."));
         else if (unnamed)
-            m_messages->add(MessagePanel::Kind::Failure, messageOf(error), tr("Name the aircraft…"), [this, path] {
-                CsvParticulars shown;
-                if (swingShown()) {
-                    const SwingRecord& record = m_swingPage->editor().record();
-                    shown = {record.aircraft.registration, record.type.name, record.compass.name};
-                }
-                m_naming->ask(path, shown);
-            });
+            m_messages->add(MessagePanel::Kind::Failure, messageOf(error), tr("Name the aircraft…"), [this, path] { askWhose(path); });
         else
             fail(messageOf(error));
     } else {
@@ -67,9 +54,19 @@ void MainWindow::finishTransfer(const Result<TransferOutcome>& outcome)
             m_stores.changes().announceFleet();
         m_messages->add(MessagePanel::Kind::Information, (QStringList(outcome->message) + outcome->warnings).join('\n'));
         if (outcome->swing.valid())
-            showSwing(outcome->swing);
+            navigate({{}, outcome->swing});
     }
     emit importFinished();
+}
+
+/// Proposes the aircraft of the swing that is shown.
+void MainWindow::askWhose(const QString& path)
+{
+    CsvParticulars proposed;
+    if (const SwingId swing = shown().swing; swing.valid())
+        if (const auto record = m_stores.swings.record(swing))
+            proposed = {record->aircraft.registration, record->type.name, record->compass.name};
+    m_naming->ask(path, proposed);
 }
 
 void MainWindow::exportExchange(bool wholeFleet)
@@ -78,7 +75,7 @@ void MainWindow::exportExchange(bool wholeFleet)
         fail(tr("Another file is being read or written. Wait for it, or cancel it."));
         return;
     }
-    const AircraftId aircraft = aircraftShown();
+    const AircraftId aircraft = shown().aircraft;
     QString stem = tr("fleet");
     if (!wholeFleet)
         if (const auto record = m_stores.fleet.aircraft(aircraft))
@@ -92,124 +89,28 @@ void MainWindow::exportExchange(bool wholeFleet)
     startTransfer(tr("Exporting"), exporting(m_stores, wanted, path));
 }
 
-void MainWindow::report(const Result<void>& done, const QString& success)
+QString MainWindow::askToSave(const QString& title, const QString& suggestion, const QString& filter)
 {
-    if (done)
-        m_messages->add(MessagePanel::Kind::Information, success);
-    else
-        fail(messageOf(done.error()));
-}
-
-void MainWindow::writeReportFile()
-{
-    auto input = reportOf(m_stores, m_swingPage->editor().id(), toText(nowUtc()));
-    if (!input) {
-        fail(tr("No report: %1").arg(messageOf(input.error())));
-        return;
+    const QString path = m_services.dialogs.saveFile(this, title, suggestion, filter);
+    if (path.isEmpty())
+        return {};
+    if (const auto allowed = checkOutput(path.toStdString(), db::filesOf(m_stores.location())); !allowed) {
+        fail(messageOf(allowed.error()));
+        return {};
     }
-    input->angleStyle = m_style;
-    const QString path = askToSave(tr("Write report"), fileStem(input->record) + ".pdf",
-        tr("PDF with the data attached (*.pdf);;HTML (*.html);;Readings (*.csv);;Results (*.json)"));
-    if (!path.isEmpty())
-        report(writeReport(*input, path), tr("Report written: %1").arg(path));
-}
-
-void MainWindow::previewReport()
-{
-    auto input = reportOf(m_stores, m_swingPage->editor().id(), toText(nowUtc()));
-    if (!input) {
-        fail(tr("No report: %1").arg(messageOf(input.error())));
-        return;
-    }
-    input->angleStyle = m_style;
-    m_services.dialogs.printPreview(this, [this, &input](QPrinter& printer) {
-        if (const auto printed = printReport(*input, printer); !printed)
-            fail(messageOf(printed.error()));
-    });
-}
-
-Result<CardInput> MainWindow::cardShown(int step_deg)
-{
-    CardOptions options;
-    options.step_deg = step_deg;
-    const bool again = m_swingPage->editor().record().swing.state == SwingState::Signed;
-    return cardOf(m_stores, m_swingPage->editor().id(), options, toText(nowUtc()), again);
-}
-
-void MainWindow::writeCardFile(int step_deg)
-{
-    const auto input = cardShown(step_deg);
-    if (!input) {
-        fail(tr("No card: %1").arg(messageOf(input.error())));
-        return;
-    }
-    const QString path = askToSave(tr("Write correction card"), fileStem(input->record) + " card.pdf", tr("PDF (*.pdf)"));
-    if (!path.isEmpty())
-        report(writeCard(*input, path), tr("Card written: %1").arg(path));
-}
-
-void MainWindow::previewCard()
-{
-    const auto input = cardShown(30);
-    if (!input) {
-        fail(tr("No card: %1").arg(messageOf(input.error())));
-        return;
-    }
-    m_services.dialogs.printPreview(this, [this, &input](QPrinter& printer) {
-        if (const auto printed = printCard(*input, printer); !printed)
-            fail(messageOf(printed.error()));
-    });
-}
-
-void MainWindow::writeJobCardFile()
-{
-    const auto input = jobCardOf(m_stores, m_swingPage->editor().id(), toText(nowUtc()));
-    if (!input) {
-        fail(messageOf(input.error()));
-        return;
-    }
-    const QString path = askToSave(tr("Write a blank job card"), fileStem(input->record) + " job card.pdf", tr("PDF (*.pdf)"));
-    if (!path.isEmpty())
-        report(writeJobCard(*input, path), tr("Job card written: %1").arg(path));
-}
-
-void MainWindow::write1613File()
-{
-    const auto sheet = sheet1613Of(m_stores, m_swingPage->editor().id(), toText(nowUtc()));
-    if (!sheet) {
-        fail(messageOf(sheet.error()));
-        return;
-    }
-    const QString path = askToSave(tr("Write a sheet in DD 1613 style"), fileStem(sheet->record) + " DD 1613.pdf", tr("PDF (*.pdf)"));
-    if (!path.isEmpty())
-        report(write1613(*sheet, path), tr("Sheet written: %1").arg(path));
+    return path;
 }
 
 void MainWindow::backUp()
 {
     const QString path = askToSave(tr("Back up the database"), QFileInfo(m_stores.location()).completeBaseName() + "-backup.lubberline",
         tr("Lubberline databases (*.lubberline)"));
-    if (!path.isEmpty())
-        report(m_services.backup(path), tr("Backup written: %1").arg(path));
-}
-
-void MainWindow::removeDraft()
-{
-    leaveField();
-    const SwingRecord record = m_swingPage->editor().record();
-    m_stack.push(new MakeSwing(
-        m_context, record.swing, MakeSwing::Direction::Remove, tr("removal of the swing of %1").arg(toText(record.swing.date))));
-    if (m_swingPage->editor().id().valid())
+    if (path.isEmpty())
         return;
-    showAircraft(record.aircraft.id, record.compass.id);
-}
-
-void MainWindow::applyAngleStyle(bool minutes)
-{
-    m_style = minutes ? AngleStyle::DegreesMinutes : AngleStyle::DecimalDegrees;
-    m_services.settings.setValue("view/minutes", minutes);
-    if (m_swingPage)
-        m_swingPage->setAngleStyle(m_style);
+    if (const auto done = m_services.backup(path); done)
+        m_messages->add(MessagePanel::Kind::Information, tr("Backup written: %1").arg(path));
+    else
+        fail(messageOf(done.error()));
 }
 
 } // namespace lubberline::ui

@@ -3,8 +3,8 @@
 #include <QPushButton>
 
 #include "tests/ui/window/Fixture.h"
+#include "ui/kit/Recovery.h"
 #include "ui/swing/SwingEditor.h"
-#include "ui/window/Recovery.h"
 
 namespace lubberline::ui {
 

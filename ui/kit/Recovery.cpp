@@ -1,4 +1,4 @@
-#include "ui/window/Recovery.h"
+#include "ui/kit/Recovery.h"
 
 #include <QDir>
 #include <QFile>

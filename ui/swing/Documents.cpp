@@ -1,4 +1,4 @@
-#include "ui/window/Documents.h"
+#include "ui/swing/Documents.h"
 
 #include <QRegularExpression>
 

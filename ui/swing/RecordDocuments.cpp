@@ -1,4 +1,4 @@
-#include "ui/window/RecordDocuments.h"
+#include "ui/swing/RecordDocuments.h"
 
 #include <QCoreApplication>
 #include <QDate>

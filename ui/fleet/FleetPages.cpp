@@ -1,0 +1,112 @@
+// How the window reaches the pages of the fleet: the start, the overview, an aircraft.
+
+#include "ui/fleet/AircraftPage.h"
+#include "ui/fleet/OverviewPage.h"
+#include "ui/fleet/StartPage.h"
+#include "ui/kit/PageDescription.h"
+
+namespace lubberline::ui {
+
+PageDescription StartPage::description(PageContext& context)
+{
+    PageDescription page{QStringLiteral("start"), [&context] {
+                             auto* start = new StartPage;
+                             connect(start, &StartPage::demonstrationWanted, &context.window, [&context] { context.openDemonstration(); });
+                             connect(start, &StartPage::importWanted, &context.window, [&context] { context.chooseImport(); });
+                             connect(start, &StartPage::newSwingWanted, &context.window, [&context] { context.go({"newSwing"}); });
+                             connect(start, &StartPage::filled, &context.window, [&context] { context.go({}); });
+                             return start;
+                         }};
+    page.shows = [&context](const FleetItem& item) {
+        const auto totals = context.stores.fleet.totals();
+        return std::holds_alternative<std::monostate>(item) && totals && totals->aircraft == 0;
+    };
+    page.focus = true;
+    return page;
+}
+
+PageDescription OverviewPage::description(PageContext& context)
+{
+    PageDescription page{
+        QStringLiteral("overview"), [&context] {
+            auto* overview = new OverviewPage(context.stores);
+            connect(overview, &OverviewPage::aircraftChosen, &context.window, [&context](AircraftId id) { context.go({{}, id}); });
+            connect(overview, &OverviewPage::newSwingWanted, &context.window, [&context] { context.go({"newSwing"}); });
+            connect(overview, &OverviewPage::importWanted, &context.window, [&context] { context.chooseImport(); });
+            return overview;
+        }};
+    page.shows = [](const FleetItem& item) {
+        return std::holds_alternative<std::monostate>(item) || std::holds_alternative<AircraftTypeId>(item);
+    };
+    page.commands = {{MenuId::Fleet, 100, tr("&Overview"), tr("Alt+Home"), "overview", [&context](Page&) { context.go({}); }}};
+    return page;
+}
+
+Result<void> OverviewPage::open(const FleetItem& record)
+{
+    if (const auto* type = std::get_if<AircraftTypeId>(&record)) {
+        showType(*type);
+        return {};
+    }
+    if (const auto totals = m_stores.fleet.totals(); !totals)
+        return totals.error();
+    showFleet();
+    return {};
+}
+
+PageDescription AircraftPage::description(PageContext& context)
+{
+    PageDescription page{
+        QStringLiteral("aircraft"), [&context] {
+            auto* aircraft = new AircraftPage(context.edits, context.undo);
+            connect(aircraft, &AircraftPage::swingChosen, &context.window, [&context](SwingId id) { context.go({{}, id}); });
+            return aircraft;
+        }};
+    page.shows = [](const FleetItem& item) { return std::holds_alternative<AircraftId>(item) || std::holds_alternative<CompassId>(item); };
+    return page;
+}
+
+namespace {
+
+/// Of an aircraft itself, or of the compass in it.
+Result<AircraftId> aircraftOf(db::Stores& stores, const FleetItem& record)
+{
+    if (const auto* compass = std::get_if<CompassId>(&record)) {
+        const auto found = stores.fleet.compass(*compass);
+        return found ? Result<AircraftId>(found->aircraft) : found.error();
+    }
+    const auto* aircraft = std::get_if<AircraftId>(&record);
+    return aircraft ? *aircraft : AircraftId();
+}
+
+} // namespace
+
+Result<void> AircraftPage::open(const FleetItem& record)
+{
+    const auto id = aircraftOf(m_context.stores, record);
+    if (!id)
+        return id.error();
+    const auto* compass = std::get_if<CompassId>(&record);
+    if (auto shown = showAircraft(*id, compass ? *compass : CompassId()); !shown)
+        return shown;
+    m_asked = record;
+    return {};
+}
+
+bool AircraftPage::isOf(const FleetItem& record) const
+{
+    const auto id = aircraftOf(m_context.stores, record);
+    return id && *id == aircraft();
+}
+
+Shown AircraftPage::shown() const { return {aircraft(), compass()}; }
+
+std::vector<FleetItem> AircraftPage::path() const
+{
+    std::vector<FleetItem> path{m_aircraft.record().type, aircraft()};
+    if (std::holds_alternative<CompassId>(m_asked))
+        path.push_back(m_asked);
+    return path;
+}
+
+} // namespace lubberline::ui

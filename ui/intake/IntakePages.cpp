@@ -1,0 +1,61 @@
+// How the window reaches the ways in which a swing comes in: typed anew, or from a log.
+
+#include "ui/intake/NewSwingPage.h"
+#include "ui/intake/NmeaImportPage.h"
+#include "ui/kit/PageDescription.h"
+
+namespace lubberline::ui {
+
+PageDescription NewSwingPage::description(PageContext& context)
+{
+    PageDescription page{
+        QStringLiteral("newSwing"), [&context] {
+            auto* fresh = new NewSwingPage(context.edits, context.undo);
+            connect(fresh, &NewSwingPage::created, &context.window, [&context](SwingId id) { context.go({{}, id, true}); });
+            connect(fresh, &NewSwingPage::cancelled, &context.window, [&context] { context.goBack("swing"); });
+            return fresh;
+        }};
+    page.commands = {{MenuId::File, 100, tr("&New swing"), QKeySequence::New, "newSwing",
+        [&context](Page& shown) {
+            context.go({"newSwing", shown.shown().item()});
+        },
+        needsWriting}};
+    page.focus = true;
+    return page;
+}
+
+/// With the compass or aircraft already chosen; what is not known is left open.
+Result<void> NewSwingPage::open(const FleetItem& record)
+{
+    const auto* compass = std::get_if<CompassId>(&record);
+    const auto* aircraft = std::get_if<AircraftId>(&record);
+    if (const auto found = compass ? m_context.stores.fleet.compass(*compass) : Result<CompassSystem>(Error{}); found)
+        begin(found->aircraft, *compass);
+    else
+        begin(aircraft ? *aircraft : AircraftId(), {});
+    return {};
+}
+
+PageDescription NmeaImportPage::description(PageContext& context)
+{
+    PageDescription page{
+        QStringLiteral("nmeaImport"), [&context] {
+            auto* log = new NmeaImportPage(context.stores, context.files);
+            connect(log, &NmeaImportPage::makeSwing, &context.window, [&context](const Swing& swing) { context.makeSwing(swing); });
+            return log;
+        }};
+    page.commands = {{MenuId::Swing, 200, tr("Swing from an &NMEA log…"), tr("Ctrl+Shift+I"), "nmeaImport",
+        [&context](Page& shown) {
+            context.go({"nmeaImport", shown.shown().compass});
+        },
+        needsCompass}};
+    return page;
+}
+
+Result<void> NmeaImportPage::open(const FleetItem& record)
+{
+    const auto* id = std::get_if<CompassId>(&record);
+    return showCompass(id ? *id : CompassId());
+}
+
+} // namespace lubberline::ui

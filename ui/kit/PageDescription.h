@@ -1,0 +1,45 @@
+#pragma once
+/// How the window knows a page: its name, how it is made, and the commands that reach it or act on it. Each folder of pages describes
+/// its own; ui/window/Pages.cpp lists them.
+
+#include <QKeySequence>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+#include "ui/kit/Page.h"
+#include "ui/kit/PageContext.h"
+
+namespace lubberline::ui {
+
+enum class MenuId { File, Edit, Swing, Fleet, Model, View, Help };
+
+struct Command {
+    MenuId menu;
+    int place; ///< in the menu, rising; a line is drawn between hundreds
+    QString text;
+    QKeySequence keys;
+    QString name; ///< of the action
+    std::function<void(Page& shown)> act;
+    bool (*needs)(const Shown&) = nullptr; ///< when it can be used; none: always
+    QString submenu = {};                  ///< its title, where it stands in one
+};
+
+[[nodiscard]] inline bool needsWriting(const Shown& shown) { return shown.writable; }
+[[nodiscard]] inline bool needsAircraft(const Shown& shown) { return shown.aircraft.valid(); }
+[[nodiscard]] inline bool needsCompass(const Shown& shown) { return shown.compass.valid(); }
+[[nodiscard]] inline bool needsSwing(const Shown& shown) { return shown.swing.valid(); }
+[[nodiscard]] inline bool needsDraft(const Shown& shown) { return shown.editable; }
+[[nodiscard]] inline bool needsReading(const Shown& shown) { return shown.editable && shown.rowSelected; }
+
+struct PageDescription {
+    QString id;
+    std::function<Page*()> make;
+    std::vector<Command> commands = {};
+    /// Whether it is the page of such a record when no page is named; the first that says so is taken.
+    std::function<bool(const FleetItem&)> shows = {};
+    bool focus = false; ///< the cursor goes into it whenever it is shown
+};
+
+} // namespace lubberline::ui

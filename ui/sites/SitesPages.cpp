@@ -1,0 +1,37 @@
+// How the window reaches compass bases and datum instruments.
+
+#include "ui/kit/PageDescription.h"
+#include "ui/sites/InstrumentsPage.h"
+#include "ui/sites/SitesPage.h"
+
+namespace lubberline::ui {
+
+PageDescription SitesPage::description(PageContext& context)
+{
+    PageDescription page{QStringLiteral("sites"), [&context] { return new SitesPage(context.edits, context.undo, context.today()); }};
+    page.commands
+        = {{MenuId::Fleet, 120, tr("Compass &bases"), tr("Ctrl+Alt+B"), "showSites", [&context](Page&) { context.go({"sites"}); }}};
+    return page;
+}
+
+Result<void> SitesPage::open(const FleetItem&)
+{
+    reload();
+    return {};
+}
+
+PageDescription InstrumentsPage::description(PageContext& context)
+{
+    PageDescription page{QStringLiteral("instruments"), [&context] { return new InstrumentsPage(context.stores, context.today()); }};
+    page.commands = {{MenuId::Fleet, 130, tr("&Datum instruments"), tr("Ctrl+Shift+M"), "showInstruments",
+        [&context](Page&) { context.go({"instruments"}); }}};
+    return page;
+}
+
+Result<void> InstrumentsPage::open(const FleetItem&)
+{
+    reload();
+    return {};
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,119 @@
+#include "ui/swing/SwingFiles.h"
+
+#include <QCoreApplication>
+#include <QPrinter>
+
+#include "ui/kit/PageContext.h"
+#include "ui/kit/Words.h"
+#include "ui/swing/Documents.h"
+#include "ui/swing/RecordDocuments.h"
+#include "ui/swing/SwingEditor.h"
+#include "ui/swing/SwingPage.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+struct FileWords {
+    Q_DECLARE_TR_FUNCTIONS(lubberline::ui::SwingFiles)
+};
+
+void tell(PageContext& context, const Result<void>& done, const QString& success)
+{
+    if (done)
+        context.say(success);
+    else
+        context.fail(messageOf(done.error()));
+}
+
+Result<CardInput> cardShown(PageContext& context, SwingPage& page, int step_deg)
+{
+    CardOptions options;
+    options.step_deg = step_deg;
+    const bool again = page.editor().record().swing.state == SwingState::Signed;
+    return cardOf(context.stores, page.editor().id(), options, toText(context.stores.clock().nowUtc()), again);
+}
+
+} // namespace
+
+void writeReportFile(PageContext& context, SwingPage& page)
+{
+    auto input = reportOf(context.stores, page.editor().id(), toText(context.stores.clock().nowUtc()));
+    if (!input) {
+        context.fail(FileWords::tr("No report: %1").arg(messageOf(input.error())));
+        return;
+    }
+    input->angleStyle = page.angleStyle();
+    const QString path = context.files.save(FileWords::tr("Write report"), fileStem(input->record) + ".pdf",
+        FileWords::tr("PDF with the data attached (*.pdf);;HTML (*.html);;Readings (*.csv);;Results (*.json)"));
+    if (!path.isEmpty())
+        tell(context, writeReport(*input, path), FileWords::tr("Report written: %1").arg(path));
+}
+
+void previewReport(PageContext& context, SwingPage& page)
+{
+    auto input = reportOf(context.stores, page.editor().id(), toText(context.stores.clock().nowUtc()));
+    if (!input) {
+        context.fail(FileWords::tr("No report: %1").arg(messageOf(input.error())));
+        return;
+    }
+    input->angleStyle = page.angleStyle();
+    context.dialogs.printPreview(&context.window, [&context, &input](QPrinter& printer) {
+        if (const auto printed = printReport(*input, printer); !printed)
+            context.fail(messageOf(printed.error()));
+    });
+}
+
+void writeCardFile(PageContext& context, SwingPage& page, int step_deg)
+{
+    const auto input = cardShown(context, page, step_deg);
+    if (!input) {
+        context.fail(FileWords::tr("No card: %1").arg(messageOf(input.error())));
+        return;
+    }
+    const QString path
+        = context.files.save(FileWords::tr("Write correction card"), fileStem(input->record) + " card.pdf", FileWords::tr("PDF (*.pdf)"));
+    if (!path.isEmpty())
+        tell(context, writeCard(*input, path), FileWords::tr("Card written: %1").arg(path));
+}
+
+void previewCard(PageContext& context, SwingPage& page)
+{
+    const auto input = cardShown(context, page, 30);
+    if (!input) {
+        context.fail(FileWords::tr("No card: %1").arg(messageOf(input.error())));
+        return;
+    }
+    context.dialogs.printPreview(&context.window, [&context, &input](QPrinter& printer) {
+        if (const auto printed = printCard(*input, printer); !printed)
+            context.fail(messageOf(printed.error()));
+    });
+}
+
+void writeJobCardFile(PageContext& context, SwingPage& page)
+{
+    const auto input = jobCardOf(context.stores, page.editor().id(), toText(context.stores.clock().nowUtc()));
+    if (!input) {
+        context.fail(messageOf(input.error()));
+        return;
+    }
+    const QString path = context.files.save(
+        FileWords::tr("Write a blank job card"), fileStem(input->record) + " job card.pdf", FileWords::tr("PDF (*.pdf)"));
+    if (!path.isEmpty())
+        tell(context, writeJobCard(*input, path), FileWords::tr("Job card written: %1").arg(path));
+}
+
+void write1613File(PageContext& context, SwingPage& page)
+{
+    const auto sheet = sheet1613Of(context.stores, page.editor().id(), toText(context.stores.clock().nowUtc()));
+    if (!sheet) {
+        context.fail(messageOf(sheet.error()));
+        return;
+    }
+    const QString path = context.files.save(
+        FileWords::tr("Write a sheet in DD 1613 style"), fileStem(sheet->record) + " DD 1613.pdf", FileWords::tr("PDF (*.pdf)"));
+    if (!path.isEmpty())
+        tell(context, write1613(*sheet, path), FileWords::tr("Sheet written: %1").arg(path));
+}
+
+} // namespace lubberline::ui

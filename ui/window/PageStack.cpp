@@ -1,0 +1,100 @@
+#include "ui/window/PageStack.h"
+
+#include <algorithm>
+
+#include "core/base/Contract.h"
+
+namespace lubberline::ui {
+
+PageStack::PageStack(PageContext& context, std::vector<PageDescription> pages, QWidget* parent)
+    : QStackedWidget(parent)
+    , m_context(context)
+    , m_descriptions(std::move(pages))
+{
+    addWidget(new Page); // nothing yet: what to show is asked after the first paint
+}
+
+PageStack::~PageStack()
+{
+    for (const auto& [id, page] : m_made) {
+        page->disconnect(this);
+        page->disconnect(&m_context.window);
+    }
+}
+
+const PageDescription& PageStack::descriptionOf(const Destination& destination) const
+{
+    const auto found = std::find_if(m_descriptions.begin(), m_descriptions.end(), [&](const PageDescription& page) {
+        return destination.page.isEmpty() ? page.shows && page.shows(destination.record) : page.id == destination.page;
+    });
+    LUBBERLINE_EXPECT(found != m_descriptions.end(), "a destination is a page that is listed, or a record that one of them shows");
+    return *found;
+}
+
+Page* PageStack::make(const PageDescription& description)
+{
+    Page* page = description.make();
+    page->setAngleStyle(m_style);
+    connect(page, &Page::readOut, this, &PageStack::readOut);
+    connect(page, &Page::failed, this, &PageStack::failed);
+    connect(page, &Page::stateChanged, this, &PageStack::stateChanged);
+    return page;
+}
+
+Result<void> PageStack::show(const Destination& destination)
+{
+    const PageDescription& description = descriptionOf(destination);
+    const auto made = m_made.find(description.id);
+    Page* before = made == m_made.end() ? nullptr : made->second;
+    Page* page = before && before->isOf(destination.record) ? before : make(description);
+    if (auto opened = page->open(destination.record); !opened) {
+        if (page != before)
+            delete page;
+        return opened;
+    }
+    if (page != before)
+        addWidget(page);
+    m_made[description.id] = page;
+    turnTo(*page);
+    if (before && page != before) {
+        page->takeLook(*before);
+        retire(before);
+    }
+    if (destination.focus || description.focus)
+        page->setFocus();
+    return {};
+}
+
+/// The old one may be in the middle of telling us something, so it goes when it has done.
+void PageStack::retire(Page* page)
+{
+    removeWidget(page);
+    page->setParent(nullptr);
+    page->disconnect(this);
+    page->disconnect(&m_context.window);
+    page->deleteLater();
+}
+
+bool PageStack::showAsLeft(const QString& id)
+{
+    const auto made = m_made.find(id);
+    if (made == m_made.end() || !made->second->shown().aircraft.valid())
+        return false;
+    turnTo(*made->second);
+    return true;
+}
+
+void PageStack::turnTo(Page& page)
+{
+    setCurrentWidget(&page);
+    emit turned();
+}
+
+void PageStack::setAngleStyle(AngleStyle style)
+{
+    m_style = style;
+    for (const auto& [id, page] : m_made)
+        page->setAngleStyle(style);
+}
+
+} // namespace lubberline::ui

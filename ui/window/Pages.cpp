@@ -1,0 +1,43 @@
+#include "ui/window/Pages.h"
+
+#include "ui/bench/IronBenchPage.h"
+#include "ui/due/DuePage.h"
+#include "ui/earth/EarthFieldPage.h"
+#include "ui/earth/PredictionPage.h"
+#include "ui/electrical/ElectricalPage.h"
+#include "ui/fleet/AircraftPage.h"
+#include "ui/fleet/OverviewPage.h"
+#include "ui/fleet/StartPage.h"
+#include "ui/guided/GuidedPage.h"
+#include "ui/intake/NewSwingPage.h"
+#include "ui/intake/NmeaImportPage.h"
+#include "ui/sensor/SensorPage.h"
+#include "ui/sites/InstrumentsPage.h"
+#include "ui/sites/SitesPage.h"
+#include "ui/swing/SwingPage.h"
+
+namespace lubberline::ui {
+
+std::vector<PageDescription> allPages(PageContext& context)
+{
+    // Of two that show the same kind of record the first is asked first.
+    return {
+        StartPage::description(context),
+        OverviewPage::description(context),
+        AircraftPage::description(context),
+        GuidedPage::description(context),
+        SwingPage::description(context),
+        NewSwingPage::description(context),
+        NmeaImportPage::description(context),
+        ElectricalPage::description(context),
+        SensorPage::description(context),
+        IronBenchPage::description(context),
+        PredictionPage::description(context),
+        EarthFieldPage::description(context),
+        DuePage::description(context),
+        SitesPage::description(context),
+        InstrumentsPage::description(context),
+    };
+}
+
+} // namespace lubberline::ui
