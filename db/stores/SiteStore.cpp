@@ -201,6 +201,12 @@ Result<void> SiteStore::removeInstrument(const RecordId& record)
         m_database, [&] { return removeRecord(m_database, instrumentTable(), record); }, [&] { noteSites(); });
 }
 
+Result<void> SiteStore::removeSite(const RecordId& record)
+{
+    return noting(
+        m_database, [&] { return removeRecord(m_database, siteTable(), record); }, [&] { noteSites(); });
+}
+
 void SiteStore::noteSites() { m_database.changes().note(change::Sites{}); }
 
 } // namespace lubberline::db

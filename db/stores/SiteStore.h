@@ -31,6 +31,7 @@ public:
     Result<void> change(const LimitsProfile& known, const LimitsProfile& profile);
     Result<void> change(const DatumInstrument& known, const DatumInstrument& instrument);
     Result<void> removeInstrument(const RecordId& record); ///< Errors: NotFound
+    Result<void> removeSite(const RecordId& record);       ///< Errors: NotFound; Conflict while swings or aircraft are there
 
 private:
     void noteSites();

@@ -44,9 +44,9 @@ void plain(QTableWidget& table, const char* name, const QStringList& heads)
 
 } // namespace
 
-DuePage::DuePage(db::Stores& stores, std::function<std::string()> today, FileQuestions questions, QWidget* parent)
+DuePage::DuePage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, FileQuestions questions, QWidget* parent)
     : Page(parent)
-    , m_stores(stores)
+    , m_stores(context.stores)
     , m_today(std::move(today))
     , m_questions(std::move(questions))
     , m_state(new QComboBox)
@@ -59,7 +59,7 @@ DuePage::DuePage(db::Stores& stores, std::function<std::string()> today, FileQue
     , m_by(new QLineEdit)
     , m_waive(new QPushButton(tr("&Waive")))
     , m_open(new QPushButton(tr("&Open the compass")))
-    , m_rules(new DueRulesTable(stores))
+    , m_rules(new DueRulesTable(context, undo))
 {
     build();
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "ui/due/DueWork.h"
+#include "ui/kit/EditContext.h"
 #include "ui/kit/FileQuestions.h"
 #include "ui/kit/Page.h"
 
@@ -14,6 +15,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QTableWidget;
+class QUndoStack;
 
 namespace lubberline::ui {
 
@@ -24,7 +26,7 @@ class DuePage : public Page {
 
 public:
     /// @param today ISO 8601, UTC.
-    DuePage(db::Stores& stores, std::function<std::string()> today, FileQuestions questions, QWidget* parent = nullptr);
+    DuePage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, FileQuestions questions, QWidget* parent = nullptr);
     using QWidget::show;
     void show(std::shared_ptr<const DueNews> news);
 

@@ -9,7 +9,7 @@ namespace lubberline::ui {
 PageDescription DuePage::description(PageContext& context)
 {
     PageDescription page{QStringLiteral("due"), [&context] {
-                             auto* due = new DuePage(context.stores, context.today(), context.files);
+                             auto* due = new DuePage(context.edits, context.undo, context.today(), context.files);
                              connect(due, &DuePage::done, &context.window, [&context](const QString& message) { context.say(message); });
                              connect(due, &DuePage::openCompass, &context.window, [&context](AircraftId aircraft, CompassId compass) {
                                  context.go({{}, compass.valid() ? FleetItem(compass) : FleetItem(aircraft)});

@@ -3,11 +3,13 @@
 #include <QHeaderView>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QUndoStack>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
 #include "core/due/DueList.h"
+#include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -30,9 +32,11 @@ Result<int> wholeNumber(const QString& text, int least, const QString& what)
 
 } // namespace
 
-DueRulesTable::DueRulesTable(db::Stores& stores, QWidget* parent)
+DueRulesTable::DueRulesTable(EditContext& context, QUndoStack& undo, QWidget* parent)
     : QWidget(parent)
-    , m_stores(stores)
+    , m_context(context)
+    , m_stores(context.stores)
+    , m_undo(undo)
     , m_table(new QTableWidget(0, kRuleColumns))
     , m_remove(new QPushButton(tr("&Remove the rule")))
     , m_known(new QPushButton(tr("Take over &known rules")))
@@ -56,6 +60,7 @@ DueRulesTable::DueRulesTable(db::Stores& stores, QWidget* parent)
     connect(m_table, &QTableWidget::cellChanged, this, &DueRulesTable::takeCell, Qt::QueuedConnection);
     connect(m_remove, &QPushButton::clicked, this, &DueRulesTable::remove);
     connect(m_known, &QPushButton::clicked, this, &DueRulesTable::addKnown);
+    connect(&m_stores.changes(), &db::Changes::dueChanged, this, &DueRulesTable::reload);
 }
 
 void DueRulesTable::reload()
@@ -142,11 +147,23 @@ void DueRulesTable::takeCell(int row, int column)
     }
     default: break;
     }
-    const auto stored = !number ? Result<void>(number.error())
-        : known                 ? m_stores.due.change(before, rule)
-                                : noValue(m_stores.due.add(rule));
-    if (!stored)
-        emit failed(messageOf(stored.error()));
+    if (!number) {
+        emit failed(messageOf(number.error()));
+        reload();
+    } else if (known) {
+        edit(before, rule, tr("change of the rule %1").arg(toText(rule.name)));
+    } else {
+        rule.record = newRecordId();
+        edit({}, rule, tr("new rule"));
+    }
+}
+
+void DueRulesTable::edit(std::optional<DueRule> before, std::optional<DueRule> after, const QString& text)
+{
+    static const StoredBy<DueRule> kBy{[](db::Stores& stores, const DueRule& rule) { return noValue(stores.due.add(rule)); },
+        [](db::Stores& stores, const DueRule& known, const DueRule& rule) { return stores.due.change(known, rule); },
+        [](db::Stores& stores, const DueRule& rule) { return stores.due.removeRule(rule.record); }};
+    m_undo.push(new StoredEdit(m_context, kBy, std::move(before), std::move(after), text, Destination{QStringLiteral("due")}));
     reload();
 }
 
@@ -155,21 +172,18 @@ void DueRulesTable::remove()
     const int row = m_table->currentRow();
     if (row < 0 || row >= static_cast<int>(m_rules.size()))
         return;
-    if (const auto removed = m_stores.due.removeRule(m_rules[static_cast<std::size_t>(row)].record); !removed)
-        emit failed(messageOf(removed.error()));
-    reload();
+    const DueRule rule = m_rules[static_cast<std::size_t>(row)];
+    edit(rule, {}, tr("removal of the rule %1").arg(toText(rule.name)));
 }
 
 void DueRulesTable::addKnown()
 {
-    for (const DueRule& known : knownRules()) {
-        const bool there = std::any_of(m_rules.begin(), m_rules.end(), [&](const DueRule& rule) { return rule.name == known.name; });
-        if (there)
+    for (DueRule known : knownRules()) {
+        if (std::any_of(m_rules.begin(), m_rules.end(), [&](const DueRule& rule) { return rule.name == known.name; }))
             continue;
-        if (const auto stored = m_stores.due.add(known); !stored)
-            emit failed(messageOf(stored.error()));
+        known.record = newRecordId();
+        edit({}, known, tr("new rule"));
     }
-    reload();
 }
 
 } // namespace lubberline::ui

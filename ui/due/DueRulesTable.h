@@ -4,10 +4,13 @@
 
 #include <QWidget>
 
-#include "db/stores/Stores.h"
+#include <optional>
+
+#include "ui/kit/EditContext.h"
 
 class QPushButton;
 class QTableWidget;
+class QUndoStack;
 
 namespace lubberline::ui {
 
@@ -15,7 +18,7 @@ class DueRulesTable : public QWidget {
     Q_OBJECT
 
 public:
-    explicit DueRulesTable(db::Stores& stores, QWidget* parent = nullptr);
+    DueRulesTable(EditContext& context, QUndoStack& undo, QWidget* parent = nullptr);
     void reload();
 
 signals:
@@ -27,7 +30,12 @@ private:
     void remove();
     void addKnown(); ///< those whose source was read
 
+    /// Made, changed or removed, so that it can be undone.
+    void edit(std::optional<DueRule> before, std::optional<DueRule> after, const QString& text);
+
+    EditContext& m_context;
     db::Stores& m_stores;
+    QUndoStack& m_undo;
     std::vector<DueRule> m_rules;
     std::vector<std::pair<RecordId, std::string>> m_typeNames;
     QTableWidget* m_table;

@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QSplitter>
 #include <QTableWidget>
+#include <QUndoStack>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -17,6 +18,7 @@
 #include "core/swing/Analysis.h"
 #include "core/swing/Observations.h"
 #include "ui/earth/FieldText.h"
+#include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
@@ -89,9 +91,11 @@ QStringList electricalSteps(const FourPointTable& table)
     return steps;
 }
 
-ElectricalPage::ElectricalPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent)
+ElectricalPage::ElectricalPage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, QWidget* parent)
     : Page(parent)
-    , m_stores(stores)
+    , m_context(context)
+    , m_stores(context.stores)
+    , m_undo(undo)
     , m_today(std::move(today))
     , m_fields([this](const ElectricalSwing& after, const QString&) { store(after); })
     , m_title(new QLabel)
@@ -150,6 +154,10 @@ void ElectricalPage::build()
     connect(m_fourPoints, &QTableWidget::cellChanged, this, &ElectricalPage::takeFourPoints, Qt::QueuedConnection);
     connect(m_headings, &QTableWidget::cellChanged, this, &ElectricalPage::takeHeading, Qt::QueuedConnection);
     connect(m_plot, &Plot::readOut, this, &ElectricalPage::readOut);
+    connect(&m_stores.changes(), &db::Changes::electricalChanged, this, [this](CompassId id) {
+        if (id == m_compass.id)
+            reload();
+    });
 }
 
 QWidget* ElectricalPage::buildSheet()
@@ -334,11 +342,16 @@ void ElectricalPage::showVerdict()
 /// On disk when the cell is left.
 void ElectricalPage::store(ElectricalSwing after)
 {
+    const StoredBy<ElectricalSwing> by{
+        [id = m_compass.id](db::Stores& stores, const ElectricalSwing& one) { return noValue(stores.electrical.add(id, one)); },
+        [id = m_compass.id](db::Stores& stores, const ElectricalSwing& known, const ElectricalSwing& one) {
+            return stores.electrical.change(id, known, one);
+        },
+        [id = m_compass.id](db::Stores& stores, const ElectricalSwing& one) { return stores.electrical.remove(id, one.record); }};
     const bool known = m_current >= 0 && current().record == after.record;
-    const auto stored
-        = known ? m_stores.electrical.change(m_compass.id, current(), after) : noValue(m_stores.electrical.add(m_compass.id, after));
-    if (!stored)
-        emit failed(messageOf(stored.error()));
+    const QString text = known ? tr("electrical swing of %1").arg(toText(after.date)) : tr("new electrical swing");
+    m_undo.push(new StoredEdit(m_context, by, known ? std::optional(current()) : std::nullopt, std::optional(std::move(after)), text,
+        Destination{QStringLiteral("electrical"), m_compass.id}));
     reload();
 }
 

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "db/stores/Stores.h"
+#include "ui/kit/EditContext.h"
 #include "ui/kit/FormField.h"
 #include "ui/kit/Page.h"
 
@@ -13,6 +13,7 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QTableWidget;
+class QUndoStack;
 
 namespace lubberline::ui {
 
@@ -23,7 +24,7 @@ class ElectricalPage : public Page {
 
 public:
     /// @param today ISO 8601, UTC.
-    ElectricalPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent = nullptr);
+    ElectricalPage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, QWidget* parent = nullptr);
     Result<void> showCompass(CompassId compass);
 
     static PageDescription description(PageContext& context);
@@ -47,7 +48,9 @@ private:
     void make();
     [[nodiscard]] ElectricalSwing& current() { return m_swings[static_cast<std::size_t>(m_current)]; }
 
+    EditContext& m_context;
     db::Stores& m_stores;
+    QUndoStack& m_undo;
     std::function<std::string()> m_today;
     CompassSystem m_compass;
     std::vector<ElectricalSwing> m_swings;

@@ -9,7 +9,7 @@ PageDescription ElectricalPage::description(PageContext& context)
 {
     PageDescription page{
         QStringLiteral("electrical"), [&context] {
-            auto* electrical = new ElectricalPage(context.stores, context.today());
+            auto* electrical = new ElectricalPage(context.edits, context.undo, context.today());
             connect(electrical, &ElectricalPage::makeSwing, &context.window, [&context](const Swing& swing) { context.makeSwing(swing); });
             return electrical;
         }};

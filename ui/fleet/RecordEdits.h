@@ -25,13 +25,7 @@ protected:
     Result<void> revert() override { return store(m_after, m_before); }
 
 private:
-    Result<void> store(const Record& known, const Record& record) const
-    {
-        if constexpr (std::is_same_v<Record, Site>)
-            return stores().sites.change(known, record);
-        else
-            return stores().fleet.change(known, record);
-    }
+    Result<void> store(const Record& known, const Record& record) const { return stores().fleet.change(known, record); }
 
     AircraftId m_aircraft;
     Record m_before, m_after;

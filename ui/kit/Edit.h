@@ -27,7 +27,7 @@ public:
     [[nodiscard]] virtual AircraftId aircraft() const { return {}; }
     [[nodiscard]] virtual CompassId sensorsOf() const { return {}; } ///< its sensor models
     /// Where that is seen; no page and no record: nowhere.
-    [[nodiscard]] Destination seenAt() const
+    [[nodiscard]] virtual Destination seenAt() const
     {
         if (sensorsOf().valid())
             return {QStringLiteral("sensor"), sensorsOf()};

@@ -5,12 +5,14 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSplitter>
+#include <QUndoStack>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
 #include "core/procedure/DatumHeading.h"
 #include "ui/earth/FieldText.h"
+#include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -50,14 +52,14 @@ QString datumExample(const DatumInstrument& instrument)
     return text + '.';
 }
 
-InstrumentsPage::InstrumentsPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent)
+InstrumentsPage::InstrumentsPage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, QWidget* parent)
     : Page(parent)
-    , m_stores(stores)
+    , m_context(context)
+    , m_stores(context.stores)
+    , m_undo(undo)
     , m_today(std::move(today))
-    , m_fields([this](const DatumInstrument& after, const QString&) {
-        if (const auto stored = m_stores.sites.change(m_fields.record(), after); !stored)
-            emit failed(messageOf(stored.error()));
-        reload();
+    , m_fields([this](const DatumInstrument& after, const QString& field) {
+        edit(m_fields.record(), after, tr("%1 of %2").arg(field, toText(after.name)));
     })
     , m_list(new QListWidget)
     , m_add(new QPushButton(tr("&New instrument")))
@@ -151,6 +153,7 @@ void InstrumentsPage::build()
     connect(m_list, &QListWidget::currentRowChanged, this, &InstrumentsPage::showInstrument);
     connect(m_add, &QPushButton::clicked, this, &InstrumentsPage::add);
     connect(m_remove, &QPushButton::clicked, this, &InstrumentsPage::remove);
+    connect(&m_stores.changes(), &db::Changes::sitesChanged, this, &InstrumentsPage::reload);
 }
 
 void InstrumentsPage::reload()
@@ -197,21 +200,24 @@ void InstrumentsPage::add()
          std::any_of(m_instruments.begin(), m_instruments.end(), [&](const DatumInstrument& one) { return one.name == instrument.name; });
          ++number)
         instrument.name = tr("New instrument %1").arg(number).toStdString();
-    if (const auto stored = m_stores.sites.add(instrument); !stored) {
-        emit failed(messageOf(stored.error()));
-        return;
-    }
     m_fields.show(instrument, true);
-    reload();
+    edit({}, instrument, tr("new instrument"));
+    if (m_fields.record().record != instrument.record)
+        return; // refused
     auto* name = findChild<QLineEdit*>(QStringLiteral("instrumentName"));
     name->setFocus();
     name->selectAll();
 }
 
-void InstrumentsPage::remove()
+void InstrumentsPage::remove() { edit(m_fields.record(), {}, tr("removal of %1").arg(toText(m_fields.record().name))); }
+
+void InstrumentsPage::edit(std::optional<DatumInstrument> before, std::optional<DatumInstrument> after, const QString& text)
 {
-    if (const auto removed = m_stores.sites.removeInstrument(m_fields.record().record); !removed)
-        emit failed(messageOf(removed.error()));
+    static const StoredBy<DatumInstrument> kBy{
+        [](db::Stores& stores, const DatumInstrument& one) { return noValue(stores.sites.add(one)); },
+        [](db::Stores& stores, const DatumInstrument& known, const DatumInstrument& one) { return stores.sites.change(known, one); },
+        [](db::Stores& stores, const DatumInstrument& one) { return stores.sites.removeInstrument(one.record); }};
+    m_undo.push(new StoredEdit(m_context, kBy, std::move(before), std::move(after), text, Destination{QStringLiteral("instruments")}));
     reload();
 }
 

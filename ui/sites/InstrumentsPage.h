@@ -2,14 +2,16 @@
 /// The datum instruments, and what their figures mean, with an example that makes a wrong setting obvious.
 
 #include <functional>
+#include <optional>
 
-#include "db/stores/Stores.h"
+#include "ui/kit/EditContext.h"
 #include "ui/kit/FormField.h"
 #include "ui/kit/Page.h"
 
 class QLabel;
 class QListWidget;
 class QPushButton;
+class QUndoStack;
 
 namespace lubberline::ui {
 
@@ -23,7 +25,7 @@ class InstrumentsPage : public Page {
 
 public:
     /// @param today ISO 8601, UTC.
-    InstrumentsPage(db::Stores& stores, std::function<std::string()> today, QWidget* parent = nullptr);
+    InstrumentsPage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, QWidget* parent = nullptr);
     void reload();
 
     static PageDescription description(PageContext& context);
@@ -35,8 +37,12 @@ private:
     void showInstrument();
     void add();
     void remove();
+    /// Made, changed or removed, so that it can be undone.
+    void edit(std::optional<DatumInstrument> before, std::optional<DatumInstrument> after, const QString& text);
 
+    EditContext& m_context;
     db::Stores& m_stores;
+    QUndoStack& m_undo;
     std::function<std::string()> m_today;
     std::vector<DatumInstrument> m_instruments;
     FormFields<DatumInstrument> m_fields;

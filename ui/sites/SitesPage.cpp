@@ -19,8 +19,8 @@
 #include "core/site/SiteSurvey.h"
 #include "core/swing/SwingField.h"
 #include "ui/earth/FieldText.h"
-#include "ui/fleet/RecordEdits.h"
 #include "ui/kit/PlaceText.h"
+#include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
 #include "ui/sites/SurveyDrawing.h"
 #include "ui/text/NumberText.h"
@@ -238,14 +238,14 @@ void SitesPage::reload()
         emit failed(messageOf(sites.error()));
         return;
     }
-    const SiteId kept = m_fields.record().id;
+    const RecordId kept = m_fields.record().record;
     m_sites = std::move(sites.value());
     const QSignalBlocker quiet(m_list);
     m_list->clear();
     int row = 0;
     for (std::size_t i = 0; i < m_sites.size(); ++i) {
         m_list->addItem(toText(m_sites[i].name));
-        if (m_sites[i].id == kept)
+        if (m_sites[i].record == kept)
             row = static_cast<int>(i);
     }
     m_list->setCurrentRow(row);
@@ -334,9 +334,38 @@ void SitesPage::showSurvey()
     m_summary->setText(lines.join(QStringLiteral(" ")));
 }
 
+namespace {
+
+/// A base that was removed and made again has another id: found by its RecordId.
+Result<Site> asStored(db::Stores& stores, Site site)
+{
+    const auto sites = stores.sites.sites();
+    if (!sites)
+        return sites.error();
+    const auto found = std::find_if(sites->begin(), sites->end(), [&](const Site& one) { return one.record == site.record; });
+    if (found == sites->end())
+        return Error{ErrorCode::NotFound, {MARKED("ui", "there is no base %1 any more"), site.name}};
+    site.id = found->id;
+    return site;
+}
+
+const StoredBy<Site>& storedSites()
+{
+    static const StoredBy<Site> by{[](db::Stores& stores, const Site& site) { return noValue(stores.sites.add(site)); },
+        [](db::Stores& stores, const Site& known, const Site& wanted) -> Result<void> {
+            const auto before = asStored(stores, known), after = asStored(stores, wanted);
+            return before && after ? stores.sites.change(*before, *after) : Result<void>(before ? after.error() : before.error());
+        },
+        [](db::Stores& stores, const Site& site) { return stores.sites.removeSite(site.record); }};
+    return by;
+}
+
+} // namespace
+
 void SitesPage::store(const Site& after, const QString& what)
 {
-    m_stack.push(new ChangeRecord<Site>(m_context, {}, m_fields.record(), after, tr("%1 of %2").arg(what, toText(after.name))));
+    m_stack.push(new StoredEdit(m_context, storedSites(), std::optional(m_fields.record()), std::optional(after),
+        tr("%1 of %2").arg(what, toText(after.name)), Destination{QStringLiteral("sites")}));
     reload();
 }
 
@@ -346,14 +375,13 @@ void SitesPage::addSite()
     site.name = tr("New base").toStdString();
     for (int number = 2; std::any_of(m_sites.begin(), m_sites.end(), [&](const Site& one) { return one.name == site.name; }); ++number)
         site.name = tr("New base %1").arg(number).toStdString();
-    const auto id = m_context.stores.sites.add(site);
-    if (!id) {
-        emit failed(messageOf(id.error()));
-        return;
-    }
-    site.id = *id;
+    site.record = newRecordId();
     m_fields.show(site, true);
+    m_stack.push(new StoredEdit(
+        m_context, storedSites(), std::optional<Site>(), std::optional(site), tr("new base"), Destination{QStringLiteral("sites")}));
     reload();
+    if (m_fields.record().record != site.record)
+        return; // refused
     findChild<QLineEdit*>(QStringLiteral("siteName"))->setFocus();
     findChild<QLineEdit*>(QStringLiteral("siteName"))->selectAll();
 }

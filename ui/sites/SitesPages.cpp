@@ -22,7 +22,8 @@ Result<void> SitesPage::open(const FleetItem&)
 
 PageDescription InstrumentsPage::description(PageContext& context)
 {
-    PageDescription page{QStringLiteral("instruments"), [&context] { return new InstrumentsPage(context.stores, context.today()); }};
+    PageDescription page{
+        QStringLiteral("instruments"), [&context] { return new InstrumentsPage(context.edits, context.undo, context.today()); }};
     page.commands = {{MenuId::Fleet, 130, tr("&Datum instruments"), tr("Ctrl+Shift+M"), "showInstruments",
         [&context](Page&) { context.go({"instruments"}); }}};
     return page;

@@ -185,7 +185,7 @@ void MainWindow::showEdited(int command)
     const auto* edit = dynamic_cast<const Edit*>(m_stack.command(command));
     if (!edit)
         return;
-    if (const Destination seen = edit->seenAt(); !std::holds_alternative<std::monostate>(seen.record))
+    if (const Destination seen = edit->seenAt(); !seen.page.isEmpty() || !std::holds_alternative<std::monostate>(seen.record))
         navigate(seen);
 }
 

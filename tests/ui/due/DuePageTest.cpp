@@ -18,6 +18,7 @@
 #include "ui/due/DuePage.h"
 #include "ui/due/DueWatch.h"
 #include "ui/fleet/EventsPanel.h"
+#include "ui/kit/Words.h"
 
 using namespace lubberline;
 using namespace lubberline::ui;
@@ -31,6 +32,8 @@ struct OpenDue {
     std::string today = "2026-11-23";
     QString path;
     QStringList failures, told;
+    EditContext context{stores, [this](const Error& error) { failures += messageOf(error); }};
+    QUndoStack stack;
     std::vector<std::pair<AircraftId, CompassId>> opened;
     std::unique_ptr<DuePage> page;
 
@@ -74,7 +77,7 @@ struct OpenDue {
     {
         const auto ask = [this](auto&&...) { return path; };
         page = std::make_unique<DuePage>(
-            stores, [this] { return today; }, FileQuestions{ask, ask});
+            context, stack, [this] { return today; }, FileQuestions{ask, ask});
         QObject::connect(page.get(), &DuePage::failed, page.get(), [this](const QString& message) { failures += message; });
         QObject::connect(page.get(), &DuePage::done, page.get(), [this](const QString& message) { told += message; });
         QObject::connect(page.get(), &DuePage::openCompass, page.get(),
@@ -259,6 +262,12 @@ private slots:
         rules.setCurrentCell(2, 0);
         QTest::mouseClick(&open.find<QPushButton>("removeRule"), Qt::LeftButton);
         QCOMPARE(open.stores.whole().dueRules.size(), std::size_t(2));
+        open.stack.undo(); // the removal
+        QCOMPARE(open.stores.whole().dueRules.size(), std::size_t(3));
+        QCOMPARE(rules.rowCount(), 4); // shown again, with the row for a new one
+        while (open.stack.canUndo())
+            open.stack.undo();
+        QVERIFY(open.stores.whole().dueRules.empty());
     }
 
     void theCalendarFileHasTheDays()

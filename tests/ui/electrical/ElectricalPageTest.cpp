@@ -3,10 +3,12 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <QUndoStack>
 
 #include "tests/ui/window/Fixture.h"
 #include "tests/ui/window/Typing.h"
 #include "ui/electrical/ElectricalPage.h"
+#include "ui/kit/EditContext.h"
 
 namespace lubberline::ui {
 
@@ -25,7 +27,9 @@ private slots:
         QVERIFY(steps[2].contains("269.30 → 269.65"));
 
         SmallFleet fleet;
-        ElectricalPage page(fleet.stores, [] { return kToday; });
+        QUndoStack stack;
+        EditContext context{fleet.stores, [](const Error&) {}};
+        ElectricalPage page(context, stack, [] { return kToday; });
         page.show();
         QVERIFY(page.showCompass(fleet.compass));
         in<QPushButton>(page, "newElectrical").click();
@@ -49,6 +53,31 @@ private slots:
         const Swing swing = made.front().front().value<Swing>();
         QCOMPARE(swing.readings.size(), 4u);
         QCOMPARE(deviationOf(*swing.readings[1].magnetic, *swing.readings[1].compass).degrees(), -0.5); // error +0.5
+    }
+
+    void everyCellIsUndoneAndTheSheetToo()
+    {
+        SmallFleet fleet;
+        QUndoStack stack;
+        EditContext context{fleet.stores, [](const Error&) {}};
+        ElectricalPage page(context, stack, [] { return kToday; });
+        page.show();
+        QVERIFY(page.showCompass(fleet.compass));
+        in<QPushButton>(page, "newElectrical").click();
+        auto& sheet = in<QTableWidget>(page, "tableF1");
+        typeCell(sheet, 0, 2, "0.3");
+        typeCell(sheet, 0, 2, "0.4");
+        const auto indicated = [&] { return fleet.stores.electrical.of(fleet.compass)->front().after.indicated_deg[0]; };
+        stack.undo();
+        QCOMPARE(*indicated(), 0.3);
+        QCOMPARE(sheet.item(0, 2)->text().toDouble(), 0.3); // the page shows what is stored
+        stack.undo();
+        QVERIFY(!indicated());
+        stack.undo();
+        QVERIFY(fleet.stores.electrical.of(fleet.compass)->empty());
+        while (stack.canRedo())
+            stack.redo();
+        QCOMPARE(*indicated(), 0.4);
     }
 };
 

@@ -85,7 +85,9 @@ private slots:
         QVERIFY2(datumExample(gps).contains("heads 352.0"), qPrintable(datumExample(gps))); // true less 6° east
 
         SmallFleet fleet;
-        InstrumentsPage page(fleet.stores, [] { return kToday; });
+        QUndoStack stack;
+        EditContext context{fleet.stores, [](const Error&) {}};
+        InstrumentsPage page(context, stack, [] { return kToday; });
         page.show();
         page.reload();
         in<QPushButton>(page, "newInstrument").click();
@@ -95,6 +97,52 @@ private slots:
         QVERIFY(in<QLabel>(page, "instrumentState").text().contains("2026-11-22"));
         in<QPushButton>(page, "removeInstrument").click();
         QVERIFY(fleet.stores.sites.instruments()->empty());
+        stack.undo(); // the removal
+        QCOMPARE(fleet.stores.sites.instruments()->front().name, std::string("B-16"));
+        QCOMPARE(in<QLineEdit>(page, "instrumentDue").text(), QString("2026-11-22")); // the page shows it again
+        stack.undo();
+        QCOMPARE(fleet.stores.sites.instruments()->front().calibrationDue, std::string());
+        stack.undo();
+        stack.undo(); // its name, and that it was made
+        QVERIFY(fleet.stores.sites.instruments()->empty());
+        while (stack.canRedo())
+            stack.redo();
+        QVERIFY(fleet.stores.sites.instruments()->empty()); // made, named, dated, removed
+    }
+
+    void aNewBaseIsUndoneAndItsChangesFindItAgain()
+    {
+        SmallFleet fleet;
+        QUndoStack stack;
+        QStringList faults;
+        EditContext context{fleet.stores, [&faults](const Error& error) { faults += messageOf(error); }};
+        SitesPage page(context, stack, [] { return kToday; });
+        page.show();
+        page.reload();
+        in<QPushButton>(page, "newSite").click();
+        type(in<QLineEdit>(page, "siteName"), "Rose 3");
+        while (stack.canUndo())
+            stack.undo();
+        QVERIFY(fleet.stores.sites.sites()->empty());
+        Site other;
+        other.name = "made meanwhile"; // takes the id that the base had
+        QVERIFY(fleet.stores.sites.add(other));
+        while (stack.canRedo())
+            stack.redo();
+        const auto sites = fleet.stores.sites.sites();
+        QCOMPARE(sites->size(), 2u);
+        QCOMPARE((*sites)[0].name, std::string("Rose 3"));
+        QCOMPARE((*sites)[1].name, std::string("made meanwhile"));
+        // A base where aircraft stand is not taken away: the edit says so and stays out of the way.
+        Swing swing;
+        swing.compass = fleet.compass;
+        swing.site = (*sites)[0].id;
+        swing.date = kToday;
+        QVERIFY(fleet.stores.swings.add(swing));
+        stack.undo();
+        stack.undo();
+        QCOMPARE(faults.size(), 1);
+        QCOMPARE(fleet.stores.sites.sites()->size(), 2u);
     }
 };
 
