@@ -2,7 +2,7 @@
 
 #include "app/Console.h"
 #include "core/format/csv/SwingCsv.h"
-#include "core/swing/Observations.h"
+#include "core/swing/SwingResult.h"
 
 namespace lubberline::app {
 
@@ -19,6 +19,7 @@ Result<SourcedSwing> swingFromCsv(const std::string& path)
     sourced.record.aircraft.operatorName = file->operatorName;
     sourced.record.type.name = file->type;
     sourced.record.compass.name = file->compass;
+    sourced.record.compass.resolution_deg = divisionOf_deg(file->swing);
     sourced.record.site = siteOf(*file);
     if (sourced.record.site)
         sourced.record.site->variation_deg = file->swing.variation_deg;
@@ -27,7 +28,7 @@ Result<SourcedSwing> swingFromCsv(const std::string& path)
 
 Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options)
 {
-    auto analysis = analyse(observationsOf(swing.record.swing), options);
+    auto analysis = resultOf(swing.record, nullptr, options);
     if (analysis)
         return analysis;
     Error error = analysis.error();

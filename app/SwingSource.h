@@ -21,7 +21,7 @@ struct SourcedSwing {
 /// Reads a Swing CSV; particulars that the file does not state stay empty. Errors: those of readSwingCsvFile().
 Result<SourcedSwing> swingFromCsv(const std::string& path);
 
-/// analyse() of the readings that count; an error names the source.
+/// resultOf() the readings that count; an error names the source.
 Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options = {});
 
 } // namespace lubberline::app

@@ -8,7 +8,7 @@
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/results/NmeaJson.h"
 #include "core/nmea/NmeaSwing.h"
-#include "core/swing/Observations.h"
+#include "core/swing/SwingResult.h"
 
 namespace lubberline::app {
 
@@ -65,7 +65,10 @@ int nmeaCommand(const NmeaArguments& options)
         return fail(swing.error());
     std::optional<Analysis> analysis;
     std::vector<Message> warnings = swing->warnings;
-    if (auto analysed = analyse(observationsOf(*swing))) {
+    SwingRecord record;
+    record.swing = toSwing(*swing);
+    record.compass.resolution_deg = divisionOf_deg(record.swing);
+    if (auto analysed = resultOf(record)) {
         analysis = std::move(analysed.value());
         warnings.insert(warnings.end(), analysis->warnings.begin(), analysis->warnings.end());
     } else {

@@ -122,7 +122,8 @@ void fillUncertainty(SmithFitReport& report, const Eigen::MatrixXd& inverseNorma
     if (!report.sigma_rad)
         return;
     const auto p = report.parameters;
-    report.covariance.topLeftCorner(p, p) = inverseNormal * (*report.sigma_rad * *report.sigma_rad);
+    const double scatter_rad = std::max(*report.sigma_rad, kLeastScatter_rad);
+    report.covariance.topLeftCorner(p, p) = inverseNormal * (scatter_rad * scatter_rad);
     for (int i = 0; i < p; ++i)
         report.standardError[static_cast<std::size_t>(i)] = std::sqrt(report.covariance(i, i));
 }

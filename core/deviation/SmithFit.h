@@ -12,6 +12,9 @@
 
 namespace lubberline {
 
+/// Readings that lie on the curve to the last digit leave the rounding of the computer: covariances are never zero.
+inline constexpr double kLeastScatter_rad = 1e-12;
+
 /// What a fit found, for both kinds. Values are [rad] for the approximate and dimensionless for the exact coefficients.
 /// A coefficient that the headings cannot tell has no value.
 struct SmithFitReport {

@@ -302,15 +302,6 @@ Result<NmeaSwing> readNmeaSwingFile(const std::string& path, const NmeaOptions& 
     return readNmeaSwing(file, path, options, progress);
 }
 
-std::vector<Observation> observationsOf(const NmeaSwing& swing)
-{
-    std::vector<Observation> observations;
-    for (const auto& pair : swing.pairs)
-        if (pair.used)
-            observations.push_back({pair.magnetic, pair.compass});
-    return observations;
-}
-
 Swing toSwing(const NmeaSwing& nmea)
 {
     Swing swing;

@@ -66,8 +66,6 @@ struct NmeaSwing {
 Result<NmeaSwing> readNmeaSwing(std::istream& input, const std::string& name, const NmeaOptions& options, const Progress& progress = {});
 Result<NmeaSwing> readNmeaSwingFile(const std::string& path, const NmeaOptions& options, const Progress& progress = {});
 
-/// The used pairs as the fits take them.
-[[nodiscard]] std::vector<Observation> observationsOf(const NmeaSwing& swing);
 /// The used pairs as a calibration swing with its date and variation; what it is of is for the user to say.
 [[nodiscard]] Swing toSwing(const NmeaSwing& swing);
 

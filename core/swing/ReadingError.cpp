@@ -1,5 +1,6 @@
 #include "core/swing/ReadingError.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/angle/Angle.h"
@@ -12,10 +13,7 @@ void widen(SmithFitReport& fit, double error_rad)
 {
     if (!fit.sigma_rad || *fit.sigma_rad >= error_rad)
         return;
-    // A scatter of nothing at all has no covariance to widen: the next best is that of rounding, which fits never fall below.
-    if (*fit.sigma_rad <= 0)
-        return;
-    const double factor = error_rad / *fit.sigma_rad;
+    const double factor = error_rad / std::max(*fit.sigma_rad, kLeastScatter_rad);
     fit.covariance *= factor * factor;
     for (auto& error : fit.standardError)
         if (error)

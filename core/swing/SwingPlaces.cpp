@@ -1,7 +1,7 @@
 #include "core/swing/SwingPlaces.h"
 
-#include "core/swing/Observations.h"
 #include "core/swing/SwingField.h"
+#include "core/swing/SwingResult.h"
 
 namespace lubberline {
 
@@ -14,11 +14,10 @@ Result<SwingAtPlace> swingAtPlace(const SwingRecord& record)
             {MARKED("core",
                  "the Earth's field of the swing of %1 is not known; expected a site with latitude and longitude, and a date within the magnetic models"),
                 label}};
-    const auto readings = observationsOf(record.swing);
-    const auto fit = fitExact(readings);
-    if (!fit)
-        return fit.error();
-    return swingAtPlace(*fit, stamp->field.meridian(), label);
+    const auto result = resultOf(record, nullptr, {0}); // no harmonics are asked for
+    if (!result)
+        return result.error();
+    return swingAtPlace(result->exact, stamp->field.meridian(), label);
 }
 
 Result<SwingAtPlace> swingAtPlace(const ExactFit& fit, const MeridianField& field, const std::string& label)

@@ -16,7 +16,7 @@
 #include "core/angle/AngleText.h"
 #include "core/procedure/ElectricalChecks.h"
 #include "core/swing/Analysis.h"
-#include "core/swing/Observations.h"
+#include "core/swing/SwingResult.h"
 #include "ui/earth/FieldText.h"
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
@@ -303,8 +303,9 @@ void ElectricalPage::showHeadings()
     }
     SwingRecord record;
     record.swing = swingFrom(swing);
+    record.compass.resolution_deg = divisionOf_deg(record.swing);
     record.compass = m_compass;
-    auto made = analyse(observationsOf(record.swing));
+    auto made = resultOf(record);
     const QString why = made ? QString() : toText(made.error().message);
     m_plot->setPicture(pictureOf(
         record, made ? std::make_shared<const Analysis>(std::move(made.value())) : nullptr, why, nullptr, {}, AngleStyle::DecimalDegrees));

@@ -8,7 +8,7 @@
 
 #include "core/angle/AngleText.h"
 #include "core/swing/Observations.h"
-#include "core/swing/ReadingError.h"
+#include "core/swing/SwingResult.h"
 #include "ui/plots/swing/PictureOf.h"
 
 namespace lubberline::ui {
@@ -147,8 +147,8 @@ SwingPicture GuidedJob::picture() const
         record.swing = asFoundSwing(m_job, m_state);
     std::shared_ptr<const Analysis> analysis;
     QString why;
-    if (auto made = analyse(observationsOf(record.swing))) {
-        widenToReadings(*made, readingError_rad(m_job.resolution_deg, m_job.datum.resolution_deg));
+    record.compass.resolution_deg = m_job.resolution_deg;
+    if (auto made = resultOf(record, &m_job)) {
         analysis = std::make_shared<const Analysis>(std::move(made.value()));
     } else
         why = translated(made.error().message);

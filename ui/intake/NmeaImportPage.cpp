@@ -13,7 +13,7 @@
 
 #include "core/angle/AngleText.h"
 #include "core/swing/Analysis.h"
-#include "core/swing/Observations.h"
+#include "core/swing/SwingResult.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
@@ -260,10 +260,11 @@ void NmeaImportPage::showAnswer()
         lines += toText(warning);
     SwingRecord record;
     record.swing = toSwing(read);
+    record.compass.resolution_deg = divisionOf_deg(record.swing);
     record.compass = m_compass;
     std::shared_ptr<const Analysis> analysis;
     QString why;
-    if (auto made = analyse(observationsOf(record.swing)))
+    if (auto made = resultOf(record))
         analysis = std::make_shared<const Analysis>(std::move(made.value()));
     else
         why = toText(made.error().message);

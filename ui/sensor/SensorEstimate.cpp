@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "core/swing/Analysis.h"
-#include "core/swing/Observations.h"
 #include "core/swing/SwingPlaces.h"
+#include "core/swing/SwingResult.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -29,12 +29,12 @@ struct EstimatedSwing {
 /// None where the readings do not tell all five coefficients.
 std::optional<EstimatedSwing> estimated(const SwingRecord& record)
 {
-    const auto fit = fitExact(observationsOf(record.swing));
-    if (!fit)
+    const auto result = resultOf(record, nullptr, {0}); // no harmonics are asked for
+    if (!result)
         return std::nullopt;
     const auto& stamp = record.swing.field;
     const std::string label = record.swing.date + (record.site ? " " + record.site->name : std::string());
-    auto atPlace = swingAtPlace(*fit, stamp ? stamp->field.meridian() : MeridianField(), label);
+    auto atPlace = swingAtPlace(result->exact, stamp ? stamp->field.meridian() : MeridianField(), label);
     return atPlace ? std::optional(EstimatedSwing{std::move(atPlace.value()), stamp}) : std::nullopt;
 }
 

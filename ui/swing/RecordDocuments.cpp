@@ -11,7 +11,7 @@
 #include "core/procedure/JobState.h"
 #include "core/procedure/LoadNotes.h"
 #include "core/swing/Observations.h"
-#include "core/swing/ReadingError.h"
+#include "core/swing/SwingResult.h"
 #include "ui/report/page/Figures.h"
 
 namespace lubberline::ui {
@@ -45,10 +45,10 @@ bool belongTogether(const Swing& swing, const Swing& other)
 }
 
 /// The nearest by the list's order (newest first), which is one job in practice.
-Result<std::optional<Swing>> radioPartner(db::Stores& stores, const SwingRecord& record)
+Result<std::optional<SwingRecord>> radioPartner(db::Stores& stores, const SwingRecord& record)
 {
     if (record.swing.configuration.radio == RadioState::NotStated)
-        return std::optional<Swing>();
+        return std::optional<SwingRecord>();
     const auto rows = stores.swings.swingsOf(record.compass.id);
     if (!rows)
         return rows.error();
@@ -59,18 +59,27 @@ Result<std::optional<Swing>> radioPartner(db::Stores& stores, const SwingRecord&
         if (!other)
             return other.error();
         if (belongTogether(record.swing, other->swing))
-            return std::optional(std::move(other->swing));
+            return std::optional(std::move(*other));
     }
-    return std::optional<Swing>();
+    return std::optional<SwingRecord>();
 }
 
-Result<CardColumn> columnOf(const Swing& swing, const CardOptions& options)
+/// What the guided swing that a swing came from adds to its result.
+Result<Analysis> storedResult(db::Stores& stores, const SwingRecord& record)
 {
-    const auto analysis = analyse(observationsOf(swing));
+    const auto job = stores.jobs.jobOf(record.swing.id);
+    if (!job)
+        return job.error();
+    return resultOf(record, *job ? &(*job)->job : nullptr);
+}
+
+Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const CardOptions& options)
+{
+    const auto analysis = storedResult(stores, record);
     auto card = analysis ? makeCard(*analysis, options) : Result<Card>(analysis.error());
     if (!card)
         return card.error();
-    return CardColumn{columnHeading(swing.configuration.radio), std::move(card.value())};
+    return CardColumn{columnHeading(record.swing.configuration.radio), std::move(card.value())};
 }
 
 QString nextDue(db::Stores& stores, const SwingRecord& record)
@@ -122,10 +131,9 @@ Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& made
     auto record = stores.swings.record(id);
     if (!record)
         return record.error();
-    auto analysis = analyse(observationsOf(record->swing));
+    auto analysis = storedResult(stores, *record);
     if (!analysis)
         return analysis.error();
-    widenToReadings(*analysis, readingError_rad(record->compass.resolution_deg));
     auto previous = stores.swings.previous(id);
     auto sensors = stores.sensors.of(record->compass.id);
     auto job = stores.jobs.jobOf(id);
@@ -148,7 +156,7 @@ Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& opti
     const auto record = stores.swings.record(id);
     if (!record)
         return record.error();
-    const auto column = columnOf(record->swing, options);
+    const auto column = columnOf(stores, *record, options);
     if (!column)
         return column.error();
     CardInput input{*record, {*column}, madeAtUtc, options};
@@ -164,10 +172,10 @@ Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& opti
         return other.error();
     if (!*other)
         return input;
-    const auto second = columnOf(**other, options);
+    const auto second = columnOf(stores, **other, options);
     if (!second)
         return second.error();
-    input.columns.insert((*other)->configuration.radio == RadioState::On ? input.columns.begin() : input.columns.end(), *second);
+    input.columns.insert((*other)->swing.configuration.radio == RadioState::On ? input.columns.begin() : input.columns.end(), *second);
     return input;
 }
 

@@ -6,7 +6,7 @@
 
 #include "core/angle/AngleText.h"
 #include "core/swing/Observations.h"
-#include "core/swing/ReadingError.h"
+#include "core/swing/SwingResult.h"
 #include "ui/fleet/RecordEdits.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/NominalLayout.h"
@@ -86,9 +86,11 @@ void SwingEditor::analyseRecord()
     m_used = usedReadings(m_record.swing);
     m_analysis.reset();
     m_whyNoAnalysis.clear();
-    auto result = analyse(observationsOf(m_record.swing));
-    if (result)
-        widenToReadings(*result, readingError_rad(m_record.compass.resolution_deg));
+    std::optional<SwingJob> job;
+    if (!m_record.swing.job.empty())
+        if (auto found = m_context.stores.jobs.jobOf(id()); found && *found)
+            job = std::move((*found)->job);
+    auto result = resultOf(m_record, job ? &*job : nullptr);
     if (result)
         m_analysis = std::make_shared<const Analysis>(std::move(result.value()));
     else

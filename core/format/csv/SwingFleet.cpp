@@ -1,6 +1,7 @@
 #include "core/format/csv/SwingCsv.h"
 
 #include "core/record/DerivedId.h"
+#include "core/swing/SwingResult.h"
 
 namespace lubberline {
 
@@ -14,6 +15,7 @@ SwingRecord recordOf(const SwingFile& file)
     record.aircraft.operatorName = file.operatorName;
     record.type.name = file.type;
     record.compass.name = file.compass;
+    record.compass.resolution_deg = divisionOf_deg(file.swing);
     record.site = siteOf(file);
     return record;
 }

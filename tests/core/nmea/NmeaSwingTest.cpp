@@ -62,7 +62,7 @@ NmeaOptions stated(double variation_deg)
 
 void expectSmith(const NmeaSwing& swing, double tolerance_deg)
 {
-    const auto analysis = analyse(observationsOf(swing));
+    const auto analysis = analyse(observationsOf(toSwing(swing)));
     ASSERT_TRUE(analysis);
     const auto near = [&](Coefficient which, double expected_rad) {
         EXPECT_NEAR(toDegrees(*analysis->approximate.of(which)), toDegrees(expected_rad), tolerance_deg) << letterOf(which);

@@ -1,0 +1,33 @@
+#include "core/swing/SwingResult.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/swing/Observations.h"
+#include "core/swing/ReadingError.h"
+
+namespace lubberline {
+
+Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options)
+{
+    auto analysis = analyse(observationsOf(record.swing), options);
+    if (analysis)
+        widenToReadings(*analysis, readingError_rad(record.compass.resolution_deg, job ? job->datum.resolution_deg : 0.0));
+    return analysis;
+}
+
+double divisionOf_deg(const Swing& swing)
+{
+    const auto readTo = [&swing](double division_deg) {
+        return std::all_of(swing.readings.begin(), swing.readings.end(), [division_deg](const Reading& reading) {
+            const double divisions = reading.compass ? reading.compass->degrees() / division_deg : 0.0;
+            return std::abs(divisions - std::round(divisions)) < 1e-6;
+        });
+    };
+    for (const double division_deg : {1.0, 0.5, 0.1})
+        if (readTo(division_deg))
+            return division_deg;
+    return 0.01;
+}
+
+} // namespace lubberline

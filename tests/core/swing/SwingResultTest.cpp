@@ -1,0 +1,71 @@
+#include "core/swing/SwingResult.h"
+
+#include <gtest/gtest.h>
+
+namespace lubberline {
+namespace {
+
+Swing swingReading(const std::vector<std::pair<double, double>>& pairs)
+{
+    Swing swing;
+    for (const auto& [magnetic, compass] : pairs) {
+        Reading reading;
+        reading.magnetic = MagneticHeading::fromDegrees(magnetic);
+        reading.compass = CompassHeading::fromDegrees(compass);
+        swing.readings.push_back(reading);
+    }
+    return swing;
+}
+
+const std::vector<std::pair<double, double>> kWithoutDeviation{
+    {0, 0}, {45, 45}, {90, 90}, {135, 135}, {180, 180}, {225, 225}, {270, 270}, {315, 315}};
+
+TEST(SwingResult, noScatterAtAllIsNoCertainty)
+{
+    SwingRecord record;
+    record.swing = swingReading(kWithoutDeviation);
+    const auto result = resultOf(record);
+    ASSERT_TRUE(result);
+    // 1/√12 of a degree a reading; A is the mean of eight of them, B and C a half of the sum of eight sines squared.
+    EXPECT_NEAR(toDegrees(*result->approximate.standardError[0]), std::sqrt(1.0 / 12 / 8), 1e-6);
+    EXPECT_NEAR(toDegrees(*result->approximate.standardError[1]), std::sqrt(1.0 / 12 / 4), 1e-6);
+    EXPECT_GT(*result->exact.standardError[0], 0);
+}
+
+TEST(SwingResult, theDatumOfAGuidedSwingAddsItsDivision)
+{
+    SwingRecord record;
+    record.swing = swingReading(kWithoutDeviation);
+    SwingJob job;
+    job.datum.resolution_deg = 1.0;
+    const auto alone = resultOf(record), both = resultOf(record, &job);
+    ASSERT_TRUE(alone && both);
+    EXPECT_NEAR(*both->approximate.standardError[0] / *alone->approximate.standardError[0], std::sqrt(2.0), 1e-9);
+}
+
+TEST(SwingResult, whatScattersMoreStaysAsItIs)
+{
+    SwingRecord record;
+    auto pairs = kWithoutDeviation;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        pairs[i].second = wrap360(pairs[i].second + (i % 3 == 0 ? 2.0 : -1.0));
+    record.swing = swingReading(pairs);
+    record.compass.resolution_deg = 0.01;
+    const auto fine = resultOf(record);
+    record.compass.resolution_deg = 1.0;
+    const auto whole = resultOf(record);
+    ASSERT_TRUE(fine && whole);
+    EXPECT_EQ(*fine->approximate.standardError[0], *whole->approximate.standardError[0]);
+}
+
+TEST(SwingResult, aFilesDivisionIsThatOfItsFigures)
+{
+    EXPECT_EQ(divisionOf_deg(swingReading({{0, 1}, {90.25, 93}})), 1.0); // of the compass, not of the datum
+    EXPECT_EQ(divisionOf_deg(swingReading({{0, 1}, {90, 93.5}})), 0.5);
+    EXPECT_EQ(divisionOf_deg(swingReading({{0, 359.9}, {90, 93.3}})), 0.1);
+    EXPECT_EQ(divisionOf_deg(swingReading({{0, 1.0123456}, {90, 93.5}})), 0.01);
+    EXPECT_EQ(divisionOf_deg({}), 1.0);
+}
+
+} // namespace
+} // namespace lubberline
