@@ -14,13 +14,7 @@ Result<SourcedSwing> swingFromCsv(const std::string& path)
     SourcedSwing sourced;
     sourced.source = path;
     sourced.warnings = file->warnings;
-    sourced.record.swing = file->swing;
-    sourced.record.aircraft.registration = file->aircraft;
-    sourced.record.aircraft.operatorName = file->operatorName;
-    sourced.record.type.name = file->type;
-    sourced.record.compass.name = file->compass;
-    sourced.record.compass.resolution_deg = divisionOf_deg(file->swing);
-    sourced.record.site = siteOf(*file);
+    sourced.record = recordOf(*file);
     if (sourced.record.site)
         sourced.record.site->variation_deg = file->swing.variation_deg;
     return sourced;

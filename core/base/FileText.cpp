@@ -83,6 +83,4 @@ std::string inQuotes(std::string_view text)
     return "\"" + shown + (length < text.size() ? "\u2026\"" : "\"");
 }
 
-std::string counted(std::size_t count, const char* one) { return std::to_string(count) + " " + one + (count == 1 ? "" : "s"); }
-
 } // namespace lubberline

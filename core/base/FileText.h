@@ -18,7 +18,4 @@ namespace lubberline {
 /// In quotes for an error message: cut to a readable length, control characters shown as '?'.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
-/// "1 cell", "3 cells".
-[[nodiscard]] std::string counted(std::size_t count, const char* one);
-
 } // namespace lubberline

@@ -1,7 +1,5 @@
 #include "core/base/Message.h"
 
-#include "core/base/Contract.h"
-
 namespace lubberline {
 
 namespace {
@@ -59,17 +57,6 @@ std::string Message::Argument::in(const Language& language) const
     if (const auto* message = std::get_if<Message>(&m_value))
         return message->in(language);
     return std::get<std::string>(m_value);
-}
-
-Message inARow(std::vector<Message> messages)
-{
-    if (messages.empty())
-        return {};
-    Message row = std::move(messages.front());
-    for (std::size_t i = 1; i < messages.size(); ++i)
-        row = i + 1 < messages.size() ? Message{MARKED("core", "%1, %2"), std::move(row), std::move(messages[i])}
-                                      : Message{MARKED("core", "%1 and %2"), std::move(row), std::move(messages[i])};
-    return row;
 }
 
 Message together(std::vector<Message> messages)

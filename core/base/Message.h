@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -18,9 +17,9 @@
 
 namespace lubberline {
 
-/// A sentence of the source, made by MARKED alone: lupdate looks for that word. `%1` … `%9` are filled in; `%n` is the count.
+/// A sentence of the source, made by MARKED: lupdate looks for that word. `%1` … `%9` are filled in; `%n` is the count.
 struct Pattern {
-    const char* context; ///< null: not to be translated (figures, names, what another program said)
+    const char* context; ///< null: only joins messages and texts, and has nothing to translate
     const char* english; ///< with `%n`, "(s)" behind a word is its plural: "%n reading(s)"
 };
 
@@ -98,8 +97,6 @@ Message::Message(Pattern pattern, Arguments&&... arguments) : m_pattern(pattern)
     (take(std::forward<Arguments>(arguments)), ...);
 }
 
-/// "one", "one and two", "one, two and three".
-[[nodiscard]] Message inARow(std::vector<Message> messages);
 /// Sentences one after the other, parted by "; ".
 [[nodiscard]] Message together(std::vector<Message> messages);
 

@@ -3,41 +3,28 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
+
+#include "tests/structure/Sources.h"
 
 namespace {
 
+using namespace lubberline::test;
 namespace fs = std::filesystem;
-
-std::string slurped(const fs::path& path)
-{
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 TEST(Bibliography, everyKeyThatIsCitedStandsThere)
 {
-    const fs::path root(LUBBERLINE_SOURCE);
-    const std::string bibliography = slurped(root / "docs" / "bibliography.md");
+    const std::string bibliography = textOf(fs::path(LUBBERLINE_SOURCE) / "docs" / "bibliography.md");
     ASSERT_FALSE(bibliography.empty());
     // [P 4], [P 14–15, K 9.13]: whole brackets first, then each letter before a number.
     const std::regex bracket("\\[([A-Z] [0-9][^\\]\\n]*)\\]"), key("(?:^|[ ,;])([A-Z]) [0-9]");
     std::set<std::string> cited;
-    for (const char* top : {"core", "db", "ui", "app", "tests"})
-        for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
-            if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp")
-                continue;
-            const std::string text = slurped(entry.path());
-            for (std::sregex_iterator found(text.begin(), text.end(), bracket), end; found != end; ++found) {
-                const std::string inside = (*found)[1].str();
-                for (std::sregex_iterator one(inside.begin(), inside.end(), key); one != end; ++one)
-                    cited.insert((*one)[1].str());
-            }
+    for (const auto& [file, text] : sourcesBelow({"core", "db", "ui", "app", "tests"}))
+        for (std::sregex_iterator found(text.begin(), text.end(), bracket), end; found != end; ++found) {
+            const std::string inside = (*found)[1].str();
+            for (std::sregex_iterator one(inside.begin(), inside.end(), key); one != end; ++one)
+                cited.insert((*one)[1].str());
         }
     for (const char* known : {"P", "M", "K"})
         EXPECT_TRUE(cited.contains(known)) << "the test looks in the wrong place: nobody cites [" << known << " …]";

@@ -5,28 +5,20 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 
+#include "tests/structure/Sources.h"
+
 namespace {
 
+using namespace lubberline::test;
 namespace fs = std::filesystem;
 
 using Names = std::set<std::string>;
 const std::vector<std::string> kNone;
-
-std::string textOf(const fs::path& path)
-{
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-bool isSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
 
 struct Include {
     std::string file;   ///< from the root of the repository
@@ -39,19 +31,15 @@ std::vector<Include> includesBelow(const std::string& top)
 {
     static const std::regex line("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]");
     std::vector<Include> found;
-    int files = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(LUBBERLINE_SOURCE) / top)) {
-        if (!isSource(entry.path()))
-            continue;
-        ++files;
-        const std::string file = fs::relative(entry.path(), LUBBERLINE_SOURCE).string();
-        std::istringstream text(textOf(entry.path()));
+    const auto sources = sourcesBelow({top});
+    for (const auto& [file, text] : sources) {
+        std::istringstream rows(text);
         std::smatch match;
-        for (std::string row; std::getline(text, row);)
+        for (std::string row; std::getline(rows, row);)
             if (std::regex_search(row, match, line))
                 found.push_back({file, fs::path(file).parent_path().string(), match[1].str()});
     }
-    EXPECT_GT(files, 2) << top << " has no sources: the test looks in the wrong place";
+    EXPECT_GT(sources.size(), 2u) << top << " has no sources: the test looks in the wrong place";
     return found;
 }
 
@@ -172,10 +160,8 @@ TEST(Floors, noFoldersNeedEachOther)
 TEST(Floors, aRoomHoldsNoMoreThanOneCanLookOver)
 {
     std::map<std::string, int> files;
-    for (const char* top : {"core", "db", "ui", "app"})
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(LUBBERLINE_SOURCE) / top))
-            if (isSource(entry.path()))
-                ++files[fs::relative(entry.path().parent_path(), LUBBERLINE_SOURCE).string()];
+    for (const auto& source : sourcesBelow({"core", "db", "ui", "app"}))
+        ++files[fs::path(source.file).parent_path().string()];
     for (const auto& [folder, count] : files)
         EXPECT_LE(count, 45) << folder << ": a subject of its own is in there";
 }

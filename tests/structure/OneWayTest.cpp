@@ -4,13 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
 
+#include "tests/structure/Sources.h"
+
 namespace {
 
+using namespace lubberline::test;
 namespace fs = std::filesystem;
 
 struct OneWay {
@@ -36,11 +38,11 @@ const std::vector<OneWay> kWays = {
 };
 
 /// Without what is said in comments, which may name what the code may not.
-std::string codeOf(const fs::path& path)
+std::string codeOf(const std::string& text)
 {
-    std::ifstream file(path);
+    std::istringstream lines(text);
     std::string code;
-    for (std::string line; std::getline(file, line);)
+    for (std::string line; std::getline(lines, line);)
         code += line.substr(0, line.find("//")) + '\n';
     return code;
 }
@@ -49,18 +51,11 @@ std::vector<std::string> filesThatCall(const std::string& calls)
 {
     const std::regex pattern(calls);
     std::vector<std::string> found;
-    int files = 0;
-    for (const char* top : {"core", "db", "ui", "app"})
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(LUBBERLINE_SOURCE) / top)) {
-            const auto ending = entry.path().extension();
-            if (ending != ".h" && ending != ".cpp")
-                continue;
-            ++files;
-            const std::string code = codeOf(entry.path());
-            if (std::regex_search(code, pattern))
-                found.push_back(fs::relative(entry.path(), LUBBERLINE_SOURCE).string());
-        }
-    EXPECT_GT(files, 200) << "the test looks in the wrong place";
+    const auto sources = sourcesBelow({"core", "db", "ui", "app"});
+    for (const auto& [file, text] : sources)
+        if (std::regex_search(codeOf(text), pattern))
+            found.push_back(file);
+    EXPECT_GT(sources.size(), 200u) << "the test looks in the wrong place";
     return found;
 }
 

@@ -1,30 +1,22 @@
 // What people read is marked for translation. In core and db the compiler sees to it (core/base/Message.h); here what it cannot see.
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/structure/Sources.h"
+
 namespace {
 
-namespace fs = std::filesystem;
+using namespace lubberline::test;
 
-std::vector<std::string> placesOf(const std::vector<const char*>& folders, const std::regex& pattern)
+std::vector<std::string> placesOf(const std::vector<std::string>& folders, const std::regex& pattern)
 {
     std::vector<std::string> places;
-    const fs::path root(LUBBERLINE_SOURCE);
-    for (const char* folder : folders)
-        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-            if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp")
-                continue;
-            std::ifstream file(entry.path(), std::ios::binary);
-            const std::string text(std::istreambuf_iterator<char>(file), {});
-            for (std::sregex_iterator found(text.begin(), text.end(), pattern), end; found != end; ++found)
-                places.push_back(fs::relative(entry.path(), root).string() + ": " + found->str());
-        }
+    for (const auto& [file, text] : sourcesBelow(folders))
+        for (std::sregex_iterator found(text.begin(), text.end(), pattern), end; found != end; ++found)
+            places.push_back(file + ": " + found->str());
     return places;
 }
 
@@ -54,8 +46,8 @@ TEST(Words, theWindowShowsNoEnglishOfCore)
 /// lupdate takes a pattern's context from the mark: it says whose words they are.
 TEST(Words, aMarkNamesItsFloor)
 {
-    for (const char* floor : {"core", "db", "ui", "app"})
-        for (const auto& place : placesOf({floor}, std::regex("\\bMARKED(_N)?\\(\\s*\"(?!" + std::string(floor) + "\")[^\"]*\"")))
+    for (const std::string floor : {"core", "db", "ui", "app"})
+        for (const auto& place : placesOf({floor}, std::regex("\\bMARKED(_N)?\\(\\s*\"(?!" + floor + "\")[^\"]*\"")))
             ADD_FAILURE() << place << "… names another floor";
 }
 

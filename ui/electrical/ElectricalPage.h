@@ -64,9 +64,4 @@ private:
     SwingPlot* m_plot;
 };
 
-/// What to turn, from table F1: "at 180: half of +0.6° with N–S: 180.6 → 180.3" …; empty where nothing is told yet.
-[[nodiscard]] QStringList electricalSteps(const FourPointTable& table);
-/// As a swing of magnetic = selected, compass = indicated.
-[[nodiscard]] Swing toSwing(const ElectricalSwing& electrical);
-
 } // namespace lubberline::ui

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
-#include "core/swing/Observations.h"
 #include "core/swing/SwingResult.h"
 #include "ui/plots/swing/PictureOf.h"
 

@@ -17,6 +17,9 @@ namespace lubberline::ui {
 
 class SurveyDrawing;
 
+/// As it is typed, to eight digits; empty where it is not stated.
+[[nodiscard]] QString optionalFigure(std::optional<double> value);
+
 class SitesPage : public Page {
     Q_OBJECT
 
@@ -33,13 +36,17 @@ private:
     void build();
     void buildForm(QFormLayout& form);
     void showSite();
-    void showSurvey();
     void showFitness();
     void addSite();
-    void takeSurvey();
-    void paste();
     void takeModelVariation();
     void store(const Site& after, const QString& what);
+
+    // SitesPageSurvey.cpp
+    void buildSurvey();
+    void showSurvey();
+    void takeSurvey();
+    void paste();
+
     [[nodiscard]] std::optional<double> variationToday() const; ///< of the model there [deg, east positive]
 
     EditContext& m_context;
@@ -53,7 +60,6 @@ private:
     QLabel *m_fitness, *m_lines, *m_summary;
     QTableWidget* m_table;
     SurveyDrawing* m_drawing;
-    bool m_filling = false;
 };
 
 } // namespace lubberline::ui

@@ -43,8 +43,9 @@ Result<SwingFile> readSwingCsv(std::istream& input, const std::string& name, con
 /// Opens and reads; a directory or a missing file is an Io error.
 Result<SwingFile> readSwingCsvFile(const std::string& path, const Progress& progress = {});
 
-/// The compass base that the file names, with what it states of its place; none when it names none.
-[[nodiscard]] std::optional<Site> siteOf(const SwingFile& file);
+/// The file as a record: its compass is read to the division that its figures speak of (core/swing/SwingResult.h), its site has the place
+/// that the file states, or is none where it names none.
+[[nodiscard]] SwingRecord recordOf(const SwingFile& file);
 
 /// The file as a fleet of one swing: what `import` stores. Errors: InvalidInput when the aircraft is not named.
 Result<Fleet> toFleet(const SwingFile& file);

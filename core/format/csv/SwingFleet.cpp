@@ -7,21 +7,7 @@ namespace lubberline {
 
 namespace {
 
-SwingRecord recordOf(const SwingFile& file)
-{
-    SwingRecord record;
-    record.swing = file.swing;
-    record.aircraft.registration = file.aircraft;
-    record.aircraft.operatorName = file.operatorName;
-    record.type.name = file.type;
-    record.compass.name = file.compass;
-    record.compass.resolution_deg = divisionOf_deg(file.swing);
-    record.site = siteOf(file);
-    return record;
-}
-
-} // namespace
-
+/// The compass base that the file names, with what it states of its place; none when it names none.
 std::optional<Site> siteOf(const SwingFile& file)
 {
     if (file.site.empty())
@@ -33,6 +19,21 @@ std::optional<Site> siteOf(const SwingFile& file)
         site.longitude_deg = wrap180(*file.longitude_deg);
     site.elevation_m = file.height_m;
     return site;
+}
+
+} // namespace
+
+SwingRecord recordOf(const SwingFile& file)
+{
+    SwingRecord record;
+    record.swing = file.swing;
+    record.aircraft.registration = file.aircraft;
+    record.aircraft.operatorName = file.operatorName;
+    record.type.name = file.type;
+    record.compass.name = file.compass;
+    record.compass.resolution_deg = divisionOf_deg(file.swing);
+    record.site = siteOf(file);
+    return record;
 }
 
 Result<Fleet> toFleet(const SwingFile& file)

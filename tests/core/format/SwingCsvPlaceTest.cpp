@@ -14,13 +14,6 @@ namespace {
 
 const std::string kRow = "10,12\n";
 
-SwingRecord recordOf(const SwingFile& file)
-{
-    SwingRecord record;
-    record.swing = file.swing;
-    return record;
-}
-
 } // namespace
 
 TEST(SwingCsvPlace, givesAFieldStampByItsDate)

@@ -8,6 +8,7 @@
 #include "tests/ui/window/Fixture.h"
 #include "tests/ui/window/Typing.h"
 #include "ui/electrical/ElectricalPage.h"
+#include "ui/electrical/ElectricalSteps.h"
 #include "ui/kit/EditContext.h"
 
 namespace lubberline::ui {
