@@ -2,11 +2,14 @@
 
 #include "app/Console.h"
 #include "app/Outputs.h"
+#include "app/Paths.h"
 #include "app/Tables.h"
 #include "app/commands/Command.h"
+#include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/results/NmeaJson.h"
+#include "core/nmea/NmeaDoubts.h"
 #include "core/nmea/NmeaSwing.h"
 #include "core/swing/SwingResult.h"
 
@@ -70,6 +73,7 @@ int nmeaCommand(const NmeaArguments& options)
     record.compass.resolution_deg = divisionOf_deg(record.swing);
     if (auto analysed = resultOf(record)) {
         analysis = std::move(analysed.value());
+        widenByDoubts(*analysis, *swing);
         warnings.insert(warnings.end(), analysis->warnings.begin(), analysis->warnings.end());
     } else {
         warnings.push_back(analysed.error().message);
@@ -95,10 +99,13 @@ void addNmea(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<NmeaArguments>();
     auto* command = app.add_subcommand("nmea", "a swing from an NMEA 0183 log of a slow turn");
-    command->add_option("LOG.nmea", options->file, "sentences as they came: HDG, HDM, HDT, RMC, VTG, GGA")->required();
+    command
+        ->add_option("LOG.nmea", options->file,
+            "sentences as they came (HDG, HDM, HDT, THS, VHW, RMC, VTG, GGA, ZDA), also inside CSV, JSON or binary")
+        ->required();
     command
         ->add_option("--reference", options->nmea.reference,
-            "what the compass is held against: track (RMC, VTG), true (HDT), magnetic (another instrument's HDM or HDG)")
+            "what the compass is held against: track (RMC, VTG), true (HDT, THS), magnetic (another instrument's HDM or HDG)")
         ->transform(CLI::CheckedTransformer(std::map<std::string, NmeaReference>{
             {"track", NmeaReference::Track}, {"true", NmeaReference::HeadingTrue}, {"magnetic", NmeaReference::Magnetic}}))
         ->default_str("track");
@@ -115,9 +122,23 @@ void addNmea(CLI::App& app, Invocation& invocation)
     command->add_option("--max-turn-rate", options->nmea.maxTurnRate_deg_s, "faster is left out, as a compass lags [deg/s]")
         ->check(CLI::Range(0.0, 360.0))
         ->capture_default_str();
+    command
+        ->add_option("--wind", options->nmea.wind,
+            "with track: found (taken out where it shows and the aircraft flies), out (wherever it shows: afloat), leave (on wheels)")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, NmeaWindChoice>{
+            {"found", NmeaWindChoice::Found}, {"out", NmeaWindChoice::TakeOut}, {"leave", NmeaWindChoice::Leave}}))
+        ->default_str("found");
+    command
+        ->add_option("--variation-error", options->nmea.variationError_deg,
+            "standard error of the variation where you know of one (survey of the base, magnetic storm) [deg]: widens A")
+        ->check(CLI::Range(0.0, 180.0));
+    command->add_option("--date", options->nmea.date, "YYYY-MM-DD, where the log's own is wrong")->check([](const std::string& text) {
+        return isIsoDate(text) ? std::string() : "\"" + text + "\" is no date; expected YYYY-MM-DD";
+    });
     command->add_option("--talker", options->nmea.compassTalker, "whose HDG and HDM are the compass (HC, II, …), where several send");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     addOutputOption(*command, invocation, "-o,--output", options->output, "write the used pairs as a Swing CSV");
+    options->nmea.today = nowUtc().left(10).toStdString();
     command->callback([options, &invocation] { invocation.action = [options] { return nmeaCommand(*options); }; });
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/due/Calendar.h"
+#include "core/base/Calendar.h"
 
 namespace lubberline {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/due/Calendar.h"
+#include "core/base/Calendar.h"
 
 namespace lubberline {
 

@@ -1,108 +1,137 @@
 #include "core/nmea/NmeaLog.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lubberline {
 
 namespace {
 
-constexpr double kSecondsOfDay = 86400.0;
-
-bool blank(std::string_view line) { return line.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+/// The entry of a source, made where there is none yet. A log has a handful of sources.
+template <class Entry>
+Entry& entryOf(std::vector<Entry>& entries, const NmeaSource& source)
+{
+    const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.source == source; });
+    if (found != entries.end())
+        return *found;
+    entries.emplace_back().source = source;
+    return entries.back();
+}
 
 } // namespace
 
 void NmeaLog::take(std::string_view line)
 {
     ++lines;
-    if (blank(line))
-        return;
-    const ParsedNmea parsed = parseNmea(line);
-    if (parsed.fault == NmeaFault::BadChecksum) {
-        ++badChecksums;
-        return;
+    for (const ParsedNmea& parsed : nmeaSentences(line)) {
+        const bool lostItsChecksum
+            = parsed.fault == NmeaFault::None && !parsed.sentence.hasChecksum && m_checking.contains(parsed.sentence.talker);
+        if (parsed.fault == NmeaFault::BadChecksum || lostItsChecksum)
+            ++badChecksums;
+        else if (parsed.fault != NmeaFault::None)
+            ++otherLines;
+        else
+            take(parsed.sentence);
     }
-    if (parsed.fault != NmeaFault::None) {
-        ++otherLines;
-        return;
-    }
-    if (parsed.sentence.hasChecksum)
-        m_checking.insert(parsed.sentence.talker);
-    else if (m_checking.contains(parsed.sentence.talker)) { // it sends checksums: this sentence has lost its own
-        ++badChecksums;
-        return;
-    }
+}
+
+void NmeaLog::take(const NmeaSentence& sentence)
+{
+    if (sentence.hasChecksum)
+        m_checking.insert(sentence.talker);
     ++sentences;
-    withoutChecksum += parsed.sentence.hasChecksum ? 0 : 1;
-    const NmeaValue value = valueOf(parsed.sentence);
-    if (const auto* compass = std::get_if<NmeaCompass>(&value))
+    ++m_place;
+    withoutChecksum += sentence.hasChecksum ? 0 : 1;
+    const NmeaValue value = valueOf(sentence);
+    if (const auto* compass = std::get_if<NmeaCompass>(&value)) {
         take(*compass);
-    else if (const auto* heading = std::get_if<NmeaTrueHeading>(&value))
-        m_now.trueHeading = heading->heading;
-    else if (const auto* track = std::get_if<NmeaTrack>(&value))
+    } else if (const auto* heading = std::get_if<NmeaTrueHeading>(&value)) {
+        ++ofMode[static_cast<std::size_t>(heading->mode)];
+        send({heading->talker, heading->type}, NmeaNorth::True, heading->heading.degrees());
+    } else if (const auto* water = std::get_if<NmeaWater>(&value)) {
+        take(*water);
+    } else if (const auto* track = std::get_if<NmeaTrack>(&value)) {
         take(*track);
-    else if (const auto* fix = std::get_if<NmeaFix>(&value))
+    } else if (const auto* fix = std::get_if<NmeaFix>(&value)) {
         take(*fix);
+    } else if (const auto* clock = std::get_if<NmeaClock>(&value)) {
+        takeTime({clock->talker, sentence.type}, clock->time);
+    } else if (std::holds_alternative<NmeaBadHeading>(value)) {
+        ++badHeadings;
+    }
 }
 
 void NmeaLog::take(const NmeaCompass& compass)
 {
-    if (compass.variation)
-        m_now.variation = compass.variation;
-    NmeaHeadingEvent event = m_now;
-    event.source = indexOf({compass.talker, compass.type});
-    event.heading = compass.heading;
-    ++m_counts[event.source];
-    m_headings.push_back(std::move(event));
+    const NmeaSource source{compass.talker, compass.type};
+    takeVariation(source, compass.variation);
+    if (compass.deviation && compass.deviation->degrees() != 0.0) {
+        ++deviations;
+        if (!largestDeviation || std::abs(compass.deviation->degrees()) > std::abs(largestDeviation->degrees()))
+            largestDeviation = compass.deviation;
+    }
+    send(source, NmeaNorth::Compass, compass.heading.degrees());
+}
+
+void NmeaLog::take(const NmeaWater& water)
+{
+    const NmeaSource source{water.talker, "VHW"};
+    if (water.heading)
+        send({water.talker, "VHW T"}, NmeaNorth::True, water.heading->degrees());
+    if (water.compass)
+        send(source, NmeaNorth::Compass, water.compass->degrees());
 }
 
 void NmeaLog::take(const NmeaTrack& track)
 {
-    m_now.track = track.track;
-    m_now.speed_kt = track.speed_kt;
-    if (track.variation)
-        m_now.variation = track.variation;
-    takeTime(track.time);
-    if (!latitude_deg && track.latitude_deg && track.longitude_deg) {
-        latitude_deg = track.latitude_deg;
-        longitude_deg = track.longitude_deg;
-    }
+    const NmeaSource source{track.talker, track.type};
+    ++(track.noFix ? noFixes : fixes);
+    ++ofMode[static_cast<std::size_t>(track.mode)];
+    takeVariation(source, track.variation);
+    takeTime(source, track.time);
+    takePlace(track.latitude_deg, track.longitude_deg);
+    send(source, NmeaNorth::Track, track.track ? std::optional(track.track->degrees()) : std::nullopt, track.speed_kt);
 }
 
 void NmeaLog::take(const NmeaFix& fix)
 {
-    takeTime(fix.time);
-    if (!latitude_deg) {
-        latitude_deg = fix.latitude_deg;
-        longitude_deg = fix.longitude_deg;
-    }
+    takeTime({fix.talker, "GGA"}, fix.time);
+    takePlace(fix.latitude_deg, fix.longitude_deg);
     if (!altitude_m)
         altitude_m = fix.altitude_m;
 }
 
-void NmeaLog::takeTime(const std::optional<NmeaTime>& time)
+void NmeaLog::takePlace(std::optional<double> latitude, std::optional<double> longitude)
+{
+    if (latitude_deg || !latitude || !longitude)
+        return;
+    latitude_deg = latitude;
+    longitude_deg = longitude;
+}
+
+void NmeaLog::takeTime(const NmeaSource& source, const std::optional<NmeaTime>& time)
 {
     if (!time)
         return;
-    if (time->date) {
-        m_now.date = *time->date;
-        if (firstDate.empty())
-            firstDate = *time->date;
-    }
-    // Past midnight the seconds of the day begin anew; a clock that is set back by less than half a day is a clock set back.
-    if (m_now.seconds && m_midnights + time->secondsOfDay < *m_now.seconds - kSecondsOfDay / 2.0)
-        m_midnights += kSecondsOfDay;
-    m_now.seconds = m_midnights + time->secondsOfDay;
+    if (time->date)
+        m_date = *time->date;
+    if (firstDate.empty())
+        firstDate = m_date;
+    entryOf(m_clocks, source).marks.push_back({m_place, time->secondsOfDay, m_date});
 }
 
-int NmeaLog::indexOf(const NmeaSource& source)
+void NmeaLog::takeVariation(const NmeaSource& source, const std::optional<Variation>& variation)
 {
-    const auto found = std::find(m_sources.begin(), m_sources.end(), source);
-    if (found != m_sources.end())
-        return static_cast<int>(found - m_sources.begin());
-    m_sources.push_back(source);
-    m_counts.push_back(0);
-    return static_cast<int>(m_sources.size()) - 1;
+    if (variation)
+        entryOf(m_variations, source).told_deg.push_back(variation->degrees());
+}
+
+void NmeaLog::send(const NmeaSource& source, NmeaNorth north, std::optional<double> angle_deg, std::optional<double> speed_kt)
+{
+    NmeaStream& stream = entryOf(m_streams, source);
+    stream.north = north;
+    stream.sent.push_back({m_place, angle_deg, speed_kt});
+    headings += north == NmeaNorth::Compass ? 1 : 0;
 }
 
 } // namespace lubberline

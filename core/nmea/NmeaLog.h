@@ -1,6 +1,7 @@
 #pragma once
-/// The compass headings of a log with what was known when each was sent: what swings are made from.
+/// What a log holds: the headings and tracks of each sender in their order, the times that were told, and what is to be told of it.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -11,20 +12,43 @@
 
 namespace lubberline {
 
-/// Who sent a heading, by which sentence.
+/// Who sent something, by which sentence.
 struct NmeaSource {
     std::string talker, type;
     friend auto operator<=>(const NmeaSource&, const NmeaSource&) = default;
 };
 
-struct NmeaHeadingEvent {
-    int source = 0; ///< index of NmeaLog::sources
-    CompassHeading heading;
-    std::optional<TrueHeading> track, trueHeading;
+enum class NmeaNorth { Compass, True, Track };
+
+/// One heading or track. `place` counts the sentences of the log, so that what stands between what is known.
+struct NmeaSent {
+    std::size_t place = 0;
+    std::optional<double> angle_deg; ///< none: a track without a fix
     std::optional<double> speed_kt;
-    std::optional<Variation> variation;
-    std::optional<double> seconds; ///< since the log's first midnight, UTC
-    std::string date;              ///< newest RMC's; empty: none yet
+};
+
+/// All that one source sent.
+struct NmeaStream {
+    NmeaSource source;
+    NmeaNorth north = NmeaNorth::Compass;
+    std::vector<NmeaSent> sent;
+};
+
+/// A time of day that was told.
+struct NmeaMark {
+    std::size_t place = 0;
+    double secondsOfDay = 0;
+    std::string date; ///< newest that was told; empty: none yet
+};
+struct NmeaMarks {
+    NmeaSource source;
+    std::vector<NmeaMark> marks;
+};
+
+/// The variations that one source told [deg, east positive].
+struct NmeaVariations {
+    NmeaSource source;
+    std::vector<double> told_deg;
 };
 
 class NmeaLog {
@@ -32,27 +56,37 @@ public:
     /// Takes one line of the log.
     void take(std::string_view line);
 
-    [[nodiscard]] const std::vector<NmeaHeadingEvent>& headings() const { return m_headings; }
-    [[nodiscard]] const std::vector<NmeaSource>& sources() const { return m_sources; }
-    [[nodiscard]] std::int64_t headingsOf(int source) const { return m_counts[source]; }
+    [[nodiscard]] const std::vector<NmeaStream>& streams() const { return m_streams; }
+    [[nodiscard]] const std::vector<NmeaMarks>& clocks() const { return m_clocks; }
+    [[nodiscard]] const std::vector<NmeaVariations>& variations() const { return m_variations; }
 
     std::int64_t lines = 0, sentences = 0, badChecksums = 0, withoutChecksum = 0, otherLines = 0;
+    std::int64_t badHeadings = 0;                                  ///< negative, or beyond 360
+    std::int64_t fixes = 0, noFixes = 0;                           ///< RMC and VTG with and without one
+    std::array<std::int64_t, 4> ofMode{};                          ///< tracks and true headings by NmeaMode
+    std::int64_t deviations = 0;                                   ///< HDG that state a deviation other than zero
+    std::optional<Deviation> largestDeviation = {};                ///< of those
+    std::int64_t headings = 0;                                     ///< of all compasses
     std::optional<double> latitude_deg, longitude_deg, altitude_m; ///< of the first fix
     std::string firstDate;
 
 private:
+    void take(const NmeaSentence& sentence);
     void take(const NmeaCompass& compass);
+    void take(const NmeaWater& water);
     void take(const NmeaTrack& track);
     void take(const NmeaFix& fix);
-    void takeTime(const std::optional<NmeaTime>& time);
-    int indexOf(const NmeaSource& source);
+    void takePlace(std::optional<double> latitude, std::optional<double> longitude);
+    void takeTime(const NmeaSource& source, const std::optional<NmeaTime>& time);
+    void takeVariation(const NmeaSource& source, const std::optional<Variation>& variation);
+    void send(const NmeaSource& source, NmeaNorth north, std::optional<double> angle_deg, std::optional<double> speed_kt = {});
 
-    std::vector<NmeaHeadingEvent> m_headings;
-    std::vector<NmeaSource> m_sources;
-    std::vector<std::int64_t> m_counts;
+    std::vector<NmeaStream> m_streams;
+    std::vector<NmeaMarks> m_clocks;
+    std::vector<NmeaVariations> m_variations;
     std::set<std::string> m_checking; ///< talkers that send checksums
-    NmeaHeadingEvent m_now;           ///< what is known at present
-    double m_midnights = 0;           ///< seconds of the days passed since the first
+    std::size_t m_place = 0;
+    std::string m_date;
 };
 
 } // namespace lubberline

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace lubberline {
 
@@ -16,11 +17,6 @@ int hexDigit(char c)
     if (c >= 'a' && c <= 'f')
         return c - 'a' + 10;
     return -1;
-}
-
-bool printable(std::string_view text)
-{
-    return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7f; });
 }
 
 std::vector<std::string> split(std::string_view body)
@@ -39,18 +35,63 @@ std::vector<std::string> split(std::string_view body)
     return parts;
 }
 
-/// "HCHDG" is talker HC and type HDG; "PGRME" is proprietary.
-bool takeAddress(const std::string& address, NmeaSentence& sentence)
+bool ofAddress(char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
+
+/// The address that begins at `at`: "HCHDG" is talker HC and type HDG; "PGRME" is proprietary. Empty: none stands there.
+std::string_view addressAt(std::string_view line, std::size_t at)
 {
-    const auto wellFormed = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
-    if (address.size() < 3 || address.size() > 8 || !std::all_of(address.begin(), address.end(), wellFormed))
-        return false;
-    const std::size_t talker = address[0] == 'P' ? 1 : 2;
-    if (talker == 2 && address.size() != 5)
-        return false;
-    sentence.talker = address.substr(0, talker);
-    sentence.type = address.substr(talker);
-    return true;
+    std::size_t end = at;
+    while (end < line.size() && ofAddress(line[end]))
+        ++end;
+    const std::size_t length = end - at;
+    const bool proprietary = length > 0 && line[at] == 'P';
+    const bool wellFormed = end < line.size() && line[end] == ',' && (proprietary ? length >= 3 && length <= 8 : length == 5);
+    return wellFormed ? line.substr(at, length) : std::string_view();
+}
+
+/// Where the next sentence begins, at its `$` or `!`: one of binary data has no address behind it.
+std::size_t nextBegin(std::string_view line, std::size_t from)
+{
+    for (std::size_t at = from; (at = line.find_first_of("$!", at)) != std::string_view::npos; ++at)
+        if (!addressAt(line, at + 1).empty())
+            return at;
+    return std::string_view::npos;
+}
+
+/// What can stand behind a sentence that has no checksum.
+bool wraps(char c) { return std::string_view("\"'`]});><\\\t").find(c) != std::string_view::npos; }
+
+NmeaSentence sentenceOf(std::string_view body, bool hasChecksum)
+{
+    const std::string_view address = body.substr(0, body.find(','));
+    const std::size_t talker = address.front() == 'P' ? 1 : 2;
+    return {
+        std::string(address.substr(0, talker)), std::string(address.substr(talker)), split(body.substr(address.size() + 1)), hasChecksum};
+}
+
+/// Behind a `*`: two digits and then no letter or digit.
+ParsedNmea checked(std::string_view body, std::string_view behind)
+{
+    const auto ends = [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); };
+    const bool digits
+        = behind.size() >= 2 && hexDigit(behind[0]) >= 0 && hexDigit(behind[1]) >= 0 && (behind.size() == 2 || ends(behind[2]));
+    if (!digits || hexDigit(behind[0]) * 16 + hexDigit(behind[1]) != nmeaChecksum(body))
+        return {NmeaFault::BadChecksum, {}};
+    return {NmeaFault::None, sentenceOf(body, true)};
+}
+
+/// The sentence whose address is the first of `text`, which ends where the next sentence or the line does.
+ParsedNmea sentenceIn(std::string_view text, bool lineEnds)
+{
+    const std::size_t end = std::min(
+        static_cast<std::size_t>(
+            std::find_if(text.begin(), text.end(), [](char c) { return c == '*' || c < 0x20 || c == 0x7f || wraps(c); }) - text.begin()),
+        text.size());
+    const std::string_view body = text.substr(0, end);
+    if (end < text.size() && text[end] == '*')
+        return checked(body, text.substr(end + 1));
+    const bool whole = end < text.size() ? wraps(text[end]) : lineEnds;
+    return whole ? ParsedNmea{NmeaFault::None, sentenceOf(body, false)} : ParsedNmea{};
 }
 
 } // namespace
@@ -72,32 +113,20 @@ std::string makeNmea(std::string_view body)
     return sentence;
 }
 
-ParsedNmea parseNmea(std::string_view line)
+std::vector<ParsedNmea> nmeaSentences(std::string_view line)
 {
     while (!line.empty() && (line.back() == '\r' || line.back() == '\n' || line.back() == ' ' || line.back() == '\t'))
         line.remove_suffix(1);
-    const std::size_t begin = line.find_first_of("$!");
-    if (begin == std::string_view::npos)
-        return {};
-    std::string_view body = line.substr(begin + 1);
-    if (!printable(body) || body.find_first_of("$!") != std::string_view::npos)
-        return {}; // another sentence began before this one ended
-    ParsedNmea parsed;
-    if (const std::size_t star = body.find('*'); star != std::string_view::npos) {
-        const std::string_view sum = body.substr(star + 1);
-        body = body.substr(0, star);
-        if (sum.size() != 2 || hexDigit(sum[0]) < 0 || hexDigit(sum[1]) < 0)
-            return {NmeaFault::BadChecksum, {}};
-        if (hexDigit(sum[0]) * 16 + hexDigit(sum[1]) != nmeaChecksum(body))
-            return {NmeaFault::BadChecksum, {}};
-        parsed.sentence.hasChecksum = true;
+    std::vector<ParsedNmea> found;
+    for (std::size_t begin = nextBegin(line, 0); begin != std::string_view::npos;) {
+        const std::size_t next = nextBegin(line, begin + 1);
+        const std::size_t end = std::min(next, line.size());
+        found.push_back(sentenceIn(line.substr(begin + 1, end - begin - 1), end == line.size()));
+        begin = next;
     }
-    auto parts = split(body);
-    if (parts.size() < 2 || !takeAddress(parts.front(), parsed.sentence))
-        return {};
-    parsed.sentence.fields.assign(std::make_move_iterator(parts.begin() + 1), std::make_move_iterator(parts.end()));
-    parsed.fault = NmeaFault::None;
-    return parsed;
+    if (found.empty() && !line.empty())
+        found.push_back({});
+    return found;
 }
 
 } // namespace lubberline

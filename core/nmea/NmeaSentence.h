@@ -21,7 +21,7 @@ struct NmeaSentence {
 
 enum class NmeaFault {
     None,
-    NotASentence, ///< no `$` or `!`, no comma, control characters, half a line
+    NotASentence, ///< no `$` or `!` with an address behind it, control characters, half a sentence
     BadChecksum,
 };
 
@@ -30,9 +30,11 @@ struct ParsedNmea {
     NmeaSentence sentence;
 };
 
-/// Reads one line, without its line end. What a logger put before the `$` (a time stamp, a tag block) is passed over. A
-/// sentence without `*` is read, too: the standard allows it; hasChecksum tells.
-[[nodiscard]] ParsedNmea parseNmea(std::string_view line);
+/// All that a line holds, in order: loggers put time stamps before a sentence and text behind its checksum, wrap it in quotes,
+/// brackets or braces, write several on a line, or binary messages between them; a second `$` begins anew. What lies outside is
+/// passed over. A sentence without `*` is read, too (hasChecksum tells): it ends with the line, or before what wraps it.
+/// A line without any sentence gives one NotASentence, a blank one nothing.
+[[nodiscard]] std::vector<ParsedNmea> nmeaSentences(std::string_view line);
 
 /// The exclusive or of the characters, as the standard's checksum.
 [[nodiscard]] unsigned char nmeaChecksum(std::string_view betweenDollarAndStar);

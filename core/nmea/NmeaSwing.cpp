@@ -1,186 +1,177 @@
 #include "core/nmea/NmeaSwing.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
-#include "core/base/FileText.h"
-#include "core/earth/FieldModel.h"
+#include "core/base/Number.h"
+#include "core/deviation/SmithFit.h"
+#include "core/nmea/HeadingLine.h"
 #include "core/nmea/NmeaLines.h"
 #include "core/nmea/NmeaLog.h"
-#include "core/nmea/NmeaTurn.h"
+#include "core/nmea/NmeaSources.h"
+#include "core/nmea/NmeaTimes.h"
 
 namespace lubberline {
 
 namespace {
 
-/// A corrected HDM beside an uncorrected HDG differs by more than their rounding.
-constexpr double kSameCompass_deg = 0.6;
-
-std::string listed(const NmeaLog& log)
-{
-    std::string text;
-    for (std::size_t i = 0; i < log.sources().size(); ++i)
-        text += (i ? ", " : "") + log.sources()[i].talker + log.sources()[i].type + " ("
-            + std::to_string(log.headingsOf(static_cast<int>(i))) + ")";
-    return text;
-}
+/// No aircraft taxies faster: what is, flies, and the wind carries it.
+constexpr double kFlies_kt = 25.0;
+/// Wind that turns a track by less is not worth a word.
+constexpr double kLeastDrift_deg = 0.3;
+/// Wind that is not known within this leaves the track as it is.
+constexpr double kMostDriftError_deg = 3.0;
 
 /// Makes a swing of a log that has been read.
 class SwingOfLog {
 public:
-    SwingOfLog(const NmeaLog& log, const NmeaOptions& options, const std::string& name) : m_log(log), m_options(options), m_name(name) {}
+    SwingOfLog(const NmeaLog& log, const NmeaOptions& options) : m_log(log), m_options(options) {}
     Result<NmeaSwing> make();
 
 private:
-    Error wrong(const Message& message) const { return {ErrorCode::InvalidInput, message, m_name}; }
-    Result<void> chooseTalker();
-    Result<void> chooseVariation();
-    Result<Variation> variationOfModel();
-    bool usesCompass(const NmeaSource& source) const;
-    void dropCorrectedHeadings();
-    void pickCompass();
-    std::optional<MagneticHeading> referenceOf(const NmeaHeadingEvent& event) const;
-    void makePairs();
-    Result<void> checkPairs() const;
-    bool withinLimits(const NmeaPair& pair) const;
+    void takeCounts();
+    void tell(Message message) { m_swing.warnings.push_back(std::move(message)); }
+    Result<void> findVariation();
+    void placeInTime();
+    void findWind();
+    void bringToTrue();
+    void makePairs(double delay_s);
+    [[nodiscard]] bool withinLimits(const NmeaPair& pair) const;
+    void findDelay();
+    void tellDelay();
+    void compareDirections();
+    void addDoubts();
+    void addWindDoubts(const std::vector<TimedHeading>& used);
+    [[nodiscard]] std::vector<TimedHeading> usedHeadings() const;
 
     const NmeaLog& m_log;
     const NmeaOptions& m_options;
-    const std::string& m_name;
     NmeaSwing m_swing;
-    std::string m_onlyType; ///< of the compass talker's sentences; empty: both
-    bool m_variationOfLog = false;
-    std::vector<NmeaHeadingEvent> m_compass;            ///< the headings of the compass
-    std::vector<std::optional<CompassHeading>> m_other; ///< the newest of the other instrument at each, with Magnetic
+    NmeaSources m_sources;
+    std::optional<NmeaTimes> m_times;
+    double m_variationError_deg = 0;
+    std::vector<TimedHeading> m_compass; ///< in order of time
+    std::vector<std::optional<double>> m_rates;
+    HeadingLine m_sent{{}};      ///< the reference as it was sent
+    HeadingLine m_speeds{{}};    ///< a track, for its speeds
+    HeadingLine m_reference{{}}; ///< magnetic
 };
 
-Result<void> SwingOfLog::chooseTalker()
+std::vector<TimedHeading> inTime(const NmeaStream& stream, const NmeaTimes& times)
 {
-    std::vector<std::string> talkers;
-    for (const auto& source : m_log.sources())
-        if (std::find(talkers.begin(), talkers.end(), source.talker) == talkers.end())
-            talkers.push_back(source.talker);
-    const auto sends = [&](const std::string& talker) { return std::find(talkers.begin(), talkers.end(), talker) != talkers.end(); };
-    if (!m_options.compassTalker.empty()) {
-        if (!sends(m_options.compassTalker))
-            return wrong({MARKED("core", "the talker %1 sends no HDG or HDM; these do: %2"), m_options.compassTalker, listed(m_log)});
-        m_swing.compassTalker = m_options.compassTalker;
-    } else if (talkers.size() == 1) {
-        m_swing.compassTalker = talkers.front();
-    } else if (sends("HC")) { // the standard's mnemonic of a magnetic compass
-        m_swing.compassTalker = "HC";
-        if (m_options.reference != NmeaReference::Magnetic)
-            m_swing.warnings.push_back({MARKED("core", "several talkers send headings: %1; HC is taken as the compass"), listed(m_log)});
-    } else {
-        return wrong({MARKED("core", "several talkers send headings: %1; say which is the compass"), listed(m_log)});
-    }
-    return {};
+    const auto seconds = times.of(stream);
+    std::vector<TimedHeading> headings;
+    for (std::size_t i = 0; i < stream.sent.size(); ++i)
+        if (seconds[i])
+            headings.push_back({*seconds[i], stream.sent[i].angle_deg, stream.sent[i].speed_kt});
+    std::stable_sort(headings.begin(), headings.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+    return headings;
 }
 
-bool SwingOfLog::usesCompass(const NmeaSource& source) const
+void SwingOfLog::takeCounts()
 {
-    return source.talker == m_swing.compassTalker && (m_onlyType.empty() || source.type == m_onlyType);
+    m_swing.lines = m_log.lines;
+    m_swing.sentences = m_log.sentences;
+    m_swing.badChecksums = m_log.badChecksums;
+    m_swing.withoutChecksum = m_log.withoutChecksum;
+    m_swing.otherLines = m_log.otherLines;
+    m_swing.badHeadings = m_log.badHeadings;
+    m_swing.compassTalker = m_sources.compass->source.talker;
+    m_swing.referenceSource = nameOf(m_sources.reference->source);
+    m_swing.warnings = m_sources.warnings;
 }
 
-/// One instrument that sends both HDG and HDM sends one heading twice, unless HDM is corrected by a deviation table already.
-void SwingOfLog::dropCorrectedHeadings()
+Result<void> SwingOfLog::findVariation()
 {
-    double sum = 0.0;
-    int count = 0;
-    std::optional<CompassHeading> sensor;
-    for (const auto& event : m_log.headings()) {
-        const NmeaSource& source = m_log.sources()[event.source];
-        if (source.talker != m_swing.compassTalker)
-            continue;
-        if (source.type == "HDG")
-            sensor = event.heading;
-        else if (sensor)
-            sum += std::abs(wrap180(event.heading.degrees() - sensor->degrees())), ++count;
-    }
-    if (m_options.reference == NmeaReference::Magnetic && count > 0 && m_log.sources().size() == 2) {
-        m_onlyType = "HDG"; // HDM of the same instrument is the reference
-        return;
-    }
-    if (count == 0 || sum / count <= kSameCompass_deg)
-        return;
-    m_onlyType = "HDG";
-    m_swing.warnings.push_back(MARKED("core", "HDM differs from HDG of the same talker, so it is corrected already; HDG alone is used"));
-}
-
-void SwingOfLog::pickCompass()
-{
-    std::optional<CompassHeading> other;
-    for (const auto& event : m_log.headings()) {
-        if (!usesCompass(m_log.sources()[event.source])) {
-            other = event.heading;
-            continue;
-        }
-        m_compass.push_back(event);
-        m_other.push_back(other);
-    }
-}
-
-Result<Variation> SwingOfLog::variationOfModel()
-{
-    if (!m_log.latitude_deg || m_log.firstDate.empty())
-        return wrong(MARKED(
-            "core", "the log tells no position with a date (RMC), so no model can give the variation; expected it stated in degrees"));
-    const auto place = makePlace(*m_log.latitude_deg, *m_log.longitude_deg, m_log.altitude_m.value_or(0.0));
-    if (!place)
-        return place.error();
-    const auto year = decimalYear(m_log.firstDate);
-    if (!year)
-        return year.error();
-    const auto model = defaultFieldModel(*year);
-    if (!model)
-        return model.error();
-    const auto answer = fieldForCompass(*model, *place, *year);
-    if (!answer)
-        return answer.error();
-    std::array<char, 96> where{};
-    std::snprintf(where.data(), where.size(), " at %.2f° %c, %.2f° %c on ", std::abs(place->latitude_deg),
-        place->latitude_deg < 0 ? 'S' : 'N', std::abs(place->longitude_deg), place->longitude_deg < 0 ? 'W' : 'E');
-    m_swing.variationSource = answer->model + where.data() + m_log.firstDate;
-    return answer->field.variation();
-}
-
-Result<void> SwingOfLog::chooseVariation()
-{
+    const NmeaDate date = dateOfLog(m_log, m_options.date, m_options.today);
+    m_swing.date = date.date;
+    m_swing.warnings.insert(m_swing.warnings.end(), date.doubts.begin(), date.doubts.end());
     if (m_options.reference == NmeaReference::Magnetic)
         return {};
-    if (const auto* stated = std::get_if<Variation>(&m_options.variation)) {
-        m_swing.variation = *stated;
-        m_swing.variationSource = "stated";
-        return {};
-    }
-    const bool inLog = std::any_of(m_compass.begin(), m_compass.end(), [](const auto& event) { return event.variation.has_value(); });
-    const bool ofModel = std::holds_alternative<VariationOfModel>(m_options.variation);
-    if (inLog && !ofModel) {
-        m_variationOfLog = true;
-        m_swing.variationSource = "log";
-        return {};
-    }
-    if (std::holds_alternative<VariationOfLog>(m_options.variation))
-        return wrong(
-            MARKED("core", "neither RMC nor HDG of the log tells the variation; expected it stated in degrees, or taken from a model"));
-    const auto variation = variationOfModel();
-    if (!variation)
-        return variation.error();
-    m_swing.variation = *variation;
+    auto chosen = chooseVariation(m_log, m_options.variation, date, m_options.variationError_deg);
+    if (!chosen && !date.doubts.empty())
+        return Error{chosen.error().code, together({chosen.error().message, date.doubts.front()})};
+    if (!chosen)
+        return chosen.error();
+    m_swing.variation = chosen->variation;
+    m_swing.variationSource = chosen->source;
+    m_swing.variationOfModel_deg = chosen->model_deg;
+    m_variationError_deg = chosen->standardError_deg;
+    m_swing.warnings.insert(m_swing.warnings.end(), chosen->warnings.begin(), chosen->warnings.end());
     return {};
 }
 
-std::optional<MagneticHeading> SwingOfLog::referenceOf(const NmeaHeadingEvent& event) const
+void SwingOfLog::placeInTime()
 {
-    const auto heading = m_options.reference == NmeaReference::Track ? event.track : event.trueHeading;
-    const auto variation = m_variationOfLog ? event.variation : m_swing.variation;
-    if (!heading || !variation)
-        return {};
-    return toMagnetic(*heading, *variation);
+    m_times.emplace(m_log, *m_sources.reference);
+    m_swing.timesTold = m_times->told();
+    m_compass = inTime(*m_sources.compass, *m_times);
+    m_sent = HeadingLine(inTime(*m_sources.reference, *m_times));
+    m_rates = m_times->told() ? turnRates(m_compass) : std::vector<std::optional<double>>(m_compass.size());
+    m_speeds = m_sent;
+    if (m_options.reference == NmeaReference::Track)
+        return;
+    for (const auto& stream : m_log.streams())
+        if (stream.north == NmeaNorth::Track)
+            m_speeds = HeadingLine(inTime(stream, *m_times));
+}
+
+void SwingOfLog::findWind()
+{
+    if (m_options.reference != NmeaReference::Track || m_options.wind == NmeaWindChoice::Leave)
+        return;
+    std::vector<TimedHeading> tracks;
+    for (const auto& track : m_sent.headings())
+        if (track.heading_deg && track.speed_kt.value_or(0.0) >= std::max(m_options.minSpeed_kt, 1e-3))
+            tracks.push_back(track);
+    if (tracks.empty())
+        return;
+    double mean_kt = 0.0;
+    for (const auto& track : tracks)
+        mean_kt += *track.speed_kt / static_cast<double>(tracks.size());
+    const bool flies = mean_kt >= kFlies_kt || m_options.wind == NmeaWindChoice::TakeOut;
+    auto wind = windOf(tracks);
+    const double error_deg = wind ? toDegrees(wind->standardError_kt() / wind->airspeed_kt) : 0.0;
+    if (!wind || error_deg > kMostDriftError_deg) {
+        if (flies)
+            tell({MARKED("core",
+                      "the tracks do not tell the wind (three directions at one airspeed would): each knot of it across turns the track "
+                      "from the heading by %1°, into B and C"),
+                figureText(toDegrees(1.0 / mean_kt), 1)});
+        return;
+    }
+    const bool shows = wind->speed_kt() > 2.0 * wind->standardError_kt() && wind->drift_deg() >= kLeastDrift_deg;
+    wind->takenOut = shows && flies;
+    if (wind->takenOut)
+        tell({MARKED("core", "wind from %1° true at %2 ± %3 kt, airspeed %4 kt, is taken out of the tracks"),
+            figureText(wind->from_deg(), 0), figureText(wind->speed_kt(), 1), figureText(wind->standardError_kt(), 1),
+            figureText(wind->airspeed_kt, 1)});
+    else if (shows)
+        tell({MARKED("core",
+                  "the ground speed varies with the track, as if wind or current of %1 kt carried it: on wheels that is the driver; "
+                  "otherwise B and C are out by up to %2° (--wind takes it out)"),
+            figureText(wind->speed_kt(), 1), figureText(wind->drift_deg(), 1)});
+    m_swing.wind = *wind;
+}
+
+/// The reference's magnetic headings, from what was sent.
+void SwingOfLog::bringToTrue()
+{
+    std::vector<TimedHeading> headings = m_sent.headings();
+    for (auto& heading : headings) {
+        if (!heading.heading_deg)
+            continue;
+        if (m_swing.wind && m_swing.wind->takenOut && heading.speed_kt)
+            heading.heading_deg = headingInWind_deg(*m_swing.wind, *heading.heading_deg, *heading.speed_kt);
+        if (m_swing.variation)
+            heading.heading_deg = wrap360(*heading.heading_deg - m_swing.variation->degrees());
+    }
+    m_reference = HeadingLine(std::move(headings));
 }
 
 bool SwingOfLog::withinLimits(const NmeaPair& pair) const
@@ -191,81 +182,175 @@ bool SwingOfLog::withinLimits(const NmeaPair& pair) const
     return !pair.turnRate_deg_s || std::abs(*pair.turnRate_deg_s) <= m_options.maxTurnRate_deg_s;
 }
 
-std::string utcOf(const NmeaHeadingEvent& event)
+void SwingOfLog::makePairs(double delay_s)
 {
-    if (event.date.empty() || !event.seconds)
-        return {};
-    const auto thousandths = static_cast<int>(std::fmod(*event.seconds, 86400.0) * 1000.0 + 0.5) % 86'400'000;
-    const int whole = thousandths / 1000;
-    std::array<char, 48> time{};
-    std::snprintf(time.data(), time.size(), "T%02d:%02d:%02d.%03dZ", whole / 3600, whole / 60 % 60, whole % 60, thousandths % 1000);
-    return event.date + time.data();
-}
-
-void SwingOfLog::makePairs()
-{
-    const auto rates = turnRates(m_compass);
-    bool untimed = false;
+    m_swing.pairs.clear();
+    m_swing.used = 0;
     for (std::size_t i = 0; i < m_compass.size(); ++i) {
-        const auto& event = m_compass[i];
-        std::optional<MagneticHeading> reference;
-        if (m_options.reference != NmeaReference::Magnetic)
-            reference = referenceOf(event);
-        else if (m_other[i])
-            reference = MagneticHeading::fromDegrees(m_other[i]->degrees()); // the other instrument is the datum here
+        const auto reference = m_reference.at(m_compass[i].seconds + delay_s);
         if (!reference)
             continue;
-        NmeaPair pair{event.heading, *reference, event.speed_kt, rates[i], utcOf(event), false};
+        const auto speed = m_speeds.at(m_compass[i].seconds + delay_s);
+        NmeaPair pair{CompassHeading::fromDegrees(*m_compass[i].heading_deg), MagneticHeading::fromDegrees(*reference->heading_deg),
+            m_compass[i].seconds, speed ? speed->speed_kt : std::nullopt, m_rates[i], m_times->utc(m_compass[i].seconds), false};
         pair.used = withinLimits(pair);
-        untimed = untimed || !pair.turnRate_deg_s;
         m_swing.used += pair.used ? 1 : 0;
-        if (m_variationOfLog)
-            m_swing.variation = event.variation;
         m_swing.pairs.push_back(std::move(pair));
     }
-    if (untimed)
-        m_swing.warnings.push_back(MARKED("core", "some headings have no time near them: their turn rate is not known and not limited"));
 }
 
-Result<void> SwingOfLog::checkPairs() const
+std::vector<TimedHeading> SwingOfLog::usedHeadings() const
 {
-    static constexpr std::array kMissing{MARKED("core", "a valid track (RMC or VTG)"), MARKED("core", "a true heading (HDT)"),
-        MARKED("core", "a second magnetic heading (another talker's HDG or HDM)")};
-    if (m_swing.pairs.empty())
-        return wrong({MARKED("core", "no compass heading stands behind %1; expected a log that holds both"),
-            kMissing[static_cast<std::size_t>(m_options.reference)]});
-    return {};
+    std::vector<TimedHeading> used;
+    for (const auto& pair : m_swing.pairs)
+        if (pair.used)
+            used.push_back({pair.seconds, pair.compass.degrees(), {}});
+    return used;
+}
+
+void SwingOfLog::findDelay()
+{
+    const double spacing_s = std::min(m_times->spacing_s(*m_sources.compass), m_times->spacing_s(*m_sources.reference));
+    m_swing.delay = delayOf(usedHeadings(), m_reference, spacing_s);
+    if (m_swing.delay.seconds)
+        makePairs(*m_swing.delay.seconds);
+    tellDelay();
+}
+
+void SwingOfLog::tellDelay()
+{
+    const NmeaDelay& delay = m_swing.delay;
+    const std::string degrees = figureText(std::abs(delay.A_degPerSecond), 1);
+    const Message unit = m_times->told() ? MARKED("core", "second") : MARKED("core", "step of the reference");
+    if (delay.told == DelayTold::OneWay && std::abs(delay.A_degPerSecond) >= 0.05)
+        tell(
+            {MARKED("core",
+                 "the turn goes one way at one rate: A and a delay between heading and reference cannot be told apart, each %1 of delay is "
+                 "%2° of A; A is sure to ± %3° only (a turn the other way would tell)"),
+                unit, degrees, figureText(std::abs(delay.A_degPerSecond) * delay.standardError_s, 1)});
+    else if (delay.told == DelayTold::TooNoisy)
+        tell({MARKED("core", "the headings are too uneven to tell the delay between heading and reference: each %1 of it is %2° of A"),
+            unit, degrees});
+    else if (delay.seconds)
+        tell({MARKED("core", "the reference is %1 ± %2 s older than the heading beside it; that is taken out"),
+            signedFigureText(*delay.seconds, 2), figureText(delay.standardError_s, 2)});
+    std::vector<double> turning;
+    for (const auto& pair : m_swing.pairs)
+        if (pair.used && pair.turnRate_deg_s && std::abs(*pair.turnRate_deg_s) >= kSlowestTurn_deg_s)
+            turning.push_back(std::abs(*pair.turnRate_deg_s));
+    const auto fast = std::count_if(turning.begin(), turning.end(), [](double rate) { return rate > 1.1 * kFastestTurn_deg_s; });
+    if (2 * fast > static_cast<std::ptrdiff_t>(turning.size()))
+        tell({MARKED("core", "most of the turn is faster than %1°/s: a card in its liquid lags; %2 to %1°/s tells more"),
+            figureText(kFastestTurn_deg_s, 1), figureText(kSlowestTurn_deg_s, 1)});
+}
+
+void SwingOfLog::compareDirections()
+{
+    const auto rates = referenceRates(usedHeadings(), m_reference, m_swing.delay.seconds.value_or(0.0));
+    std::array<std::vector<Observation>, 2> ways;
+    std::size_t next = 0;
+    for (const auto& pair : m_swing.pairs) {
+        if (!pair.used)
+            continue;
+        const double rate = rates[next++];
+        if (std::abs(rate) >= kSlowestTurn_deg_s)
+            ways[rate > 0.0 ? 0 : 1].push_back({pair.magnetic, pair.compass});
+    }
+    constexpr std::size_t kFewest = 20;
+    if (ways[0].size() < kFewest || ways[1].size() < kFewest)
+        return;
+    const auto right = fitApproximate(ways[0]), left = fitApproximate(ways[1]);
+    if (!right || !left || right->parameters < 5 || left->parameters < 5)
+        return;
+    NmeaDirections directions{toDegrees(*right->of(Coefficient::A)), toDegrees(*left->of(Coefficient::A)), 0.0};
+    for (const auto& one : ways[0].size() < ways[1].size() ? ways[0] : ways[1])
+        directions.largestDifference_deg = std::max(directions.largestDifference_deg,
+            std::abs(wrap180(deviationAt(right->smith(), one.compass).degrees() - deviationAt(left->smith(), one.compass).degrees())));
+    tell({MARKED("core", "clockwise A is %1°, counter-clockwise %2°; the two curves differ by up to %3°"),
+        signedFigureText(directions.clockwiseA_deg, 2), signedFigureText(directions.counterClockwiseA_deg, 2),
+        figureText(directions.largestDifference_deg, 1)});
+    m_swing.directions = directions;
+}
+
+void SwingOfLog::addWindDoubts(const std::vector<TimedHeading>& used)
+{
+    if (!m_swing.wind)
+        return;
+    Eigen::Matrix2d open = m_swing.wind->covariance;
+    NmeaWind applied = *m_swing.wind;
+    if (!applied.takenOut) { // all of it is in the readings
+        open += applied.toward_kt * applied.toward_kt.transpose();
+        applied.toward_kt.setZero();
+    }
+    const Eigen::Matrix2d half = open.llt().matrixL();
+    std::array<NmeaDoubt, 2> doubts;
+    for (const auto& heading : used) {
+        const auto sent = m_sent.at(heading.seconds + m_swing.delay.seconds.value_or(0.0));
+        const Eigen::Vector2d turned = sent && sent->speed_kt
+            ? Eigen::Vector2d(half.transpose() * turnedByWind_deg(applied, *sent->heading_deg, *sent->speed_kt))
+            : Eigen::Vector2d(0.0, 0.0);
+        doubts[0].push_back(turned.x());
+        doubts[1].push_back(turned.y());
+    }
+    m_swing.doubts.insert(m_swing.doubts.end(), doubts.begin(), doubts.end());
+}
+
+void SwingOfLog::addDoubts()
+{
+    const auto used = usedHeadings();
+    NmeaDoubt delay = referenceRates(used, m_reference, m_swing.delay.seconds.value_or(0.0));
+    for (double& turned : delay)
+        turned *= -m_swing.delay.standardError_s;
+    m_swing.doubts.push_back(std::move(delay));
+    addWindDoubts(used);
+    if (m_variationError_deg > 0.0)
+        m_swing.doubts.emplace_back(used.size(), m_variationError_deg);
 }
 
 Result<NmeaSwing> SwingOfLog::make()
 {
-    m_swing.lines = m_log.lines;
-    m_swing.sentences = m_log.sentences;
-    m_swing.badChecksums = m_log.badChecksums;
-    m_swing.withoutChecksum = m_log.withoutChecksum;
-    m_swing.otherLines = m_log.otherLines;
-    m_swing.date = m_log.firstDate;
-    if (m_log.sentences == 0)
-        return wrong(m_log.badChecksums ? MARKED("core", "holds no NMEA 0183 sentence ($ talker, type, fields): every checksum is wrong")
-                                        : MARKED("core", "holds no NMEA 0183 sentence ($ talker, type, fields)"));
-    if (m_log.headings().empty())
-        return wrong(MARKED("core", "holds no compass heading; expected HDG or HDM sentences"));
-    if (const auto chosen = chooseTalker(); !chosen)
-        return chosen.error();
-    dropCorrectedHeadings();
-    pickCompass();
-    if (const auto chosen = chooseVariation(); !chosen)
-        return chosen.error();
-    makePairs();
-    if (const auto checked = checkPairs(); !checked)
-        return checked.error();
-    if (m_swing.badChecksums > 0)
-        m_swing.warnings.push_back(
-            {MARKED_N("core", "%n sentence(s) with a wrong checksum left out"), static_cast<std::size_t>(m_swing.badChecksums)});
-    if (m_swing.withoutChecksum > 0)
-        m_swing.warnings.push_back({MARKED_N("core", "%n sentence(s) without a checksum: what was damaged on the way cannot be told"),
-            static_cast<std::size_t>(m_swing.withoutChecksum)});
+    auto sources = chooseSources(m_log, m_options);
+    if (!sources)
+        return sources.error();
+    m_sources = std::move(sources.value());
+    takeCounts();
+    if (const auto found = findVariation(); !found)
+        return found.error();
+    placeInTime();
+    findWind();
+    bringToTrue();
+    makePairs(0.0);
+    if (m_swing.pairs.empty())
+        return Error{ErrorCode::InvalidInput,
+            {MARKED("core", "no compass heading of %1 has a reference (%2) near its time"), nameOf(m_sources.compass->source),
+                nameOf(m_sources.reference->source)}};
+    findDelay();
+    compareDirections();
+    addDoubts();
+    if (std::any_of(m_swing.pairs.begin(), m_swing.pairs.end(), [](const NmeaPair& pair) { return !pair.turnRate_deg_s; }))
+        tell(MARKED("core", "some headings have no time near them: their turn rate is not known and not limited"));
+    const auto told = toldOfLog(m_log);
+    m_swing.warnings.insert(m_swing.warnings.end(), told.begin(), told.end());
     return std::move(m_swing);
+}
+
+/// Every other byte of a Windows editor's "Unicode" is zero.
+bool isUtf16(std::string_view bytes)
+{
+    std::array<std::size_t, 2> zeros{};
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;
+    const std::size_t half = bytes.size() / 2;
+    return half >= 4 && std::max(zeros[0], zeros[1]) > half - half / 10 && std::min(zeros[0], zeros[1]) < half / 10;
+}
+
+Result<NmeaSwing> swingOf(const NmeaLog& log, const NmeaOptions& options)
+{
+    if (log.sentences > 0)
+        return SwingOfLog(log, options).make();
+    return Error{ErrorCode::InvalidInput,
+        log.badChecksums ? MARKED("core", "holds no NMEA 0183 sentence ($ talker, type, fields): every checksum is wrong")
+                         : MARKED("core", "holds no NMEA 0183 sentence ($ talker, type, fields)")};
 }
 
 } // namespace
@@ -276,19 +361,30 @@ Result<NmeaSwing> readNmeaSwing(std::istream& input, const std::string& name, co
     NmeaLines lines;
     const auto take = [&log](std::string_view line) { log.take(line); };
     std::vector<char> buffer(std::size_t{1} << 16);
-    while (input) {
+    for (bool first = true; input; first = false) {
         if (progress && !progress(0.0))
             return Error{ErrorCode::Cancelled, MARKED("core", "reading was cancelled"), name};
         input.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-        lines.feed({buffer.data(), static_cast<std::size_t>(input.gcount())}, take);
-        if (log.headings().size() > kMaxReadings)
+        const std::string_view bytes(buffer.data(), static_cast<std::size_t>(input.gcount()));
+        if (first && isUtf16(bytes))
+            return Error{ErrorCode::InvalidInput,
+                MARKED("core",
+                    "is UTF-16 text (a Windows editor's or shell's \"Unicode\"); expected plain text: save it once more as UTF-8 or ASCII"),
+                name};
+        lines.feed(bytes, take);
+        if (log.headings > static_cast<std::int64_t>(kMaxReadings))
             return Error{ErrorCode::InvalidInput,
                 {MARKED("core", "there are more than %1 headings; expected the log of one swing"), kMaxReadings}, name};
     }
     if (input.bad())
         return Error{ErrorCode::Io, MARKED("core", "cannot be read to its end"), name};
     lines.finish(take);
-    return SwingOfLog(log, options, name).make();
+    auto swing = swingOf(log, options);
+    if (swing)
+        return swing;
+    Error error = swing.error();
+    error.file = name;
+    return error;
 }
 
 Result<NmeaSwing> readNmeaSwingFile(const std::string& path, const NmeaOptions& options, const Progress& progress)
@@ -316,7 +412,8 @@ Swing toSwing(const NmeaSwing& nmea)
         Reading reading;
         reading.magnetic = pair.magnetic;
         reading.compass = pair.compass;
-        reading.note = pair.timeUtc;
+        reading.timeUtc = pair.timeUtc;
+        reading.note = pair.timeUtc; // a Swing CSV has no other place for it
         swing.readings.push_back(std::move(reading));
     }
     return swing;

@@ -59,16 +59,30 @@ std::optional<NmeaTime> timeOf(std::string_view text)
     return NmeaTime{hours * 3600.0 + minutes * 60.0 + seconds, {}};
 }
 
+/// @return none for what is no day of the calendar.
+std::optional<std::string> dateOf(int year, int month, int day)
+{
+    char iso[48];
+    std::snprintf(iso, sizeof iso, "%04d-%02d-%02d", year, month, day);
+    return isIsoDate(iso) ? std::optional<std::string>(iso) : std::nullopt;
+}
+
 /// ddmmyy: 80…99 are of the last century, as GPS began then.
-std::optional<std::string> dateOf(std::string_view text)
+std::optional<std::string> shortDateOf(std::string_view text)
 {
     const auto value = number(text);
     if (!value || text.size() != 6 || *value < 0.0)
         return {};
     const int all = static_cast<int>(*value), year = all % 100;
-    char iso[32];
-    std::snprintf(iso, sizeof iso, "%04d-%02d-%02d", year >= 80 ? 1900 + year : 2000 + year, all / 100 % 100, all / 10000);
-    return isIsoDate(iso) ? std::optional<std::string>(iso) : std::nullopt;
+    return dateOf(year >= 80 ? 1900 + year : 2000 + year, all / 100 % 100, all / 10000);
+}
+
+NmeaMode modeOf(std::string_view letter)
+{
+    return letter == "E" ? NmeaMode::Estimated
+        : letter == "M"  ? NmeaMode::Manual
+        : letter == "S"  ? NmeaMode::Simulated
+                         : NmeaMode::Measured;
 }
 
 template <class Heading>
@@ -77,8 +91,13 @@ std::optional<Heading> typed(std::optional<double> heading_deg)
     return heading_deg ? std::optional(Heading::fromDegrees(*heading_deg)) : std::nullopt;
 }
 
+/// A figure that stands where a heading is expected and is none.
+bool isBadHeading(std::string_view text) { return number(text) && !headingOf(text); }
+
 NmeaValue compassOf(const NmeaSentence& sentence)
 {
+    if (isBadHeading(sentence.field(0)))
+        return NmeaBadHeading{sentence.talker};
     const auto heading = headingOf(sentence.field(0));
     if (!heading)
         return {};
@@ -90,25 +109,90 @@ NmeaValue compassOf(const NmeaSentence& sentence)
     return compass;
 }
 
+/// HDT, and THS with its mode (V: not valid).
+NmeaValue trueHeadingOf(const NmeaSentence& sentence)
+{
+    const bool hasMode = sentence.type == "THS";
+    if (hasMode && sentence.field(1) == "V")
+        return {};
+    if (isBadHeading(sentence.field(0)))
+        return NmeaBadHeading{sentence.talker};
+    const auto heading = headingOf(sentence.field(0));
+    if (!heading)
+        return {};
+    return NmeaTrueHeading{
+        sentence.talker, sentence.type, TrueHeading::fromDegrees(*heading), hasMode ? modeOf(sentence.field(1)) : NmeaMode::Measured};
+}
+
+NmeaValue waterOf(const NmeaSentence& sentence)
+{
+    NmeaWater water{sentence.talker, {}, {}};
+    if (sentence.field(1) == "T")
+        water.heading = typed<TrueHeading>(headingOf(sentence.field(0)));
+    if (sentence.field(3) == "M")
+        water.compass = typed<CompassHeading>(headingOf(sentence.field(2)));
+    return water.heading || water.compass ? NmeaValue(water) : NmeaValue();
+}
+
+/// hhmmss.ss, day, month, year of four figures.
+NmeaValue clockOf(const NmeaSentence& sentence)
+{
+    auto time = timeOf(sentence.field(0));
+    if (!time)
+        return {};
+    const auto day = number(sentence.field(1)), month = number(sentence.field(2)), year = number(sentence.field(3));
+    if (day && month && year && *year >= 1000 && *year <= 9999 && *month >= 1 && *month <= 12 && *day >= 1 && *day <= 31)
+        time->date = dateOf(static_cast<int>(*year), static_cast<int>(*month), static_cast<int>(*day));
+    return NmeaClock{sentence.talker, *time};
+}
+
+NmeaTrack withoutFix(const NmeaSentence& sentence) { return {sentence.talker, sentence.type, true, {}, {}, {}, {}, {}, {}, {}}; }
+
 NmeaValue recommendedMinimum(const NmeaSentence& sentence)
 {
     if (sentence.field(1) != "A" || sentence.field(11) == "N")
-        return NmeaTrack{sentence.talker, {}, {}, {}, {}, {}, {}};
-    NmeaTrack track{sentence.talker, typed<TrueHeading>(headingOf(sentence.field(7))), number(sentence.field(6)),
-        sided<Variation>(sentence.field(9), sentence.field(10)), timeOf(sentence.field(0)),
+        return withoutFix(sentence);
+    NmeaTrack track{sentence.talker, sentence.type, false, modeOf(sentence.field(11)), typed<TrueHeading>(headingOf(sentence.field(7))),
+        number(sentence.field(6)), sided<Variation>(sentence.field(9), sentence.field(10)), timeOf(sentence.field(0)),
         coordinate(sentence.field(2), sentence.field(3), 'N', 'S', 90.0),
         coordinate(sentence.field(4), sentence.field(5), 'E', 'W', 180.0)};
     if (track.time)
-        track.time->date = dateOf(sentence.field(8));
+        track.time->date = shortDateOf(sentence.field(8));
     return track;
 }
 
+constexpr double kKilometresPerKnot = 1.852; // the nautical mile, by definition
+
+/// Each figure with its letter behind it (T, M, N, K); in the oldest form the four figures alone.
 NmeaValue trackMadeGood(const NmeaSentence& sentence)
 {
-    if (sentence.field(8) == "N" || (!sentence.field(1).empty() && sentence.field(1) != "T"))
-        return NmeaTrack{sentence.talker, {}, {}, {}, {}, {}, {}};
-    return NmeaTrack{sentence.talker, typed<TrueHeading>(headingOf(sentence.field(0))), number(sentence.field(4)), {}, {}, {}, {}};
+    if (sentence.field(8) == "N")
+        return withoutFix(sentence);
+    std::optional<double> track_deg, knots, kilometres;
+    bool letters = false;
+    for (std::size_t i = 0; i + 1 < sentence.fields.size() && i < 8; i += 2) {
+        const std::string_view letter = sentence.field(i + 1);
+        letters = letters || letter == "T" || letter == "M" || letter == "N" || letter == "K";
+        if (letter == "T")
+            track_deg = headingOf(sentence.field(i));
+        else if (letter == "N")
+            knots = number(sentence.field(i));
+        else if (letter == "K")
+            kilometres = number(sentence.field(i));
+    }
+    if (!letters) {
+        track_deg = headingOf(sentence.field(0));
+        knots = number(sentence.field(2));
+        kilometres = number(sentence.field(3));
+    }
+    if (!knots && kilometres)
+        knots = *kilometres / kKilometresPerKnot;
+    return NmeaTrack{
+        sentence.talker, sentence.type, false, modeOf(sentence.field(8)), typed<TrueHeading>(track_deg), knots, {}, {}, {}, {}};
 }
+
+/// Qualities 6, 7, 8: estimated, typed in, simulated.
+NmeaMode qualityMode(std::string_view quality) { return modeOf(quality == "6" ? "E" : quality == "7" ? "M" : quality == "8" ? "S" : "A"); }
 
 NmeaValue fixOf(const NmeaSentence& sentence)
 {
@@ -116,7 +200,8 @@ NmeaValue fixOf(const NmeaSentence& sentence)
     const auto longitude = coordinate(sentence.field(3), sentence.field(4), 'E', 'W', 180.0);
     if (!latitude || !longitude || sentence.field(5) == "0" || sentence.field(5).empty())
         return {};
-    return NmeaFix{sentence.talker, timeOf(sentence.field(0)), *latitude, *longitude, number(sentence.field(8))};
+    return NmeaFix{
+        sentence.talker, qualityMode(sentence.field(5)), timeOf(sentence.field(0)), *latitude, *longitude, number(sentence.field(8))};
 }
 
 } // namespace
@@ -127,10 +212,12 @@ NmeaValue valueOf(const NmeaSentence& sentence)
         return {};
     if (sentence.type == "HDG" || sentence.type == "HDM")
         return compassOf(sentence);
-    if (sentence.type == "HDT") {
-        const auto heading = headingOf(sentence.field(0));
-        return heading ? NmeaValue(NmeaTrueHeading{sentence.talker, TrueHeading::fromDegrees(*heading)}) : NmeaValue();
-    }
+    if (sentence.type == "HDT" || sentence.type == "THS")
+        return trueHeadingOf(sentence);
+    if (sentence.type == "VHW")
+        return waterOf(sentence);
+    if (sentence.type == "ZDA")
+        return clockOf(sentence);
     if (sentence.type == "RMC")
         return recommendedMinimum(sentence);
     if (sentence.type == "VTG")

@@ -1,6 +1,6 @@
 #pragma once
 /// What a sentence says, with its senses: headings by their north, variation and deviation east positive, knots, UTC.
-/// Read: HDG, HDM, HDT, RMC, VTG, GGA. A field that is empty or unreadable is not there; nothing is guessed.
+/// Read: HDG, HDM, HDT, THS, VHW, RMC, VTG, GGA, ZDA. A field that is empty or unreadable is not there; nothing is guessed.
 
 #include <optional>
 #include <string>
@@ -11,6 +11,14 @@
 
 namespace lubberline {
 
+/// How a sender came by what it says (the mode letter of RMC, VTG and THS, the quality of GGA).
+enum class NmeaMode {
+    Measured,
+    Estimated, ///< E: dead reckoning: perhaps from the very compass that is swung
+    Manual,    ///< M: typed in
+    Simulated, ///< S
+};
+
 /// HDG: the magnetic sensor's own heading, before any deviation is applied: what the compass reads. HDM: a compass's heading.
 struct NmeaCompass {
     std::string talker;
@@ -20,20 +28,43 @@ struct NmeaCompass {
     std::optional<Variation> variation;
 };
 
-/// HDT.
+/// HDT, THS.
 struct NmeaTrueHeading {
     std::string talker;
+    std::string type;
     TrueHeading heading;
+    NmeaMode mode = NmeaMode::Measured;
+};
+
+/// VHW: what a speed log knows of a compass's heading.
+struct NmeaWater {
+    std::string talker;
+    std::optional<TrueHeading> heading;
+    std::optional<CompassHeading> compass;
+};
+
+/// A heading that is none: negative, or beyond 360.
+struct NmeaBadHeading {
+    std::string talker;
 };
 
 struct NmeaTime {
     double secondsOfDay = 0;         ///< UTC, [0, 86401)
-    std::optional<std::string> date; ///< ISO 8601; RMC only
+    std::optional<std::string> date; ///< ISO 8601; RMC and ZDA
 };
 
-/// RMC, VTG: ground track. After a void fix (RMC status V, mode N) there is none: all is empty.
+/// ZDA.
+struct NmeaClock {
+    std::string talker;
+    NmeaTime time;
+};
+
+/// RMC, VTG: ground track.
 struct NmeaTrack {
     std::string talker;
+    std::string type;
+    bool noFix = false; ///< RMC status V, mode N: no track, no place
+    NmeaMode mode = NmeaMode::Measured;
     std::optional<TrueHeading> track;
     std::optional<double> speed_kt;
     std::optional<Variation> variation;
@@ -44,12 +75,13 @@ struct NmeaTrack {
 /// GGA.
 struct NmeaFix {
     std::string talker;
+    NmeaMode mode = NmeaMode::Measured;
     std::optional<NmeaTime> time;
     double latitude_deg = 0, longitude_deg = 0;
     std::optional<double> altitude_m; ///< above mean sea level
 };
 
-using NmeaValue = std::variant<std::monostate, NmeaCompass, NmeaTrueHeading, NmeaTrack, NmeaFix>;
+using NmeaValue = std::variant<std::monostate, NmeaCompass, NmeaTrueHeading, NmeaWater, NmeaBadHeading, NmeaClock, NmeaTrack, NmeaFix>;
 
 /// Nothing (monostate) for sentences of other types, and for those that hold no value.
 [[nodiscard]] NmeaValue valueOf(const NmeaSentence& sentence);

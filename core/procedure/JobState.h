@@ -58,7 +58,8 @@ Result<JobState> stateOf(const SwingJob& job);
 [[nodiscard]] Swing asLeftSwing(const SwingJob& job, const JobState& state, int configuration = 0);
 /// The swings that a guided swing makes besides its main one (as left): as found where something was corrected, and each further
 /// configuration. What can be complete is: nothing is added to it any more. Their ids and records are not valid yet.
-[[nodiscard]] std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, const Swing& main);
+/// @param today ISO 8601.
+[[nodiscard]] std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, const Swing& main, const std::string& today);
 
 /// STEER = FOR − (deviation − A) at every check heading, as the worksheet has it.
 struct ResidualRow {

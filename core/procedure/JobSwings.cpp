@@ -110,7 +110,7 @@ Swing asLeftSwing(const SwingJob& job, const JobState& state, int configuration)
     return swing;
 }
 
-std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, const Swing& main)
+std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, const Swing& main, const std::string& today)
 {
     std::vector<Swing> others;
     const auto add = [&](Swing swing) {
@@ -118,7 +118,7 @@ std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, con
         swing.record.clear();
         swing.startUtc = main.startUtc;
         swing.endUtc = main.endUtc;
-        if (missingIn(swing).empty())
+        if (missingIn(swing, today).empty())
             swing.state = SwingState::Complete; // nothing is added to it any more
         others.push_back(std::move(swing));
     };

@@ -1,5 +1,7 @@
 #include "core/record/Completeness.h"
 
+#include "core/base/Calendar.h"
+
 namespace lubberline {
 
 namespace {
@@ -9,10 +11,13 @@ constexpr std::size_t kFewestReadings = 4;
 
 } // namespace
 
-Message missingIn(const Swing& swing)
+Message missingIn(const Swing& swing, const std::string& today)
 {
     if (swing.date.empty())
         return MARKED("core", "its date is not stated");
+    if (swing.date > addDays(today, 1)) // dates are UTC: east of it, the crew is a day ahead
+        return Message{
+            MARKED("core", "its date %1 is still to come (today is %2); expected the day on which it was swung"), swing.date, today};
     for (std::size_t i = 0; i < swing.readings.size(); ++i) {
         const auto& reading = swing.readings[i];
         if (reading.exclusion || reading.magnetic.has_value() == reading.compass.has_value())

@@ -66,7 +66,7 @@ Result<void> SigningStore::complete(SwingId id)
     if (swing->state != SwingState::Draft)
         return Error{
             ErrorCode::InvalidInput, {MARKED("db", "the swing is %1 already; expected a draft"), std::string(fileWord(swing->state))}};
-    if (const auto missing = missingIn(*swing); !missing.empty())
+    if (const auto missing = missingIn(*swing, m_database.clock().today()); !missing.empty())
         return Error{ErrorCode::InvalidInput, {MARKED("db", "the swing is not complete: %1"), missing}};
     if (const auto done = setState(id, SwingState::Complete, "completed swing", {}); !done)
         return done;

@@ -281,7 +281,7 @@ void GuidedPage::finish()
     Swing main = asLeftSwing(job, state);
     main.startUtc = job.events.empty() ? std::string() : job.events.front().timeUtc;
     main.endUtc = job.events.empty() ? std::string() : job.events.back().timeUtc;
-    if (const auto done = m_stores.jobs.finish(m_swing, main, furtherSwings(job, state, main)); !done) {
+    if (const auto done = m_stores.jobs.finish(m_swing, main, furtherSwings(job, state, main, m_stores.clock().today())); !done) {
         emit failed(messageOf(done.error()));
         return;
     }

@@ -17,7 +17,9 @@ double sinceBoot_s()
 /// Without a checksum only a sentence with all its fields is whole: a line cut short looks like a heading of fewer digits.
 bool isWhole(const NmeaSentence& sentence)
 {
-    const std::size_t fields = sentence.type == "HDG" ? 5 : sentence.type == "HDT" || sentence.type == "HDM" ? 2 : 1;
+    const std::size_t fields = sentence.type == "HDG"                                ? 5
+        : sentence.type == "HDT" || sentence.type == "HDM" || sentence.type == "THS" ? 2
+                                                                                     : 1;
     return sentence.hasChecksum || sentence.fields.size() >= fields;
 }
 
@@ -54,35 +56,36 @@ void LiveHeading::add(const LiveChannel& name, bool compass, bool isTrue, double
 
 void LiveHeading::takeLine(std::string_view line)
 {
-    const ParsedNmea parsed = parseNmea(line);
-    if (parsed.fault == NmeaFault::BadChecksum)
+    for (const ParsedNmea& parsed : nmeaSentences(line))
+        if (parsed.fault == NmeaFault::BadChecksum)
+            ++m_bad;
+        else if (parsed.fault == NmeaFault::None)
+            takeSentence(parsed.sentence);
+    emit changed();
+}
+
+void LiveHeading::takeSentence(const NmeaSentence& sentence)
+{
+    if (sentence.hasChecksum)
+        m_checking.insert(sentence.talker);
+    if ((!sentence.hasChecksum && m_checking.contains(sentence.talker)) || !isWhole(sentence)) {
         ++m_bad;
-    if (parsed.fault != NmeaFault::None) {
-        emit changed();
-        return;
-    }
-    if (parsed.sentence.hasChecksum)
-        m_checking.insert(parsed.sentence.talker);
-    if ((!parsed.sentence.hasChecksum && m_checking.contains(parsed.sentence.talker)) || !isWhole(parsed.sentence)) {
-        ++m_bad;
-        emit changed();
         return;
     }
     ++m_sentences;
-    const NmeaValue value = valueOf(parsed.sentence);
+    const NmeaValue value = valueOf(sentence);
     if (const auto* compass = std::get_if<NmeaCompass>(&value)) {
         add(compass->talker + compass->type, true, false, compass->heading.degrees());
         if (compass->variation)
             m_variation = compass->variation;
     } else if (const auto* heading = std::get_if<NmeaTrueHeading>(&value)) {
-        add(heading->talker + "HDT", false, true, heading->heading.degrees());
+        add(heading->talker + heading->type, false, true, heading->heading.degrees());
     } else if (const auto* track = std::get_if<NmeaTrack>(&value)) {
         if (track->track)
-            add(track->talker + parsed.sentence.type, false, true, track->track->degrees());
+            add(track->talker + track->type, false, true, track->track->degrees());
         if (track->variation)
             m_variation = track->variation;
     }
-    emit changed();
 }
 
 QStringList LiveHeading::compassChannels() const

@@ -50,6 +50,7 @@ private:
         bool compass = false, isTrue = false;
         SettlingWindow window;
     };
+    void takeSentence(const NmeaSentence& sentence);
     void add(const LiveChannel& name, bool compass, bool isTrue, double heading_deg);
 
     std::function<double()> m_now_s;

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
+#include "core/nmea/NmeaDoubts.h"
 #include "core/swing/Analysis.h"
 #include "core/swing/SwingResult.h"
 #include "ui/kit/Words.h"
@@ -102,7 +103,7 @@ void NmeaImportPage::build()
     const NmeaOptions usual;
     m_title->setObjectName(QStringLiteral("nmeaTitle"));
     m_reference->setObjectName(QStringLiteral("nmeaReference"));
-    m_reference->addItems({tr("track over ground (RMC, VTG)"), tr("true heading (HDT)"), tr("another magnetic heading (HDM, HDG)")});
+    m_reference->addItems({tr("track over ground (RMC, VTG)"), tr("true heading (HDT, THS)"), tr("another magnetic heading (HDM, HDG)")});
     m_kind->setObjectName(QStringLiteral("nmeaKind"));
     m_kind->addItems(swingKindWords());
     m_kind->setCurrentIndex(static_cast<int>(SwingKind::Calibration));
@@ -205,6 +206,7 @@ Result<NmeaOptions> NmeaImportPage::options() const
     options.variation = *variation;
     options.minSpeed_kt = *speed;
     options.maxTurnRate_deg_s = *rate;
+    options.today = m_stores.clock().today();
     options.compassTalker = m_talker->text().trimmed().toUpper().toStdString();
     return options;
 }
@@ -264,10 +266,12 @@ void NmeaImportPage::showAnswer()
     record.compass = m_compass;
     std::shared_ptr<const Analysis> analysis;
     QString why;
-    if (auto made = resultOf(record))
+    if (auto made = resultOf(record)) {
+        widenByDoubts(*made, read);
         analysis = std::make_shared<const Analysis>(std::move(made.value()));
-    else
+    } else {
         why = toText(made.error().message);
+    }
     if (!why.isEmpty())
         lines += why;
     m_summary->setText(lines.join('\n'));

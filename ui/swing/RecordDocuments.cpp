@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "core/due/Calendar.h"
+#include "core/base/Calendar.h"
 #include "core/due/DueRules.h"
 #include "core/procedure/Checklist.h"
 #include "core/procedure/JobState.h"

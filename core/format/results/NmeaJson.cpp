@@ -20,6 +20,46 @@ Json pairJson(const NmeaPair& pair)
         {"turn_rate_deg_per_s", orNull(pair.turnRate_deg_s)}};
 }
 
+/// In words of the contract.
+const char* toldBy(DelayTold told)
+{
+    switch (told) {
+    case DelayTold::NoTurn: return "no turn";
+    case DelayTold::OneWay: return "one-way turn";
+    case DelayTold::TooNoisy: return "uneven headings";
+    case DelayTold::BothWays: return "turns both ways";
+    case DelayTold::VaryingRate: return "varying turn rate";
+    }
+    return "";
+}
+
+/// A log without times counts steps of its reference, which are no seconds.
+Json delayJson(const NmeaSwing& swing)
+{
+    const NmeaDelay& delay = swing.delay;
+    return {{"seconds", swing.timesTold ? orNull(delay.seconds) : Json()}, {"told_by", toldBy(delay.told)},
+        {"standard_error_s", swing.timesTold ? Json(delay.standardError_s) : Json()},
+        {"A_deg_per_s", swing.timesTold ? Json(delay.A_degPerSecond) : Json()}, {"steps", swing.timesTold ? Json() : orNull(delay.seconds)},
+        {"clockwise", delay.clockwise}, {"counter_clockwise", delay.counterClockwise}};
+}
+
+Json windJson(const std::optional<NmeaWind>& wind)
+{
+    if (!wind)
+        return {};
+    return {{"from_deg", wind->from_deg()}, {"speed_kt", wind->speed_kt()}, {"standard_error_kt", wind->standardError_kt()},
+        {"airspeed_kt", wind->airspeed_kt}, {"scatter_kt", wind->scatter_kt}, {"drift_deg", wind->drift_deg()},
+        {"taken_out", wind->takenOut}};
+}
+
+Json directionsJson(const std::optional<NmeaDirections>& directions)
+{
+    if (!directions)
+        return {};
+    return {{"clockwise_A_deg", directions->clockwiseA_deg}, {"counter_clockwise_A_deg", directions->counterClockwiseA_deg},
+        {"largest_difference_deg", directions->largestDifference_deg}};
+}
+
 } // namespace
 
 std::string toJson(const NmeaSwing& swing, const std::optional<Analysis>& analysis)
@@ -27,7 +67,10 @@ std::string toJson(const NmeaSwing& swing, const std::optional<Analysis>& analys
     Json json{{"lines", swing.lines}, {"sentences", swing.sentences}, {"bad_checksums", swing.badChecksums},
         {"without_checksum", swing.withoutChecksum}, {"other_lines", swing.otherLines}, {"pairs", swing.pairs.size()}, {"used", swing.used},
         {"compass_talker", swing.compassTalker}, {"variation_deg", swing.variation ? Json(swing.variation->degrees()) : Json()},
-        {"variation_source", swing.variationSource}, {"readings", Json::array()}};
+        {"variation_source", swing.variationSource}, {"variation_of_model_deg", orNull(swing.variationOfModel_deg)},
+        {"bad_headings", swing.badHeadings}, {"reference_source", swing.referenceSource},
+        {"date", swing.date.empty() ? Json() : Json(swing.date)}, {"delay", delayJson(swing)}, {"wind", windJson(swing.wind)},
+        {"directions", directionsJson(swing.directions)}, {"readings", Json::array()}};
     for (const auto& pair : swing.pairs)
         if (pair.used)
             json["readings"].push_back(pairJson(pair));

@@ -184,7 +184,7 @@ TEST(NmeaSwing, damageIsCountedAndLeftOut)
     EXPECT_EQ(swing->withoutChecksum, 1);
     EXPECT_EQ(swing->otherLines, 2); // babble, and the half sentence at the end
     EXPECT_EQ(swing->pairs.size(), 36u);
-    EXPECT_EQ(swing->warnings.size(), 3u);
+    EXPECT_EQ(swing->warnings.size(), 5u); // two talkers; variation of the model; one-way turn; checksums wrong and missing
 }
 
 TEST(NmeaSwing, aVoidFixEndsTheTrack)
@@ -255,8 +255,16 @@ TEST(NmeaSwing, whatALogLacksIsNamed)
     says(read(""), "no NMEA 0183 sentence");
     says(read("$HCHDG,1.0,,,,*00\n"), "every checksum is wrong");
     says(read(rmc(0, 10)), "no compass heading");
-    says(read(hdg(10), stated(0)), "no compass heading stands behind a valid track");
-    says(read(hdg(10)), "no position with a date");
+    says(read(hdg(10), stated(0)), "no compass heading stands beside a valid track");
+    says(read(hdg(10) + makeNmea("GPVTG,10.0,T,,M,8.0,N,,K") + "\n"), "no position with a date");
+    says(read(hdg(10) + rmc(0, 10, 8.0, "V,,,,"), stated(0)), "no fix");
+    says(read(hdg(10) + "$GPRMC,,V,,,,,,,,,,N*53\n" + makeNmea("GPVTG,,T,,M,,N,,K,N") + "\n"), "no fix: the receiver says so in all 2");
+    says(read("$HCHDG,-3.0,,,,\n" + rmc(0, 10), stated(0)), "all are negative or beyond 360");
+    std::string wide;
+    for (const char c : rmc(0, 10) + hdg(10))
+        wide += std::string(1, c) + '\0';
+    says(read(wide), "UTF-16");
+    says(read("\xff\xfe" + wide), "UTF-16");
     EXPECT_EQ(readNmeaSwingFile("/nowhere/turn.nmea", {}).error().code, ErrorCode::Io);
     std::istringstream stream(circle(0));
     EXPECT_EQ(readNmeaSwing(stream, "turn.nmea", {}, [](double) { return false; }).error().code, ErrorCode::Cancelled);

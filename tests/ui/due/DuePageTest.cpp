@@ -13,7 +13,7 @@
 #include <QTest>
 #include <QUndoStack>
 
-#include "core/due/Calendar.h"
+#include "core/base/Calendar.h"
 #include "tests/db/TestStores.h"
 #include "ui/due/DuePage.h"
 #include "ui/due/DueWatch.h"

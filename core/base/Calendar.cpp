@@ -1,4 +1,4 @@
-#include "core/due/Calendar.h"
+#include "core/base/Calendar.h"
 
 #include <algorithm>
 #include <array>

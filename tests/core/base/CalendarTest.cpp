@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/due/Calendar.h"
+#include "core/base/Calendar.h"
 #include "core/due/CalendarFile.h"
 
 namespace lubberline {

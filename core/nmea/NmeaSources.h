@@ -1,0 +1,26 @@
+#pragma once
+/// Who of a log is the compass, and what it is held against.
+
+#include <string>
+#include <vector>
+
+#include "core/nmea/NmeaLog.h"
+#include "core/nmea/NmeaSwing.h"
+
+namespace lubberline {
+
+struct NmeaSources {
+    const NmeaStream* compass = nullptr; ///< both of the log
+    const NmeaStream* reference = nullptr;
+    std::vector<Message> warnings;
+};
+
+[[nodiscard]] std::string nameOf(const NmeaSource& source);
+
+/// Errors: InvalidInput: no compass; several talkers and none chosen (names them); no reference of the kind, or one without a fix.
+Result<NmeaSources> chooseSources(const NmeaLog& log, const NmeaOptions& options);
+
+/// What a log says of itself: damage, receivers that had no fix or made it up, headings that are none.
+[[nodiscard]] std::vector<Message> toldOfLog(const NmeaLog& log);
+
+} // namespace lubberline
