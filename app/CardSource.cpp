@@ -31,7 +31,7 @@ Result<CardSheet> cardFromFiles(const std::vector<std::string>& files, const Car
         auto card = makeCard(*analysis, options);
         if (!card) {
             Error error = card.error();
-            error.file = file;
+            error.file = swing->source;
             return error;
         }
         const SwingRecord& record = swing->record;

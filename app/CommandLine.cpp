@@ -40,7 +40,7 @@ int runCommandLine(int argc, char** argv)
                "`lubberline COMMAND --help` tells of one command.");
     app.require_subcommand(0, 1);
 
-    Invocation invocation{argc, argv, {}, {}, {}};
+    Invocation invocation{argc, argv, {}, {}, {}, {}};
     addDatabaseOption(app, invocation);
     addAnalyse(app, invocation);
     addCorrect(app, invocation);

@@ -7,17 +7,11 @@
 
 namespace lubberline::app {
 
-/// Whether the outputs of the command that was called may be written: none is a file that is named beside it or the database.
-/// Errors: those of checkOutput().
+/// Whether the outputs of the command that was called may be written: none is a file that is named beside it or the database; and whether
+/// standard input is named once at most. Errors: those of checkOutput(); InvalidInput.
 Result<void> checkOutputs(const CLI::App& app, const Invocation& invocation);
 
-/// "-": then nothing else goes there.
-[[nodiscard]] bool isStandardOutput(const std::string& path);
-
-/// Writes what a command made, whole or not at all; "-" is standard output. Errors: those of writeWholeFile().
-Result<void> writeOutput(const std::string& path, const std::string& content);
-
 /// "wrote FILE" on standard error.
-void sayWritten(const std::string& path);
+void sayWritten(const Output& output);
 
 } // namespace lubberline::app

@@ -4,6 +4,7 @@
 #include <QStandardPaths>
 
 #include "core/base/Clock.h"
+#include "core/base/WholeFile.h"
 
 namespace lubberline::app {
 
@@ -21,6 +22,8 @@ Result<QString> named(const std::string& option)
 {
     if (option.starts_with("postgresql:"))
         return Error{ErrorCode::Unsupported, MARKED("app", "PostgreSQL databases are not supported yet; expected an SQLite file"), option};
+    if (isStandardStream(option))
+        return Error{ErrorCode::Unsupported, MARKED("app", "a database is no stream; expected the name of an SQLite file"), option};
     return QString::fromStdString(option);
 }
 

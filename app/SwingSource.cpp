@@ -1,6 +1,7 @@
 #include "app/SwingSource.h"
 
 #include "app/Console.h"
+#include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/swing/SwingResult.h"
 
@@ -8,11 +9,11 @@ namespace lubberline::app {
 
 Result<SourcedSwing> swingFromCsv(const std::string& path)
 {
-    auto file = readSwingCsvFile(path, consoleProgress("reading " + path));
+    auto file = readSwingCsvFile(path, consoleProgress("reading " + nameOfInput(path)));
     if (!file)
         return file.error();
     SourcedSwing sourced;
-    sourced.source = path;
+    sourced.source = nameOfInput(path);
     sourced.warnings = file->warnings;
     sourced.record = recordOf(*file);
     if (sourced.record.site)

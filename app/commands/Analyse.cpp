@@ -28,7 +28,7 @@ int analyseCommand(const AnalyseArguments& options)
         return fail(analysis.error());
     const auto removal = removeComponents(*analysis, options.removed);
     if (!removal)
-        return fail({removal.error().code, removal.error().message, options.file});
+        return fail({removal.error().code, removal.error().message, swing->source});
     const bool removes = options.removed.any();
     warn(swing->warnings);
     if (options.json) {
@@ -49,7 +49,7 @@ void addAnalyse(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<AnalyseArguments>();
     auto* command = app.add_subcommand("analyse", "coefficients, residuals and harmonics of a swing");
-    command->add_option("SWING.csv", options->file, "a Swing CSV")->required();
+    addInputOption(*command, invocation, "SWING.csv", options->file, "a Swing CSV")->required();
     command->add_option("--orders", options->orders, "highest harmonic wanted (default: all that the headings resolve)")
         ->check(CLI::Range(0, 1'000'000));
     addRemoveOption(*command, options->removed, "show what would remain without these components, as in B,C");

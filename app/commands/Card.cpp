@@ -18,7 +18,8 @@ namespace lubberline::app {
 namespace {
 
 struct CardArguments {
-    std::string file, second, swing, output, from = "fit", form = "placard";
+    std::string file, second, swing, from = "fit", form = "placard";
+    Output output;
     CardOptions card;
     bool json = false;
 };
@@ -38,7 +39,7 @@ std::string jsonOf(const std::vector<Card>& cards, const std::vector<std::string
 int writeCardFile(const CardArguments& options, ui::CardInput input)
 {
     input.madeAtUtc = nowUtc();
-    if (const auto written = ui::writeCard(input, QString::fromStdString(options.output)); !written)
+    if (const auto written = ui::writeCard(input, QString::fromStdString(options.output.path)); !written)
         return fail(written.error());
     sayWritten(options.output);
     return kDone;
@@ -47,7 +48,7 @@ int writeCardFile(const CardArguments& options, ui::CardInput input)
 /// The forms that are made of a record of the database alone.
 int writeForm(const CardArguments& options, db::Stores& stores, SwingId swing)
 {
-    const QString path = QString::fromStdString(options.output);
+    const QString path = QString::fromStdString(options.output.path);
     Result<void> written;
     if (options.form == "job") {
         const auto input = ui::jobCardOf(stores, swing, nowUtc());
@@ -100,6 +101,8 @@ int cardCommand(CardArguments options, const std::string& database)
         cards.push_back(column.card);
         labels.push_back(column.heading.toStdString());
     }
+    if (options.output.toStandardOutput())
+        return writeCardFile(options, sheet->input);
     if (options.json)
         std::printf("%s\n", jsonOf(cards, labels).c_str());
     else if (options.output.empty())
@@ -113,7 +116,7 @@ void addCard(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<CardArguments>();
     auto* command = app.add_subcommand("card", "the correction card: what to steer by compass");
-    command->add_option("SWING.csv", options->file, "a Swing CSV");
+    addInputOption(*command, invocation, "SWING.csv", options->file, "a Swing CSV");
     command->add_option(
         "--swing", options->swing, "a swing of the database, to print its card again: its record id or the beginning of it");
     command
@@ -122,7 +125,8 @@ void addCard(CLI::App& app, Invocation& invocation)
         ->check(CLI::IsMember({"placard", "card", "dd1613", "job"}))
         ->capture_default_str();
     addDatabaseOption(*command, invocation);
-    command->add_option("--second", options->second, "a second swing of the same compass for a second STEER column (radio off)");
+    addInputOption(
+        *command, invocation, "--second", options->second, "a second swing of the same compass for a second STEER column (radio off)");
     command->add_option("--step", options->card.step_deg, "degrees between headings: 30 or 45")
         ->check(CLI::IsMember({30, 45}))
         ->capture_default_str();
@@ -131,7 +135,7 @@ void addCard(CLI::App& app, Invocation& invocation)
         ->capture_default_str();
     addRemoveOption(*command, options->card.removed, "coefficients taken out mechanically after the swing, as in A,B,C");
     command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "write the card as a PDF, at the size of a cockpit placard");
+    addOutputOption(*command, invocation, "-o,--output", options->output, "write the card, at the size of a cockpit placard", {".pdf"});
     command->callback(
         [options, &invocation] { invocation.action = [options, &invocation] { return cardCommand(*options, invocation.database); }; });
 }

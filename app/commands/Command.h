@@ -18,6 +18,15 @@ struct Invocation {
     std::string database;                    ///< --db, or empty
     std::function<int()> action;             ///< set by the command that was called; returns the exit status
     std::vector<const CLI::Option*> outputs; ///< that name a file to write
+    std::vector<const CLI::Option*> inputs;  ///< that name files to read
+};
+
+/// The file that a command writes.
+struct Output {
+    std::string path; ///< "-": standard output, where nothing else goes then; empty: none is written
+    std::string kind; ///< its ending, as ".csv"; that of --format for standard output
+    [[nodiscard]] bool empty() const { return path.empty(); }
+    [[nodiscard]] bool toStandardOutput() const;
 };
 
 void addAnalyse(CLI::App& app, Invocation& invocation);
@@ -48,9 +57,16 @@ void addRemoveOption(CLI::App& command, CoefficientSet& removed, const std::stri
 /// Adds `--db FILE` to a command that uses the database.
 void addDatabaseOption(CLI::App& command, Invocation& invocation);
 
-/// Adds an option that names a file to write. Before its command runs, the name is held against everything else on the command line and
-/// the database: a file that the command reads is never written over, and a place that takes no file is told before any work.
-CLI::Option* addOutputOption(
-    CLI::App& command, Invocation& invocation, const std::string& name, std::string& file, const std::string& help);
+/// Adds an option that names a file to write, with the endings that it may have; another one is a usage error. "-" writes the first of them
+/// to standard output, or what --format says, which is added where there are several. Before its command runs, the name is held against
+/// everything else on the command line and the database: a file that the command reads is never written over, and a place that takes no
+/// file is told before any work.
+CLI::Option* addOutputOption(CLI::App& command, Invocation& invocation, const std::string& name, Output& output, const std::string& help,
+    const std::vector<std::string>& endings);
+
+/// Adds an option that names a file to read; "-" is standard input.
+CLI::Option* addInputOption(CLI::App& command, Invocation& invocation, const std::string& name, std::string& file, const std::string& help);
+CLI::Option* addInputOption(
+    CLI::App& command, Invocation& invocation, const std::string& name, std::vector<std::string>& files, const std::string& help);
 
 } // namespace lubberline::app

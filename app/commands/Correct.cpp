@@ -24,7 +24,7 @@ int correctCommand(const CorrectArguments& options)
     const auto correction = correctionSteps(observationsOf(swing->record.swing));
     if (!correction) {
         Error error = correction.error();
-        error.file = options.file;
+        error.file = swing->source;
         return fail(error);
     }
     warn(swing->warnings);
@@ -41,7 +41,7 @@ void addCorrect(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<CorrectArguments>();
     auto* command = app.add_subcommand("correct", "what to make the compass read on the cardinals (correction swing)");
-    command->add_option("SWING.csv", options->file, "a Swing CSV with N, E, S and W among its readings")->required();
+    addInputOption(*command, invocation, "SWING.csv", options->file, "a Swing CSV with N, E, S and W among its readings")->required();
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &invocation] { invocation.action = [options] { return correctCommand(*options); }; });
 }

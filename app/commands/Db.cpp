@@ -6,6 +6,7 @@
 #include "app/OpenStores.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
+#include "core/base/WholeFile.h"
 #include "db/schema/Schema.h"
 #include "db/transfer/Maintenance.h"
 
@@ -102,7 +103,9 @@ void addDb(CLI::App& app, Invocation& invocation)
     });
 
     auto* backup = command->add_subcommand("backup", "write a whole copy, also while the window is open");
-    backup->add_option("FILE", options->file, "the copy; it must not exist yet")->required();
+    backup->add_option("FILE", options->file, "the copy; it must not exist yet")->required()->check([](const std::string& path) {
+        return isStandardStream(path) ? std::string("FILE: a database is no stream; expected the name of a file, not -") : std::string();
+    });
     addDatabaseOption(*backup, invocation);
     backup->callback([options, &invocation] {
         invocation.action = [options, &invocation] {

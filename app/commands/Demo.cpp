@@ -10,6 +10,7 @@
 #include "app/SwingList.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
+#include "core/base/WholeFile.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
 #include "ui/report/card/CardDocument.h"
@@ -141,7 +142,10 @@ void addDemo(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<DemoArguments>();
     auto* command = app.add_subcommand("demo", "fill a database with a demonstration fleet, write a report and plots, open the window");
-    command->add_option("-o,--output", options->output, "the folder for the report and plots (default: beside the database)");
+    command->add_option("-o,--output", options->output, "the folder for the report and plots (default: beside the database)")
+        ->check([](const std::string& path) {
+            return isStandardStream(path) ? std::string("-o: several files are written; expected a folder, not -") : std::string();
+        });
     command->add_flag("--no-window", options->noWindow, "do not open the window");
     addDatabaseOption(*command, invocation);
     command->callback([options, &invocation] { invocation.action = [options, &invocation] { return demoCommand(*options, invocation); }; });

@@ -11,6 +11,7 @@
 #include "core/base/Calendar.h"
 #include "core/base/FileText.h"
 #include "core/base/NearWord.h"
+#include "core/base/OutputFile.h"
 #include "core/format/json/JsonWriter.h"
 #include "core/format/results/DueJson.h"
 #include "ui/due/DueWork.h"
@@ -20,7 +21,8 @@ namespace lubberline::app {
 namespace {
 
 struct DueArguments {
-    std::string today, calendar;
+    std::string today;
+    Output calendar;
     int within = 0;
     bool json = false, all = false;
 };
@@ -96,9 +98,10 @@ int dueCommand(const DueArguments& options, const std::string& database)
     for (const auto& warning : news->warnings)
         say("not predicted after a move: " + warning.english());
     if (!options.calendar.empty()) {
-        if (const auto written = writeOutput(options.calendar, writeCalendar(calendarOf(news->lines), *today + "T00:00:00Z")); !written)
+        if (const auto written = writeWholeFile(options.calendar.path, writeCalendar(calendarOf(news->lines), *today + "T00:00:00Z"));
+            !written)
             return fail(written.error());
-        if (isStandardOutput(options.calendar))
+        if (options.calendar.toStandardOutput())
             return kDone;
     }
     if (options.json)
@@ -230,7 +233,7 @@ void addDue(CLI::App& app, Invocation& invocation)
     command->add_option("--within", options->within, "also what falls due by the calendar within so many days")
         ->check(CLI::Range(0, 36500));
     command->add_flag("--all", options->all, "every compass");
-    addOutputOption(*command, invocation, "--ics", options->calendar, "write the dates as an iCalendar file");
+    addOutputOption(*command, invocation, "--ics", options->calendar, "write the dates as an iCalendar file", {".ics"});
     command->add_flag("--json", options->json, "one JSON object on standard output");
     addDatabaseOption(*command, invocation);
     command->callback(

@@ -36,7 +36,7 @@ int electricalCommand(const ElectricalArguments& options)
     const auto text = readWholeFile(options.file, MARKED("app", "an Electrical JSON"));
     if (!text)
         return fail(text.error());
-    const auto swing = readElectricalJson(*text, options.file);
+    const auto swing = readElectricalJson(*text, nameOfInput(options.file));
     if (!swing)
         return fail(swing.error());
     nlohmann::ordered_json object;
@@ -68,7 +68,9 @@ void addElectrical(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<ElectricalArguments>();
     auto* command = app.add_subcommand("electrical", "the errors of an electrical swing's data sheet, and whether it passes");
-    command->add_option("SHEET.json", options->file, "an Electrical JSON: table F1 before and after, 24 headings, self-check")->required();
+    addInputOption(
+        *command, invocation, "SHEET.json", options->file, "an Electrical JSON: table F1 before and after, 24 headings, self-check")
+        ->required();
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &invocation] { invocation.action = [options] { return electricalCommand(*options); }; });
 }

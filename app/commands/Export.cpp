@@ -3,6 +3,7 @@
 #include "app/Outputs.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
+#include "core/base/OutputFile.h"
 #include "core/format/exchange/Exchange.h"
 #include "db/transfer/Transfer.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 struct ExportArguments {
     std::vector<std::string> aircraft;
-    std::string output;
+    Output output;
 };
 
 int exportCommand(const ExportArguments& options, const std::string& database)
@@ -31,9 +32,10 @@ int exportCommand(const ExportArguments& options, const std::string& database)
     const auto fleet = db::exportFleet((*stores)->database(), aircraft, consoleProgress("exporting"));
     if (!fleet)
         return fail(fleet.error());
-    if (const auto written = writeOutput(options.output, writeExchange(*fleet)); !written)
+    if (const auto written = writeWholeFile(options.output.path, writeExchange(*fleet)); !written)
         return fail(written.error());
-    say(text("wrote %zu swings of %zu aircraft to %s", fleet->swings.size(), fleet->aircraft.size(), options.output.c_str()));
+    say(text("wrote %zu swings of %zu aircraft to %s", fleet->swings.size(), fleet->aircraft.size(),
+        options.output.toStandardOutput() ? "standard output" : options.output.path.c_str()));
     return kDone;
 }
 
@@ -44,7 +46,7 @@ void addExport(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<ExportArguments>();
     auto* command = app.add_subcommand("export", "write aircraft with all their swings as exchange JSON (.lubberline.json)");
     command->add_option("--aircraft", options->aircraft, "registrations (default: the whole fleet)");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write")->required();
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".json"})->required();
     addDatabaseOption(*command, invocation);
     command->callback(
         [options, &invocation] { invocation.action = [options, &invocation] { return exportCommand(*options, invocation.database); }; });

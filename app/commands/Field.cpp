@@ -55,7 +55,7 @@ int fieldCommand(const FieldArguments& options)
     const auto model = options.model.empty() ? defaultFieldModel(*year) : fieldModelByName(options.model);
     if (!model)
         return fail(model.error());
-    const auto answer = fieldForCompass(*model, *place, *year);
+    const auto answer = model->evaluate(*place, *year); // near a pole, too: with its warning
     if (!answer)
         return fail(answer.error());
     if (options.json) {
@@ -77,7 +77,7 @@ void addField(CLI::App& app, Invocation& invocation)
     command->add_option("--lon", options->longitude_deg, "longitude [deg, east positive]")->required();
     command->add_option("--alt", options->altitude_m, "height above the WGS84 ellipsoid [m]")->capture_default_str();
     command->add_option("--date", options->date, "YYYY-MM-DD, or a year as 2026.5")->required();
-    command->add_option("--model", options->model,
+    addInputOption(*command, invocation, "--model", options->model,
         "wmm2025, igrf14, or a coefficient file (WMM .COF, IGRF table); default: WMM where the date is inside its years, else IGRF-14");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &invocation] { invocation.action = [options] { return fieldCommand(*options); }; });

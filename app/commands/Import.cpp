@@ -8,6 +8,7 @@
 #include "app/QtSession.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
+#include "core/base/WholeFile.h"
 #include "db/transfer/Transfer.h"
 #include "ui/intake/ImportFile.h"
 
@@ -25,7 +26,7 @@ int importCommand(const ImportArguments& options, const std::string& database)
 {
     std::vector<Fleet> fleets;
     for (const auto& file : options.files) {
-        auto read = ui::readImportFile(QString::fromStdString(file), options.particulars, consoleProgress("reading " + file));
+        auto read = ui::readImportFile(QString::fromStdString(file), options.particulars, consoleProgress("reading " + nameOfInput(file)));
         if (!read)
             return fail(read.error());
         warn(read->warnings);
@@ -49,7 +50,8 @@ void addImport(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<ImportArguments>();
     auto* command = app.add_subcommand("import", "store swings from Swing CSV, exchange JSON or our own report PDF");
-    command->add_option("FILE", options->files, "files of any of the three kinds")->required();
+    addInputOption(*command, invocation, "FILE", options->files, "files of any of the three kinds, told by their endings; - by its content")
+        ->required();
     command->add_option("--aircraft", options->particulars.aircraft, "for a CSV that does not state it: the registration");
     command->add_option("--type", options->particulars.type, "likewise: the aircraft type");
     command->add_option("--compass", options->particulars.compass, "likewise: the compass");

@@ -3,6 +3,8 @@
 #include "app/Console.h"
 #include "app/Outputs.h"
 #include "app/commands/Command.h"
+#include "core/base/OutputFile.h"
+#include "core/base/WholeFile.h"
 #include "core/format/exchange/BenchJson.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/results/BenchModelJson.h"
@@ -12,7 +14,8 @@ namespace lubberline::app {
 namespace {
 
 struct IronArguments {
-    std::string bench, output;
+    std::string bench;
+    Output output;
     std::vector<std::string> states;
     std::optional<double> latitude_deg, longitude_deg, horizontal_nT, dip_deg;
     double altitude_m = 0;
@@ -53,7 +56,7 @@ Result<void> writeModel(const IronArguments& options, const BenchModel& model, c
     std::string note = "from the iron bench";
     for (const auto& [group, state] : states)
         note += ", " + group + " " + state;
-    return writeOutput(options.output, writeModelJson({*field, model.model, note}));
+    return writeWholeFile(options.output.path, writeModelJson({*field, model.model, note}));
 }
 
 void printMatrix(const Eigen::Matrix3d& matrix)
@@ -89,12 +92,12 @@ int ironCommand(const IronArguments& options)
     const auto states = chosenStates(options, *bench);
     const auto model = benchModel(*bench, states, consoleProgress("iron bench"));
     if (!model)
-        return fail({model.error().code, model.error().message, options.bench});
+        return fail({model.error().code, model.error().message, nameOfInput(options.bench)});
     if (!options.output.empty()) {
         if (const auto written = writeModel(options, *model, states); !written)
             return fail(written.error());
         sayWritten(options.output);
-        if (isStandardOutput(options.output))
+        if (options.output.toStandardOutput())
             return kDone;
     }
     if (options.json) {
@@ -127,7 +130,7 @@ void addIron(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<IronArguments>();
     auto* command = app.add_subcommand("iron", "what ferrous parts, loops and wires around a sensor do to the field there");
-    command->add_option("BENCH.json", options->bench, "a Bench JSON: parts, loops and wires round a sensor")->required();
+    addInputOption(*command, invocation, "BENCH.json", options->bench, "a Bench JSON: parts, loops and wires round a sensor")->required();
     command->add_option("--state", options->states, "where a moving group is, as gear=extended (default: the first state of each group)")
         ->type_name("GROUP=STATE")
         ->take_all()
@@ -138,7 +141,7 @@ void addIron(CLI::App& app, Invocation& invocation)
                                                                                    : "--state: “" + text + "”; expected GROUP=STATE";
         });
     command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "write a Model JSON with the field below");
+    addOutputOption(*command, invocation, "-o,--output", options->output, "write a Model JSON with the field below", {".json"});
     command->add_option("--H-nT", options->horizontal_nT, "horizontal field [nT]")->check(CLI::Range(0.0, 1e9));
     command->add_option("--dip-deg", options->dip_deg, "inclination, down positive [deg]")->check(CLI::Range(-89.999, 89.999));
     command->add_option("--lat", options->latitude_deg, "geodetic latitude [deg, north positive]");

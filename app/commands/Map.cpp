@@ -11,6 +11,8 @@
 #include "app/commands/Command.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
+#include "core/base/OutputFile.h"
+#include "core/base/WholeFile.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/results/MapJson.h"
 #include "core/sensor/map/DeviationMap.h"
@@ -25,7 +27,8 @@ constexpr QSize kPicture_px{1000, 680};
 constexpr std::array kAxes{AttitudeAxis::Heading, AttitudeAxis::Pitch, AttitudeAxis::Roll};
 
 struct MapArguments {
-    std::string model, minus, output;
+    std::string model, minus;
+    Output output;
     std::vector<std::string> switches;
     AttitudeAxis x = AttitudeAxis::Heading;
     std::optional<AttitudeAxis> y; ///< pitch, or roll over pitch, when it is not given
@@ -57,12 +60,12 @@ Result<ModelMap> mapOf(const std::string& path, const std::vector<std::string>& 
     if (!setup)
         return setup.error();
     if (const auto switched = switchCircuits(setup->model, switches); !switched)
-        return Error{switched.error().code, switched.error().message, path};
+        return Error{switched.error().code, switched.error().message, nameOfInput(path)};
     const auto field = fieldOf(*setup);
     if (!field)
-        return Error{field.error().code, {MARKED("app", "field: %1"), field.error().message}, path};
+        return Error{field.error().code, {MARKED("app", "field: %1"), field.error().message}, nameOfInput(path)};
     ModelMap made;
-    made.source = {std::filesystem::path(path).filename().string(), *field, {}};
+    made.source = {std::filesystem::path(nameOfInput(path)).filename().string(), *field, {}};
     for (const auto& circuit : setup->model.circuits)
         if (circuit.on)
             made.source.circuitsOn.push_back(circuit.name);
@@ -112,22 +115,22 @@ Result<void> writePicture(const MapAnswer& answer, const MapArguments& options)
     picture.extremes = extremesOf(answer.map);
     picture.vanishing = vanishingPlaces(answer.map);
     return ui::writePlotFile(
-        QString::fromStdString(options.output), kPicture_px, picture.title, [&](QPainter& painter, const QRectF& target) {
+        QString::fromStdString(options.output.path), kPicture_px, picture.title,
+        [&](QPainter& painter, const QRectF& target) {
             if (options.surface)
                 ui::renderSurface(painter, target, picture);
             else
                 ui::renderMap(painter, target, picture);
-        });
+        },
+        QString::fromStdString(options.output.kind.substr(1)));
 }
-
-std::string endingOf(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
 Result<void> writeMap(const MapAnswer& answer, const MapArguments& options)
 {
-    if (endingOf(options.output) == ".json")
-        return writeOutput(options.output, toJson(answer.map, answer.model, answer.minus));
-    if (endingOf(options.output) == ".csv")
-        return writeOutput(options.output, toCsv(answer.map));
+    if (options.output.kind == ".json")
+        return writeWholeFile(options.output.path, toJson(answer.map, answer.model, answer.minus));
+    if (options.output.kind == ".csv")
+        return writeWholeFile(options.output.path, toCsv(answer.map));
     return writePicture(answer, options);
 }
 
@@ -187,11 +190,7 @@ void takeSize(const std::string& text, MapArguments& options)
     options.rows = rows;
 }
 
-bool isPicture(const std::string& path)
-{
-    constexpr std::array kEndings{".png", ".svg", ".pdf"};
-    return std::find(kEndings.begin(), kEndings.end(), endingOf(path)) != kEndings.end();
-}
+bool isPicture(const Output& output) { return !output.empty() && output.kind != ".csv" && output.kind != ".json"; }
 
 /// What options say together: two different axes, the third one held, and a picture where one is styled.
 void checkTogether(const MapArguments& options)
@@ -253,10 +252,12 @@ void addMap(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<MapArguments>();
     auto* command = app.add_subcommand("map", "deviation over two of heading, pitch and roll, from a sensor model");
-    command->add_option("MODEL.json", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")->required();
+    addInputOption(*command, invocation, "MODEL.json", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")
+        ->required();
     addAxes(*command, options);
     command->add_option("--switch", options->switches, "switch a circuit of MODEL.json")->type_name("NAME=on|off")->allow_extra_args(false);
-    command->add_option("--minus", options->minus, "the difference to this Model JSON, switched as its file says")->type_name("OTHER.json");
+    addInputOption(*command, invocation, "--minus", options->minus, "the difference to this Model JSON, switched as its file says")
+        ->type_name("OTHER.json");
     command
         ->add_option_function<std::string>(
             "--limit", [options](const std::string& text) { options->limit_deg = degreesIn("--limit", text, 0.001, 180); },
@@ -264,13 +265,8 @@ void addMap(CLI::App& app, Invocation& invocation)
         ->type_name("DEG");
     command->add_flag("--surface", options->surface, "in a picture: the surface in 3D instead of the map");
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write: .png, .svg, .pdf, .csv or .json")
-        ->excludes(json)
-        ->check([](const std::string& path) {
-            return isPicture(path) || endingOf(path) == ".csv" || endingOf(path) == ".json"
-                ? std::string()
-                : inQuotes(path) + " has another ending; expected .png, .svg, .pdf, .csv or .json";
-        });
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".png", ".svg", ".pdf", ".csv", ".json"})
+        ->excludes(json);
     command->callback([options, &invocation] {
         checkTogether(*options);
         invocation.action = [options] { return mapCommand(*options); };

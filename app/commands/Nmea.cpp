@@ -7,6 +7,8 @@
 #include "app/commands/Command.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
+#include "core/base/OutputFile.h"
+#include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/results/NmeaJson.h"
 #include "core/nmea/NmeaDoubts.h"
@@ -18,7 +20,8 @@ namespace lubberline::app {
 namespace {
 
 struct NmeaArguments {
-    std::string file, output;
+    std::string file;
+    Output output;
     NmeaOptions nmea;
     bool json = false;
 };
@@ -55,7 +58,7 @@ int writeCsv(const NmeaArguments& options, const NmeaSwing& swing)
 {
     SwingRecord record;
     record.swing = toSwing(swing);
-    if (const auto written = writeOutput(options.output, writeSwingCsv(record)); !written)
+    if (const auto written = writeWholeFile(options.output.path, writeSwingCsv(record)); !written)
         return fail(written.error());
     sayWritten(options.output);
     return kDone;
@@ -63,7 +66,7 @@ int writeCsv(const NmeaArguments& options, const NmeaSwing& swing)
 
 int nmeaCommand(const NmeaArguments& options)
 {
-    const auto swing = readNmeaSwingFile(options.file, options.nmea, consoleProgress("reading " + options.file));
+    const auto swing = readNmeaSwingFile(options.file, options.nmea, consoleProgress("reading " + nameOfInput(options.file)));
     if (!swing)
         return fail(swing.error());
     std::optional<Analysis> analysis;
@@ -99,9 +102,8 @@ void addNmea(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<NmeaArguments>();
     auto* command = app.add_subcommand("nmea", "a swing from an NMEA 0183 log of a slow turn");
-    command
-        ->add_option("LOG.nmea", options->file,
-            "sentences as they came (HDG, HDM, HDT, THS, VHW, RMC, VTG, GGA, ZDA), also inside CSV, JSON or binary")
+    addInputOption(*command, invocation, "LOG.nmea", options->file,
+        "sentences as they came (HDG, HDM, HDT, THS, VHW, RMC, VTG, GGA, ZDA), also inside CSV, JSON or binary")
         ->required();
     command
         ->add_option("--reference", options->nmea.reference,
@@ -137,7 +139,7 @@ void addNmea(CLI::App& app, Invocation& invocation)
     });
     command->add_option("--talker", options->nmea.compassTalker, "whose HDG and HDM are the compass (HC, II, …), where several send");
     command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "write the used pairs as a Swing CSV");
+    addOutputOption(*command, invocation, "-o,--output", options->output, "write the used pairs as a Swing CSV", {".csv"});
     options->nmea.today = nowUtc().left(10).toStdString();
     command->callback([options, &invocation] { invocation.action = [options] { return nmeaCommand(*options); }; });
 }

@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <filesystem>
 
 #include "app/Console.h"
 #include "app/OpenStores.h"
@@ -7,6 +6,7 @@
 #include "app/PlacedSwings.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
+#include "core/base/OutputFile.h"
 #include "core/earth/FieldModel.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/results/PredictionJson.h"
@@ -17,7 +17,8 @@ namespace lubberline::app {
 namespace {
 
 struct PredictArguments {
-    std::string model, output, date;
+    std::string model, date;
+    Output output;
     std::vector<std::string> swings;
     double latitude_deg = 0, longitude_deg = 0, altitude_m = 0;
     bool json = false;
@@ -106,8 +107,9 @@ int tell(const PredictArguments& options, const PredictAnswer& answer)
     if (!options.json)
         warn(answer.there.warnings);
     if (!options.output.empty()) {
-        const bool csv = std::filesystem::path(options.output).extension() == ".csv";
-        if (const auto written = writeOutput(options.output, csv ? toCsv(answer.there) : toJson(answer.there, context) + "\n"); !written)
+        const bool csv = options.output.kind == ".csv";
+        if (const auto written = writeWholeFile(options.output.path, csv ? toCsv(answer.there) : toJson(answer.there, context) + "\n");
+            !written)
             return fail(written.error());
         sayWritten(options.output);
     } else if (options.json) {
@@ -146,7 +148,7 @@ void addPredict(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<PredictArguments>();
     auto* command
         = app.add_subcommand("predict", "what a compass will read at another base: the curve expected there, with its uncertainty");
-    command->add_option("MODEL.json", options->model, "a Model JSON");
+    addInputOption(*command, invocation, "MODEL.json", options->model, "a Model JSON");
     command->add_option("--swing", options->swings,
         "a swing of the database (record id or its beginning); several at different places tell hard from soft iron");
     command->add_option("--lat", options->latitude_deg, "geodetic latitude there [deg, north positive]")->required();
@@ -154,12 +156,7 @@ void addPredict(CLI::App& app, Invocation& invocation)
     command->add_option("--alt", options->altitude_m, "height above the WGS84 ellipsoid [m]")->capture_default_str();
     command->add_option("--date", options->date, "YYYY-MM-DD, or a year as 2026.5")->required();
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write: .csv or .json")
-        ->excludes(json)
-        ->check([](const std::string& path) {
-            const std::string ending = std::filesystem::path(path).extension().string();
-            return ending == ".csv" || ending == ".json" ? std::string() : "expected a file that ends in .csv or .json";
-        });
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".csv", ".json"})->excludes(json);
     addDatabaseOption(*command, invocation);
     command->callback(
         [options, &invocation] { invocation.action = [options, &invocation] { return predictCommand(*options, invocation.database); }; });

@@ -12,7 +12,8 @@ namespace lubberline::app {
 namespace {
 
 struct ReportArguments {
-    std::string file, swing, output;
+    std::string file, swing;
+    Output output;
     bool archive = false;
 };
 
@@ -21,7 +22,9 @@ int writeInput(const ReportArguments& options, ui::ReportInput input, const std:
     warn(warnings);
     warn(input.analysis.warnings);
     input.archive = options.archive;
-    if (const auto written = ui::writeReport(input, QString::fromStdString(options.output)); !written)
+    if (const auto written
+        = ui::writeReport(input, QString::fromStdString(options.output.path), QString::fromStdString(options.output.kind.substr(1)));
+        !written)
         return fail(written.error());
     sayWritten(options.output);
     return kDone;
@@ -78,9 +81,10 @@ void addReport(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<ReportArguments>();
     auto* command = app.add_subcommand("report", "a swing report: PDF (A4, the data attached), HTML, CSV or JSON");
-    command->add_option("SWING.csv", options->file, "a Swing CSV");
+    addInputOption(*command, invocation, "SWING.csv", options->file, "a Swing CSV");
     command->add_option("--swing", options->swing, "a swing of the database: its record id or the beginning of it (see `swings`)");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write: .pdf, .html, .csv or .json")->required();
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".pdf", ".html", ".csv", ".json"})
+        ->required();
     command->add_flag("--archive", options->archive, "PDF/A-1b for the archive: nothing attached");
     addDatabaseOption(*command, invocation);
     command->callback(

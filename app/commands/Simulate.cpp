@@ -9,6 +9,8 @@
 #include "app/commands/Command.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
+#include "core/base/OutputFile.h"
+#include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/results/SimulationJson.h"
@@ -18,7 +20,8 @@ namespace lubberline::app {
 namespace {
 
 struct SimulateArguments {
-    std::string model, output;
+    std::string model;
+    Output output;
     std::vector<double> headings_deg;
     double pitch_deg = 0, roll_deg = 0;
     bool json = false;
@@ -65,8 +68,6 @@ std::vector<double> takeHeadings(const std::string& text)
     return headings_deg;
 }
 
-bool endsWith(const std::string& path, const char* ending) { return std::filesystem::path(path).extension() == ending; }
-
 void printTable(const std::vector<SensorReading>& points, const SimulateArguments& options)
 {
     std::printf("pitch %g deg (nose up +), roll %g deg (starboard wing down +)\n", options.pitch_deg, options.roll_deg);
@@ -87,7 +88,7 @@ SwingRecord swingOf(const std::vector<SensorReading>& points, const SensorSetup&
     Swing& swing = record.swing;
     swing.kind = SwingKind::Calibration;
     swing.datum.instrument = "simulation";
-    swing.note = "simulated from " + std::filesystem::path(options.model).filename().string();
+    swing.note = "simulated from " + std::filesystem::path(nameOfInput(options.model)).filename().string();
     if (const auto* place = std::get_if<PlaceAndDate>(&setup.field); place && isIsoDate(place->date))
         swing.date = place->date;
     for (const auto& point : points) {
@@ -105,15 +106,15 @@ int writeFile(
     const std::vector<SensorReading>& points, const SensorSetup& setup, const MeridianField& field, const SimulateArguments& options)
 {
     const bool none = std::none_of(points.begin(), points.end(), [](const SensorReading& point) { return point.compass.has_value(); });
-    if (none && !endsWith(options.output, ".json"))
+    if (none && options.output.kind != ".json")
         return fail({ErrorCode::Numeric,
             {MARKED("app",
                  "the horizontal field at the sensor vanishes on every heading, which leaves no readings for %1; expected a compass that points"),
-                options.output},
-            options.model});
+                options.output.path},
+            nameOfInput(options.model)});
     const std::string content
-        = endsWith(options.output, ".json") ? toJson(points, field) + "\n" : writeSwingCsv(swingOf(points, setup, options));
-    if (const auto written = writeOutput(options.output, content); !written)
+        = options.output.kind == ".json" ? toJson(points, field) + "\n" : writeSwingCsv(swingOf(points, setup, options));
+    if (const auto written = writeWholeFile(options.output.path, content); !written)
         return fail(written.error());
     sayWritten(options.output);
     return kDone;
@@ -134,7 +135,7 @@ int simulateCommand(const SimulateArguments& options)
         return fail(setup.error());
     const auto field = fieldOf(*setup);
     if (!field)
-        return fail({field.error().code, {MARKED("app", "field: %1"), field.error().message}, options.model});
+        return fail({field.error().code, {MARKED("app", "field: %1"), field.error().message}, nameOfInput(options.model)});
     const SensorResponse response = responseOf(setup->model);
     std::vector<SensorReading> points;
     for (const double heading_deg : options.headings_deg)
@@ -157,7 +158,8 @@ void addSimulate(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<SimulateArguments>();
     options->headings_deg = takeHeadings("0:15:345");
     auto* command = app.add_subcommand("simulate", "what a sensor model reads on headings, at a pitch and a roll");
-    command->add_option("MODEL.json", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")->required();
+    addInputOption(*command, invocation, "MODEL.json", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")
+        ->required();
     command
         ->add_option_function<std::string>(
             "--headings", [options](const std::string& text) { options->headings_deg = takeHeadings(text); },
@@ -174,12 +176,8 @@ void addSimulate(CLI::App& app, Invocation& invocation)
             "starboard wing down positive [deg]")
         ->default_str("0");
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "write a Swing CSV (.csv), or the JSON (.json)")
-        ->excludes(json)
-        ->check([](const std::string& path) {
-            return endsWith(path, ".csv") || endsWith(path, ".json") ? std::string()
-                                                                     : inQuotes(path) + " has another ending; expected .csv or .json";
-        });
+    addOutputOption(*command, invocation, "-o,--output", options->output, "write a Swing CSV, or the JSON", {".csv", ".json"})
+        ->excludes(json);
     command->callback([options, &invocation] { invocation.action = [options] { return simulateCommand(*options); }; });
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/Console.h"
 #include "app/commands/Command.h"
+#include "core/base/WholeFile.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/results/SimulationJson.h"
 
@@ -49,10 +50,10 @@ int smithCommand(const SmithArguments& options)
         return fail(setup.error());
     const auto field = fieldOf(*setup);
     if (!field)
-        return fail({field.error().code, {MARKED("app", "field: %1"), field.error().message}, options.model});
+        return fail({field.error().code, {MARKED("app", "field: %1"), field.error().message}, nameOfInput(options.model)});
     const auto smith = smithOf(setup->model, *field);
     if (!smith)
-        return fail({smith.error().code, smith.error().message, options.model});
+        return fail({smith.error().code, smith.error().message, nameOfInput(options.model)});
     if (!smith->approximate)
         warn({smith->whyNoApproximate});
     if (options.json)
@@ -68,7 +69,8 @@ void addSmith(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<SmithArguments>();
     auto* command = app.add_subcommand("smith", "Smith's coefficients of a sensor model, and the iron that each comes from");
-    command->add_option("MODEL.json,--model", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")
+    addInputOption(
+        *command, invocation, "MODEL.json,--model", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")
         ->required();
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &invocation] { invocation.action = [options] { return smithCommand(*options); }; });

@@ -22,6 +22,14 @@ std::int64_t bytesAhead(std::istream& input)
     return static_cast<std::int64_t>(end - here);
 }
 
+/// Old programs of the Macintosh end lines by CR alone. A CR that is the last byte may have its LF in the next buffer.
+char endOfLines(std::string_view beginning)
+{
+    const auto carriageReturn = beginning.find('\r');
+    const bool alone = carriageReturn != std::string_view::npos && carriageReturn + 1 < beginning.size();
+    return alone && beginning.find('\n') == std::string_view::npos ? '\r' : '\n';
+}
+
 } // namespace
 
 LineReader::LineReader(std::istream& input, const Progress& progress) : m_input(input), m_progress(progress), m_buffer(kBufferBytes)
@@ -54,7 +62,7 @@ LineOutcome LineReader::fill()
 LineOutcome LineReader::next(std::string& line)
 {
     line.clear();
-    bool any = false;
+    bool any = false, ended = false;
     for (;;) {
         if (m_position == m_filled) {
             const LineOutcome outcome = fill();
@@ -67,7 +75,9 @@ LineOutcome LineReader::next(std::string& line)
             ++m_lineNumber;
         any = true;
         const std::string_view rest = unread();
-        const auto length = std::min(rest.find('\n'), rest.size());
+        if (m_end == 0)
+            m_end = endOfLines(rest);
+        const auto length = std::min(rest.find(m_end), rest.size());
         const std::string_view part = rest.substr(0, length);
         if (part.find('\0') != std::string_view::npos || line.size() + length > kMaxLineBytes)
             return LineOutcome::Binary;
@@ -75,9 +85,11 @@ LineOutcome LineReader::next(std::string& line)
         m_position += length;
         if (length < rest.size()) {
             ++m_position;
+            ended = true;
             break;
         }
     }
+    m_crLf = ended && line.ends_with('\r');
     if (line.ends_with('\r'))
         line.pop_back();
     return LineOutcome::Line;

@@ -24,8 +24,11 @@ public:
     /// The first bytes of the file, at most one buffer, before any line is taken.
     [[nodiscard]] std::string_view beginning();
 
-    /// The next line without its LF or CRLF. Binary: a NUL byte, or longer than kMaxLineBytes.
+    /// The next line without its LF or CRLF, or without its CR where the file has no LF. Binary: a NUL byte, or longer than kMaxLineBytes.
     LineOutcome next(std::string& line);
+
+    /// Whether the line that next() gave last ended in CRLF.
+    [[nodiscard]] bool endedInCrLf() const { return m_crLf; }
 
     /// Of the line that next() gave last; 1-based.
     [[nodiscard]] std::int64_t lineNumber() const { return m_lineNumber; }
@@ -41,6 +44,8 @@ private:
     std::int64_t m_size = 0; ///< 0: not known
     std::int64_t m_read = 0;
     std::int64_t m_lineNumber = 0;
+    char m_end = 0; ///< of a line; 0: not known yet
+    bool m_crLf = false;
 };
 
 } // namespace lubberline

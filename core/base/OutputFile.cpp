@@ -11,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/WholeFile.h"
+
 namespace lubberline {
 
 namespace {
@@ -176,6 +178,8 @@ Error writingError(int error, const fs::path& folder, const std::string& path)
 
 Result<void> checkOutput(const std::string& path, const std::vector<std::string>& inputs)
 {
+    if (isStandardStream(path))
+        return {};
     if (path.empty())
         return outputError(MARKED("core", "there is no name; expected the name of a file to write"), path);
     if (const auto file = stateOf(path))
@@ -191,6 +195,11 @@ Result<void> checkOutput(const std::string& path, const std::vector<std::string>
 
 Result<void> writeWholeFile(const std::string& path, std::string_view content, const std::vector<std::string>& inputs)
 {
+    if (isStandardStream(path)) {
+        if (std::fwrite(content.data(), 1, content.size(), stdout) != content.size() || std::fflush(stdout) != 0)
+            return Error{ErrorCode::Io, MARKED("core", "standard output takes no more; expected one that is read to its end"), path};
+        return {};
+    }
     if (const auto allowed = checkOutput(path, inputs); !allowed)
         return allowed;
     const auto target = targetOf(path);

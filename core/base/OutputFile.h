@@ -1,5 +1,5 @@
 #pragma once
-/// The one way in which files are written: whole, or not at all.
+/// The one way in which files are written: whole, or not at all. "-" is standard output (core/base/WholeFile.h).
 
 #include <string>
 #include <string_view>

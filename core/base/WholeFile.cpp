@@ -2,28 +2,42 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <vector>
 
 namespace lubberline {
 
-Result<std::string> readWholeFile(const std::string& path, const Message& expected)
+std::string nameOfInput(const std::string& path) { return isStandardStream(path) ? "standard input" : path; }
+
+Result<std::unique_ptr<std::istream>> openInput(const std::string& path, const Message& expected)
 {
+    if (isStandardStream(path))
+        return std::make_unique<std::istream>(std::cin.rdbuf());
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         return Error{ErrorCode::Io, {MARKED("core", "is a folder; expected %1"), expected}, path};
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
+    auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
+    if (!*file)
         return Error{ErrorCode::Io, {MARKED("core", "cannot be opened; expected %1 that exists and may be read"), expected}, path};
+    return std::unique_ptr<std::istream>(std::move(file));
+}
+
+Result<std::string> readWholeFile(const std::string& path, const Message& expected)
+{
+    const auto file = openInput(path, expected);
+    if (!file)
+        return file.error();
+    const std::string name = nameOfInput(path);
     std::string text;
     std::vector<char> block(std::size_t{1} << 16);
-    while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0) {
-        text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    while ((*file)->read(block.data(), static_cast<std::streamsize>(block.size())), (*file)->gcount() > 0) {
+        text.append(block.data(), static_cast<std::size_t>((*file)->gcount()));
         if (text.size() > kMaxWholeFileBytes)
             return Error{
-                ErrorCode::Format, {MARKED("core", "is larger than %1 MiB; expected %2"), kMaxWholeFileBytes >> 20, expected}, path};
+                ErrorCode::Format, {MARKED("core", "is larger than %1 MiB; expected %2"), kMaxWholeFileBytes >> 20, expected}, name};
     }
-    if (file.bad())
-        return Error{ErrorCode::Io, MARKED("core", "cannot be read to its end"), path};
+    if ((*file)->bad())
+        return Error{ErrorCode::Io, MARKED("core", "cannot be read to its end"), name};
     return text;
 }
 

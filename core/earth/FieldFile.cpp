@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <optional>
 #include <sstream>
 
 #include "core/base/FileText.h"
+#include "core/base/LineReader.h"
 #include "core/base/Number.h"
+#include "core/base/WholeFile.h"
 #include "core/earth/FieldTables.h"
 
 namespace lubberline {
@@ -18,6 +17,7 @@ namespace lubberline {
 namespace {
 
 constexpr std::size_t kMostLines = 700'000;
+constexpr double kYearsOfEpoch = 5.0;
 
 struct Line {
     std::vector<std::string> words;
@@ -26,43 +26,53 @@ struct Line {
 
 class FieldFile {
 public:
-    explicit FieldFile(const std::string& path) : m_path(path) {}
+    explicit FieldFile(const std::string& path) : m_path(path), m_name(nameOfInput(path)) {}
     Result<FieldTable> read();
 
 private:
-    Error wrong(const Message& what, const Line& line) const { return {ErrorCode::Format, what, m_path, line.number}; }
-    Error wrong(const Message& what) const { return {ErrorCode::Format, what, m_path, 0}; }
+    Error wrong(const Message& what, const Line& line) const { return {ErrorCode::Format, what, m_name, line.number}; }
+    Error wrong(const Message& what) const { return {ErrorCode::Format, what, m_name, 0}; }
     Result<void> readLines();
     Result<FieldTable> readCof();
     Result<FieldTable> readIgrf();
     Result<double> number(const Line& line, std::size_t word) const;
     Result<int> whole(const Line& line, std::size_t word) const;
+    Result<std::vector<double>> epochsOf(const Line& years) const;
     Result<int> readCofRows(std::vector<std::array<Gauss, 2>>& rows) const;
     Result<void> checkPlace(const Line& line, std::size_t firstWord, int n, int m) const;
 
     const std::string& m_path;
+    const std::string m_name;
+    const Progress m_progress; ///< none: such files are small
     std::vector<Line> m_lines; ///< without comments and blank lines
 };
 
 Result<void> FieldFile::readLines()
 {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(m_path, ignored))
-        return Error{ErrorCode::Io, MARKED("core", "is a folder; expected a file of magnetic coefficients"), m_path};
-    std::ifstream file(m_path, std::ios::binary);
+    const auto file = openInput(m_path, MARKED("core", "a file of magnetic coefficients"));
     if (!file)
-        return Error{ErrorCode::Io, MARKED("core", "cannot be opened; expected a file of magnetic coefficients"), m_path};
+        return file.error();
+    LineReader lines(**file, m_progress);
+    if (const Message other = otherEncoding(lines.beginning()); !other.empty())
+        return wrong(other);
     std::string text;
-    for (std::int64_t number = 1; std::getline(file, text); ++number) {
-        if (text.find('\0') != std::string::npos || text.size() > 4096 || m_lines.size() > kMostLines)
+    LineOutcome outcome = lines.next(text);
+    if (text.starts_with(kByteOrderMark))
+        text.erase(0, kByteOrderMark.size());
+    for (; outcome == LineOutcome::Line; outcome = lines.next(text)) {
+        if (text.size() > 4096 || m_lines.size() > kMostLines)
             return wrong(MARKED("core", "is no text of magnetic coefficients (WMM .COF or IGRF table)"));
         std::istringstream words(text);
-        Line line{{}, number};
+        Line line{{}, lines.lineNumber()};
         for (std::string word; words >> word;)
             line.words.push_back(word);
         if (!line.words.empty() && line.words.front()[0] != '#')
             m_lines.push_back(std::move(line));
     }
+    if (outcome == LineOutcome::ReadError)
+        return Error{ErrorCode::Io, MARKED("core", "cannot be read to its end"), m_name};
+    if (outcome != LineOutcome::End)
+        return wrong(MARKED("core", "is no text of magnetic coefficients (WMM .COF or IGRF table)"));
     if (m_lines.empty())
         return wrong(MARKED("core", "is empty; expected magnetic coefficients (WMM .COF or IGRF table)"));
     return {};
@@ -136,7 +146,12 @@ Result<int> FieldFile::readCofRows(std::vector<std::array<Gauss, 2>>& rows) cons
         if (++m > n)
             ++n, m = 0;
     }
-    return wrong({MARKED("core", "ends without its line of nines after degree %1 order %2: it is cut short"), n, m - 1});
+    if (m == 0 && n > 1)
+        return wrong(
+            {MARKED("core",
+                 "ends without its line of nines behind degree %1: whether more degrees are missing cannot be told; expected a line of 48 nines at its end"),
+                n - 1});
+    return wrong({MARKED("core", "ends without its line of nines within degree %1, before order %2: it is cut short"), n, m});
 }
 
 Result<FieldTable> FieldFile::readCof()
@@ -162,22 +177,42 @@ Result<FieldTable> FieldFile::readCof()
     return table;
 }
 
+/// g/h n m 1900.0 1905.0 … 2025.0, and for most tables 2025-30.
+Result<std::vector<double>> FieldFile::epochsOf(const Line& years) const
+{
+    const bool hasChange = readNumber(years.words.back()).fault != NumberFault::None;
+    std::vector<double> epochs;
+    for (std::size_t word = 3; word < years.words.size() - (hasChange ? 1 : 0); ++word) {
+        const auto year = number(years, word);
+        if (!year)
+            return year.error();
+        if (!epochs.empty() && std::abs(*year - epochs.back() - kYearsOfEpoch) > 1e-9)
+            return wrong(MARKED("core", "has epochs that are not five years apart"), years);
+        epochs.push_back(*year);
+    }
+    return epochs;
+}
+
 Result<FieldTable> FieldFile::readIgrf()
 {
     // c/s deg ord IGRF IGRF …; g/h n m 1900.0 1905.0 … 2025.0 2025-30
     const auto years = std::find_if(m_lines.begin(), m_lines.end(), [](const Line& line) { return line.words.front() == "g/h"; });
-    if (years == m_lines.end() || years->words.size() < 6)
-        return wrong(MARKED("core", "has no header \"g/h n m 1900.0 …\" with its epochs; expected an IGRF table"));
-    const auto epochs = static_cast<int>(years->words.size()) - 4; // g/h, n, m and the column of the change
-    std::vector<double> epoch;
-    for (int i = 0; i < epochs; ++i) {
-        const auto year = number(*years, static_cast<std::size_t>(3 + i));
-        if (!year)
-            return year.error();
-        epoch.push_back(*year);
-        if (i > 0 && std::abs(epoch[static_cast<std::size_t>(i)] - epoch[static_cast<std::size_t>(i - 1)] - 5.0) > 1e-9)
-            return wrong(MARKED("core", "has epochs that are not five years apart"), *years);
-    }
+    constexpr Pattern kNoHeader = MARKED("core", "has no header \"g/h n m 1900.0 …\" with its epochs; expected an IGRF table");
+    if (years == m_lines.end() || years->words.size() < 4)
+        return wrong(kNoHeader);
+    auto epoch = epochsOf(*years);
+    if (!epoch)
+        return epoch.error();
+    if (epoch->empty())
+        return wrong(kNoHeader, *years);
+    const auto epochs = static_cast<int>(epoch->size());
+    // Without its column of the change a table ends at its last epoch: up to there it is linear, as the change is.
+    const bool hasChange = years->words.size() == epoch->size() + 4;
+    if (!hasChange && epochs < 2)
+        return wrong(
+            MARKED("core",
+                "has one epoch and no column of the yearly change (as \"2025-30\"), so it says nothing of any other year; expected both"),
+            *years);
     struct Row {
         int n, m;
         bool isG;
@@ -208,16 +243,20 @@ Result<FieldTable> FieldFile::readIgrf()
     }
     if (degree == 0 || m != 0 || !isG)
         return wrong({MARKED("core", "ends within degree %1: it is cut short"), n});
-    FieldTable table = emptyTable("IGRF of " + std::to_string(static_cast<int>(epoch.back())), epoch.front(), epochs, degree);
-    for (const Row& row : rows)
-        for (int i = 0; i <= epochs; ++i) {
+    const int sets = hasChange ? epochs : epochs - 1; // the last epoch alone gives the change of the years before it
+    FieldTable table = emptyTable("IGRF of " + std::to_string(static_cast<int>(epoch->back())), epoch->front(), sets, degree);
+    for (const Row& row : rows) {
+        double before = 0;
+        for (int i = 0; i <= sets; ++i) {
             const auto figure = number(*row.line, static_cast<std::size_t>(3 + i));
             if (!figure)
                 return figure.error();
-            GaussSet& set = i < epochs ? table.main[static_cast<std::size_t>(i)] : table.change;
+            GaussSet& set = i < sets ? table.main[static_cast<std::size_t>(i)] : table.change;
             Gauss& gauss = set[gaussIndex(row.n, row.m)];
-            (row.isG ? gauss.g : gauss.h) = *figure;
+            (row.isG ? gauss.g : gauss.h) = i < sets || hasChange ? *figure : (*figure - before) / kYearsOfEpoch;
+            before = *figure;
         }
+    }
     return table;
 }
 

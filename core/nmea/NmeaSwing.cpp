@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "core/base/Number.h"
+#include "core/base/WholeFile.h"
 #include "core/deviation/SmithFit.h"
 #include "core/nmea/HeadingLine.h"
 #include "core/nmea/NmeaLines.h"
@@ -389,13 +388,8 @@ Result<NmeaSwing> readNmeaSwing(std::istream& input, const std::string& name, co
 
 Result<NmeaSwing> readNmeaSwingFile(const std::string& path, const NmeaOptions& options, const Progress& progress)
 {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
-        return Error{ErrorCode::Io, MARKED("core", "is a folder; expected an NMEA log"), path};
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        return Error{ErrorCode::Io, MARKED("core", "cannot be opened; expected an NMEA log that exists and may be read"), path};
-    return readNmeaSwing(file, path, options, progress);
+    const auto file = openInput(path, MARKED("core", "an NMEA log"));
+    return file ? readNmeaSwing(**file, nameOfInput(path), options, progress) : Result<NmeaSwing>(file.error());
 }
 
 Swing toSwing(const NmeaSwing& nmea)

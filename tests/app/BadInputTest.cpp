@@ -122,7 +122,7 @@ TEST(Report, intoAFolderThatIsNotThereLeavesNothing)
     EXPECT_EQ(outcome.status, 1);
     EXPECT_THAT(outcome.err, testing::HasSubstr("none"));
     const auto ending = sandbox.run({"report", file, "-o", sandbox.path("out.docx")});
-    EXPECT_EQ(ending.status, 1);
+    EXPECT_EQ(ending.status, 2);
     EXPECT_THAT(ending.err, testing::HasSubstr(".pdf"));
     EXPECT_EQ(sandbox.files(), std::vector<std::string>{"a.csv"});
 }

@@ -37,6 +37,24 @@ TEST(FieldCommand, olderDatesByIgrf)
     EXPECT_EQ(sandbox.run({"field", "--lat", "52.2", "--lon", "21", "--date", "2005-06-01"}).status, 0);
 }
 
+/// Near the north magnetic pole the field is known; it is the compass that is of no use.
+TEST(FieldCommand, nearAPoleTheValuesComeWithTheWarning)
+{
+    const Sandbox sandbox;
+    const auto run = sandbox.run({"field", "--lat", "85.8", "--lon", "139.3", "--date", "2025.0", "--json"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_LT(run.json().at("H_nT").get<double>(), 2000.0);
+    EXPECT_GT(run.json().at("Z_nT").get<double>(), 50000.0);
+    ASSERT_EQ(run.json().at("warnings").size(), 1u);
+    EXPECT_NE(run.json().at("warnings")[0].get<std::string>().find("blackout zone"), std::string::npos);
+    const auto table = sandbox.run({"field", "--lat", "85.8", "--lon", "139.3", "--date", "2025.0"});
+    EXPECT_EQ(table.status, 0);
+    EXPECT_NE(table.out.find("declination"), std::string::npos);
+    EXPECT_NE(table.err.find("blackout zone"), std::string::npos);
+    EXPECT_EQ(sandbox.run({"field", "--lat", "90", "--lon", "0", "--date", "2026.0", "--json"}).status, 0);
+    EXPECT_EQ(sandbox.run({"field", "--lat", "-90", "--lon", "0", "--date", "2026.0", "--json"}).status, 0);
+}
+
 TEST(FieldCommand, refusals)
 {
     const Sandbox sandbox;
@@ -50,7 +68,6 @@ TEST(FieldCommand, refusals)
     says({"--lat", "91", "--lon", "0", "--date", "2026.0", "--json"}, 1, "latitude");
     says({"--lat", "50", "--lon", "0", "--date", "1899-12-31", "--json"}, 1, "from 1900 to 2030");
     says({"--lat", "50", "--lon", "0", "--date", "2026-02-30"}, 1, "no day of the calendar");
-    says({"--lat", "85.8", "--lon", "139.3", "--date", "2025.0"}, 1, "blackout");
     says({"--lat", "50", "--lon", "0", "--date", "2020.0", "--model", "wmm2025"}, 1, "from 2025 to 2030");
     says({"--lat", "50", "--lon", "0", "--date", "2026.0", "--model", "none.cof"}, 1, "none.cof");
     says({"--lat", "north", "--lon", "0", "--date", "2026.0"}, 2, "--lat");

@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include <sys/stat.h>
 
+#include "core/nmea/NmeaSentence.h"
 #include "tests/app/Program.h"
 #include "tests/app/Published.h"
 
@@ -18,6 +20,21 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 const std::string kSwing = "# aircraft: TEST-1\n# compass: standby\n# date: 2026-01-05\n" + kHeader + "0,358\n90,88\n180,181\n270,272\n";
+
+/// A circle at 1°/s of a compass that reads 2° low.
+std::string turnLog()
+{
+    std::string log;
+    for (int second = 0; second < 360; second += 10) {
+        char body[128];
+        std::snprintf(body, sizeof body, "GPRMC,10%02d%02d,A,5210.00,N,02057.00,E,8.0,%d.0,231125,6.0,E", second / 60, second % 60,
+            (second + 6) % 360);
+        log += makeNmea(body) + "\r\n";
+        std::snprintf(body, sizeof body, "HCHDG,%d.0,,,,", (second + 358) % 360);
+        log += makeNmea(body) + "\r\n";
+    }
+    return log;
+}
 
 /// Each with the ending of its output last, so that all are tried with every kind of place.
 struct Writer {
@@ -32,7 +49,7 @@ protected:
     {
         sandbox.write("swing.csv", kSwing);
         sandbox.write("model.json", R"({"field": {"H_nT": 18500, "dip_deg": 67}})");
-        sandbox.write("log.nmea", "");
+        sandbox.write("log.nmea", turnLog());
         fs::copy_file(LUBBERLINE_SAMPLES "/example-airframe.json", sandbox.path("bench.json"));
         const auto imported = sandbox.run({"import", "swing.csv", "--db", "fleet.db"});
         EXPECT_EQ(imported.status, 0) << imported.err;
@@ -79,7 +96,6 @@ TEST_F(Outputs, areNeverWhatTheCommandReads)
         fs::remove(sandbox.path(hard));
     }
     expectRefused({{"simulate", "model.json", "-o"}, "model.json", ".json"}, "model.json", "which is read");
-    expectRefused({{"export", "--db", "fleet.db", "-o"}, "fleet.db", ".json"}, "fleet.db", "which is read");
     sandbox.write("second.csv", kSwing);
     fs::create_symlink("second.csv", sandbox.path("card.pdf"));
     expectRefused({{"card", "swing.csv", "--second", "second.csv", "-o"}, "second.csv", ".pdf"}, "card.pdf", "which is read");
@@ -110,6 +126,81 @@ TEST_F(Outputs, goToStandardOutputWhereThereIsOneFormat)
     EXPECT_EQ(exported.out, sandbox.read("fleet.lubberline.json"));
     const auto calendar = sandbox.run({"due", "--db", "fleet.db", "--ics", "-"});
     EXPECT_THAT(calendar.out, HasSubstr("BEGIN:VCALENDAR"));
+    EXPECT_FALSE(fs::exists(sandbox.path("-")));
+}
+
+/// For all commands alike: usage, before any work.
+TEST_F(Outputs, haveAKnownEnding)
+{
+    for (const auto& writer : writers())
+        for (const std::string name : {"out.xyz", "out", "out" + writer.ending + ".bak"}) {
+            auto command = writer.command;
+            command.push_back(name);
+            const auto outcome = sandbox.run(command);
+            EXPECT_EQ(outcome.status, 2) << command[0] << outcome.err;
+            EXPECT_THAT(outcome.err, testing::AllOf(HasSubstr("\"" + name + "\" has another ending"), HasSubstr(writer.ending)));
+            EXPECT_FALSE(fs::exists(sandbox.path(name)));
+        }
+    EXPECT_EQ(sandbox.run({"simulate", "model.json", "-o", "OUT.CSV"}).status, 0); // as some systems write them
+    EXPECT_EQ(sandbox.run({"db", "backup", "-", "--db", "fleet.db"}).status, 2);
+    EXPECT_EQ(sandbox.run({"demo", "--no-window", "-o", "-"}).status, 2);
+    EXPECT_EQ(sandbox.run({"swings", "--db", "-"}).status, 1);
+    EXPECT_FALSE(fs::exists(sandbox.path("-")));
+}
+
+TEST_F(Outputs, ofEveryCommandGoToStandardOutput)
+{
+    for (auto writer : writers()) {
+        auto toFile = writer.command;
+        toFile.push_back("file" + writer.ending);
+        ASSERT_EQ(sandbox.run(toFile).status, 0) << writer.command[0];
+        writer.command.push_back("-");
+        const bool several = writer.command[0] == "report" || writer.command[0] == "simulate" || writer.command[0] == "map"
+            || writer.command[0] == "predict";
+        if (several)
+            writer.command.insert(writer.command.end(), {"--format", writer.ending.substr(1)});
+        const auto outcome = sandbox.run(writer.command);
+        EXPECT_EQ(outcome.status, 0) << writer.command[0] << ": " << outcome.err;
+        if (writer.ending == ".pdf")
+            EXPECT_THAT(outcome.out, testing::StartsWith("%PDF-")); // its identity is another one each time
+        else
+            EXPECT_EQ(outcome.out, sandbox.read("file" + writer.ending)) << writer.command[0];
+    }
+    EXPECT_THAT(sandbox.run({"report", "swing.csv", "-o", "-"}).out, testing::StartsWith("%PDF-"));
+    EXPECT_EQ(sandbox.run({"report", "swing.csv", "-o", "out.pdf", "--format", "csv"}).status, 2);
+    EXPECT_EQ(sandbox.run({"report", "swing.csv", "-o", "-", "--format", "docx"}).status, 2);
+    EXPECT_FALSE(fs::exists(sandbox.path("-")));
+}
+
+TEST_F(Outputs, inputsAreTakenFromStandardInput)
+{
+    const std::vector<std::pair<std::vector<std::string>, std::string>> readers{{{"analyse", "-", "--json"}, "swing.csv"},
+        {{"correct", "-", "--json"}, "swing.csv"}, {{"card", "-", "--json"}, "swing.csv"},
+        {{"card", "swing.csv", "--second", "-", "--json"}, "swing.csv"}, {{"smith", "-", "--json"}, "model.json"},
+        {{"simulate", "-", "--json"}, "model.json"}, {{"map", "model.json", "--minus", "-", "--size", "5x5"}, "model.json"},
+        {{"predict", "-", "--lat", "50", "--lon", "20", "--date", "2026-01-01", "--json"}, "model.json"},
+        {{"iron", "-", "--json"}, "bench.json"}, {{"nmea", "-", "--json"}, "log.nmea"}};
+    for (const auto& [command, input] : readers) {
+        auto named = command;
+        std::replace(named.begin(), named.end(), std::string("-"), input);
+        const auto expected = sandbox.run(named), outcome = sandbox.run(command, {}, input);
+        EXPECT_EQ(outcome.status, 0) << command[0] << ": " << outcome.err;
+        EXPECT_EQ(expected.status, 0) << expected.err;
+        if (command[0] != "map") // which names its models
+            EXPECT_EQ(outcome.out, expected.out) << command[0];
+    }
+    EXPECT_EQ(sandbox.run({"export", "--db", "fleet.db", "-o", "fleet.json"}).status, 0);
+    EXPECT_EQ(sandbox.run({"report", "swing.csv", "-o", "report.pdf"}).status, 0);
+    for (const std::string input : {"swing.csv", "fleet.json", "report.pdf"}) {
+        const auto imported = sandbox.run({"import", "-", "--db", "again-" + input + ".db"}, {}, input);
+        EXPECT_EQ(imported.status, 0) << imported.err;
+        EXPECT_THAT(imported.err, HasSubstr("stored 1 new swings")) << input;
+    }
+    const auto twice = sandbox.run({"map", "-", "--minus", "-"}, {}, "model.json");
+    EXPECT_EQ(twice.status, 1);
+    EXPECT_THAT(twice.err, HasSubstr("standard input (-) is named twice"));
+    sandbox.write("bad.csv", kHeader + "0,x\n");
+    EXPECT_THAT(sandbox.run({"analyse", "-"}, {}, "bad.csv").err, HasSubstr("lubberline: standard input:2: compass_heading_deg"));
     EXPECT_FALSE(fs::exists(sandbox.path("-")));
 }
 

@@ -51,7 +51,7 @@ std::string Sandbox::write(const std::string& name, const std::string& content) 
 
 std::string Sandbox::read(const std::string& name) const { return slurp(m_folder / name); }
 
-Outcome Sandbox::run(const std::vector<std::string>& arguments, const std::string& environment) const
+Outcome Sandbox::run(const std::vector<std::string>& arguments, const std::string& environment, const std::string& input) const
 {
     const auto home = m_folder / ".home";
     std::string command = "cd " + quoted(m_folder.string())
@@ -60,7 +60,8 @@ Outcome Sandbox::run(const std::vector<std::string>& arguments, const std::strin
         + quoted(LUBBERLINE_PROGRAM);
     for (const auto& argument : arguments)
         command += " " + quoted(argument);
-    command += " >" + quoted((home / "out").string()) + " 2>" + quoted((home / "err").string()) + " </dev/null";
+    command += " >" + quoted((home / "out").string()) + " 2>" + quoted((home / "err").string()) + " <"
+        + (input.empty() ? "/dev/null" : quoted(path(input)));
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(home / "out"), slurp(home / "err")};
 }

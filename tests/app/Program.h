@@ -28,8 +28,9 @@ public:
     /// Writes a file into the folder. @return its path.
     std::string write(const std::string& name, const std::string& content) const;
     [[nodiscard]] std::string read(const std::string& name) const;
-    /// Runs `lubberline ARGUMENTS…` in the folder, without a display.
-    [[nodiscard]] Outcome run(const std::vector<std::string>& arguments, const std::string& environment = {}) const;
+    /// Runs `lubberline ARGUMENTS…` in the folder, without a display. @param input a file of the folder, for standard input
+    [[nodiscard]] Outcome run(
+        const std::vector<std::string>& arguments, const std::string& environment = {}, const std::string& input = {}) const;
     [[nodiscard]] std::vector<std::string> files() const;
 
 private:

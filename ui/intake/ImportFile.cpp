@@ -3,6 +3,10 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <sstream>
+
+#include "core/base/FileText.h"
+#include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/exchange/Exchange.h"
 #include "ui/report/swing/Report.h"
@@ -17,9 +21,8 @@ void fillIn(std::string& stated, const std::string& given)
         stated = given;
 }
 
-Result<ImportFile> readCsv(const QString& path, const CsvParticulars& particulars, const Progress& progress)
+Result<ImportFile> fleetOf(Result<SwingFile> file, const std::string& name, const CsvParticulars& particulars)
 {
-    auto file = readSwingCsvFile(path.toStdString(), progress);
     if (!file)
         return file.error();
     fillIn(file->aircraft, particulars.aircraft);
@@ -28,17 +31,17 @@ Result<ImportFile> readCsv(const QString& path, const CsvParticulars& particular
     auto fleet = toFleet(*file);
     if (!fleet) {
         Error error = fleet.error();
-        error.file = path.toStdString();
+        error.file = name;
         return error;
     }
     return ImportFile{std::move(fleet.value()), std::move(file->warnings)};
 }
 
-Result<ImportFile> parseExchange(const Result<std::string>& text, const QString& path)
+Result<ImportFile> parseExchange(const Result<std::string>& text, const std::string& name)
 {
     if (!text)
         return text.error();
-    auto fleet = readExchange(*text, path.toStdString());
+    auto fleet = readExchange(*text, name);
     if (!fleet)
         return fleet.error();
     return ImportFile{std::move(fleet.value()), {}};
@@ -53,20 +56,40 @@ Result<std::string> readWhole(const QString& path)
     return file.readAll().toStdString();
 }
 
+/// It has no name, so its content tells what it is.
+Result<ImportFile> readStandardInput(const std::string& path, const CsvParticulars& particulars, const Progress& progress)
+{
+    const auto text = readWholeFile(path, MARKED("ui", "a swing (CSV), an exchange file (JSON) or a report (PDF)"));
+    if (!text)
+        return text.error();
+    const std::string name = nameOfInput(path);
+    if (isPdf(*text))
+        return parseExchange(exchangeInPdf(*text, QString::fromStdString(name)), name);
+    std::string_view content = *text;
+    if (content.starts_with(kByteOrderMark))
+        content.remove_prefix(kByteOrderMark.size());
+    if (const auto first = content.find_first_not_of(" \t\r\n"); first != std::string_view::npos && content[first] == '{')
+        return parseExchange(text, name);
+    std::istringstream stream(*text);
+    return fleetOf(readSwingCsv(stream, name, progress), name, particulars);
+}
+
 } // namespace
 
 Result<ImportFile> readImportFile(const QString& path, const CsvParticulars& particulars, const Progress& progress)
 {
+    const std::string name = path.toStdString();
+    if (isStandardStream(name))
+        return readStandardInput(name, particulars, progress);
     const QString ending = QFileInfo(path).suffix().toLower();
     if (ending == "csv" || ending == "txt" || ending == "tsv")
-        return readCsv(path, particulars, progress);
+        return fleetOf(readSwingCsvFile(name, progress), name, particulars);
     if (ending == "json")
-        return parseExchange(readWhole(path), path);
+        return parseExchange(readWhole(path), name);
     if (ending == "pdf")
-        return parseExchange(exchangeInReport(path), path);
+        return parseExchange(exchangeInReport(path), name);
     return Error{ErrorCode::InvalidInput,
-        MARKED("ui", "cannot be imported: expected a name that ends in .csv (swing), .json (exchange) or .pdf (report)"),
-        path.toStdString()};
+        MARKED("ui", "cannot be imported: expected a name that ends in .csv (swing), .json (exchange) or .pdf (report)"), name};
 }
 
 } // namespace lubberline::ui

@@ -20,13 +20,6 @@ struct PlaceTextTexts {
 
 Error wrong(const QString& message) { return {ErrorCode::InvalidInput, said(message)}; }
 
-/// A word of the compass at the end; a null character where there is none.
-QChar letterAtEnd(const QString& text)
-{
-    const QString typed = text.trimmed().toUpper();
-    return typed.isEmpty() || !typed.back().isLetter() ? QChar() : typed.back();
-}
-
 QString toType(double value_deg, QChar positive, QChar negative)
 {
     return QString::number(std::round(std::abs(value_deg) * 1e4) / 1e4, 'g', 10) + " " + (value_deg < 0 ? negative : positive);
@@ -36,13 +29,8 @@ QString toType(double value_deg, QChar positive, QChar negative)
 
 Result<double> parseLatitude_deg(const QString& text)
 {
-    QString typed = text.trimmed();
-    const QChar letter = letterAtEnd(typed);
-    if (letter == u'N' || letter == u'S')
-        typed.back() = letter == u'N' ? u'E' : u'W'; // core reads signed angles with the letters of the longitude
-    const bool lettered = !letter.isNull() && letter != u'N' && letter != u'S';
-    const auto latitude_deg = lettered ? Result<double>(wrong({})) : parseSignedAngle_deg(typed.toStdString());
-    if (!latitude_deg || std::abs(*latitude_deg) > 90.0)
+    const auto latitude_deg = lubberline::parseLatitude_deg(text.toStdString());
+    if (!latitude_deg)
         return wrong(PlaceTextTexts::tr("“%1” is no latitude; expected 90 S to 90 N, as 51.55 N, 51°33'N or -33.9").arg(text.trimmed()));
     return latitude_deg;
 }

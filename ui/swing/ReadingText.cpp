@@ -48,14 +48,11 @@ void setHeading(Reading& reading, ReadingColumn column, std::optional<double> he
     }
 }
 
-Result<void> applyTrueHeading(Reading& reading, const QString& text, std::optional<double> variation_deg)
+Result<void> applyTrueHeading(Reading& reading, double heading_deg, std::optional<double> variation_deg)
 {
-    const auto heading_deg = parseHeading_deg(text.chopped(1).trimmed().toStdString());
-    if (!heading_deg)
-        return heading_deg.error();
     if (!variation_deg)
         return wrong(ReadingTextTexts::tr("a true heading needs the variation: state it in the particulars of the swing first"));
-    reading.trueHeading = TrueHeading::fromDegrees(*heading_deg);
+    reading.trueHeading = TrueHeading::fromDegrees(heading_deg);
     reading.magnetic = toMagnetic(*reading.trueHeading, Variation::fromDegrees(*variation_deg));
     return {};
 }
@@ -72,9 +69,13 @@ Result<void> applyHeading(Reading& reading, ReadingColumn column, const QString&
         setHeading(reading, column, reading.nominal_deg);
         return {};
     }
-    if (column == ReadingColumn::Magnetic && text.endsWith('T', Qt::CaseInsensitive))
-        return applyTrueHeading(reading, text, variation_deg);
-    const auto heading_deg = parseHeading_deg(text.toStdString());
+    const auto heading = parseWrittenHeading(text.toStdString());
+    if (!heading)
+        return heading.error();
+    if (column == ReadingColumn::Magnetic && heading->north == North::True)
+        return applyTrueHeading(reading, heading->heading_deg, variation_deg);
+    const North meant = column == ReadingColumn::Compass ? North::Compass : North::Magnetic;
+    const auto heading_deg = parseHeading_deg(text.toStdString(), meant);
     if (!heading_deg)
         return heading_deg.error();
     setHeading(reading, column, *heading_deg);

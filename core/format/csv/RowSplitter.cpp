@@ -13,9 +13,9 @@ RowSplitter::State RowSplitter::begin(std::string_view line)
     return take(line);
 }
 
-RowSplitter::State RowSplitter::resume(std::string_view line)
+RowSplitter::State RowSplitter::resume(std::string_view line, std::string_view lineBreak)
 {
-    m_cell += '\n';
+    m_cell += lineBreak;
     return take(line);
 }
 

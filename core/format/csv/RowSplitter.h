@@ -18,11 +18,12 @@ public:
     explicit RowSplitter(char separator) : m_separator(separator) {}
 
     State begin(std::string_view line);
-    /// The next line, after Open.
-    State resume(std::string_view line);
+    /// The next line, after Open. @param lineBreak that stood before it.
+    State resume(std::string_view line, std::string_view lineBreak = "\n");
 
     /// Cells that were not quoted are without spaces at both ends. Valid until the next begin().
     [[nodiscard]] const std::vector<std::string>& cells() const { return m_cells; }
+    [[nodiscard]] char separator() const { return m_separator; }
     [[nodiscard]] std::size_t bytes() const { return m_bytes; } ///< of the row so far
 
 private:

@@ -9,10 +9,13 @@
 /// positive, magnetic − compass); or true_heading_deg with `variation_deg` in place of the magnetic heading; or
 /// indication_error_deg (indicated − actual, that is −deviation) in place of deviation_deg; optional pitch_deg, roll_deg,
 /// nominal_deg, note, excluded (the reason). What a row says twice must agree to 0.05°. Unknown columns are kept with the
-/// readings, by name and where they are not empty, and named in a warning. Decimal point or comma (not where commas part the
-/// cells); comma, semicolon or tab between cells; cells in double quotes may hold separators, line breaks and "" for a quote;
-/// UTF-8 with or without BOM; CRLF or LF; blank lines. Headings: 0…360 (360 is 0). Errors name file, line, what is wrong and
-/// what was expected; nothing is guessed.
+/// readings, by name and where they are not empty, and named in a warning. Headings and angles are taken in every form that the cells of
+/// the window take (core/angle/AngleText.h); a comma is decimal where it stands in quotes or the cells are parted otherwise.
+/// What spreadsheets write is taken: comma, semicolon or tab between cells, or what a first line "sep=;" tells; cells in double quotes,
+/// which may hold separators, line breaks and "" for a quote; keys and columns in any case, key lines in quotes; empty cells and rows
+/// behind the others, a last cell that is missing; no-break spaces; UTF-8 with or without BOM; CRLF, LF or CR; blank lines.
+/// Headings: 0…360 (360 is 0; 000 and 360 listed with the same reading count once, and it is told). Errors name file, line, what is wrong
+/// and what was expected; nothing is guessed. No cell that is written begins a formula (core/format/csv/TextCell.h).
 
 #include <istream>
 #include <string>
@@ -40,7 +43,7 @@ struct SwingFile {
 /// Reads a stream with constant memory besides the readings. `name` is the file named in errors.
 /// Errors: Io, Format (empty, binary, UTF-16, no header, no rows), InvalidInput (a cell), Cancelled.
 Result<SwingFile> readSwingCsv(std::istream& input, const std::string& name, const Progress& progress = {});
-/// Opens and reads; a directory or a missing file is an Io error.
+/// Opens and reads ("-": standard input); a directory or a missing file is an Io error.
 Result<SwingFile> readSwingCsvFile(const std::string& path, const Progress& progress = {});
 
 /// The file as a record: its compass is read to the division that its figures speak of (core/swing/SwingResult.h), its site has the place

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
+#include "core/angle/AngleText.h"
 #include "core/base/FileText.h"
-#include "core/base/Number.h"
 #include "core/format/csv/RowSplitter.h"
+#include "core/format/csv/TextCell.h"
 
 namespace lubberline::csv {
 
@@ -16,22 +17,26 @@ constexpr Pattern kExpectedColumns = MARKED("core",
 
 std::optional<std::size_t> knownColumn(std::string_view name)
 {
-    const auto found = std::find(kColumnNames.begin(), kColumnNames.end(), name);
+    std::string plain = inSmallLetters(trimmed(name));
+    std::replace(plain.begin(), plain.end(), ' ', '_');
+    const auto found = std::find(kColumnNames.begin(), kColumnNames.end(), plain);
     return found == kColumnNames.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - kColumnNames.begin()));
 }
 
+/// Each in quotes of its own: a mark without width in the last one is seen, too.
 std::string listed(const std::vector<std::string>& names)
 {
+    constexpr std::size_t kMost = 12;
     std::string text;
-    for (const auto& name : names)
-        text += (text.empty() ? "" : ", ") + name;
-    return inQuotes(text);
+    for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
+        text += (i == 0 ? "" : ", ") + inQuotes(names[i]);
+    return text + (names.size() > kMost ? ", \u2026" : "");
 }
 
 bool looksLikeReadings(const std::vector<std::string>& cells)
 {
-    return std::all_of(
-        cells.begin(), cells.end(), [](const std::string& cell) { return readNumber(cell, true).fault == NumberFault::None; });
+    return std::all_of(cells.begin(), cells.end(),
+        [](const std::string& cell) { return parseWrittenHeading(cell).ok() || parseSignedAngle_deg(cell).ok(); });
 }
 
 /// Magnetic, compass and deviation: two of them give the third.
@@ -52,7 +57,7 @@ Result<void> addColumn(Columns& columns, std::size_t place, const std::string& n
         : std::any_of(columns.unknown.begin(), columns.unknown.end(), [&](const auto& other) { return other.second == name; });
     if (doubled)
         return Error{ErrorCode::InvalidInput, {MARKED("core", "the column %1 is there twice; expected each column once"), inQuotes(name)}};
-    if (name.empty())
+    if (trimmed(name).empty())
         return Error{ErrorCode::Format, {MARKED("core", "column %1 has no name; expected a name for each column"), place + 1}};
     if (known)
         columns.place[*known] = place;
@@ -63,12 +68,14 @@ Result<void> addColumn(Columns& columns, std::size_t place, const std::string& n
 
 } // namespace
 
-char separatorOf(std::string_view header)
+char separatorOf(std::string_view header, char told)
 {
-    char best = ',';
+    char best = told ? told : ',';
     std::ptrdiff_t most = -1;
     std::size_t mostCells = 0;
-    for (const char separator : {',', ';', '\t'}) {
+    for (const char separator : {told, ',', ';', '\t'}) {
+        if (separator == 0)
+            continue;
         RowSplitter splitter(separator);
         splitter.begin(header);
         const auto& cells = splitter.cells();
@@ -83,15 +90,17 @@ char separatorOf(std::string_view header)
     return best;
 }
 
-Result<Columns> columnsOf(const std::vector<std::string>& header)
+Result<Columns> columnsOf(const std::vector<std::string>& cells)
 {
+    const auto end = std::find_if(cells.rbegin(), cells.rend(), [](const std::string& cell) { return !trimmed(cell).empty(); });
+    const std::vector<std::string> header(cells.begin(), end.base());
     if (looksLikeReadings(header))
         return Error{ErrorCode::Format,
             {MARKED("core", "there is no header: the first row is numbers; expected a row of column names, %1"), kExpectedColumns}};
     Columns columns;
     columns.count = header.size();
     for (std::size_t place = 0; place < header.size(); ++place)
-        if (const auto added = addColumn(columns, place, header[place]); !added)
+        if (const auto added = addColumn(columns, place, textOfCell(header[place])); !added)
             return added.error();
     if (const auto enough = requireTwoOfThree(columns, header); !enough)
         return enough.error();

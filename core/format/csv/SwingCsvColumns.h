@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 10> kColumnNames{"magnetic_heading
 [[nodiscard]] constexpr std::string_view nameOf(Column column) { return kColumnNames[static_cast<std::size_t>(column)]; }
 
 struct Columns {
-    std::size_t count = 0; ///< cells that each row must have
+    std::size_t count = 0; ///< of the header, without the nameless columns at its end
     std::array<std::optional<std::size_t>, kColumnNames.size()> place;
     std::vector<std::pair<std::size_t, std::string>> unknown; ///< place and name
 
@@ -32,9 +32,10 @@ struct Columns {
     }
 };
 
-/// The separator under which most columns of the header are known.
-[[nodiscard]] char separatorOf(std::string_view header);
+/// The separator under which most columns of the header are known. @param told by a line "sep=;", or 0.
+[[nodiscard]] char separatorOf(std::string_view header, char told = 0);
 
+/// Names are known in any case, and with spaces for underscores. Columns without a name at the end are none: their cells are empty.
 /// Errors (without file and line): Format (no header, a column without name), InvalidInput (missing or doubled columns).
 Result<Columns> columnsOf(const std::vector<std::string>& header);
 

@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "core/angle/AngleText.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/earth/FieldModel.h"
+#include "core/format/csv/RowSplitter.h"
+#include "core/format/csv/TextCell.h"
 #include "core/record/RecordWords.h"
 
 namespace lubberline::csv {
@@ -45,6 +48,12 @@ Error wrongValue(const KeyLine& line, const Message& expected)
         {MARKED("core", "%1: %2 is not allowed; expected %3"), std::string(line.key), inQuotes(line.value), expected}};
 }
 
+/// What the cells of the window say of the same text, with the key before it.
+Error wrongAngle(const KeyLine& line, const Error& error)
+{
+    return {error.code, {MARKED("core", "%1: %2"), std::string(line.key), error.message}};
+}
+
 template <class Choice>
 Result<void> takeChoice(const KeyLine& line, Choice& into)
 {
@@ -65,10 +74,19 @@ Result<void> takeDate(const KeyLine& line, std::string& into)
 
 Result<void> takeVariation(const KeyLine& line, std::optional<double>& into)
 {
-    const auto number = readNumber(line.value, true); // no separator in this line: a comma is a decimal comma
-    if (number.fault != NumberFault::None || std::abs(number.value) > 180.0)
-        return wrongValue(line, MARKED("core", "degrees from -180 to 180, east positive, such as 6.5"));
-    into = number.value;
+    const auto variation_deg = parseSignedAngle_deg(line.value);
+    if (!variation_deg)
+        return wrongAngle(line, variation_deg.error());
+    into = *variation_deg;
+    return {};
+}
+
+Result<void> takeLatitude(const KeyLine& line, std::optional<double>& into)
+{
+    const auto latitude_deg = parseLatitude_deg(line.value);
+    if (!latitude_deg)
+        return wrongAngle(line, latitude_deg.error());
+    into = *latitude_deg;
     return {};
 }
 
@@ -78,6 +96,21 @@ Result<void> takeNumber(const KeyLine& line, double least, double most, Pattern 
     if (number.fault != NumberFault::None || number.value < least || number.value > most)
         return wrongValue(line, expected);
     into = number.value;
+    return {};
+}
+
+/// More than half a turn as a number, as some programs count; in letters as the window takes it.
+Result<void> takeLongitude(const KeyLine& line, std::optional<double>& into)
+{
+    constexpr double kMost_deg = 540.0;
+    if (const auto number = readNumber(line.value, true); number.fault == NumberFault::None && std::abs(number.value) <= kMost_deg) {
+        into = number.value;
+        return {};
+    }
+    const auto longitude_deg = parseSignedAngle_deg(line.value);
+    if (!longitude_deg)
+        return wrongAngle(line, longitude_deg.error());
+    into = *longitude_deg;
     return {};
 }
 
@@ -92,14 +125,8 @@ constexpr std::array kValueKeys{
     ValueKey{"radio", [](SwingFile& file, const KeyLine& line) { return takeChoice(line, file.swing.configuration.radio); }},
     ValueKey{"datum_calibration_due", [](SwingFile& file, const KeyLine& line) { return takeDate(line, file.swing.datum.calibrationDue); }},
     ValueKey{"variation_deg", [](SwingFile& file, const KeyLine& line) { return takeVariation(line, file.swing.variation_deg); }},
-    ValueKey{"latitude_deg",
-        [](SwingFile& file, const KeyLine& line) {
-            return takeNumber(line, -90, 90, MARKED("core", "degrees from -90 to 90, north positive"), file.latitude_deg);
-        }},
-    ValueKey{"longitude_deg",
-        [](SwingFile& file, const KeyLine& line) {
-            return takeNumber(line, -540, 540, MARKED("core", "degrees from -180 to 180, east positive"), file.longitude_deg);
-        }},
+    ValueKey{"latitude_deg", [](SwingFile& file, const KeyLine& line) { return takeLatitude(line, file.latitude_deg); }},
+    ValueKey{"longitude_deg", [](SwingFile& file, const KeyLine& line) { return takeLongitude(line, file.longitude_deg); }},
     ValueKey{"height_m",
         [](SwingFile& file, const KeyLine& line) {
             return takeNumber(line, -10'000, 600'000, MARKED("core", "metres from -10000 to 600000"), file.height_m);
@@ -115,13 +142,28 @@ const Key* find(const std::array<Key, N>& keys, std::string_view key)
 
 bool isKeyCharacter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
 
+/// Whether a spreadsheet would part the value so that a cell of it began a formula, or our reader would take its end for empty cells.
+bool isPartedBySpreadsheets(std::string_view value)
+{
+    constexpr std::string_view kSeparators = ",;|";
+    for (std::size_t at = value.find_first_of(kSeparators); at != std::string_view::npos; at = value.find_first_of(kSeparators, at + 1)) {
+        const auto cell = value.substr(at + 1);
+        if (at == 0 || cell.empty() || withTextMark(trimmed(cell)) != trimmed(cell) || trimmed(cell).starts_with('"'))
+            return true;
+    }
+    return false;
+}
+
 void write(std::string& text, std::string_view key, std::string value)
 {
     // A key line is one line: breaks in a note become spaces.
     std::replace_if(
         value.begin(), value.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-    if (const auto shown = trimmed(value); !shown.empty())
-        text += "# " + std::string(key) + ": " + std::string(shown) + "\n";
+    const auto shown = trimmed(value);
+    if (shown.empty())
+        return;
+    const std::string line = "# " + std::string(key) + ": " + std::string(shown);
+    text += (isPartedBySpreadsheets(shown) ? csvQuoted(line) : line) + "\n";
 }
 
 void writePlace(std::string& text, const Place& place)
@@ -132,6 +174,27 @@ void writePlace(std::string& text, const Place& place)
 }
 
 } // namespace
+
+std::string keyTextOf(std::string_view line, char separator)
+{
+    if (line.starts_with('"')) {
+        RowSplitter splitter(separator);
+        splitter.begin(line);
+        std::string text = splitter.cells().front();
+        for (std::size_t i = 1; i < splitter.cells().size(); ++i) // the value in a cell of its own
+            if (const auto cell = trimmed(splitter.cells()[i]); !cell.empty())
+                text += (text.ends_with(':') ? std::string(" ") : std::string(1, separator)) + std::string(cell);
+        return text;
+    }
+    auto text = trimmed(line);
+    while (text.ends_with(separator))
+        text = trimmed(text.substr(0, text.size() - 1));
+    std::string key(text);
+    // "# aircraft:,SP-XYZ": likewise.
+    if (const auto colon = key.find(':'); colon != std::string::npos && key.find(separator) == colon + 1)
+        key[colon + 1] = ' ';
+    return key;
+}
 
 std::optional<KeyLine> keyLineOf(std::string_view line)
 {
@@ -146,13 +209,14 @@ std::optional<KeyLine> keyLineOf(std::string_view line)
 
 Result<void> KeyReader::take(const KeyLine& line)
 {
-    if (!m_taken.emplace(line.key).second)
+    const std::string known = inSmallLetters(line.key);
+    if (!m_taken.insert(known).second)
         return Error{ErrorCode::InvalidInput, {MARKED("core", "the key %1 is there twice; expected each key once"), inQuotes(line.key)}};
-    if (const auto* text = find(kTextKeys, line.key)) {
+    if (const auto* text = find(kTextKeys, known)) {
         text->field(m_file) = line.value;
         return {};
     }
-    if (const auto* value = find(kValueKeys, line.key))
+    if (const auto* value = find(kValueKeys, known))
         return line.value.empty() ? Result<void>() : value->take(m_file, line);
     m_file.otherKeys.emplace_back(line.key, line.value);
     return {};

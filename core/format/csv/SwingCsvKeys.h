@@ -14,10 +14,13 @@ struct KeyLine {
     std::string_view key, value;
 };
 
+/// A line that begins with #, or with "#, as a spreadsheet leaves it: without the empty cells behind it, and out of its quotes.
+[[nodiscard]] std::string keyTextOf(std::string_view line, char separator);
+
 /// @return none for a comment: no word of letters, digits and underscores directly followed by a colon.
 [[nodiscard]] std::optional<KeyLine> keyLineOf(std::string_view line);
 
-/// Takes key lines into a SwingFile, each key once.
+/// Takes key lines into a SwingFile, each key once; keys that are known are so in any case.
 class KeyReader {
 public:
     explicit KeyReader(SwingFile& file) : m_file(file) {}

@@ -1,8 +1,11 @@
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
+#include <cmath>
 
+#include "core/angle/AngleText.h"
 #include "core/base/FileText.h"
 #include "core/base/LineReader.h"
+#include "core/base/Number.h"
+#include "core/base/WholeFile.h"
 #include "core/format/csv/RowSplitter.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/csv/SwingCsvColumns.h"
@@ -18,7 +21,43 @@ using namespace csv;
 
 constexpr Pattern kExpectedFile
     = MARKED("core", "expected a Swing CSV: text in UTF-8 with a header of named columns and one reading a row");
-constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+
+/// "sep=;", with which a file tells Excel how its cells are parted; in quotes and with empty cells behind it where it was saved again.
+std::optional<char> toldSeparator(std::string_view line)
+{
+    constexpr std::string_view kWord = "sep=";
+    if (line.starts_with('"'))
+        line.remove_prefix(1);
+    if (line.size() <= kWord.size() || inSmallLetters(line.substr(0, kWord.size())) != kWord)
+        return {};
+    const char separator = line[kWord.size()];
+    const bool nothingElse = line.find_first_not_of("\",;\t ", kWord.size() + 1) == std::string_view::npos;
+    return nothingElse && (separator == '\t' || (separator > ' ' && separator < 0x7F && separator != '"')) ? std::optional(separator)
+                                                                                                           : std::nullopt;
+}
+
+bool isKeyLine(std::string_view content) { return content.starts_with('#') || content.starts_with("\"#"); }
+
+/// "#N/A", "#VALUE!", "#DIV/0!", "#NAME?": what spreadsheets write where they cannot compute, alone in its cell.
+bool isSpreadsheetError(std::string_view cell)
+{
+    constexpr std::size_t kShortest = 3, kLongest = 12;
+    if (cell.size() < kShortest || cell.size() > kLongest || cell.front() != '#')
+        return false;
+    return std::all_of(cell.begin() + 1, cell.end(),
+        [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '/' || c == '!' || c == '?'; });
+}
+
+bool isEmptyRow(const std::vector<std::string>& cells)
+{
+    return std::all_of(cells.begin(), cells.end(), [](const std::string& cell) { return trimmed(cell).empty(); });
+}
+
+/// The reading of a row whose heading is north, and where it stands.
+struct NorthRow {
+    std::size_t reading = 0;
+    std::int64_t line = 0;
+};
 
 /// Reads one file. Every step returns the error with file and line filled in.
 class SwingReader {
@@ -35,11 +74,13 @@ private:
     Result<void> checkBeginning();
     Result<bool> nextLine(); ///< false at the end
     Result<void> takeLine();
-    Result<void> takeKey();
-    Result<bool> splitRow();
+    Result<void> gatherQuotedKey();
+    Result<void> takeKey(const std::string& line);
+    Result<void> splitRow();
     Result<void> takeHeader();
     Result<void> takeReading();
     Result<SwingFile> finish();
+    void tellNorthTwice();
 
     [[nodiscard]] Error wholeFile(ErrorCode code, const Message& message) const { return {code, message, m_name}; }
     [[nodiscard]] Error here(ErrorCode code, const Message& message) const { return {code, message, m_name, m_rowLine}; }
@@ -54,14 +95,18 @@ private:
     std::optional<RowSplitter> m_splitter;
     std::optional<Columns> m_columns;
     std::optional<RowReader> m_rows;
+    /// Keys above the header: the separator of the cells behind them is known with it.
+    std::vector<std::pair<std::int64_t, std::string>> m_keysAbove;
+    char m_told = 0;         ///< the separator of a line "sep=;"
+    bool m_started = false;  ///< past the first line that is not blank
+    bool m_rowsCrLf = false; ///< rows end in CRLF: the line breaks in their cells are no others
+    std::optional<NorthRow> m_zero, m_fullTurn;
 };
 
 Result<void> SwingReader::checkBeginning()
 {
-    const std::string_view beginning = m_lines.beginning();
-    if (beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF"))
-        return wholeFile(ErrorCode::Format, MARKED("core", "is UTF-16; expected UTF-8: save it as \"CSV UTF-8\""));
-    return {};
+    const Message other = otherEncoding(m_lines.beginning());
+    return other.empty() ? Result<void>() : Result<void>(wholeFile(ErrorCode::Format, other));
 }
 
 Result<bool> SwingReader::nextLine()
@@ -74,11 +119,10 @@ Result<bool> SwingReader::nextLine()
     case LineOutcome::ReadError: return wholeFile(ErrorCode::Io, MARKED("core", "cannot be read to its end"));
     case LineOutcome::Cancelled: return wholeFile(ErrorCode::Cancelled, MARKED("core", "reading was cancelled"));
     }
-    if (m_lines.lineNumber() == 1 && std::string_view(m_line).starts_with(kUtf8Mark))
-        m_line.erase(0, kUtf8Mark.size());
-    if (!isUtf8(m_line))
-        return Error{
-            ErrorCode::Format, MARKED("core", "the line is not well-formed UTF-8; expected text in UTF-8"), m_name, m_lines.lineNumber()};
+    if (m_lines.lineNumber() == 1 && std::string_view(m_line).starts_with(kByteOrderMark))
+        m_line.erase(0, kByteOrderMark.size());
+    if (const Message bytes = notUtf8(m_line); !bytes.empty())
+        return Error{ErrorCode::Format, bytes, m_name, m_lines.lineNumber()};
     return true;
 }
 
@@ -103,59 +147,101 @@ Result<void> SwingReader::takeLine()
     const auto content = trimmed(m_line);
     if (content.empty())
         return {};
-    if (content.front() == '#')
-        return takeKey();
-    if (!m_columns)
-        return takeHeader();
-    return takeReading();
+    if (!std::exchange(m_started, true))
+        if (const auto told = toldSeparator(content)) {
+            m_told = *told;
+            return {};
+        }
+    if (isKeyLine(content)) {
+        if (const auto whole = gatherQuotedKey(); !whole)
+            return whole;
+        if (m_columns)
+            return takeKey(m_line);
+        m_keysAbove.emplace_back(m_rowLine, m_line);
+        return {};
+    }
+    if (m_columns)
+        return takeReading();
+    return content.find_first_not_of(",;|\" \t") == std::string_view::npos ? Result<void>() : takeHeader();
 }
 
-Result<void> SwingReader::takeKey()
+/// A cell in quotes may go on over several lines.
+Result<void> SwingReader::gatherQuotedKey()
 {
-    const auto line = keyLineOf(trimmed(m_line));
-    if (!line)
+    std::string whole = m_line;
+    while (trimmed(whole).starts_with('"') && std::count(whole.begin(), whole.end(), '"') % 2 != 0) {
+        const auto more = nextLine();
+        if (!more)
+            return more.error();
+        if (!*more || whole.size() + m_line.size() > kMaxLineBytes)
+            return here(ErrorCode::Format, MARKED("core", "a quoted cell that begins in this row is not closed; expected a second \""));
+        whole += '\n' + m_line;
+    }
+    m_line = std::move(whole);
+    return {};
+}
+
+Result<void> SwingReader::takeKey(const std::string& line)
+{
+    const char separator = m_splitter->separator();
+    const std::string text = keyTextOf(trimmed(line), separator);
+    if (m_columns)
+        if (const auto first = trimmed(text.substr(0, text.find(separator))); isSpreadsheetError(first))
+            return here(ErrorCode::InvalidInput,
+                {MARKED("core", "%1 is what a spreadsheet writes where it cannot compute; expected a heading"), inQuotes(first)});
+    const auto key = keyLineOf(text);
+    if (!key)
         return {};
-    if (m_columns && line->key == "variation_deg")
+    if (m_columns && inSmallLetters(key->key) == "variation_deg")
         return here(ErrorCode::InvalidInput,
             MARKED("core", "variation_deg stands below the header; expected it above, since the rows are computed with it"));
-    const auto taken = m_keys.take(*line);
+    const auto taken = m_keys.take(*key);
     return taken ? Result<void>() : Result<void>(here(taken.error()));
 }
 
 /// Splits the row that begins in this line; a quoted cell may draw in more lines.
-Result<bool> SwingReader::splitRow()
+Result<void> SwingReader::splitRow()
 {
     auto state = m_splitter->begin(m_line);
     while (state == RowSplitter::State::Open) {
+        const char* const lineBreak = m_lines.endedInCrLf() && !m_rowsCrLf && m_columns ? "\r\n" : "\n";
         const auto more = nextLine();
         if (!more)
             return more.error();
         if (!*more || m_splitter->bytes() + m_line.size() > kMaxLineBytes)
             return here(ErrorCode::Format, MARKED("core", "a quoted cell that begins in this row is not closed; expected a second \""));
-        state = m_splitter->resume(m_line);
+        state = m_splitter->resume(m_line, lineBreak);
     }
     if (state == RowSplitter::State::TextAfterQuote)
         return here(ErrorCode::Format,
             MARKED("core", "there is text behind a closing quote; expected a separator there, or \"\" for a quote inside"));
-    return true;
+    return {};
 }
 
 Result<void> SwingReader::takeHeader()
 {
-    const char separator = separatorOf(m_line);
-    m_splitter.emplace(separator);
+    m_splitter.emplace(separatorOf(m_line, m_told));
+    const auto headerLine = m_rowLine;
+    for (const auto& [line, text] : m_keysAbove) {
+        m_rowLine = line;
+        if (const auto taken = takeKey(text); !taken)
+            return taken;
+    }
+    m_keysAbove.clear();
+    m_rowLine = headerLine;
     if (const auto split = splitRow(); !split)
         return split.error();
     auto columns = columnsOf(m_splitter->cells());
     if (!columns)
         return here(columns.error());
     m_columns = std::move(columns.value());
+    m_rowsCrLf = m_lines.endedInCrLf();
     const auto variation_deg = m_file.swing.variation_deg;
     if (m_columns->trueIsDatum() && !variation_deg)
         return here(ErrorCode::InvalidInput,
             MARKED("core",
                 "true_heading_deg stands in place of the magnetic heading, but the variation is not stated; expected a line \"# variation_deg: \u2026\" (degrees, east positive) above the header"));
-    m_rows.emplace(*m_columns, separator != ',', variation_deg);
+    m_rows.emplace(*m_columns, variation_deg);
     for (const auto& [place, name] : m_columns->unknown)
         m_file.warnings.push_back({MARKED("core", "the column %1 means nothing here; it is kept with the readings"), inQuotes(name)});
     return {};
@@ -165,13 +251,44 @@ Result<void> SwingReader::takeReading()
 {
     if (const auto split = splitRow(); !split)
         return split.error();
-    auto reading = m_rows->read(m_splitter->cells());
-    if (!reading)
-        return here(reading.error());
+    if (isEmptyRow(m_splitter->cells()))
+        return {};
+    auto row = m_rows->read(m_splitter->cells());
+    if (!row)
+        return here(row.error());
     if (m_file.swing.readings.size() == kMaxReadings)
         return here(ErrorCode::InvalidInput, {MARKED("core", "there are more than %1 readings; expected a compass swing"), kMaxReadings});
-    m_file.swing.readings.push_back(std::move(reading.value()));
+    if (row->north_deg)
+        if (auto& north = *row->north_deg == 0.0 ? m_zero : m_fullTurn; !north)
+            north = NorthRow{m_file.swing.readings.size(), m_rowLine};
+    m_file.swing.readings.push_back(std::move(row->reading));
     return {};
+}
+
+/// 000 and 360 are one heading. Tables that close the circle list it twice with the same reading, which counts once.
+void SwingReader::tellNorthTwice()
+{
+    if (!m_zero || !m_fullTurn)
+        return;
+    Reading& zero = m_file.swing.readings[m_zero->reading];
+    Reading& fullTurn = m_file.swing.readings[m_fullTurn->reading];
+    if (zero.exclusion || fullTurn.exclusion)
+        return;
+    constexpr double kSame_deg = 1e-9;
+    const bool byCompass = m_rows->listed() == Column::Compass;
+    const auto read_deg
+        = [byCompass](const Reading& reading) { return byCompass ? reading.magnetic->degrees() : reading.compass->degrees(); };
+    const double zero_deg = read_deg(zero), fullTurn_deg = read_deg(fullTurn);
+    if (std::abs(wrap180(zero_deg - fullTurn_deg)) > kSame_deg) {
+        m_file.warnings.push_back(
+            {MARKED("core",
+                 "lines %1 and %2 list one heading, 000 and 360, with different readings, %3 and %4: both count, so look which is right"),
+                m_zero->line, m_fullTurn->line, formatHeading(zero_deg), formatHeading(fullTurn_deg)});
+        return;
+    }
+    (m_zero->line > m_fullTurn->line ? zero : fullTurn).exclusion = Exclusion{"listed twice: 000 and 360 are one heading"};
+    m_file.warnings.push_back({MARKED("core", "lines %1 and %2 list one heading, 000 and 360, with the same reading: it counts once"),
+        m_zero->line, m_fullTurn->line});
 }
 
 Result<SwingFile> SwingReader::finish()
@@ -182,6 +299,7 @@ Result<SwingFile> SwingReader::finish()
         return wholeFile(ErrorCode::Format, {MARKED("core", "has no header; %1"), kExpectedFile});
     if (m_file.swing.readings.empty())
         return wholeFile(ErrorCode::Format, MARKED("core", "has a header but no readings; expected one reading a row below it"));
+    tellNorthTwice();
     for (const auto& [key, value] : m_file.otherKeys)
         m_file.swing.note += (m_file.swing.note.empty() ? "" : "\n") + key + ": " + value;
     if (const auto stamped = stampFromKeys(m_file); !stamped)
@@ -199,13 +317,8 @@ Result<SwingFile> readSwingCsv(std::istream& input, const std::string& name, con
 
 Result<SwingFile> readSwingCsvFile(const std::string& path, const Progress& progress)
 {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
-        return Error{ErrorCode::Io, MARKED("core", "is a folder; expected a Swing CSV"), path};
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        return Error{ErrorCode::Io, MARKED("core", "cannot be opened; expected a Swing CSV that exists and may be read"), path};
-    return readSwingCsv(file, path, progress);
+    const auto file = openInput(path, MARKED("core", "a Swing CSV"));
+    return file ? readSwingCsv(**file, nameOfInput(path), progress) : Result<SwingFile>(file.error());
 }
 
 } // namespace lubberline

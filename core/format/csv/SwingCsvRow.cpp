@@ -2,33 +2,40 @@
 
 #include <cmath>
 
+#include "core/angle/AngleText.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
+#include "core/format/csv/TextCell.h"
 
 namespace lubberline::csv {
 
 namespace {
 
-struct Range {
-    double least, most;
-    Pattern words;
-};
+bool isHeading(Column column)
+{
+    return column == Column::Magnetic || column == Column::Compass || column == Column::True || column == Column::Nominal;
+}
 
-Range rangeOf(Column column)
+/// What the cells of the window say of the same text, with the column before it.
+Error inColumn(Column column, const Error& error)
+{
+    return {error.code, {MARKED("core", "%1: %2"), std::string(nameOf(column)), error.message}};
+}
+
+/// East and west are of a deviation; the others have a sign of their own.
+Result<double> angleIn(Column column, const std::string& cell)
 {
     switch (column) {
-    case Column::Deviation:
-    case Column::IndicationError: return {-180, 180, MARKED("core", "degrees from -180 to 180, east positive")};
-    case Column::Pitch: return {-90, 90, MARKED("core", "degrees from -90 to 90")};
-    case Column::Roll: return {-180, 180, MARKED("core", "degrees from -180 to 180")};
-    default: return {0, 360, MARKED("core", "degrees from 0 to 360")};
+    case Column::Deviation: return parseSignedAngle_deg(cell);
+    case Column::Pitch: return parsePlainAngle_deg(cell, 90);
+    default: return parsePlainAngle_deg(cell, 180);
     }
 }
 
-/// `what`: of the column %1, the cell %2 and what was expected %3.
-Error wrongCell(Column column, const std::string& cell, Pattern what, const Range& range)
+const std::string& cellAt(const std::vector<std::string>& cells, std::size_t place)
 {
-    return {ErrorCode::InvalidInput, {what, std::string(nameOf(column)), inQuotes(cell), range.words}};
+    static const std::string none;
+    return place < cells.size() ? cells[place] : none;
 }
 
 /// `rule`: what the column should be of the others; %1: to how many degrees they agree.
@@ -38,12 +45,6 @@ Error contradiction(const std::string& column, double stated_deg, double compute
     return {ErrorCode::InvalidInput,
         {MARKED("core", "%1 %2 contradicts the row's other columns, which give %3; expected %4"), column, tenth(stated_deg),
             tenth(computed_deg), Message{rule, shortestNumber(kAgreement_deg)}}};
-}
-
-template <class Angle>
-std::optional<Angle> as(std::optional<double> angle_deg)
-{
-    return angle_deg ? std::optional(Angle::fromDegrees(*angle_deg)) : std::nullopt;
 }
 
 bool differ(double a_deg, double b_deg)
@@ -60,6 +61,7 @@ struct RowReader::Cells {
     std::optional<TrueHeading> trueHeading;
     std::optional<Deviation> deviation, indicationError;
     std::optional<double> nominal_deg, pitch_deg, roll_deg;
+    std::optional<double> north_deg; ///< of Row
 
     [[nodiscard]] std::optional<Deviation> anyDeviation() const
     {
@@ -74,43 +76,70 @@ bool RowReader::required(Column column) const
     return column <= Column::IndicationError || (column == Column::True && m_columns.trueIsDatum());
 }
 
-Result<std::optional<double>> RowReader::angle(const std::vector<std::string>& cells, Column column) const
+Column RowReader::listed() const
 {
-    const auto place = m_columns.of(column);
-    if (!place || (cells[*place].empty() && !required(column)))
-        return std::optional<double>{};
-    const std::string& cell = cells[*place];
-    const Range range = rangeOf(column);
-    const FileNumber number = readNumber(cell, m_decimalComma);
-    if (cell.empty())
-        return wrongCell(column, cell, MARKED("core", "%1: %2 is empty; expected %3"), range);
-    if (number.fault == NumberFault::NotANumber)
-        return wrongCell(column, cell, MARKED("core", "%1: %2 is not a number; expected %3"), range);
-    if (number.fault == NumberFault::OutOfRange || number.value < range.least || number.value > range.most)
-        return wrongCell(column, cell, MARKED("core", "%1: %2 is out of range; expected %3"), range);
-    return std::optional(number.value);
+    for (const Column column : {Column::Magnetic, Column::True})
+        if (m_columns.has(column))
+            return column;
+    return Column::Compass;
+}
+
+Result<void> RowReader::takeHeading(const std::vector<std::string>& cells, Column column, Cells& given) const
+{
+    const std::string& cell = cellAt(cells, *m_columns.of(column));
+    const auto heading = parseWrittenHeading(cell);
+    if (!heading)
+        return inColumn(column, heading.error());
+    if (column == listed() && heading->heading_deg == 0.0)
+        given.north_deg = heading->fullTurn ? 360.0 : 0.0;
+    // "274T" among magnetic headings is a true one, as in the window.
+    const bool trueInstead = column == Column::Magnetic && heading->north == North::True && m_variation_deg && !m_columns.has(Column::True);
+    const North meant = column == Column::Compass ? North::Compass : column == Column::True || trueInstead ? North::True : North::Magnetic;
+    if (heading->north != North::NotSaid && heading->north != meant)
+        return inColumn(column, parseHeading_deg(cell, meant).error());
+    if (column == Column::Compass)
+        given.compass = CompassHeading::fromDegrees(heading->heading_deg);
+    else if (column == Column::Nominal)
+        given.nominal_deg = heading->heading_deg;
+    else if (column == Column::True || trueInstead)
+        given.trueHeading = TrueHeading::fromDegrees(heading->heading_deg);
+    else
+        given.magnetic = MagneticHeading::fromDegrees(heading->heading_deg);
+    return {};
+}
+
+Result<void> RowReader::takeAngle(const std::vector<std::string>& cells, Column column, Cells& given) const
+{
+    const auto angle_deg = angleIn(column, cellAt(cells, *m_columns.of(column)));
+    if (!angle_deg)
+        return inColumn(column, angle_deg.error());
+    if (column == Column::Deviation)
+        given.deviation = Deviation::fromDegrees(*angle_deg);
+    else if (column == Column::IndicationError)
+        given.indicationError = Deviation::fromDegrees(*angle_deg);
+    else
+        (column == Column::Pitch ? given.pitch_deg : given.roll_deg) = *angle_deg;
+    return {};
 }
 
 Result<RowReader::Cells> RowReader::angles(const std::vector<std::string>& cells) const
 {
-    std::array<std::optional<double>, kColumnNames.size()> value;
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(Column::Roll); ++i) {
-        const auto read = angle(cells, static_cast<Column>(i));
-        if (!read)
-            return read.error();
-        value[i] = *read;
-    }
-    const auto of = [&](Column column) { return value[static_cast<std::size_t>(column)]; };
     Cells given;
-    given.magnetic = as<MagneticHeading>(of(Column::Magnetic));
-    given.compass = as<CompassHeading>(of(Column::Compass));
-    given.trueHeading = as<TrueHeading>(of(Column::True));
-    given.deviation = as<Deviation>(of(Column::Deviation));
-    given.indicationError = as<Deviation>(of(Column::IndicationError));
-    if (const auto nominal_deg = of(Column::Nominal))
-        given.nominal_deg = wrap360(*nominal_deg);
-    given.pitch_deg = of(Column::Pitch);
-    given.roll_deg = of(Column::Roll);
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(Column::Roll); ++i) {
+        const auto column = static_cast<Column>(i);
+        const auto place = m_columns.of(column);
+        if (!place)
+            continue;
+        if (trimmed(cellAt(cells, *place)).empty()) {
+            if (required(column))
+                return Error{ErrorCode::InvalidInput,
+                    {MARKED("core", "%1: the cell is empty; expected degrees, such as 47.5"), std::string(nameOf(column))}};
+            continue;
+        }
+        const auto taken = isHeading(column) ? takeHeading(cells, column, given) : takeAngle(cells, column, given);
+        if (!taken)
+            return taken.error();
+    }
     return given;
 }
 
@@ -118,8 +147,8 @@ Result<RowReader::Cells> RowReader::angles(const std::vector<std::string>& cells
 Result<void> RowReader::complete(Cells& given) const
 {
     const auto deviation = given.anyDeviation();
-    if (!given.magnetic && m_columns.trueIsDatum()) {
-        LUBBERLINE_EXPECT(m_variation_deg && given.trueHeading, "without variation no row is read");
+    if (!given.magnetic && given.trueHeading && (m_columns.trueIsDatum() || m_columns.has(Column::Magnetic))) {
+        LUBBERLINE_EXPECT(m_variation_deg, "without variation no row is read");
         given.magnetic = toMagnetic(*given.trueHeading, Variation::fromDegrees(*m_variation_deg));
     }
     if (!given.magnetic)
@@ -150,14 +179,27 @@ Result<void> RowReader::agree(const Cells& given) const
 std::string RowReader::text(const std::vector<std::string>& cells, Column column) const
 {
     const auto place = m_columns.of(column);
-    return place ? cells[*place] : std::string();
+    return place ? textOfCell(cellAt(cells, *place)) : std::string();
 }
 
-Result<Reading> RowReader::read(const std::vector<std::string>& cells) const
+Result<void> RowReader::checkCount(const std::vector<std::string>& cells) const
 {
-    if (cells.size() != m_columns.count)
-        return Error{ErrorCode::InvalidInput,
-            {MARKED_N("core", "the row has %n cell(s); expected %1 cells as in the header"), cells.size(), m_columns.count}};
+    bool wrong = false;
+    for (std::size_t i = m_columns.count; i < cells.size(); ++i)
+        wrong |= !trimmed(cells[i]).empty();
+    for (std::size_t i = 0; i < kColumnNames.size(); ++i)
+        if (const auto place = m_columns.place[i]; place && *place >= cells.size())
+            wrong |= required(static_cast<Column>(i));
+    if (!wrong)
+        return {};
+    return Error{ErrorCode::InvalidInput,
+        {MARKED_N("core", "the row has %n cell(s); expected %1 cells as in the header"), cells.size(), m_columns.count}};
+}
+
+Result<Row> RowReader::read(const std::vector<std::string>& cells) const
+{
+    if (const auto counted = checkCount(cells); !counted)
+        return counted.error();
     auto given = angles(cells);
     if (!given)
         return given.error();
@@ -175,9 +217,9 @@ Result<Reading> RowReader::read(const std::vector<std::string>& cells) const
     if (auto reason = text(cells, Column::Excluded); !reason.empty())
         reading.exclusion = Exclusion{std::move(reason)};
     for (const auto& [place, name] : m_columns.unknown)
-        if (!cells[place].empty())
-            reading.extra.emplace_back(name, cells[place]);
-    return reading;
+        if (!cellAt(cells, place).empty())
+            reading.extra.emplace_back(name, textOfCell(cells[place]));
+    return Row{std::move(reading), given->north_deg};
 }
 
 } // namespace lubberline::csv

@@ -4,6 +4,7 @@
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/csv/SwingCsvColumns.h"
 #include "core/format/csv/SwingCsvKeys.h"
+#include "core/format/csv/TextCell.h"
 
 namespace lubberline {
 
@@ -20,15 +21,11 @@ struct WrittenColumns {
 
 std::string numberCell(std::optional<double> value) { return value ? shortestNumber(*value) : std::string(); }
 
-std::string textCell(const std::string& text)
+/// A column that is not ours may be of numbers, which need no mark.
+std::string valueCell(const std::string& text)
 {
-    const bool plain = text.find_first_of(",;\t\"\n\r") == std::string::npos && !text.starts_with(' ') && !text.ends_with(' ');
-    if (plain)
-        return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
+    const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    return ascii && readNumber(text).fault == NumberFault::None ? text : csvTextCell(text);
 }
 
 std::string cellOf(const Reading& reading, Column column)
@@ -40,8 +37,8 @@ std::string cellOf(const Reading& reading, Column column)
     case Column::Nominal: return numberCell(reading.nominal_deg);
     case Column::Pitch: return numberCell(reading.pitch_deg);
     case Column::Roll: return numberCell(reading.roll_deg);
-    case Column::Note: return textCell(reading.note);
-    case Column::Excluded: return reading.exclusion ? textCell(reading.exclusion->reason) : std::string();
+    case Column::Note: return csvTextCell(reading.note);
+    case Column::Excluded: return reading.exclusion ? csvTextCell(reading.exclusion->reason) : std::string();
     case Column::Deviation:
     case Column::IndicationError: break; // derived: never written
     }
@@ -51,7 +48,7 @@ std::string cellOf(const Reading& reading, Column column)
 std::string cellOf(const Reading& reading, const std::string& extra)
 {
     const auto found = std::find_if(reading.extra.begin(), reading.extra.end(), [&](const auto& cell) { return cell.first == extra; });
-    return found == reading.extra.end() ? std::string() : textCell(found->second);
+    return found == reading.extra.end() ? std::string() : valueCell(found->second);
 }
 
 WrittenColumns columnsFor(const Swing& swing)
@@ -82,7 +79,7 @@ std::string headerOf(const WrittenColumns& columns)
     for (const Column column : columns.known)
         cells.emplace_back(nameOf(column));
     for (const auto& name : columns.extra)
-        cells.push_back(textCell(name));
+        cells.push_back(csvTextCell(name));
     return joined(cells);
 }
 

@@ -232,7 +232,7 @@ Result<IronBench> readBenchJsonFile(const std::string& path)
     const auto text = readWholeFile(path, kExpectedBench);
     if (!text)
         return text.error();
-    return readBenchJson(*text, path);
+    return readBenchJson(*text, nameOfInput(path));
 }
 
 void writeBench(JsonWriter& json, const IronBench& bench)

@@ -210,7 +210,7 @@ Result<SensorSetup> readModelJsonFile(const std::string& path)
     const auto text = readWholeFile(path, kExpectedModel);
     if (!text)
         return text.error();
-    return readModelJson(*text, path);
+    return readModelJson(*text, nameOfInput(path));
 }
 
 std::string writeModelJson(const SensorSetup& setup)

@@ -83,6 +83,9 @@ Error notJson(std::string_view text, std::size_t byte, const std::string& name, 
     const auto before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
     const auto lineStart = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+    const auto content = text.substr(lineStart, text.find('\n', lineStart) - lineStart);
+    if (const auto bytes = notUtf8(content); !bytes.empty())
+        return {ErrorCode::Format, bytes, name, line};
     return {ErrorCode::Format,
         {MARKED("core", "is not well-formed JSON at column %1; expected %2, whole"), before.size() - lineStart + 1, expected}, name, line};
 }
@@ -93,6 +96,8 @@ Result<Json> parseJson(std::string_view text, const std::string& name, const Mes
 {
     if (trimmed(text).empty())
         return Error{ErrorCode::Format, {MARKED("core", "is empty; expected %1"), expected}, name};
+    if (const auto other = otherEncoding(text); !other.empty())
+        return Error{ErrorCode::Format, other, name};
     Follower follower(expected);
     try {
         Json document = Json::parse(text, [&](int, Json::parse_event_t event, Json& parsed) { return follower(event, parsed); });

@@ -100,6 +100,81 @@ TEST(HeadingText, refusesWhatIsNone)
     }
 }
 
+TEST(SignedAngle, isTakenAsSpreadsheetsAndOldRecordsWriteIt)
+{
+    for (const char* text :
+        {"3.5 W", "W 3.5", "W3\u00B030'", "3\u00B030\u2032 W", "3\u00A0\u00B0\u00A030\u202F\u2032 W", "3\u00B0 30\u00B4 W", "3.5 west",
+            "West 3,5", "3\u00B030'00\"W", "3:30:00 W", "3\u02DA30'W", "-3.50E+00", "\u22123,5\u202F\u00B0", "3\u00B029'60.0'' W"}) {
+        if (std::string(text).find("60.0") != std::string::npos)
+            EXPECT_FALSE(parseSignedAngle_deg(text)) << text; // sixty seconds
+        else
+            EXPECT_DOUBLE_EQ(signedOf(text), -3.5) << text;
+    }
+    EXPECT_DOUBLE_EQ(signedOf("24\u00B010\u2032"), 24.0 + 10.0 / 60.0);
+    EXPECT_DOUBLE_EQ(signedOf("1\u00B000'36\u2033"), 1.01);
+    EXPECT_FALSE(parseSignedAngle_deg("3\u00B015\"")); // minutes are missing
+    EXPECT_FALSE(parseSignedAngle_deg("W 3 W"));
+}
+
+TEST(SignedAngle, refusesAnOBecauseItIsEastOrWest)
+{
+    for (const char* text : {"3 O", "3\u00B015'O", "3 Ost", "3 Ouest"})
+        EXPECT_THAT(parseSignedAngle_deg(text).error().message.english(), testing::HasSubstr("east in German and west in French")) << text;
+}
+
+TEST(SignedAngle, namesWhatTheEyeCannotSee)
+{
+    EXPECT_THAT(parseSignedAngle_deg("3.5\u200B").error().message.english(), testing::HasSubstr("\"3.5[U+200B]\""));
+    EXPECT_THAT(parseSignedAngle_deg("3.5 \u0415").error().message.english(), testing::HasSubstr("[U+0415]")); // a Cyrillic E
+    EXPECT_THAT(parseHeading_deg("\uFEFF358").error().message.english(), testing::HasSubstr("\"[U+FEFF]358\""));
+}
+
+TEST(PlainAngle, hasASignAndNoLetter)
+{
+    EXPECT_EQ(*parsePlainAngle_deg("\u22122\u00B030'", 90), -2.5);
+    EXPECT_FALSE(parsePlainAngle_deg("2 W", 90));
+    EXPECT_THAT(parsePlainAngle_deg("91", 90).error().message.english(), testing::HasSubstr("-90 to 90"));
+}
+
+TEST(Latitude, isNorthOrSouth)
+{
+    EXPECT_EQ(*parseLatitude_deg("51.55 N"), 51.55);
+    EXPECT_EQ(*parseLatitude_deg("S 33\u00B054'"), -33.9);
+    EXPECT_EQ(*parseLatitude_deg("-33,9"), -33.9);
+    EXPECT_DOUBLE_EQ(*parseLatitude_deg("52\u00B013'48\"N"), 52.23);
+    for (const char* text : {"90.1", "51 E", "-33 S", "91 S"})
+        EXPECT_FALSE(parseLatitude_deg(text)) << text;
+}
+
+TEST(HeadingText, takesPointsAndBearings)
+{
+    const std::pair<const char*, double> kPoints[] = {{"N", 0}, {"NbE", 11.25}, {"N by E", 11.25}, {"nne", 22.5}, {"NE", 45},
+        {"NE/E", 56.25}, {"E", 90}, {"SE by S", 146.25}, {" S ", 180}, {"SSW", 202.5}, {"W", 270}, {"NW", 315}, {"NbW", 348.75}};
+    for (const auto& [text, heading_deg] : kPoints)
+        EXPECT_EQ(headingOf(text), heading_deg) << text;
+    EXPECT_EQ(headingOf("N 3 E"), 3.0);
+    EXPECT_EQ(headingOf("N45\u00B0W"), 315.0);
+    EXPECT_EQ(headingOf("S 12\u00B030' E"), 167.5);
+    EXPECT_EQ(headingOf("S 12 30 W"), 192.5);
+    EXPECT_EQ(headingOf("3.58E+02"), 358.0);
+    for (const char* text : {"NEN", "NNN", "N 91 E", "N -3 E", "N 3", "N 3 T", "NO", "E 3 N", "N by"})
+        EXPECT_FALSE(parseHeading_deg(text)) << text;
+}
+
+TEST(HeadingText, knowsFromWhichNorthItWasSaid)
+{
+    EXPECT_EQ(parseWrittenHeading("274\u00B0T")->north, North::True);
+    EXPECT_EQ(parseWrittenHeading("274 m")->north, North::Magnetic);
+    EXPECT_EQ(*parseHeading_deg("274C", North::Compass), 274.0);
+    EXPECT_EQ(*parseHeading_deg("274", North::Compass), 274.0);
+    EXPECT_THAT(parseHeading_deg("274T", North::Compass).error().message.english(),
+        testing::AllOf(testing::HasSubstr("a true heading"), testing::HasSubstr("expected a compass heading")));
+    EXPECT_FALSE(parseHeading_deg("274T"));
+    EXPECT_TRUE(parseWrittenHeading("360")->fullTurn);
+    EXPECT_FALSE(parseWrittenHeading("000")->fullTurn);
+    EXPECT_FALSE(parseWrittenHeading("N")->fullTurn);
+}
+
 TEST(FormatHeading, hasThreeFiguresAndNeverThreeHundredAndSixty)
 {
     EXPECT_EQ(formatHeading(47.5), "047.5\u00B0");

@@ -102,9 +102,61 @@ TEST(IsoDate, isADayOfTheCalendar)
         EXPECT_FALSE(isIsoDate(text)) << text;
 }
 
-TEST(Quotes, cutLongTextAndHideControlCharacters)
+TEST(Quotes, nameWhatTheEyeCannotSee)
 {
-    EXPECT_EQ(inQuotes("a\tb\x1b"), "\"a?b?\"");
+    EXPECT_EQ(inQuotes("a\tb\x1b"), "\"a[U+0009]b[U+001B]\"");
+    EXPECT_EQ(inQuotes("358\u200B"), "\"358[U+200B]\"");
+    EXPECT_EQ(inQuotes("1\u00A02\u202F3\uFEFF\U000E0041"), "\"1[U+00A0]2[U+202F]3[U+FEFF][U+E0041]\"");
+    EXPECT_EQ(inQuotes("\u0141\u00F3d\u017A, 3\u00B015\u2032"), "\"\u0141\u00F3d\u017A, 3\u00B015\u2032\"");
+    EXPECT_EQ(inQuotes("3\xB0"), "\"3[0xB0]\"");
+    // Of figures, too, what looks like ours: a Cyrillic letter, a full-width digit; not the accent of a Latin one.
+    EXPECT_EQ(figuresInQuotes("3 \u0415"), "\"3 \u0415[U+0415]\"");
+    EXPECT_EQ(figuresInQuotes("\uFF13"), "\"\uFF13[U+FF13]\"");
+    EXPECT_EQ(figuresInQuotes("\u22123\u00B0 S\u00FCd \u2032"), "\"\u22123\u00B0 S\u00FCd \u2032\"");
+    EXPECT_EQ(inQuotes("3 \u0415"), "\"3 \u0415\"");
+}
+
+TEST(Spaces, areThoseOfSpreadsheetsToo)
+{
+    EXPECT_EQ(trimmed(" \t\u00A0 358\u202F\u2009 \u3000"), "358");
+    EXPECT_EQ(trimmed("\u00A0\u202F"), "");
+    EXPECT_EQ(trimmed("a\u00A0b"), "a\u00A0b");
+    EXPECT_EQ(trimmed("\u200B3\u200B"), "\u200B3\u200B"); // no space: it is told, not passed over
+    EXPECT_EQ(trimmed("\u0142"), "\u0142");
+}
+
+TEST(Encoding, isToldFromTheBeginningOfAFile)
+{
+    const std::string text = "# site: \xC5\x81\xC3\xB3"
+                             "d\xC5\xBA\n0,358\n";
+    EXPECT_TRUE(otherEncoding(text).empty());
+    EXPECT_TRUE(otherEncoding("").empty());
+    EXPECT_TRUE(otherEncoding(std::string("\x7f"
+                                          "ELF\x02\x01\0\0",
+                                  8))
+                    .empty());
+    std::string little, big;
+    for (const char c : std::string("magnetic_heading_deg\t"))
+        little += {c, '\0'}, big += {'\0', c};
+    for (const auto& utf16 : {little, big})
+        EXPECT_THAT(otherEncoding(utf16).english(), testing::AllOf(testing::HasSubstr("UTF-16 without"), testing::HasSubstr("CSV UTF-8")));
+    EXPECT_THAT(otherEncoding("\xFF\xFE" + little).english(), testing::StartsWith("is UTF-16; expected UTF-8"));
+    EXPECT_THAT(otherEncoding("\xFE\xFF" + big).english(), testing::StartsWith("is UTF-16; expected UTF-8"));
+    EXPECT_THAT(otherEncoding(std::string("\xFF\xFE\0\0m\0\0\0", 8)).english(), testing::StartsWith("is UTF-32"));
+}
+
+TEST(Encoding, ofACodePageIsToldByItsFirstByte)
+{
+    EXPECT_TRUE(notUtf8("\xC5\x81\xC3\xB3"
+                        "d")
+                    .empty());
+    EXPECT_THAT(notUtf8("# operator: J\xFCrgen").english(),
+        testing::AllOf(testing::HasSubstr("0xFC"), testing::HasSubstr("\"# operator: J\""), testing::HasSubstr("Windows-1252"),
+            testing::HasSubstr("CSV UTF-8")));
+}
+
+TEST(Quotes, cutLongText)
+{
     const std::string longText(200, 'x');
     EXPECT_LT(inQuotes(longText).size(), 80u);
     std::string accents;

@@ -54,6 +54,10 @@ TEST(FieldFile, damagedCof)
     refused(withLine(good, 4, "  2  0   -2500.0       5.0     -11.5  0.0\n"), "order 0", 4);
     refused(withLine(good, 4, "  2.5  0   -2500.0       0.0     -11.5  0.0\n"), "no degree", 4);
     refused(withLine(good, 91, ""), "ends within degree 12", -1);
+    refused(good.substr(0, good.find(" 12 12")), "within degree 12, before order 12");
+    const std::string twoDegrees
+        = "2025.0 TEST-2025 11/13/2024\n1 0 -29000 0 12 0\n1 1 -1400 4500 10 -20\n2 0 -2600 0 -11 0\n2 1 2900 -3100 -5 -27\n2 2 1600 -800 -8 -11\n";
+    refused(twoDegrees, "without its line of nines behind degree 2: whether more degrees are missing cannot be told");
     refused("hello world\n", "not a number", 1);
 }
 
@@ -92,6 +96,50 @@ TEST(FieldFile, igrfTable)
                middle = model->evaluate(place, 2022.5)->field;
     EXPECT_NEAR(middle.north_nT, (a.north_nT + b.north_nT) / 2, 1e-6);
     EXPECT_NEAR(middle.east_nT, (a.east_nT + b.east_nT) / 2, 1e-6);
+}
+
+/// Whatever saved it: line ends of three systems, a byte order mark; what is no UTF-8 is told.
+TEST(FieldFile, isReadAsEditorsSaveIt)
+{
+    const std::string good = wmm2020Cof();
+    const CoefficientFile plain(good);
+    const auto place = *makePlace(52, 21);
+    const double expected_nT = readFieldModel(plain.path())->evaluate(place, 2022)->field.north_nT;
+    std::string old, windows = "\xEF\xBB\xBF", utf16;
+    for (const char c : good) {
+        old += c == '\n' ? '\r' : c;
+        windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+        utf16 += {c, '\0'};
+    }
+    for (const auto& text : {old, windows}) {
+        const CoefficientFile file(text);
+        const auto model = readFieldModel(file.path());
+        ASSERT_TRUE(model) << model.error().message.english();
+        EXPECT_EQ(model->evaluate(place, 2022)->field.north_nT, expected_nT);
+    }
+    refused(utf16, "UTF-16 without");
+    refused("\xFF\xFE" + utf16, "is UTF-16");
+}
+
+/// Without its column of the change a table is good up to its last epoch, and says no more.
+TEST(FieldFile, igrfTableWithoutItsColumnOfTheChange)
+{
+    std::string text;
+    for (const std::string line :
+        {"c/s deg ord IGRF IGRF", "g/h n m 2020.0 2025.0", "g 1 0 -29400 -29350", "g 1 1 -1450 -1410", "h 1 1 4650 4545"})
+        text += line + "\n";
+    const CoefficientFile file(text);
+    const auto model = readFieldModel(file.path());
+    ASSERT_TRUE(model) << model.error().message.english();
+    EXPECT_EQ(model->firstYear(), 2020.0);
+    EXPECT_EQ(model->lastYear(), 2025.0);
+    const auto place = *makePlace(0, 0); // X = −g10, Y = −h11 times (a/r)³, but for the flattening
+    const auto first = model->evaluate(place, 2020)->field, last = model->evaluate(place, 2025)->field;
+    EXPECT_NEAR(last.north_nT / first.north_nT, 29350.0 / 29400.0, 1e-9);
+    EXPECT_NEAR(last.east_nT / first.east_nT, 4545.0 / 4650.0, 1e-9);
+    EXPECT_NEAR(model->evaluate(place, 2024)->rate.north_nT / first.north_nT, -10.0 / 29400.0, 1e-9);
+    EXPECT_FALSE(model->evaluate(place, 2025.5));
+    refused("c/s deg ord IGRF\ng/h n m 2025.0\ng 1 0 -29350\ng 1 1 -1410\nh 1 1 4545\n", "no column of the yearly change", 2);
 }
 
 TEST(FieldFile, damagedIgrf)

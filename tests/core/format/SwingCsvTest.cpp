@@ -155,10 +155,13 @@ TEST(SwingCsv, quotedCellsMayHoldLineBreaks)
 {
     const auto file = readCsv("magnetic_heading_deg,compass_heading_deg,note\n1,2,\"first\n# no comment\r\nthird\"\n3,4,\n");
     ASSERT_TRUE(file) << describe(file.error());
-    EXPECT_EQ(file->swing.readings[0].note, "first\n# no comment\nthird");
+    EXPECT_EQ(file->swing.readings[0].note, "first\n# no comment\r\nthird");
     ASSERT_EQ(file->swing.readings.size(), 2u);
     EXPECT_EQ(readCsv("magnetic_heading_deg,compass_heading_deg,note\n1,2,\"a\nb\"\n3,x,\n").error().line,
         4); // lines are those of the file
+    // Where all rows end in CRLF, so do the lines of their cells: a line break is one.
+    const auto windows = readCsv("magnetic_heading_deg,compass_heading_deg,note\r\n0,1,\"first\r\nsecond\"\r\n");
+    EXPECT_EQ(windows->swing.readings[0].note, "first\nsecond");
 }
 
 TEST(SwingCsv, identityIsThatOfTheContent)

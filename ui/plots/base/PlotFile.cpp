@@ -66,10 +66,10 @@ void paintPdf(QIODevice& device, QSize size_px, const QString& title, const Pain
 
 } // namespace
 
-Result<void> writePlotFile(const QString& path, QSize size_px, const QString& title, const PaintPlot& paint)
+Result<void> writePlotFile(const QString& path, QSize size_px, const QString& title, const PaintPlot& paint, const QString& kind)
 {
     const QFileInfo file(path);
-    const QString ending = file.suffix().toLower();
+    const QString ending = kind.isEmpty() ? file.suffix().toLower() : kind;
     if (ending != "png" && ending != "svg" && ending != "pdf") {
         return failure(
             ErrorCode::InvalidInput, Words::tr("a plot can be written as .png, .svg or .pdf, not as \"%1\"").arg(file.fileName()), path);

@@ -4,6 +4,7 @@
 #include <QPagedPaintDevice>
 
 #include "core/base/OutputFile.h"
+#include "core/base/WholeFile.h"
 #include "ui/report/page/DocumentFont.h"
 #include "ui/report/page/PdfFile.h"
 #include "ui/report/page/Words.h"
@@ -28,7 +29,7 @@ Result<void> printSheet(const PageFrame& frame, const SheetBlocks& make, QPagedP
 
 Result<void> writeSheet(const PageFrame& frame, const SheetBlocks& blocks, const QString& path)
 {
-    if (QFileInfo(path).suffix().toLower() != "pdf")
+    if (!isStandardStream(path.toStdString()) && QFileInfo(path).suffix().toLower() != "pdf")
         return Error{ErrorCode::InvalidInput,
             said(Words::tr("this document cannot be written under this name; expected one that ends in .pdf")), path.toStdString()};
     PdfKind kind;

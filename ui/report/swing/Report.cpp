@@ -31,9 +31,9 @@ Result<QByteArray> reportAs(const QString& ending, const ReportInput& input, con
 
 } // namespace
 
-Result<void> writeReport(const ReportInput& input, const QString& path)
+Result<void> writeReport(const ReportInput& input, const QString& path, const QString& kind)
 {
-    const auto bytes = reportAs(QFileInfo(path).suffix().toLower(), input, path);
+    const auto bytes = reportAs(kind.isEmpty() ? QFileInfo(path).suffix().toLower() : kind, input, path);
     if (!bytes) {
         Error error = bytes.error();
         error.file = path.toStdString();

@@ -28,8 +28,9 @@ struct ReportInput {
 };
 
 /// Writes a report; the ending says which: .pdf, .html, .csv or .json. Written beside and renamed: no half file is left.
+/// @param kind  "pdf", "html", "csv" or "json" where the path, "-" for standard output, has no ending.
 /// Errors: InvalidInput (another ending), Io (folder missing or not writable: named), Unsupported (no font for a PDF).
-Result<void> writeReport(const ReportInput& input, const QString& path);
+Result<void> writeReport(const ReportInput& input, const QString& path, const QString& kind = {});
 
 /// Paints the pages of the PDF on any paged device: a QPrinter of the print dialog or preview, in its page size.
 /// Errors: Unsupported (no font), Io (the device takes no painting).
@@ -40,5 +41,8 @@ Result<int> reportPageCount(const ReportInput& input);
 
 /// The exchange JSON inside a report of ours. Errors: Io, Format (not a PDF; no such attachment).
 Result<std::string> exchangeInReport(const QString& path);
+/// The same of a whole PDF that is read already; `name` is for messages.
+Result<std::string> exchangeInPdf(const std::string& bytes, const QString& name);
+[[nodiscard]] bool isPdf(std::string_view bytes);
 
 } // namespace lubberline::ui

@@ -33,6 +33,32 @@ std::shared_ptr<Buffer> findAttachment(QPDF& pdf)
 
 } // namespace
 
+bool isPdf(std::string_view bytes)
+{
+    constexpr std::size_t kWhereReadersLook = 1024; // PDF Reference 1.7, appendix H, note 13
+    return bytes.substr(0, kWhereReadersLook).find("%PDF-") != std::string_view::npos;
+}
+
+Result<std::string> exchangeInPdf(const std::string& bytes, const QString& name)
+{
+    if (!isPdf(bytes))
+        return formatError(Words::tr("this is not a PDF; expected a report PDF of this program"), name);
+    try {
+        QPDF pdf;
+        pdf.setSuppressWarnings(true);
+        pdf.processMemoryFile(name.toUtf8().constData(), bytes.data(), bytes.size());
+        if (const auto data = findAttachment(pdf))
+            return std::string(reinterpret_cast<const char*>(data->getBuffer()), data->getSize());
+    } catch (const std::exception& damage) {
+        return formatError(
+            Words::tr("this PDF cannot be read (%1); expected a report PDF of this program").arg(QString::fromUtf8(damage.what())), name);
+    }
+    return formatError(
+        Words::tr("this PDF carries no exchange data (%1); expected a report PDF of this program that is not an archive (PDF/A) copy")
+            .arg(QLatin1String(kEnding)),
+        name);
+}
+
 Result<std::string> exchangeInReport(const QString& path)
 {
     QFile file(path);
@@ -40,23 +66,7 @@ Result<std::string> exchangeInReport(const QString& path)
         const QString why = QFileInfo(path).isDir() ? Words::tr("it is a folder") : file.errorString();
         return Error{ErrorCode::Io, said(Words::tr("cannot be read: %1; expected a report PDF").arg(why)), path.toStdString()};
     }
-    if (file.peek(1024).indexOf("%PDF-") < 0) // where readers look for it (PDF Reference 1.7, appendix H, note 13)
-        return formatError(Words::tr("this is not a PDF; expected a report PDF of this program"), path);
-    file.close();
-    try {
-        QPDF pdf;
-        pdf.setSuppressWarnings(true);
-        pdf.processFile(QFile::encodeName(path).constData());
-        if (const auto data = findAttachment(pdf))
-            return std::string(reinterpret_cast<const char*>(data->getBuffer()), data->getSize());
-    } catch (const std::exception& damage) {
-        return formatError(
-            Words::tr("this PDF cannot be read (%1); expected a report PDF of this program").arg(QString::fromUtf8(damage.what())), path);
-    }
-    return formatError(
-        Words::tr("this PDF carries no exchange data (%1); expected a report PDF of this program that is not an archive (PDF/A) copy")
-            .arg(QLatin1String(kEnding)),
-        path);
+    return exchangeInPdf(file.readAll().toStdString(), path);
 }
 
 } // namespace lubberline::ui
