@@ -133,7 +133,7 @@ TEST_F(Outputs, goToStandardOutputWhereThereIsOneFormat)
 TEST_F(Outputs, haveAKnownEnding)
 {
     for (const auto& writer : writers())
-        for (const std::string name : {"out.xyz", "out", "out" + writer.ending + ".bak"}) {
+        for (const std::string& name : {std::string("out.xyz"), std::string("out"), "out" + writer.ending + ".bak"}) {
             auto command = writer.command;
             command.push_back(name);
             const auto outcome = sandbox.run(command);
@@ -161,10 +161,11 @@ TEST_F(Outputs, ofEveryCommandGoToStandardOutput)
             writer.command.insert(writer.command.end(), {"--format", writer.ending.substr(1)});
         const auto outcome = sandbox.run(writer.command);
         EXPECT_EQ(outcome.status, 0) << writer.command[0] << ": " << outcome.err;
-        if (writer.ending == ".pdf")
-            EXPECT_THAT(outcome.out, testing::StartsWith("%PDF-")); // its identity is another one each time
-        else
+        if (writer.ending == ".pdf") { // its identity is another one each time
+            EXPECT_THAT(outcome.out, testing::StartsWith("%PDF-"));
+        } else {
             EXPECT_EQ(outcome.out, sandbox.read("file" + writer.ending)) << writer.command[0];
+        }
     }
     EXPECT_THAT(sandbox.run({"report", "swing.csv", "-o", "-"}).out, testing::StartsWith("%PDF-"));
     EXPECT_EQ(sandbox.run({"report", "swing.csv", "-o", "out.pdf", "--format", "csv"}).status, 2);
@@ -186,8 +187,9 @@ TEST_F(Outputs, inputsAreTakenFromStandardInput)
         const auto expected = sandbox.run(named), outcome = sandbox.run(command, {}, input);
         EXPECT_EQ(outcome.status, 0) << command[0] << ": " << outcome.err;
         EXPECT_EQ(expected.status, 0) << expected.err;
-        if (command[0] != "map") // which names its models
+        if (command[0] != "map") { // which names its models
             EXPECT_EQ(outcome.out, expected.out) << command[0];
+        }
     }
     EXPECT_EQ(sandbox.run({"export", "--db", "fleet.db", "-o", "fleet.json"}).status, 0);
     EXPECT_EQ(sandbox.run({"report", "swing.csv", "-o", "report.pdf"}).status, 0);
