@@ -1,0 +1,261 @@
+#include "core/fleet/JumpTest.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+#include <boost/math/distributions/students_t.hpp>
+
+#include "core/fleet/FleetRandom.h"
+#include "core/fleet/FleetSwings.h"
+
+namespace lubberline {
+
+namespace {
+
+/// A column that keeps less than this of its length is in the span of the others.
+constexpr double kInSpan = 1e-6;
+
+void orthogonalise(const Eigen::MatrixXd& basis, Eigen::VectorXd& column)
+{
+    for (int twice = 0; twice < 2; ++twice) // once leaves rounding behind
+        column -= basis * (basis.transpose() * column);
+}
+
+bool addTo(Eigen::MatrixXd& basis, Eigen::VectorXd column)
+{
+    const double length = column.norm();
+    orthogonalise(basis, column);
+    if (!(column.norm() > kInSpan * length))
+        return false;
+    basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+    basis.col(basis.cols() - 1) = column.normalized();
+    return true;
+}
+
+Eigen::VectorXd weightsOf(std::span<const DatedValue> series)
+{
+    Eigen::VectorXd weight(static_cast<Eigen::Index>(series.size()));
+    for (std::size_t i = 0; i < series.size(); ++i)
+        weight[static_cast<Eigen::Index>(i)] = 1.0 / std::sqrt(series[i].variance);
+    return weight;
+}
+
+Eigen::VectorXd stepAt(const Eigen::VectorXd& weight, std::size_t place)
+{
+    Eigen::VectorXd step = weight;
+    step.head(static_cast<Eigen::Index>(place)).setZero();
+    return step;
+}
+
+Eigen::VectorXd yearsOf(std::span<const DatedValue> series, const Eigen::VectorXd& weight)
+{
+    Eigen::VectorXd years(weight.size());
+    for (std::size_t i = 0; i < series.size(); ++i)
+        years[static_cast<Eigen::Index>(i)] = (series[i].day - series.front().day) / kDaysPerYear * weight[static_cast<Eigen::Index>(i)];
+    return years;
+}
+
+/// Level, corrections and known jumps.
+Eigen::MatrixXd levelsOf(std::span<const DatedValue> series, const JumpOptions& options, const Eigen::VectorXd& weight)
+{
+    Eigen::MatrixXd basis(weight.size(), 0);
+    addTo(basis, weight);
+    for (std::size_t i = 1; i < series.size(); ++i)
+        if (series[i].corrected)
+            addTo(basis, stepAt(weight, i));
+    for (const auto place : options.at)
+        addTo(basis, stepAt(weight, place));
+    return basis;
+}
+
+Eigen::VectorXd whitened(std::span<const DatedValue> series, const Eigen::VectorXd& weight)
+{
+    Eigen::VectorXd values(weight.size());
+    for (std::size_t i = 0; i < series.size(); ++i)
+        values[static_cast<Eigen::Index>(i)] = (series[i].value - series.front().value) * weight[static_cast<Eigen::Index>(i)];
+    return values;
+}
+
+double twoSided(double statistic, ErrorScale scale, int freedom)
+{
+    if (scale == ErrorScale::Known)
+        return 2 * normalTail(std::abs(statistic));
+    return freedom < 1 ? 1.0 : 2 * cdf(complement(boost::math::students_t(freedom), std::abs(statistic)));
+}
+
+constexpr int kPilotDraws = 8, kDraws = 64, kSimulations = 20000;
+constexpr double kNeverFound = 0.1; ///< no jump of a p above the false discovery rate is ever kept
+
+} // namespace
+
+JumpDesign::JumpDesign(std::span<const DatedValue> series, const JumpOptions& options) : m_scale(options.scale)
+{
+    if (series.size() < 3)
+        return;
+    m_weight = weightsOf(series);
+    m_null = levelsOf(series, options, m_weight);
+    if (options.trend)
+        addTo(m_null, yearsOf(series, m_weight));
+    m_freedom = static_cast<int>(m_weight.size() - m_null.cols());
+    if (m_freedom < (m_scale == ErrorScale::Known ? 2 : 3)) // one is no choice of places, or no scatter
+        return;
+    const auto n = series.size(), edge = static_cast<std::size_t>(options.leastSegment);
+    m_steps.resize(static_cast<Eigen::Index>(n), m_weight.size());
+    m_length.resize(static_cast<Eigen::Index>(n));
+    for (std::size_t place = edge; place + edge <= n; ++place) {
+        if (series[place].corrected || series[place].day == series[place - 1].day)
+            continue;
+        Eigen::VectorXd step = stepAt(m_weight, place);
+        const double whole = step.norm();
+        orthogonalise(m_null, step);
+        const double length = step.norm();
+        if (!(length > kInSpan * whole))
+            continue;
+        const auto row = static_cast<Eigen::Index>(m_places.size());
+        m_steps.row(row) = step / length;
+        m_length[row] = length;
+        m_places.push_back(place);
+    }
+    m_steps.conservativeResize(static_cast<Eigen::Index>(m_places.size()), Eigen::NoChange);
+    m_length.conservativeResize(static_cast<Eigen::Index>(m_places.size()));
+}
+
+double JumpDesign::knownBeyond(double c, int draws, double stopAbove) const
+{
+    const auto count = static_cast<Eigen::Index>(m_places.size()), n = m_weight.size();
+    ContentSeed seed;
+    for (Eigen::Index i = 0; i < m_steps.size(); ++i)
+        seed.add(std::round(m_steps.data()[i] * 1e6)); // of the dates, not of their rounding
+    FleetRandom random(seed.value());
+    const Eigen::MatrixXd correlation = m_steps * m_steps.transpose();
+    const double tail = normalTail(c);
+    Eigen::VectorXd noise(n), z(count);
+    double shares = 0;
+    for (int draw = 0; draw < draws; ++draw) {
+        for (Eigen::Index place = 0; place < count; ++place) {
+            for (Eigen::Index i = 0; i < n; ++i)
+                noise[i] = random.normal();
+            z.noalias() = m_steps * noise;
+            z += correlation.col(place) * (normalTailQuantile(tail * random.unit()) - z[place]);
+            shares += 1.0 / std::max<double>(1.0, static_cast<double>((z.array().abs() >= c).count()));
+        }
+        if (draw + 1 == kPilotDraws && 2 * tail * shares / kPilotDraws > stopAbove)
+            return std::min(1.0, 2 * tail * shares / kPilotDraws);
+    }
+    return std::min(1.0, 2 * tail * shares / draws);
+}
+
+std::vector<double> JumpDesign::simulated(int draws) const
+{
+    ContentSeed seed;
+    for (Eigen::Index i = 0; i < m_steps.size(); ++i)
+        seed.add(std::round(m_steps.data()[i] * 1e6));
+    FleetRandom random(seed.value());
+    std::vector<double> statistics;
+    Eigen::VectorXd noise(m_weight.size());
+    for (int draw = 0; draw < draws; ++draw) {
+        for (Eigen::Index i = 0; i < noise.size(); ++i)
+            noise[i] = random.normal();
+        const double squares = noise.squaredNorm() - (m_null.transpose() * noise).squaredNorm();
+        const double z2 = (m_steps * noise).array().square().maxCoeff();
+        statistics.push_back(std::sqrt(z2 * (m_freedom - 1) / std::max(squares - z2, 1e-300)));
+    }
+    std::ranges::sort(statistics);
+    return statistics;
+}
+
+double JumpDesign::chanceBeyond(double statistic, int draws) const
+{
+    if (m_places.empty())
+        return 1.0;
+    if (m_scale == ErrorScale::Known)
+        return knownBeyond(std::abs(statistic), draws, 2.0);
+    const auto all = simulated(draws);
+    const auto beyond = all.end() - std::ranges::lower_bound(all, std::abs(statistic));
+    return (static_cast<double>(beyond) + 1) / (static_cast<double>(all.size()) + 1);
+}
+
+double JumpDesign::criticalValue(double chance, int draws) const
+{
+    if (m_scale == ErrorScale::Unknown)
+        return percentileOf(simulated(draws), 1 - chance);
+    double low = normalTailQuantile(0.5 * chance),
+           high = normalTailQuantile(0.5 * chance / std::max<std::size_t>(1, m_places.size())) + 0.01;
+    for (int round = 0; round < 24; ++round) {
+        const double middle = 0.5 * (low + high);
+        (knownBeyond(middle, draws, 2.0) > chance ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+struct JumpFinder {
+    static std::optional<Jump> largest(std::span<const DatedValue> series, const JumpOptions& options, bool certain)
+    {
+        const JumpDesign design(series, options);
+        if (design.m_places.empty())
+            return {};
+        const Eigen::VectorXd values = whitened(series, design.m_weight);
+        const Eigen::VectorXd z = design.m_steps * values;
+        Eigen::Index best = 0;
+        z.array().abs().maxCoeff(&best);
+        Jump jump;
+        jump.before = design.m_places[static_cast<std::size_t>(best)];
+        jump.after = jump.before - 1;
+        jump.change = z[best] / design.m_length[best];
+        double sigma = 1;
+        if (design.m_scale == ErrorScale::Unknown) {
+            const double squares = values.squaredNorm() - (design.m_null.transpose() * values).squaredNorm() - z[best] * z[best];
+            sigma = std::sqrt(std::max(squares, 0.0) / (design.m_freedom - 1));
+            if (!(sigma > 1e-9 * std::abs(z[best]))) // all on steps: no scatter to hold them against
+                return {};
+        }
+        jump.standardError = sigma / design.m_length[best];
+        jump.statistic = z[best] / sigma;
+        if (options.scale == ErrorScale::Unknown)
+            jump.p = design.chanceBeyond(jump.statistic, kSimulations);
+        else if (const double c = std::abs(jump.statistic); certain || 2 * normalTail(c) < kNeverFound)
+            jump.p = design.knownBeyond(c, kDraws, certain ? 2.0 : 3 * kNeverFound);
+        return jump;
+    }
+};
+
+std::optional<Jump> largestJump(std::span<const DatedValue> series, const JumpOptions& options, bool certain)
+{
+    return JumpFinder::largest(series, options, certain);
+}
+
+std::optional<Drift> driftOf(std::span<const DatedValue> series, const JumpOptions& options)
+{
+    if (series.size() < 3)
+        return {};
+    const Eigen::VectorXd weight = weightsOf(series);
+    Eigen::MatrixXd basis = levelsOf(series, options, weight);
+    const auto levels = basis.cols();
+    Eigen::VectorXd years = yearsOf(series, weight);
+    const double whole = years.norm();
+    orthogonalise(basis, years);
+    const double length = years.norm();
+    if (!(length > kInSpan * whole))
+        return {};
+    const Eigen::VectorXd values = whitened(series, weight);
+    const double z = years.dot(values) / length;
+    const int freedom = static_cast<int>(weight.size() - levels) - 1;
+    double sigma = 1;
+    if (options.scale == ErrorScale::Unknown) {
+        if (freedom < 2)
+            return {};
+        sigma = std::sqrt(std::max(0.0, values.squaredNorm() - (basis.transpose() * values).squaredNorm() - z * z) / freedom);
+        if (!(sigma > 1e-12))
+            return {};
+    }
+    Drift drift;
+    drift.perYear = z / length;
+    drift.standardError = sigma / length;
+    drift.p = twoSided(z / sigma, options.scale, freedom);
+    const double half = studentFactor(options.scale == ErrorScale::Known ? 0 : freedom) * drift.standardError;
+    drift.interval95 = {drift.perYear - half, drift.perYear + half};
+    return drift;
+}
+
+} // namespace lubberline

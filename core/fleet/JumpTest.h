@@ -1,0 +1,76 @@
+#pragma once
+/// Whether a series of dated figures jumps once, with a trend in the null hypothesis so that drift is not called a jump: the largest
+/// standardised step over all places where it may have happened. Critical values are those of the series' own dates and weights:
+///   errors known: the statistics of all places are one normal vector, and the chance that any is beyond c is
+///     Σ_s 2 Φ̄(c) · E[1 / number of places beyond c | place s is beyond c]      (Naiman and Priebe 2001), to any tail;
+///   errors known but for one factor: simulated outright.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/fleet/Proportion.h"
+
+namespace lubberline {
+
+struct DatedValue {
+    int day = 0;
+    double value = 0;
+    double variance = 1;    ///< of its error; with ErrorScale::Unknown, up to a common factor
+    bool corrected = false; ///< adjusted between the one before and this one: what happened there is not asked for
+};
+
+enum class ErrorScale { Known, Unknown };
+
+struct JumpOptions {
+    ErrorScale scale = ErrorScale::Known;
+    bool trend = true;
+    int leastSegment = 1;        ///< figures on either side of a place
+    std::vector<std::size_t> at; ///< jumps that are known already, by the place after them
+};
+
+/// What the dates allow; no figures are in it.
+class JumpDesign {
+public:
+    JumpDesign(std::span<const DatedValue> series, const JumpOptions& options);
+    /// Places where a step can be told from what the null holds; empty: nothing can be tested.
+    [[nodiscard]] const std::vector<std::size_t>& places() const { return m_places; }
+    [[nodiscard]] int freedom() const { return m_freedom; }
+
+    /// The chance that the largest statistic is as far from 0 or farther, if there is no jump. @param draws a place
+    [[nodiscard]] double chanceBeyond(double statistic, int draws) const;
+    /// The statistic that is exceeded with a chance.
+    [[nodiscard]] double criticalValue(double chance, int draws) const;
+
+private:
+    friend struct JumpFinder;
+    [[nodiscard]] double knownBeyond(double c, int draws, double stopAbove) const;
+    [[nodiscard]] std::vector<double> simulated(int draws) const; ///< sorted |t|
+    ErrorScale m_scale;
+    std::vector<std::size_t> m_places;
+    Eigen::MatrixXd m_null;   ///< orthonormal columns of the null model, whitened
+    Eigen::MatrixXd m_steps;  ///< a row a place: its step less the null, whitened, of length 1
+    Eigen::VectorXd m_length; ///< that was taken out of the rows
+    Eigen::VectorXd m_weight; ///< 1/σ of each figure
+    int m_freedom = 0;
+};
+
+struct Jump {
+    std::size_t after = 0, before = 0; ///< the figures between which it happened
+    double change = 0, standardError = 0, statistic = 0;
+    double p = 1; ///< over all places
+};
+
+/// The largest step. @param certain false: where p is surely above 0.1 it is not simulated, and only known to be so.
+[[nodiscard]] std::optional<Jump> largestJump(std::span<const DatedValue> series, const JumpOptions& options, bool certain = true);
+
+struct Drift {
+    double perYear = 0, standardError = 0, p = 1;
+    Interval interval95;
+};
+/// The trend with known jumps and corrections taken out; none where the dates cannot tell it.
+[[nodiscard]] std::optional<Drift> driftOf(std::span<const DatedValue> series, const JumpOptions& options);
+
+} // namespace lubberline
