@@ -5,8 +5,8 @@
 #include "app/Paths.h"
 #include "app/Tables.h"
 #include "app/commands/Command.h"
+#include "core/angle/AngleText.h"
 #include "core/base/FileText.h"
-#include "core/base/Number.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
@@ -37,10 +37,10 @@ std::string takeVariation(const std::string& text, NmeaVariation& variation)
         variation = VariationOfModel{};
         return {};
     }
-    const FileNumber number = readNumber(text);
-    if (number.fault != NumberFault::None || number.value < -180.0 || number.value > 180.0)
-        return "--variation: \"" + text + "\" is none; expected degrees from -180 to 180 (east positive), log or model";
-    variation = Variation::fromDegrees(number.value);
+    const auto variation_deg = parseSignedAngle_deg(text);
+    if (!variation_deg)
+        return "--variation: " + describe(variation_deg.error()) + "; or log, or model";
+    variation = Variation::fromDegrees(*variation_deg);
     return {};
 }
 

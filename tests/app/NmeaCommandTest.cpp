@@ -49,6 +49,17 @@ TEST(NmeaCommand, json)
     EXPECT_NEAR(json.at("approximate").at("B_deg").get<double>(), 0.0, 1e-9);
 }
 
+TEST(NmeaCommand, theVariationIsTakenAsTheWindowTakesIt)
+{
+    const Sandbox sandbox;
+    const auto log = sandbox.write("turn.nmea", circleLog());
+    const auto plain = sandbox.run({"nmea", log, "--variation", "-3.25", "--json"});
+    ASSERT_EQ(plain.status, 0) << plain.err;
+    for (const char* text : {"3.25 W", "3\u00B015'W", "\u22123,25"})
+        EXPECT_EQ(sandbox.run({"nmea", log, "--variation", text, "--json"}).out, plain.out) << text;
+    EXPECT_EQ(sandbox.run({"nmea", log, "--variation", "3 O"}).status, 2);
+}
+
 TEST(NmeaCommand, theCsvIsASwing)
 {
     const Sandbox sandbox;

@@ -11,6 +11,7 @@
 
 #include "core/site/SiteSurvey.h"
 #include "core/swing/SwingField.h"
+#include "ui/kit/ClipboardRows.h"
 #include "ui/kit/Words.h"
 #include "ui/sites/SitesPage.h"
 #include "ui/sites/SurveyDrawing.h"
@@ -133,16 +134,23 @@ void SitesPage::takeSurvey()
 void SitesPage::paste()
 {
     Site after = m_fields.record();
-    const QStringList lines = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
-    for (int line = 0; line < lines.size(); ++line) {
-        const auto point = pointOf(lines[line].split(lines[line].contains('\t') ? '\t' : ';'));
+    const auto rows = rowsOfClipboard(QApplication::clipboard()->text());
+    if (!rows) {
+        emit failed(messageOf(rows.error()));
+        return;
+    }
+    for (std::size_t row = 0; row < rows->size(); ++row) {
+        QStringList cells;
+        for (const auto& cell : (*rows)[row])
+            cells += toText(cell);
+        const auto point = pointOf(cells.size() == 1 ? cells.front().split(';') : cells);
         if (!point) {
-            emit failed(tr("Line %1 of what is pasted: %2").arg(line + 1).arg(messageOf(point.error())));
+            emit failed(tr("Line %1 of what is pasted: %2").arg(row + 1).arg(messageOf(point.error())));
             return; // all or nothing
         }
         after.survey.push_back(*point);
     }
-    if (!lines.isEmpty())
+    if (!rows->empty())
         store(after, tr("survey"));
 }
 

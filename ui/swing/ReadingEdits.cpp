@@ -6,6 +6,12 @@ namespace lubberline::ui {
 
 namespace {
 
+Result<void> changeRow(EditContext& context, SwingId swing, Reading from, Reading to)
+{
+    from.id = to.id = context.readings.current(to.id);
+    return context.stores.swings.changeReading(swing, from, to);
+}
+
 Result<void> removeRows(EditContext& context, SwingId swing, const std::vector<PlacedReading>& rows, std::size_t count)
 {
     for (std::size_t i = count; i-- > 0;)
@@ -37,10 +43,32 @@ ChangeReading::ChangeReading(EditContext& context, SwingId swing, Reading before
 {
 }
 
-Result<void> ChangeReading::store(Reading from, Reading to) const
+Result<void> ChangeReading::store(Reading from, Reading to) const { return changeRow(context(), swing(), std::move(from), std::move(to)); }
+
+PutReadings::PutReadings(
+    EditContext& context, SwingId swing, std::vector<Change> changed, std::vector<PlacedReading> added, const QString& text)
+    : ReadingEdit(context, swing, text)
+    , m_changed(std::move(changed))
+    , m_added(std::move(added))
 {
-    from.id = to.id = context().readings.current(to.id);
-    return stores().swings.changeReading(swing(), from, to);
+}
+
+Result<void> PutReadings::apply()
+{
+    for (const auto& [before, after] : m_changed)
+        if (auto changed = changeRow(context(), swing(), before, after); !changed)
+            return changed;
+    return insertRows(context(), swing(), m_added);
+}
+
+Result<void> PutReadings::revert()
+{
+    if (auto removed = removeRows(context(), swing(), m_added, m_added.size()); !removed)
+        return removed;
+    for (const auto& [before, after] : m_changed)
+        if (auto changed = changeRow(context(), swing(), after, before); !changed)
+            return changed;
+    return {};
 }
 
 InsertReadings::InsertReadings(EditContext& context, SwingId swing, std::vector<PlacedReading> rows, const QString& text)

@@ -1,6 +1,7 @@
 #pragma once
 /// Undoable edits of the readings of one swing.
 
+#include <utility>
 #include <vector>
 
 #include "ui/kit/Edit.h"
@@ -34,6 +35,21 @@ private:
 struct PlacedReading {
     int position = 0;
     Reading reading;
+};
+
+/// A block: rows that are changed, and others that come behind them.
+class PutReadings final : public ReadingEdit {
+public:
+    using Change = std::pair<Reading, Reading>; ///< before and after
+    PutReadings(EditContext& context, SwingId swing, std::vector<Change> changed, std::vector<PlacedReading> added, const QString& text);
+
+protected:
+    Result<void> apply() override;
+    Result<void> revert() override;
+
+private:
+    std::vector<Change> m_changed;
+    std::vector<PlacedReading> m_added;
 };
 
 /// Rows in or out; positions are those of the table that has the rows, ascending.

@@ -32,6 +32,14 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
+    /// The cells for a spreadsheet, as the rectangle about them; with their headings where that is wanted. The empty row is none.
+    [[nodiscard]] QString copied(const QModelIndexList& cells, bool headings) const;
+    /// Puts what a spreadsheet copied from `at` on: all of it or nothing, one step of undo. @return what was done.
+    /// Errors: InvalidInput, naming row and column; what storing says.
+    Result<QString> paste(const QModelIndex& at, const QString& text);
+    /// Empties the cells that can be typed into: all or nothing, one step.
+    Result<void> clear(const QModelIndexList& cells);
+
     void setAngleStyle(AngleStyle style);
     [[nodiscard]] bool isNewRow(int row) const { return row >= static_cast<int>(m_rows.size()); }
     /// Why the text of a cell was not stored; empty when it was.
@@ -48,6 +56,8 @@ private:
     using Cell = std::pair<ReadingId, ReadingColumn>; ///< id 0: the empty row
 
     void reset();
+    Result<void> put(const std::vector<Reading>& after, const QString& what);
+    [[nodiscard]] std::string cellForSpreadsheet(int row, ReadingColumn column) const;
     void sync();
     void syncRows();
     void insertRowsAt(int position, const std::vector<Reading>& rows, int told);

@@ -1,10 +1,14 @@
 #include "ui/swing/ReadingsTable.h"
 
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 
 #include <algorithm>
 
+#include "ui/kit/Words.h"
 #include "ui/swing/ReadingDelegate.h"
 #include "ui/swing/ReadingsModel.h"
 
@@ -22,6 +26,7 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent) : QTableView
     setAlternatingRowColors(true);
     setTabKeyNavigation(false); // Tab leaves the table; inside an editor it goes to the next cell
     setCornerButtonEnabled(false);
+    addClipboardActions();
     setWordWrap(false);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
@@ -32,6 +37,72 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent) : QTableView
             fontMetrics().horizontalAdvance(static_cast<ReadingColumn>(column) == ReadingColumn::State ? "suspect, t = −00" : "000°00'W0"));
     horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance("Note00"));
     horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::Note), QHeaderView::Stretch);
+}
+
+/// Only where the table itself has the keyboard: a line that is typed into has a clipboard of its own.
+void ReadingsTable::addClipboardActions()
+{
+    const auto add = [this](const QString& text, const QKeySequence& keys, const char* name, auto act) {
+        auto* action = new QAction(text, this);
+        action->setObjectName(QLatin1String(name));
+        action->setShortcut(keys);
+        action->setShortcutContext(Qt::WidgetShortcut);
+        connect(action, &QAction::triggered, this, act);
+        addAction(action);
+    };
+    add(tr("Cu&t"), QKeySequence::Cut, "cutReadings", [this] { cut(); });
+    add(tr("&Copy"), QKeySequence::Copy, "copyReadings", [this] { copy(false); });
+    add(tr("Copy with &headings"), tr("Ctrl+Shift+C"), "copyReadingsWithHeadings", [this] { copy(true); });
+    add(tr("&Paste"), QKeySequence::Paste, "pasteReadings", [this] { paste(); });
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+QModelIndexList ReadingsTable::chosenCells() const
+{
+    const QModelIndexList chosen = selectionModel()->selectedIndexes();
+    return chosen.isEmpty() && currentIndex().isValid() ? QModelIndexList{currentIndex()} : chosen;
+}
+
+void ReadingsTable::tell(const Result<void>& result)
+{
+    if (!result)
+        emit refused(messageOf(result.error()));
+}
+
+void ReadingsTable::copy(bool headings)
+{
+    if (const QString text = m_model.copied(chosenCells(), headings); !text.isEmpty())
+        QGuiApplication::clipboard()->setText(text);
+}
+
+void ReadingsTable::cut()
+{
+    copy(false);
+    clearCells();
+}
+
+/// From the first of the chosen cells on.
+void ReadingsTable::paste()
+{
+    QModelIndex at = currentIndex();
+    for (const QModelIndex& cell : chosenCells())
+        at = m_model.index(std::min(at.row(), cell.row()), std::min(at.column(), cell.column()));
+    if (!at.isValid())
+        return;
+    const auto pasted = m_model.paste(at, QGuiApplication::clipboard()->text());
+    if (pasted)
+        emit done(*pasted);
+    else
+        emit refused(tr("Nothing was pasted: %1").arg(messageOf(pasted.error())));
+}
+
+void ReadingsTable::clearCells()
+{
+    const auto cells = chosenCells();
+    if (cells.size() == 1 && (m_model.flags(cells.front()) & Qt::ItemIsEditable))
+        m_model.setData(cells.front(), QString()); // as if it had been typed
+    else
+        tell(m_model.clear(cells));
 }
 
 void ReadingsTable::goTo(int row, ReadingColumn column)
@@ -93,7 +164,7 @@ void ReadingsTable::keyPressEvent(QKeyEvent* event)
     else if (plain && event->key() == Qt::Key_Equal)
         acceptNominal();
     else if (plain && (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace))
-        m_model.setData(currentIndex(), QString());
+        clearCells();
     else
         QTableView::keyPressEvent(event);
 }

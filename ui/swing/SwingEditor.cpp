@@ -170,6 +170,30 @@ bool SwingEditor::changeReading(int row, const Reading& after, const QString& wh
     return stored;
 }
 
+bool SwingEditor::putReadings(const std::vector<Reading>& after, const QString& what)
+{
+    std::vector<PutReadings::Change> changed;
+    std::vector<PlacedReading> added;
+    std::vector<PlacedReading> lost;
+    for (std::size_t row = 0; row < after.size(); ++row) {
+        const int position = static_cast<int>(row);
+        if (row >= readings().size())
+            added.push_back({position, after[row]});
+        else if (!(readings()[row] == after[row]))
+            changed.emplace_back(readings()[row], after[row]);
+        else
+            continue;
+        lost.push_back({position, after[row]});
+    }
+    if (lost.empty())
+        return true;
+    const bool stored = run(new PutReadings(m_context, id(), std::move(changed), std::move(added), what));
+    if (!stored && m_lost)
+        for (const auto& row : lost)
+            emit notStored(row.position, row.reading);
+    return stored;
+}
+
 bool SwingEditor::insertReadings(int position, std::vector<Reading> inserted, const QString& what)
 {
     std::vector<PlacedReading> rows;

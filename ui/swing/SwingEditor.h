@@ -48,6 +48,8 @@ public:
 
     // Verbs. @return whether it is on disk; if not, failureMessage() says why (and EditContext::failed was told).
     bool changeReading(int row, const Reading& after, const QString& what);
+    /// All rows as they are to be: those that differ are changed, and what goes beyond the last one is added; one step of undo.
+    bool putReadings(const std::vector<Reading>& after, const QString& what);
     bool insertReadings(int position, std::vector<Reading> readings, const QString& what);
     bool removeReadings(std::vector<int> rows);
     bool layOutNominals(int points);

@@ -157,6 +157,8 @@ void SwingPage::connectParts()
         m_table->goTo(row, ReadingColumn::Compass);
         m_table->setFocus();
     });
+    connect(m_table, &ReadingsTable::done, this, &SwingPage::readOut);
+    connect(m_table, &ReadingsTable::refused, this, &SwingPage::failed);
     connect(m_plots, &PlotTabs::readOut, this, &SwingPage::readOut);
     connect(m_plots, &PlotTabs::failed, this, &SwingPage::failed);
     connect(

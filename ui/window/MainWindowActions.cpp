@@ -100,6 +100,7 @@ std::vector<Command> MainWindow::helpCommands()
                 m_messages->add(MessagePanel::Kind::Information,
                     tr("Type the magnetic heading, Enter, the compass reading, Enter: the next row follows. Angles as 3.25, 3.25W, 3°15'W, 3 15 W; decimal point or comma.\n"
                        "In the deviation column, W and E (or a sign) give the compass heading. = or Ctrl+D takes the nominal heading as read. Delete empties a cell.\n"
+                       "Cells and blocks are copied, cut and pasted as in a spreadsheet (Ctrl+C, X, V), with or without a first row of headings.\n"
                        "Ctrl+Z undoes everything, across swings. Ctrl+E leaves a reading out, with a reason that stays on the record."));
             }},
         {MenuId::Help, 110, tr("&About Lubberline"), {}, "about",

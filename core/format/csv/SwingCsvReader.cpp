@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "core/angle/AngleText.h"
 #include "core/base/FileText.h"
@@ -12,6 +11,7 @@
 #include "core/format/csv/SwingCsvKeys.h"
 #include "core/format/csv/SwingCsvRow.h"
 #include "core/record/DerivedId.h"
+#include "core/record/NorthTwice.h"
 
 namespace lubberline {
 
@@ -265,30 +265,29 @@ Result<void> SwingReader::takeReading()
     return {};
 }
 
-/// 000 and 360 are one heading. Tables that close the circle list it twice with the same reading, which counts once.
 void SwingReader::tellNorthTwice()
 {
     if (!m_zero || !m_fullTurn)
         return;
-    Reading& zero = m_file.swing.readings[m_zero->reading];
-    Reading& fullTurn = m_file.swing.readings[m_fullTurn->reading];
-    if (zero.exclusion || fullTurn.exclusion)
+    const bool zeroFirst = m_zero->line < m_fullTurn->line, byCompass = m_rows->listed() == Column::Compass;
+    auto& readings = m_file.swing.readings;
+    Reading& zero = readings[m_zero->reading];
+    Reading& fullTurn = readings[m_fullTurn->reading];
+    const auto shown = [byCompass](const Reading& reading) {
+        return formatHeading(byCompass ? reading.magnetic->degrees() : reading.compass->degrees());
+    };
+    switch (settleNorthTwice(zeroFirst ? zero : fullTurn, zeroFirst ? fullTurn : zero, byCompass)) {
+    case NorthTwice::Settled: return;
+    case NorthTwice::CountsOnce:
+        m_file.warnings.push_back({MARKED("core", "lines %1 and %2 list one heading, 000 and 360, with the same reading: it counts once"),
+            m_zero->line, m_fullTurn->line});
         return;
-    constexpr double kSame_deg = 1e-9;
-    const bool byCompass = m_rows->listed() == Column::Compass;
-    const auto read_deg
-        = [byCompass](const Reading& reading) { return byCompass ? reading.magnetic->degrees() : reading.compass->degrees(); };
-    const double zero_deg = read_deg(zero), fullTurn_deg = read_deg(fullTurn);
-    if (std::abs(wrap180(zero_deg - fullTurn_deg)) > kSame_deg) {
+    case NorthTwice::Differs:
         m_file.warnings.push_back(
             {MARKED("core",
                  "lines %1 and %2 list one heading, 000 and 360, with different readings, %3 and %4: both count, so look which is right"),
-                m_zero->line, m_fullTurn->line, formatHeading(zero_deg), formatHeading(fullTurn_deg)});
-        return;
+                m_zero->line, m_fullTurn->line, shown(zero), shown(fullTurn)});
     }
-    (m_zero->line > m_fullTurn->line ? zero : fullTurn).exclusion = Exclusion{"listed twice: 000 and 360 are one heading"};
-    m_file.warnings.push_back({MARKED("core", "lines %1 and %2 list one heading, 000 and 360, with the same reading: it counts once"),
-        m_zero->line, m_fullTurn->line});
 }
 
 Result<SwingFile> SwingReader::finish()
