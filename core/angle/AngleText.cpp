@@ -227,7 +227,16 @@ Error notAnAngle(std::string_view text, const Message& what, const Message& expe
 /// An O is told before the rest: the figures may be right.
 Error ambiguousO(std::string_view text)
 {
-    return notAnAngle(text, MARKED("core", "not clear: an O is east in German and west in French"), MARKED("core", "E or W, or a sign"));
+    return notAnAngle(
+        text, MARKED("core", "not clear: an O is east in German and west in French"), MARKED("core", "E or W, or a number with its sign"));
+}
+
+/// "NO", "OSO": a point in German (Ost) or in French (ouest).
+bool isPointWithO(std::string_view text)
+{
+    const auto name = trimmed(text);
+    return name.size() <= 3 && name.find_first_of("Oo") != std::string_view::npos
+        && name.find_first_not_of("NSWOnswo") == std::string_view::npos;
 }
 
 struct Winds {
@@ -312,7 +321,7 @@ Result<WrittenHeading> parseWrittenHeading(std::string_view text)
     const bool bearing = angle && angle->before != 0;
     if (bearing && (angle->after == 'E' || angle->after == 'W'))
         return headingOfBearing(text, *angle);
-    if (angle && angle->after == 'O')
+    if ((angle && angle->after == 'O') || isPointWithO(text))
         return ambiguousO(text);
     if (angle && !bearing && (angle->after == 'E' || angle->after == 'W'))
         return notAnAngle(text, MARKED("core", "not a heading: it has an E or a W"), kExpectedHeading);

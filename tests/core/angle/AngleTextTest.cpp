@@ -120,6 +120,8 @@ TEST(SignedAngle, refusesAnOBecauseItIsEastOrWest)
 {
     for (const char* text : {"3 O", "3\u00B015'O", "3 Ost", "3 Ouest"})
         EXPECT_THAT(parseSignedAngle_deg(text).error().message.english(), testing::HasSubstr("east in German and west in French")) << text;
+    for (const char* text : {"NO", "O", "oso"})
+        EXPECT_THAT(parseHeading_deg(text).error().message.english(), testing::HasSubstr("east in German and west in French")) << text;
 }
 
 TEST(SignedAngle, namesWhatTheEyeCannotSee)
