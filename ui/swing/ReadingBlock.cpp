@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/FileText.h"
+#include "core/base/Number.h"
 #include "core/format/csv/TextCell.h"
 #include "ui/kit/Words.h"
 
@@ -164,20 +165,19 @@ std::optional<bool> northIn(const std::vector<ReadingColumn>& columns, const std
 
 std::string figureCell(double value)
 {
+    constexpr double kNoise = 1e-11; // of binary fractions: 359.1 − 0.3 is 358.8
     QString figures = QString::number(value, 'g', 10);
+    if (std::abs(figures.toDouble() - value) > kNoise)
+        figures = toText(shortestNumber(value));
     return figures.replace(u'.', QLocale().decimalPoint()).toStdString();
 }
 
 std::string copiedCell(const Reading& reading, ReadingColumn column)
 {
-    switch (column) {
-    case ReadingColumn::Note: return withTextMark(reading.note);
-    case ReadingColumn::Residual:
-    case ReadingColumn::State: return {}; // the model knows them
-    default: break;
-    }
-    QString figures = editText(reading, column, AngleStyle::DecimalDegrees);
-    return figures.replace(u'.', QLocale().decimalPoint()).toStdString();
+    if (column == ReadingColumn::Note)
+        return withTextMark(reading.note);
+    const auto value_deg = cellValue_deg(reading, column);
+    return value_deg ? figureCell(*value_deg) : std::string();
 }
 
 QString columnTitle(ReadingColumn column)

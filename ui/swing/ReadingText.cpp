@@ -104,6 +104,11 @@ bool fitsOneDecimal(const std::optional<double>& angle_deg)
 
 } // namespace
 
+std::optional<double> cellValue_deg(const Reading& reading, ReadingColumn column)
+{
+    return column == ReadingColumn::Deviation ? deviation_deg(reading) : headingIn(reading, column);
+}
+
 QString cellText(const Reading& reading, ReadingColumn column, AngleStyle style, int decimals)
 {
     if (column == ReadingColumn::Note)
@@ -120,7 +125,7 @@ QString editText(const Reading& reading, ReadingColumn column, AngleStyle style)
 {
     if (style == AngleStyle::DegreesMinutes || column == ReadingColumn::Note)
         return cellText(reading, column, style, 2);
-    const auto value = column == ReadingColumn::Deviation ? deviation_deg(reading) : headingIn(reading, column);
+    const auto value = cellValue_deg(reading, column);
     return value ? exactText(*value) : QString();
 }
 

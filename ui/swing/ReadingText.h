@@ -15,6 +15,8 @@ namespace lubberline::ui {
 enum class ReadingColumn { Nominal, Magnetic, Compass, Deviation, Residual, State, Note };
 inline constexpr int kReadingColumns = 7;
 
+/// The heading or deviation of a cell, as it is held; none where there is none.
+[[nodiscard]] std::optional<double> cellValue_deg(const Reading& reading, ReadingColumn column);
 /// Headings and deviation as displayed; empty for what is not entered. Residual and State come from results, not from here.
 [[nodiscard]] QString cellText(const Reading& reading, ReadingColumn column, AngleStyle style, int decimals);
 /// As it is put into an editor: nothing that was typed is rounded away in the decimal style.
