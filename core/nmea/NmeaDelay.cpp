@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/angle/Angle.h"
@@ -12,8 +13,9 @@ namespace lubberline {
 
 namespace {
 
-/// A turn's rate is a slope over this on either side, or over three steps of the reference where these are longer.
-constexpr double kHalfSlope_s = 3.0;
+/// A turn's rate is a slope over so much on either side: the shortest that leaves the rate of the turn clear of the reference's unevenness.
+constexpr std::array kHalfSlopes_s{3.0, 6.0, 12.0};
+constexpr double kClear = 4.0;
 /// More tell nothing new, and a log of hours need not wait.
 constexpr std::size_t kMostReadings = 4000;
 constexpr int kRounds = 12;
@@ -28,17 +30,61 @@ constexpr double kToldWithin_s = 0.35;
 constexpr double kMemory_s = 20.0;
 constexpr double kLeastShare = 0.1;
 
-double halfSlope_s(const HeadingLine& reference) { return std::max(kHalfSlope_s, 3.0 * reference.step_s()); }
+/// Standard deviation of one heading of the reference about its neighbours [deg]: from second differences.
+double unevenness_deg(const HeadingLine& reference)
+{
+    std::vector<double> bends;
+    const auto& headings = reference.headings();
+    for (std::size_t i = 2; i < headings.size(); ++i)
+        if (headings[i].heading_deg && headings[i - 1].heading_deg && headings[i - 2].heading_deg)
+            bends.push_back(std::abs(wrap180(*headings[i].heading_deg - *headings[i - 1].heading_deg)
+                - wrap180(*headings[i - 1].heading_deg - *headings[i - 2].heading_deg)));
+    if (bends.empty())
+        return 0.0;
+    const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
+    std::nth_element(bends.begin(), middle, bends.end());
+    return 1.4826 * *middle / std::sqrt(6.0); // median → standard deviation; 1 + 4 + 1 parts of it in a second difference
+}
+
+/// What that makes of a slope [deg/s].
+double rateNoise_deg_s(double unevenness_deg, double step_s, double half_s)
+{
+    const double steps = std::floor(half_s / step_s);
+    return unevenness_deg / (step_s * std::sqrt(std::max(2.0, steps * (steps + 1.0) * (2.0 * steps + 1.0) / 3.0)));
+}
+
+/// How the turn rate of a reference is measured.
+struct Slope {
+    double half_s = kHalfSlopes_s.front();
+    double noise_deg_s = 0; ///< standard deviation of a rate
+};
+
+Slope slopeOf(const HeadingLine& reference)
+{
+    const double step_s = reference.step_s(), uneven_deg = unevenness_deg(reference);
+    double squares = 0.0, count = 0.0;
+    for (const auto& heading : reference.headings())
+        if (const auto rate = reference.rateAt(heading.seconds, std::max(kHalfSlopes_s.back(), 3.0 * step_s)))
+            squares += *rate * *rate, count += 1.0;
+    const double turn_deg_s = std::sqrt(squares / std::max(1.0, count));
+    Slope slope;
+    for (const double half_s : kHalfSlopes_s) {
+        slope.half_s = std::max(half_s, 3.0 * step_s);
+        slope.noise_deg_s = rateNoise_deg_s(uneven_deg, step_s, slope.half_s);
+        if (kClear * slope.noise_deg_s <= turn_deg_s)
+            break;
+    }
+    return slope;
+}
 
 /// The readings that a delay is told by.
 struct Turn {
     std::vector<double> seconds, heading_rad, deviation_deg, rate_deg_s;
 };
 
-Turn turnAt(std::span<const TimedHeading> compass, const HeadingLine& reference, double delay_s)
+Turn turnAt(std::span<const TimedHeading> compass, const HeadingLine& reference, double half_s, double delay_s)
 {
     Turn turn;
-    const double half_s = halfSlope_s(reference);
     const std::size_t stride = compass.size() / kMostReadings + 1;
     double first_deg = 0.0;
     for (std::size_t i = 0; i < compass.size(); i += stride) {
@@ -120,24 +166,6 @@ std::optional<Estimate> estimate(const Turn& turn)
     return found;
 }
 
-/// Standard deviation that the reference's own unevenness gives to its turn rate [deg/s]: from second differences.
-double rateNoise_deg_s(const HeadingLine& reference)
-{
-    std::vector<double> bends;
-    const auto& headings = reference.headings();
-    for (std::size_t i = 2; i < headings.size(); ++i)
-        if (headings[i].heading_deg && headings[i - 1].heading_deg && headings[i - 2].heading_deg)
-            bends.push_back(std::abs(wrap180(*headings[i].heading_deg - *headings[i - 1].heading_deg)
-                - wrap180(*headings[i - 1].heading_deg - *headings[i - 2].heading_deg)));
-    if (bends.empty())
-        return 0.0;
-    const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
-    std::nth_element(bends.begin(), middle, bends.end());
-    const double noise_deg = 1.4826 * *middle / std::sqrt(6.0);
-    const double step_s = reference.step_s(), steps = halfSlope_s(reference) / step_s;
-    return noise_deg / (step_s * std::sqrt(std::max(2.0, 2.0 * steps * (steps + 1.0) * (2.0 * steps + 1.0) / 6.0)));
-}
-
 void countWays(NmeaDelay& delay, const std::vector<double>& rates)
 {
     for (const double rate : rates) {
@@ -168,7 +196,7 @@ double inA(std::span<const TimedHeading> compass, const std::vector<double>& rat
 std::vector<double> referenceRates(std::span<const TimedHeading> compass, const HeadingLine& reference, double delay_s)
 {
     std::vector<double> rates;
-    const double half_s = halfSlope_s(reference);
+    const double half_s = slopeOf(reference).half_s;
     for (const auto& heading : compass)
         rates.push_back(reference.rateAt(heading.seconds + delay_s, half_s).value_or(0.0));
     return rates;
@@ -184,20 +212,22 @@ NmeaDelay delayOf(std::span<const TimedHeading> compass, const HeadingLine& refe
         delay.A_degPerSecond = inA(compass, rates);
     if (static_cast<double>(delay.clockwise + delay.counterClockwise) < kLeastShare * static_cast<double>(compass.size()))
         return delay;
-    delay.told = DelayTold::OneWay;
+    delay.told = bothWays(delay, compass.size()) ? DelayTold::TooNoisy : DelayTold::OneWay;
+    const Slope slope = slopeOf(reference);
     double seconds = 0.0;
     std::optional<Estimate> found;
     for (int round = 0; round < kRounds; ++round) {
-        found = estimate(turnAt(compass, reference, seconds));
-        if (!found || found->variation_deg_s < kOverNoise * rateNoise_deg_s(reference))
+        found = estimate(turnAt(compass, reference, slope.half_s, seconds));
+        if (!found || found->variation_deg_s < kOverNoise * slope.noise_deg_s)
             return delay;
         seconds = std::clamp(seconds + found->seconds, -kFurthest_s, kFurthest_s);
         if (std::abs(found->seconds) < kSettled_s)
             break;
     }
-    delay.told = DelayTold::TooNoisy;
-    if (found->standardError_s > kToldWithin_s || std::abs(seconds) >= kFurthest_s)
+    if (found->standardError_s > kToldWithin_s || std::abs(seconds) >= kFurthest_s) {
+        delay.told = DelayTold::TooNoisy;
         return delay;
+    }
     delay.told = bothWays(delay, compass.size()) ? DelayTold::BothWays : DelayTold::VaryingRate;
     delay.seconds = seconds;
     delay.standardError_s = found->standardError_s;

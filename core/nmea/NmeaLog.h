@@ -55,6 +55,8 @@ class NmeaLog {
 public:
     /// Takes one line of the log.
     void take(std::string_view line);
+    /// Takes a sentence that was read already.
+    void take(const NmeaSentence& sentence);
 
     [[nodiscard]] const std::vector<NmeaStream>& streams() const { return m_streams; }
     [[nodiscard]] const std::vector<NmeaMarks>& clocks() const { return m_clocks; }
@@ -71,7 +73,6 @@ public:
     std::string firstDate;
 
 private:
-    void take(const NmeaSentence& sentence);
     void take(const NmeaCompass& compass);
     void take(const NmeaWater& water);
     void take(const NmeaTrack& track);

@@ -76,13 +76,16 @@ struct NmeaSwing {
     std::optional<Variation> variation; ///< that was applied
     std::string variationSource;        ///< "stated", "log", "WMM2025 at 60.0°N 24.8°E"
     std::optional<double> variationOfModel_deg;
-    std::string date;       ///< of the first fix, or as stated, ISO 8601; empty: not told
-    bool timesTold = false; ///< false: a delay is in steps of the reference
+    std::string date;                                  ///< of the first fix, or as stated, ISO 8601; empty: not told
+    std::optional<double> latitude_deg, longitude_deg; ///< of the first fix
+    bool timesTold = false;                            ///< false: seconds are made of the steps of the reference
+    double step_s = 1;                                 ///< then: how long one was taken to be
     NmeaDelay delay;
     std::optional<NmeaWind> wind; ///< of a track
     std::optional<NmeaDirections> directions;
     std::vector<NmeaDoubt> doubts;
     std::vector<Message> warnings;
+    std::vector<Message> limits; ///< those of them that say how sure the coefficients can be
 };
 
 /// Errors: Io, Cancelled, InvalidInput: no sentences; no compass headings; several talkers and none chosen (names them); no
@@ -90,7 +93,8 @@ struct NmeaSwing {
 Result<NmeaSwing> readNmeaSwing(std::istream& input, const std::string& name, const NmeaOptions& options, const Progress& progress = {});
 Result<NmeaSwing> readNmeaSwingFile(const std::string& path, const NmeaOptions& options, const Progress& progress = {});
 
-/// The used pairs in order of time as a calibration swing with its date and variation; what it is of is for the user to say.
+/// The used pairs in order of time as a calibration swing with its date and variation; what it is of is for the user to say. Its
+/// note says in English how sure its coefficients can be, because a record has no other place for what its readings share.
 [[nodiscard]] Swing toSwing(const NmeaSwing& swing);
 
 } // namespace lubberline

@@ -77,6 +77,13 @@ void NmeaTimes::takeSteps(const NmeaStream& reference)
         m_marks.push_back({reference.sent[i].place, static_cast<double>(i), 0.0, {}, true});
 }
 
+void NmeaTimes::stretch(double secondsOfStep)
+{
+    for (auto& mark : m_marks)
+        mark.seconds *= secondsOfStep;
+    m_typical_s *= secondsOfStep;
+}
+
 /// The newest mark at or before a place; null before the first.
 const NmeaTimes::Mark* NmeaTimes::markAt(std::size_t place) const
 {

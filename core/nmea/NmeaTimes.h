@@ -15,8 +15,10 @@ public:
     /// steps of its reference instead of seconds.
     NmeaTimes(const NmeaLog& log, const NmeaStream& reference);
 
-    /// False: `seconds` are steps.
+    /// False: `seconds` are steps of the reference, or what they were stretched to.
     [[nodiscard]] bool told() const { return m_told; }
+    /// Makes a step of a log without times so many seconds long.
+    void stretch(double secondsOfStep);
     /// [s, on a scale of its own that never runs back] of each sentence of a stream; none where the clock was set back.
     /// One that tells its own time has that. Of the rest, those between two times are taken as evenly spread. Where nearly all such
     /// intervals hold the same number the log is a row of cycles, and the sentences of a cycle are of one moment; a cycle begins

@@ -14,6 +14,8 @@ namespace lubberline {
 namespace {
 
 constexpr double kApart_deg = 1.0;
+/// Where a model states no uncertainty (IGRF): WMM states some 0.4° at middle latitudes for its own five years.
+constexpr double kUnstatedError_deg = 0.5;
 constexpr int kRollOver_days = 1024 * 7;
 const std::string kGpsBegins = "1980-01-06";
 
@@ -99,12 +101,14 @@ double chooseOfLog(const NmeaLog& log, const std::optional<double>& model_deg, s
     return chosen_deg;
 }
 
+double errorOf_deg(const FieldAnswer& answer) { return answer.uncertainty ? answer.uncertainty->declination_deg : kUnstatedError_deg; }
+
 void holdAgainstModel(ChosenVariation& chosen, const FieldAnswer& answer, const std::string& date)
 {
     const double apart_deg = std::abs(wrap180(chosen.variation.degrees() - *chosen.model_deg));
     const bool ofLog = chosen.source == "log";
     if (ofLog)
-        chosen.standardError_deg = std::max(answer.uncertainty ? answer.uncertainty->declination_deg : 0.0, apart_deg);
+        chosen.standardError_deg = std::max(errorOf_deg(answer), apart_deg);
     if (apart_deg <= kApart_deg)
         return;
     chosen.warnings.push_back(
@@ -133,16 +137,19 @@ NmeaDate dateOfLog(const NmeaLog& log, const std::string& stated, const std::str
     compareClocks(log, date);
     const int sinceGps = daysBetween(kGpsBegins, date.date);
     const bool weekZero = sinceGps >= 0 && sinceGps % kRollOver_days == 0;
-    if (weekZero && stated.empty())
+    if (weekZero && stated.empty()) {
+        date.perhaps = today; // as good a guess as any
         date.doubts.push_back({MARKED("core",
                                    "the log is dated %1, a day on which the GPS week count began: the receiver did not know the date; "
                                    "state it (--date)"),
             date.date});
+    }
     if (today.empty())
         return date;
     const int ago = daysBetween(date.date, today);
     if (ago < -1) { // somewhere it is tomorrow already
-        date.doubts.push_back({MARKED("core", "the log is dated %1, and today is %2: one of the clocks is wrong"), date.date, today});
+        date.doubts.push_back(
+            {MARKED("core", "the log is dated %1, and today is %2: one of the clocks is wrong (--date states it)"), date.date, today});
     } else if (ago >= kRollOver_days && stated.empty() && !weekZero) {
         date.perhaps = addDays(date.date, ago / kRollOver_days * kRollOver_days);
         date.doubts.push_back(
@@ -174,8 +181,7 @@ Result<ChosenVariation> chooseVariation(const NmeaLog& log, const NmeaVariation&
     } else {
         chosen.variation = answer->field.variation();
         chosen.source = whereOf(*answer, date.date);
-        chosen.standardError_deg = answer->uncertainty ? answer->uncertainty->declination_deg : 0.0;
-        chosen.standardError_deg = std::hypot(chosen.standardError_deg, movedByDate_deg(log, date, *answer));
+        chosen.standardError_deg = std::hypot(errorOf_deg(*answer), movedByDate_deg(log, date, *answer));
         chosen.warnings.insert(chosen.warnings.end(), answer->warnings.begin(), answer->warnings.end());
     }
     if (answer)

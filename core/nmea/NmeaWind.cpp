@@ -14,6 +14,8 @@ namespace {
 
 using Vector2 = Eigen::Vector2d;
 
+/// Of the scatter about the circle: an airspeed that wanders slowly looks like wind, however many tracks there are.
+constexpr double kWandering = 0.4;
 constexpr int kCircleRounds = 8;
 /// Beyond so many standard deviations a speed is no part of the turn (taking off, braking).
 constexpr double kOutside = 4.0;
@@ -155,6 +157,7 @@ std::optional<NmeaWind> windOf(std::span<const TimedHeading> tracks)
     wind.airspeed_kt = circle.radius;
     wind.scatter_kt = std::sqrt(squares / static_cast<double>(points.size() - 3));
     wind.covariance = (normal.inverse() * variance).topLeftCorner<2, 2>();
+    wind.covariance.diagonal().array() += std::pow(kWandering * wind.scatter_kt, 2);
     return wind;
 }
 

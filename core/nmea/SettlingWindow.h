@@ -10,6 +10,7 @@ struct SettledHeading {
     double mean_deg = 0;   ///< circular mean, [0, 360)
     double spread_deg = 0; ///< largest − smallest
     double standardDeviation_deg = 0;
+    std::optional<double> turnRate_deg_s; ///< clockwise positive: the line through them; none of less than a second
     int count = 0;
     bool settled = false; ///< the window is full and the spread within the limit
 };

@@ -304,8 +304,9 @@ void GuidedPage::takeLiveDatum(double heading_deg, bool isTrue)
         return;
     }
     std::optional<double> variation_deg = m_job->job().particulars.variation_deg;
-    if (!variation_deg && m_live->heading().variation())
-        variation_deg = m_live->heading().variation()->degrees();
+    if (!variation_deg)
+        if (const auto told = m_live->heading().variation())
+            variation_deg = told->variation.degrees();
     if (isTrue == datum.givesTrue)
         m_station->setDatum(heading_deg);
     else if (!variation_deg)

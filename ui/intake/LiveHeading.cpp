@@ -2,6 +2,8 @@
 
 #include <ctime>
 
+#include "core/nmea/NmeaLog.h"
+
 namespace lubberline::ui {
 
 namespace {
@@ -43,8 +45,8 @@ void LiveHeading::clear()
 {
     m_channels.clear();
     m_checking.clear();
-    m_variation.reset();
-    m_bad = m_sentences = 0;
+    m_newest.clear();
+    m_bad = m_badHeadings = m_sentences = 0;
     emit changed();
 }
 
@@ -76,16 +78,29 @@ void LiveHeading::takeSentence(const NmeaSentence& sentence)
     const NmeaValue value = valueOf(sentence);
     if (const auto* compass = std::get_if<NmeaCompass>(&value)) {
         add(compass->talker + compass->type, true, false, compass->heading.degrees());
-        if (compass->variation)
-            m_variation = compass->variation;
     } else if (const auto* heading = std::get_if<NmeaTrueHeading>(&value)) {
         add(heading->talker + heading->type, false, true, heading->heading.degrees());
     } else if (const auto* track = std::get_if<NmeaTrack>(&value)) {
         if (track->track)
             add(track->talker + track->type, false, true, track->track->degrees());
-        if (track->variation)
-            m_variation = track->variation;
+    } else if (const auto* water = std::get_if<NmeaWater>(&value)) {
+        if (water->compass)
+            add(water->talker + "VHW", true, false, water->compass->degrees());
+    } else if (std::holds_alternative<NmeaBadHeading>(value)) {
+        ++m_badHeadings;
     }
+    for (const char* type : {"HDG", "RMC", "GGA", "ZDA"})
+        if (sentence.type == type)
+            m_newest.insert_or_assign(sentence.talker + type, sentence);
+}
+
+std::optional<ChosenVariation> LiveHeading::variation() const
+{
+    NmeaLog log;
+    for (const auto& [name, sentence] : m_newest)
+        log.take(sentence);
+    auto chosen = chooseVariation(log, VariationFound{}, dateOfLog(log, {}, {}), 0.0);
+    return chosen ? std::optional(std::move(chosen.value())) : std::nullopt;
 }
 
 QStringList LiveHeading::compassChannels() const

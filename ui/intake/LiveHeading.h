@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/nmea/NmeaValues.h"
+#include "core/nmea/NmeaVariation.h"
 #include "core/nmea/SettlingWindow.h"
 
 namespace lubberline::ui {
@@ -36,10 +37,13 @@ public:
     [[nodiscard]] QStringList compassChannels() const;   ///< HDG, HDM
     [[nodiscard]] QStringList referenceChannels() const; ///< HDT, tracks, and all of the above
     [[nodiscard]] std::optional<SettledHeading> heading(const QString& channel) const;
-    [[nodiscard]] bool isTrue(const QString& channel) const;                         ///< from true north
-    [[nodiscard]] std::optional<Variation> variation() const { return m_variation; } ///< the newest that was sent
+    [[nodiscard]] bool isTrue(const QString& channel) const; ///< from true north
+    /// Of what was sent last: the variation that was told, held against the model where a place and a date were told, too; else the model's.
+    /// None where neither is there.
+    [[nodiscard]] std::optional<ChosenVariation> variation() const;
 
     [[nodiscard]] int badChecksums() const { return m_bad; }
+    [[nodiscard]] int badHeadings() const { return m_badHeadings; } ///< negative, or beyond 360
     [[nodiscard]] int sentences() const { return m_sentences; }
 
 signals:
@@ -55,10 +59,10 @@ private:
 
     std::function<double()> m_now_s;
     std::map<LiveChannel, Channel> m_channels;
-    std::set<std::string> m_checking; ///< talkers that send checksums: a sentence of theirs without one is half a sentence
-    std::optional<Variation> m_variation;
+    std::set<std::string> m_checking;             ///< talkers that send checksums: a sentence of theirs without one is half a sentence
+    std::map<std::string, NmeaSentence> m_newest; ///< of each sender and sentence that tells a variation, a place or a date
     double m_length_s = 5.0, m_mostSpread_deg = 1.0;
-    int m_bad = 0, m_sentences = 0;
+    int m_bad = 0, m_badHeadings = 0, m_sentences = 0;
 };
 
 } // namespace lubberline::ui

@@ -8,6 +8,11 @@
 #include <QShortcut>
 #include <QTimer>
 
+#include <cmath>
+
+#include "core/nmea/NmeaDelay.h"
+#include "ui/kit/Words.h"
+
 namespace lubberline::ui {
 
 namespace {
@@ -40,6 +45,8 @@ LivePanel::LivePanel(std::function<double()> now_s, QWidget* parent)
     , m_compass(new QComboBox)
     , m_datumValue(new QLabel)
     , m_compassValue(new QLabel)
+    , m_turn(new QLabel)
+    , m_notes(new QLabel)
     , m_useDatum(new QPushButton(tr("Take as datum (F6)")))
     , m_useCompass(new QPushButton(tr("Take as compass (F7)")))
     , m_silence(new QTimer(this))
@@ -62,6 +69,10 @@ void LivePanel::build()
     m_compass->setObjectName(QStringLiteral("liveCompassChannel"));
     m_datumValue->setObjectName(QStringLiteral("liveDatum"));
     m_compassValue->setObjectName(QStringLiteral("liveCompass"));
+    m_turn->setObjectName(QStringLiteral("liveTurn"));
+    m_notes->setObjectName(QStringLiteral("liveNotes"));
+    m_notes->setWordWrap(true);
+    m_notes->hide();
     m_useDatum->setObjectName(QStringLiteral("liveTakeDatum"));
     m_useCompass->setObjectName(QStringLiteral("liveTakeCompass"));
     for (QLabel* value : {m_datumValue, m_compassValue}) {
@@ -81,6 +92,8 @@ void LivePanel::build()
     grid->addWidget(m_compass, 2, 0);
     grid->addWidget(m_compassValue, 2, 1);
     grid->addWidget(m_useCompass, 2, 2);
+    grid->addWidget(m_turn, 2, 3);
+    grid->addWidget(m_notes, 3, 0, 1, 4);
     grid->setColumnStretch(3, 1);
 
     connect(m_kind, &QComboBox::currentIndexChanged, this, [this](int kind) { m_where->setText(placeFor(kind)); });
@@ -96,6 +109,7 @@ void LivePanel::build()
         m_silent_s = m_heading->sentences() == m_heard ? m_silent_s + 1 : 0;
         m_heard = m_heading->sentences();
         showState();
+        showNotes();
         showHeadings(); // what is too old is no heading any more
     });
 }
@@ -107,6 +121,7 @@ void LivePanel::connectOrClose()
         m_silence->stop();
         m_heading->clear();
         showHeadings();
+        showNotes();
         return;
     }
     const QStringList parts = m_where->text().split(' ', Qt::SkipEmptyParts);
@@ -180,6 +195,39 @@ void LivePanel::showHeadings()
     keepChannels(*m_compass, m_heading->compassChannels());
     m_datumValue->setText(words(m_datum->currentText()) + (m_heading->isTrue(m_datum->currentText()) ? tr(" true") : QString()));
     m_compassValue->setText(words(m_compass->currentText()));
+    m_turn->setText(turnWords(m_compass->currentText()));
+}
+
+/// The band in which a compass can be read while it turns: slower is no turn, faster the card lags.
+QString LivePanel::turnWords(const QString& channel) const
+{
+    const auto heading = m_heading->heading(channel);
+    if (channel.isEmpty() || !heading || !heading->turnRate_deg_s)
+        return {};
+    const double rate = std::abs(*heading->turnRate_deg_s);
+    if (rate < kSlowestTurn_deg_s)
+        return tr("steady");
+    const QString way = *heading->turnRate_deg_s > 0 ? tr("clockwise") : tr("counter-clockwise");
+    if (rate > kFastestTurn_deg_s)
+        return tr("turns %1 at %2°/s: too fast, slow down to %3 … %4°/s")
+            .arg(way)
+            .arg(rate, 0, 'f', 1)
+            .arg(kSlowestTurn_deg_s)
+            .arg(kFastestTurn_deg_s);
+    return tr("turns %1 at %2°/s: within %3 … %4°/s").arg(way).arg(rate, 0, 'f', 1).arg(kSlowestTurn_deg_s).arg(kFastestTurn_deg_s);
+}
+
+/// What is wrong with what is sent, though it is well formed.
+void LivePanel::showNotes()
+{
+    QStringList notes;
+    if (const auto variation = m_heading->variation())
+        for (const auto& warning : variation->warnings)
+            notes += toText(warning);
+    if (m_heading->badHeadings() > 0)
+        notes += tr("%n headings are negative or beyond 360 and left out.", nullptr, m_heading->badHeadings());
+    m_notes->setText(notes.join('\n'));
+    m_notes->setVisible(!notes.isEmpty());
 }
 
 std::optional<SettledHeading> LivePanel::settled(const QComboBox& box)

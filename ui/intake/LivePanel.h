@@ -41,6 +41,8 @@ private:
     void connectOrClose();
     void showState();
     void showHeadings();
+    void showNotes();
+    [[nodiscard]] QString turnWords(const QString& channel) const;
     void keepChannels(QComboBox& box, const QStringList& channels);
     [[nodiscard]] QString words(const QString& channel) const;
     [[nodiscard]] std::optional<SettledHeading> settled(const QComboBox& box);
@@ -52,7 +54,7 @@ private:
     QPushButton* m_connect;
     QLabel* m_state;
     QComboBox *m_datum, *m_compass;
-    QLabel *m_datumValue, *m_compassValue;
+    QLabel *m_datumValue, *m_compassValue, *m_turn, *m_notes;
     QPushButton *m_useDatum, *m_useCompass;
     QTimer* m_silence;
     int m_heard = 0; ///< sentences when it was looked last

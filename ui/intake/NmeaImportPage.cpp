@@ -12,6 +12,8 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
+#include "core/base/FileText.h"
+#include "core/nmea/NmeaBase.h"
 #include "core/nmea/NmeaDoubts.h"
 #include "core/swing/Analysis.h"
 #include "core/swing/SwingResult.h"
@@ -84,11 +86,14 @@ NmeaImportPage::NmeaImportPage(db::Stores& stores, FileQuestions questions, QWid
     , m_title(new QLabel)
     , m_summary(new QLabel)
     , m_reference(new QComboBox)
+    , m_wind(new QComboBox)
     , m_kind(new QComboBox)
     , m_variation(new QLineEdit)
+    , m_variationError(new QLineEdit)
     , m_speed(new QLineEdit)
     , m_rate(new QLineEdit)
     , m_talker(new QLineEdit)
+    , m_date(new QLineEdit)
     , m_read(new QPushButton(tr("&Open a log…")))
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_make(new QPushButton(tr("&Make a swing of it")))
@@ -104,11 +109,17 @@ void NmeaImportPage::build()
     m_title->setObjectName(QStringLiteral("nmeaTitle"));
     m_reference->setObjectName(QStringLiteral("nmeaReference"));
     m_reference->addItems({tr("track over ground (RMC, VTG)"), tr("true heading (HDT, THS)"), tr("another magnetic heading (HDM, HDG)")});
+    m_wind->setObjectName(QStringLiteral("nmeaWind"));
+    m_wind->addItems({tr("taken out in flight"), tr("taken out always (afloat)"), tr("none (on wheels)")}); // as NmeaWindChoice
     m_kind->setObjectName(QStringLiteral("nmeaKind"));
     m_kind->addItems(swingKindWords());
     m_kind->setCurrentIndex(static_cast<int>(SwingKind::Calibration));
     m_variation->setObjectName(QStringLiteral("nmeaVariation"));
     m_variation->setPlaceholderText(tr("empty: the log's, else the model's; log; model; or degrees, E +"));
+    m_variationError->setObjectName(QStringLiteral("nmeaVariationError"));
+    m_variationError->setPlaceholderText(tr("standard error, where you know of one: survey, magnetic storm"));
+    m_date->setObjectName(QStringLiteral("nmeaDate"));
+    m_date->setPlaceholderText(tr("YYYY-MM-DD, where the log's own is wrong"));
     m_speed->setObjectName(QStringLiteral("nmeaSpeed"));
     m_speed->setText(QString::number(usual.minSpeed_kt));
     m_rate->setObjectName(QStringLiteral("nmeaRate"));
@@ -125,10 +136,13 @@ void NmeaImportPage::build()
     m_cancel->hide();
     auto* form = new QFormLayout;
     form->addRow(tr("&Reference:"), m_reference);
+    form->addRow(tr("&Wind on a track:"), m_wind);
     form->addRow(tr("&Variation:"), m_variation);
+    form->addRow(tr("Variation sure to (°):"), m_variationError);
     form->addRow(tr("&Slowest used (kt):"), m_speed);
     form->addRow(tr("&Fastest turn used (°/s):"), m_rate);
     form->addRow(tr("Compass &talker:"), m_talker);
+    form->addRow(tr("&Date of the log:"), m_date);
     form->addRow(tr("&Kind of swing:"), m_kind);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_read);
@@ -149,16 +163,16 @@ void NmeaImportPage::build()
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(splitter);
     setFocusProxy(m_read);
-    for (QLineEdit* line : {m_variation, m_speed, m_rate, m_talker})
+    for (QLineEdit* line : {m_variation, m_variationError, m_speed, m_rate, m_talker, m_date})
         connect(line, &QLineEdit::textEdited, this, [this] { m_make->setEnabled(false); }); // Enter reads it again
     connect(m_read, &QPushButton::clicked, this, &NmeaImportPage::choose);
     connect(m_make, &QPushButton::clicked, this, &NmeaImportPage::make);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     connect(m_plot, &Plot::readOut, this, &NmeaImportPage::readOut);
     connect(m_plot, &Plot::failed, this, &NmeaImportPage::failed);
-    for (QComboBox* box : {m_reference})
+    for (QComboBox* box : {m_reference, m_wind})
         connect(box, &QComboBox::activated, this, &NmeaImportPage::start);
-    for (QLineEdit* line : {m_variation, m_speed, m_rate, m_talker})
+    for (QLineEdit* line : {m_variation, m_variationError, m_speed, m_rate, m_talker, m_date})
         connect(line, &QLineEdit::returnPressed, this, &NmeaImportPage::start);
 }
 
@@ -201,8 +215,17 @@ Result<NmeaOptions> NmeaImportPage::options() const
     const auto variation = variationOf(m_variation->text());
     const auto speed = positive(m_speed->text(), tr("the slowest speed"));
     const auto rate = positive(m_rate->text(), tr("the fastest turn"));
+    const QString sureTo = m_variationError->text().trimmed();
+    const auto error = sureTo.isEmpty() ? Result<double>(0.0) : positive(sureTo, tr("how sure the variation is"));
     if (!variation || !speed || !rate)
         return !variation ? variation.error() : !speed ? speed.error() : rate.error();
+    if (!error)
+        return error.error();
+    options.date = m_date->text().trimmed().toStdString();
+    if (!options.date.empty() && !isIsoDate(options.date))
+        return Error{ErrorCode::InvalidInput, said(tr("'%1' is no date; expected YYYY-MM-DD").arg(m_date->text()))};
+    options.wind = static_cast<NmeaWindChoice>(m_wind->currentIndex());
+    options.variationError_deg = *error;
     options.variation = *variation;
     options.minSpeed_kt = *speed;
     options.maxTurnRate_deg_s = *rate;
@@ -225,6 +248,7 @@ void NmeaImportPage::start()
     m_cancel->show();
     m_read->setEnabled(false);
     m_reference->setEnabled(false);
+    m_wind->setEnabled(false);
     m_make->setEnabled(false);
     m_summary->setText(tr("Reading %1 …").arg(QFileInfo(m_path).fileName()));
     m_worker.start(
@@ -236,6 +260,7 @@ void NmeaImportPage::take(Result<NmeaSwing> read)
     m_cancel->hide();
     m_read->setEnabled(true);
     m_reference->setEnabled(true);
+    m_wind->setEnabled(true);
     if (!read) {
         m_swing.reset();
         m_summary->setText(messageOf(read.error()));
@@ -243,6 +268,8 @@ void NmeaImportPage::take(Result<NmeaSwing> read)
             emit failed(messageOf(read.error()));
         return;
     }
+    if (const auto bases = m_stores.sites.sites())
+        holdAgainstBases(*read, m_used, *bases);
     m_swing = std::make_shared<const NmeaSwing>(std::move(read.value()));
     showAnswer();
 }
@@ -262,7 +289,6 @@ void NmeaImportPage::showAnswer()
         lines += toText(warning);
     SwingRecord record;
     record.swing = toSwing(read);
-    record.compass.resolution_deg = divisionOf_deg(record.swing);
     record.compass = m_compass;
     std::shared_ptr<const Analysis> analysis;
     QString why;
@@ -285,7 +311,8 @@ void NmeaImportPage::make()
     swing.compass = m_compass.id;
     swing.kind = static_cast<SwingKind>(m_kind->currentIndex());
     swing.datum.instrument = m_datum;
-    swing.note = "from the log " + QFileInfo(m_path).fileName().toStdString(); // stored: the same in every language
+    // Stored: the same in every language.
+    swing.note = "from the log " + QFileInfo(m_path).fileName().toStdString() + (swing.note.empty() ? "" : "; " + swing.note);
     emit makeSwing(swing);
 }
 

@@ -51,8 +51,8 @@ private:
     std::string m_datum; ///< what the answer was held against, in words
     std::shared_ptr<const NmeaSwing> m_swing;
     QLabel *m_title, *m_summary;
-    QComboBox *m_reference, *m_kind;
-    QLineEdit *m_variation, *m_speed, *m_rate, *m_talker;
+    QComboBox *m_reference, *m_wind, *m_kind;
+    QLineEdit *m_variation, *m_variationError, *m_speed, *m_rate, *m_talker, *m_date;
     QPushButton *m_read, *m_cancel, *m_make;
     SwingPlot* m_plot;
     Worker<NmeaSwing> m_worker; ///< reads the log

@@ -39,8 +39,9 @@ Json delayJson(const NmeaSwing& swing)
     const NmeaDelay& delay = swing.delay;
     return {{"seconds", swing.timesTold ? orNull(delay.seconds) : Json()}, {"told_by", toldBy(delay.told)},
         {"standard_error_s", swing.timesTold ? Json(delay.standardError_s) : Json()},
-        {"A_deg_per_s", swing.timesTold ? Json(delay.A_degPerSecond) : Json()}, {"steps", swing.timesTold ? Json() : orNull(delay.seconds)},
-        {"clockwise", delay.clockwise}, {"counter_clockwise", delay.counterClockwise}};
+        {"A_deg_per_s", swing.timesTold ? Json(delay.A_degPerSecond) : Json()},
+        {"steps", swing.timesTold || !delay.seconds ? Json() : Json(*delay.seconds / swing.step_s)}, {"clockwise", delay.clockwise},
+        {"counter_clockwise", delay.counterClockwise}};
 }
 
 Json windJson(const std::optional<NmeaWind>& wind)

@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "core/nmea/NmeaBase.h"
 #include "core/nmea/NmeaDoubts.h"
 #include "core/nmea/NmeaSwing.h"
 #include "core/swing/Analysis.h"
@@ -330,6 +331,64 @@ TEST(NmeaTurn, whatIsKnownOfTheVariationWidensA)
     const auto answer = answerOf(logOf(both), storm);
     EXPECT_NEAR(answer.errorOf(Coefficient::A), 1.5, 0.01);
     EXPECT_NEAR(answer.errorOf(Coefficient::B), answerOf(logOf(both)).errorOf(Coefficient::B), 1e-9); // A alone
+}
+
+TEST(NmeaTurn, aBaseWhoseSurveyIsNotTheModelsWidensA)
+{
+    Site base;
+    base.name = "rose";
+    base.latitude_deg = 47.61;
+    base.longitude_deg = -122.29;
+    for (const double declination : {16.9, 17.0, 17.1})
+        base.survey.push_back({0.0, 0.0, 1.0, declination, {}});
+    NmeaOptions model;
+    model.variation = VariationOfModel{};
+    auto answer = answerOf(logOf({{{1.0, 400.0}, {-1.0, 400.0}}}), model);
+    const double before = answer.errorOf(Coefficient::A);
+    NmeaSwing far = answer.swing;
+    base.latitude_deg = 48.6;
+    holdAgainstBases(far, model, {&base, 1});
+    EXPECT_EQ(far.doubts.size(), answer.swing.doubts.size());
+    base.latitude_deg = 47.61;
+    holdAgainstBases(answer.swing, model, {&base, 1});
+    EXPECT_TRUE(answer.says("the survey of rose has the declination +17.0°"));
+    NmeaSwing only = answer.swing;
+    only.doubts = {answer.swing.doubts.back()};
+    widenByDoubts(answer.analysis, only);
+    EXPECT_NEAR(answer.errorOf(Coefficient::A), std::hypot(before, 2.03), 0.01); // WMM2025 says 14.97° there
+}
+
+TEST(NmeaTurn, aTooShortArcInTheWindIsAsUnsureAsTheWind)
+{
+    const auto answer = answerOf(logOf({{{1.0, 95.0}}, 80.0, 200.0, 15.0}));
+    EXPECT_TRUE(answer.says("the tracks do not tell the wind"));
+    EXPECT_LE(std::abs(answer.of(Coefficient::A) - 0.8), 3.0 * answer.errorOf(Coefficient::A));
+    EXPECT_GE(answer.errorOf(Coefficient::B), 3.0);
+    EXPECT_GE(answer.errorOf(Coefficient::C), 3.0);
+}
+
+/// A log without any time counts its own steps; the delay is told in them.
+TEST(NmeaTurn, withoutTimesTheTurnIsTakenAsADegreeASecond)
+{
+    const auto timeless = [](const Flight& flight) {
+        std::string log;
+        std::istringstream lines(logOf(flight));
+        for (std::string line; std::getline(lines, line);) {
+            const auto found = nmeaSentences(line).front().sentence;
+            log += (found.type == "RMC" ? makeNmea("GPVTG," + found.fields[7] + ",T,,M," + found.fields[6] + ",N,,K") : line) + "\n";
+        }
+        return log;
+    };
+    NmeaOptions stated;
+    stated.variation = Variation::fromDegrees(15.2);
+    const auto one = answerOf(timeless({}), stated);
+    EXPECT_TRUE(one.says("the log tells no time"));
+    EXPECT_GE(one.errorOf(Coefficient::A), 1.0);
+    const auto both = answerOf(timeless({{{2.0, 200.0}, {-2.0, 200.0}}, 6.0, 0.0, 0.0, 1.5}), stated);
+    EXPECT_NEAR(both.of(Coefficient::A), 0.8, 0.05);
+    ASSERT_TRUE(both.swing.delay.seconds);
+    EXPECT_NEAR(*both.swing.delay.seconds / both.swing.step_s, 1.5, 0.1);
+    EXPECT_NE(toSwing(both.swing).note.find("older than the heading beside it"), std::string::npos);
 }
 
 TEST(NmeaTurn, receiversThatMakeItUpAreTold)

@@ -49,5 +49,20 @@ TEST(SettlingWindow, silenceAndClocksThatJump)
     EXPECT_DOUBLE_EQ(anew->mean_deg, 47.0);
 }
 
+TEST(SettlingWindow, tellsHowFastItTurns)
+{
+    SettlingWindow window(5.0, 1.0);
+    window.add(0.0, 350.0);
+    window.add(0.5, 351.0);
+    EXPECT_FALSE(window.at(0.5)->turnRate_deg_s); // of half a second
+    for (int i = 2; i < 20; ++i)
+        window.add(0.5 * i, wrap360(350.0 + 2.0 * 0.5 * i));
+    EXPECT_NEAR(*window.at(9.5)->turnRate_deg_s, 2.0, 1e-9); // through north
+    SettlingWindow back(5.0, 1.0);
+    for (int i = 0; i < 10; ++i)
+        back.add(i, wrap360(3.0 - 0.5 * i));
+    EXPECT_NEAR(*back.at(9.0)->turnRate_deg_s, -0.5, 1e-9);
+}
+
 } // namespace
 } // namespace lubberline

@@ -105,6 +105,36 @@ private slots:
         QCOMPARE(heading.badChecksums(), 3);
     }
 
+    void theTurnRateIsHeldAgainstTheBand()
+    {
+        double now_s = 0;
+        LivePanel panel([&now_s] { return now_s; });
+        const auto turnAt = [&](double rate) {
+            for (int i = 0; i < 12; ++i, now_s += 1)
+                panel.heading().takeLine(makeNmea("HCHDG," + std::to_string(wrap360(350 + rate * now_s)) + ",,,,"));
+            return in<QLabel>(panel, "liveTurn").text();
+        };
+        QCOMPARE(turnAt(0), QString("steady"));
+        QCOMPARE(turnAt(1), QString("turns clockwise at 1.0°/s: within 0.2 … 3°/s"));
+        now_s += 60;
+        QVERIFY(turnAt(-6).startsWith("turns counter-clockwise at 6.0°/s: too fast"));
+    }
+
+    void aVariationThatIsNotTheModelsIsTold()
+    {
+        LiveHeading heading([] { return 0.0; });
+        heading.takeLine(makeNmea("HCHDG,98.3,,,,"));
+        QVERIFY(!heading.variation());
+        heading.takeLine(makeNmea("GPRMC,090000.00,A,4736.0,N,12218.0,W,6.0,27.5,201125,,,A"));
+        QVERIFY(qAbs(heading.variation()->variation.degrees() - 14.97) < 0.02); // WMM2025
+        heading.takeLine(makeNmea("GPRMC,090001.00,A,4736.0,N,12218.0,W,6.0,27.5,201125,0.0,E,A"));
+        QCOMPARE(heading.variation()->variation.degrees(), 0.0);
+        QCOMPARE(heading.variation()->warnings.size(), std::size_t{1});
+        heading.takeLine("{\"raw\":\"" + makeNmea("HCHDG,-3.0,,,15.2,E") + "\"} {\"raw\":\"" + makeNmea("GPHDT,271.0,T") + "\"}");
+        QCOMPARE(heading.badHeadings(), 1);
+        QCOMPARE(heading.heading("GPHDT")->mean_deg, 271.0); // two on a line
+    }
+
     void aWrongPortIsRefusedInWords()
     {
         LivePanel panel;

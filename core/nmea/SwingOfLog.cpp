@@ -1,0 +1,380 @@
+#include "core/nmea/SwingOfLog.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/Number.h"
+#include "core/deviation/SmithFit.h"
+#include "core/nmea/HeadingLine.h"
+#include "core/nmea/NmeaSources.h"
+#include "core/nmea/NmeaTimes.h"
+
+namespace lubberline {
+
+namespace {
+
+/// No aircraft taxies faster: what is, flies, and the wind carries it.
+constexpr double kFlies_kt = 25.0;
+/// Wind that turns a track by less is not worth a word.
+constexpr double kLeastDrift_deg = 0.3;
+/// Wind that is not known within this leaves the track as it is.
+constexpr double kMostDriftError_deg = 3.0;
+/// Standard deviation of each component of a wind of which nothing is known.
+constexpr double kUsualWind_kt = 10.0;
+
+/// Makes a swing of a log that has been read.
+class SwingOfLog {
+public:
+    SwingOfLog(const NmeaLog& log, const NmeaOptions& options) : m_log(log), m_options(options) {}
+    Result<NmeaSwing> make();
+
+private:
+    void takeCounts();
+    void tell(Message message) { m_swing.warnings.push_back(std::move(message)); }
+    void tellLimit(const Message& message)
+    {
+        tell(message);
+        m_swing.limits.push_back(message);
+    }
+    void tellLimits(const std::vector<Message>& messages)
+    {
+        for (const auto& message : messages)
+            tellLimit(message);
+    }
+    Result<void> findVariation();
+    void placeInTime();
+    void findWind();
+    void leaveWindOpen(double speed_kt);
+    void bringToTrue();
+    void makePairs(double delay_s);
+    [[nodiscard]] bool withinLimits(const NmeaPair& pair) const;
+    void findDelay();
+    void tellDelay();
+    void compareDirections();
+    void addDoubts();
+    void addWindDoubts(const std::vector<TimedHeading>& used);
+    [[nodiscard]] std::vector<TimedHeading> usedHeadings() const;
+
+    const NmeaLog& m_log;
+    const NmeaOptions& m_options;
+    NmeaSwing m_swing;
+    NmeaSources m_sources;
+    std::optional<NmeaTimes> m_times;
+    double m_variationError_deg = 0;
+    std::optional<NmeaWind> m_windOpen;  ///< what of it is left in the readings
+    std::vector<TimedHeading> m_compass; ///< in order of time
+    std::vector<std::optional<double>> m_rates;
+    HeadingLine m_sent{{}};      ///< the reference as it was sent
+    HeadingLine m_speeds{{}};    ///< a track, for its speeds
+    HeadingLine m_reference{{}}; ///< magnetic
+};
+
+std::vector<TimedHeading> inTime(const NmeaStream& stream, const NmeaTimes& times)
+{
+    const auto seconds = times.of(stream);
+    std::vector<TimedHeading> headings;
+    for (std::size_t i = 0; i < stream.sent.size(); ++i)
+        if (seconds[i])
+            headings.push_back({*seconds[i], stream.sent[i].angle_deg, stream.sent[i].speed_kt});
+    std::stable_sort(headings.begin(), headings.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+    return headings;
+}
+
+/// How long a step of a log without times is, if the turn was made at a degree a second as turns for a log are.
+double stepOf_s(const HeadingLine& steps)
+{
+    constexpr double kUsualTurn_deg_s = 1.0, kHalf_steps = 5.0;
+    double sum = 0.0;
+    int count = 0;
+    for (const auto& heading : steps.headings())
+        if (const auto rate = steps.rateAt(heading.seconds, kHalf_steps))
+            sum += std::abs(*rate), ++count;
+    const double turn_deg = count ? sum / count : 0.0;
+    return std::clamp(turn_deg / kUsualTurn_deg_s, 0.01, kMostApart_s);
+}
+
+void SwingOfLog::takeCounts()
+{
+    m_swing.lines = m_log.lines;
+    m_swing.sentences = m_log.sentences;
+    m_swing.badChecksums = m_log.badChecksums;
+    m_swing.withoutChecksum = m_log.withoutChecksum;
+    m_swing.otherLines = m_log.otherLines;
+    m_swing.badHeadings = m_log.badHeadings;
+    m_swing.latitude_deg = m_log.latitude_deg;
+    m_swing.longitude_deg = m_log.longitude_deg;
+    m_swing.compassTalker = m_sources.compass->source.talker;
+    m_swing.referenceSource = nameOf(m_sources.reference->source);
+    m_swing.warnings = m_sources.warnings;
+}
+
+Result<void> SwingOfLog::findVariation()
+{
+    const NmeaDate date = dateOfLog(m_log, m_options.date, m_options.today);
+    m_swing.date = date.date;
+    tellLimits(date.doubts);
+    if (m_options.reference == NmeaReference::Magnetic)
+        return {};
+    auto chosen = chooseVariation(m_log, m_options.variation, date, m_options.variationError_deg);
+    if (!chosen && !date.doubts.empty())
+        return Error{chosen.error().code, together({chosen.error().message, date.doubts.front()})};
+    if (!chosen)
+        return chosen.error();
+    m_swing.variation = chosen->variation;
+    m_swing.variationSource = chosen->source;
+    m_swing.variationOfModel_deg = chosen->model_deg;
+    m_variationError_deg = chosen->standardError_deg;
+    tellLimits(chosen->warnings);
+    return {};
+}
+
+void SwingOfLog::placeInTime()
+{
+    m_times.emplace(m_log, *m_sources.reference);
+    m_swing.timesTold = m_times->told();
+    if (!m_times->told())
+        m_times->stretch(m_swing.step_s = stepOf_s(HeadingLine(inTime(*m_sources.reference, *m_times))));
+    m_compass = inTime(*m_sources.compass, *m_times);
+    m_sent = HeadingLine(inTime(*m_sources.reference, *m_times));
+    m_rates = m_times->told() ? turnRates(m_compass) : std::vector<std::optional<double>>(m_compass.size());
+    m_speeds = m_sent;
+    if (m_options.reference == NmeaReference::Track)
+        return;
+    for (const auto& stream : m_log.streams())
+        if (stream.north == NmeaNorth::Track)
+            m_speeds = HeadingLine(inTime(stream, *m_times));
+}
+
+void SwingOfLog::findWind()
+{
+    if (m_options.reference != NmeaReference::Track || m_options.wind == NmeaWindChoice::Leave)
+        return;
+    std::vector<TimedHeading> tracks;
+    for (const auto& track : m_sent.headings())
+        if (track.heading_deg && track.speed_kt.value_or(0.0) >= std::max(m_options.minSpeed_kt, 1e-3))
+            tracks.push_back(track);
+    if (tracks.empty())
+        return;
+    double mean_kt = 0.0;
+    for (const auto& track : tracks)
+        mean_kt += *track.speed_kt / static_cast<double>(tracks.size());
+    const bool flies = mean_kt >= kFlies_kt || m_options.wind == NmeaWindChoice::TakeOut;
+    auto wind = windOf(tracks);
+    const double error_deg = wind ? toDegrees(wind->standardError_kt() / wind->airspeed_kt) : 0.0;
+    if (!wind || error_deg > kMostDriftError_deg) {
+        if (flies)
+            leaveWindOpen(mean_kt);
+        return;
+    }
+    const bool shows = wind->speed_kt() > 2.0 * wind->standardError_kt() && wind->drift_deg() >= kLeastDrift_deg;
+    wind->takenOut = shows && flies;
+    if (wind->takenOut)
+        tellLimit({MARKED("core", "wind from %1° true at %2 ± %3 kt, airspeed %4 kt, is taken out of the tracks"),
+            figureText(wind->from_deg(), 0), figureText(wind->speed_kt(), 1), figureText(wind->standardError_kt(), 1),
+            figureText(wind->airspeed_kt, 1)});
+    else if (shows)
+        tellLimit({MARKED("core",
+                       "the ground speed varies with the track, as if wind or current of %1 kt carried it: on wheels that is the driver; "
+                       "otherwise B and C are out by up to %2° (--wind takes it out)"),
+            figureText(wind->speed_kt(), 1), figureText(wind->drift_deg(), 1)});
+    m_swing.wind = *wind;
+    m_windOpen = *wind;
+}
+
+void SwingOfLog::leaveWindOpen(double speed_kt)
+{
+    tellLimit(
+        {MARKED("core",
+             "the tracks do not tell the wind (three directions at one airspeed would): each knot of it across turns the track from the "
+             "heading by %1°, into A, B and C; their errors allow for %2 kt of it"),
+            figureText(toDegrees(1.0 / speed_kt), 1), figureText(kUsualWind_kt, 0)});
+    m_windOpen.emplace();
+    m_windOpen->airspeed_kt = speed_kt;
+    m_windOpen->covariance = Eigen::Matrix2d::Identity() * kUsualWind_kt * kUsualWind_kt;
+}
+
+/// The reference's magnetic headings, from what was sent.
+void SwingOfLog::bringToTrue()
+{
+    std::vector<TimedHeading> headings = m_sent.headings();
+    for (auto& heading : headings) {
+        if (!heading.heading_deg)
+            continue;
+        if (m_swing.wind && m_swing.wind->takenOut && heading.speed_kt)
+            heading.heading_deg = headingInWind_deg(*m_swing.wind, *heading.heading_deg, *heading.speed_kt);
+        if (m_swing.variation)
+            heading.heading_deg = wrap360(*heading.heading_deg - m_swing.variation->degrees());
+    }
+    m_reference = HeadingLine(std::move(headings));
+}
+
+bool SwingOfLog::withinLimits(const NmeaPair& pair) const
+{
+    // A track without a speed is no track: nothing says that the aircraft moved.
+    if (m_options.reference == NmeaReference::Track && pair.speed_kt.value_or(0.0) < m_options.minSpeed_kt)
+        return false;
+    return !pair.turnRate_deg_s || std::abs(*pair.turnRate_deg_s) <= m_options.maxTurnRate_deg_s;
+}
+
+void SwingOfLog::makePairs(double delay_s)
+{
+    m_swing.pairs.clear();
+    m_swing.used = 0;
+    for (std::size_t i = 0; i < m_compass.size(); ++i) {
+        const auto reference = m_reference.at(m_compass[i].seconds + delay_s);
+        if (!reference)
+            continue;
+        const auto speed = m_speeds.at(m_compass[i].seconds + delay_s);
+        NmeaPair pair{CompassHeading::fromDegrees(*m_compass[i].heading_deg), MagneticHeading::fromDegrees(*reference->heading_deg),
+            m_compass[i].seconds, speed ? speed->speed_kt : std::nullopt, m_rates[i], m_times->utc(m_compass[i].seconds), false};
+        pair.used = withinLimits(pair);
+        m_swing.used += pair.used ? 1 : 0;
+        m_swing.pairs.push_back(std::move(pair));
+    }
+}
+
+std::vector<TimedHeading> SwingOfLog::usedHeadings() const
+{
+    std::vector<TimedHeading> used;
+    for (const auto& pair : m_swing.pairs)
+        if (pair.used)
+            used.push_back({pair.seconds, pair.compass.degrees(), {}});
+    return used;
+}
+
+void SwingOfLog::findDelay()
+{
+    const double spacing_s = std::min(m_times->spacing_s(*m_sources.compass), m_times->spacing_s(*m_sources.reference));
+    m_swing.delay = delayOf(usedHeadings(), m_reference, spacing_s);
+    if (m_swing.delay.seconds)
+        makePairs(*m_swing.delay.seconds);
+    tellDelay();
+}
+
+void SwingOfLog::tellDelay()
+{
+    const NmeaDelay& delay = m_swing.delay;
+    const std::string degrees = figureText(std::abs(delay.A_degPerSecond), 1);
+    if (!m_times->told())
+        tellLimit(MARKED("core", "the log tells no time: its turn is taken as one of 1°/s"));
+    if (delay.told == DelayTold::OneWay && std::abs(delay.A_degPerSecond) >= 0.05)
+        tell(
+            {MARKED("core",
+                 "the turn goes one way at about one rate: A and a delay between heading and reference cannot be told apart, each second of "
+                 "delay is %1° of A; A is sure to ± %2° only (a turn the other way would tell)"),
+                degrees, figureText(std::abs(delay.A_degPerSecond) * delay.standardError_s, 1)});
+    else if (delay.told == DelayTold::TooNoisy)
+        tellLimit(
+            {MARKED("core", "the headings are too uneven to tell the delay between heading and reference: each second of it is %1° of A"),
+                degrees});
+    else if (delay.seconds)
+        tellLimit({MARKED("core", "the reference is %1 ± %2 s older than the heading beside it; that is taken out"),
+            signedFigureText(*delay.seconds, 2), figureText(delay.standardError_s, 2)});
+    std::vector<double> turning;
+    for (const auto& pair : m_swing.pairs)
+        if (pair.used && pair.turnRate_deg_s && std::abs(*pair.turnRate_deg_s) >= kSlowestTurn_deg_s)
+            turning.push_back(std::abs(*pair.turnRate_deg_s));
+    const auto fast = std::count_if(turning.begin(), turning.end(), [](double rate) { return rate > 1.1 * kFastestTurn_deg_s; });
+    if (2 * fast > static_cast<std::ptrdiff_t>(turning.size()))
+        tell({MARKED("core", "most of the turn is faster than %1°/s: a card in its liquid lags; %2 to %1°/s tells more"),
+            figureText(kFastestTurn_deg_s, 1), figureText(kSlowestTurn_deg_s, 1)});
+}
+
+void SwingOfLog::compareDirections()
+{
+    const auto rates = referenceRates(usedHeadings(), m_reference, m_swing.delay.seconds.value_or(0.0));
+    std::array<std::vector<Observation>, 2> ways;
+    std::size_t next = 0;
+    for (const auto& pair : m_swing.pairs) {
+        if (!pair.used)
+            continue;
+        const double rate = rates[next++];
+        if (std::abs(rate) >= kSlowestTurn_deg_s)
+            ways[rate > 0.0 ? 0 : 1].push_back({pair.magnetic, pair.compass});
+    }
+    constexpr std::size_t kFewest = 20;
+    if (ways[0].size() < kFewest || ways[1].size() < kFewest)
+        return;
+    const auto right = fitApproximate(ways[0]), left = fitApproximate(ways[1]);
+    if (!right || !left || right->parameters < 5 || left->parameters < 5)
+        return;
+    NmeaDirections directions{toDegrees(*right->of(Coefficient::A)), toDegrees(*left->of(Coefficient::A)), 0.0};
+    for (const auto& one : ways[0].size() < ways[1].size() ? ways[0] : ways[1])
+        directions.largestDifference_deg = std::max(directions.largestDifference_deg,
+            std::abs(wrap180(deviationAt(right->smith(), one.compass).degrees() - deviationAt(left->smith(), one.compass).degrees())));
+    tell({MARKED("core", "clockwise A is %1°, counter-clockwise %2°; the two curves differ by up to %3°"),
+        signedFigureText(directions.clockwiseA_deg, 2), signedFigureText(directions.counterClockwiseA_deg, 2),
+        figureText(directions.largestDifference_deg, 1)});
+    m_swing.directions = directions;
+}
+
+void SwingOfLog::addWindDoubts(const std::vector<TimedHeading>& used)
+{
+    if (!m_windOpen)
+        return;
+    NmeaWind applied = *m_windOpen;
+    Eigen::Matrix2d open = applied.covariance;
+    if (!applied.takenOut) { // all of it is in the readings
+        open += applied.toward_kt * applied.toward_kt.transpose();
+        applied.toward_kt.setZero();
+    }
+    const Eigen::Matrix2d half = open.llt().matrixL();
+    std::array<NmeaDoubt, 2> doubts;
+    for (const auto& heading : used) {
+        const auto sent = m_sent.at(heading.seconds + m_swing.delay.seconds.value_or(0.0));
+        const Eigen::Vector2d turned = sent && sent->speed_kt
+            ? Eigen::Vector2d(half.transpose() * turnedByWind_deg(applied, *sent->heading_deg, *sent->speed_kt))
+            : Eigen::Vector2d(0.0, 0.0);
+        doubts[0].push_back(turned.x());
+        doubts[1].push_back(turned.y());
+    }
+    m_swing.doubts.insert(m_swing.doubts.end(), doubts.begin(), doubts.end());
+}
+
+void SwingOfLog::addDoubts()
+{
+    const auto used = usedHeadings();
+    NmeaDoubt delay = referenceRates(used, m_reference, m_swing.delay.seconds.value_or(0.0));
+    for (double& turned : delay)
+        turned *= -m_swing.delay.standardError_s;
+    m_swing.doubts.push_back(std::move(delay));
+    addWindDoubts(used);
+    if (m_variationError_deg > 0.0)
+        m_swing.doubts.emplace_back(used.size(), m_variationError_deg);
+}
+
+Result<NmeaSwing> SwingOfLog::make()
+{
+    auto sources = chooseSources(m_log, m_options);
+    if (!sources)
+        return sources.error();
+    m_sources = std::move(sources.value());
+    takeCounts();
+    if (const auto found = findVariation(); !found)
+        return found.error();
+    placeInTime();
+    findWind();
+    bringToTrue();
+    makePairs(0.0);
+    if (m_swing.pairs.empty())
+        return Error{ErrorCode::InvalidInput,
+            {MARKED("core", "no compass heading of %1 has a reference (%2) near its time"), nameOf(m_sources.compass->source),
+                nameOf(m_sources.reference->source)}};
+    findDelay();
+    compareDirections();
+    addDoubts();
+    if (std::any_of(m_swing.pairs.begin(), m_swing.pairs.end(), [](const NmeaPair& pair) { return !pair.turnRate_deg_s; }))
+        tell(MARKED("core", "some headings have no time near them: their turn rate is not known and not limited"));
+    const auto told = toldOfLog(m_log);
+    m_swing.warnings.insert(m_swing.warnings.end(), told.begin(), told.end());
+    return std::move(m_swing);
+}
+
+} // namespace
+
+Result<NmeaSwing> makeSwing(const NmeaLog& log, const NmeaOptions& options) { return SwingOfLog(log, options).make(); }
+
+} // namespace lubberline
