@@ -49,7 +49,6 @@ TEST(NmeaCommand, json)
     EXPECT_NEAR(json.at("approximate").at("B_deg").get<double>(), 0.0, 1e-9);
 }
 
-<<<<<<< HEAD
 TEST(NmeaCommand, theVariationIsTakenAsTheWindowTakesIt)
 {
     const Sandbox sandbox;
@@ -59,7 +58,8 @@ TEST(NmeaCommand, theVariationIsTakenAsTheWindowTakesIt)
     for (const char* text : {"3.25 W", "3\u00B015'W", "\u22123,25"})
         EXPECT_EQ(sandbox.run({"nmea", log, "--variation", text, "--json"}).out, plain.out) << text;
     EXPECT_EQ(sandbox.run({"nmea", log, "--variation", "3 O"}).status, 2);
-=======
+}
+
 TEST(NmeaCommand, whatTheTurnCannotTellStandsBesideTheResult)
 {
     const Sandbox sandbox;
@@ -82,7 +82,6 @@ TEST(NmeaCommand, whatTheTurnCannotTellStandsBesideTheResult)
     EXPECT_NEAR(json.at("variation_of_model_deg").get<double>(), 7.0, 1.0);
     EXPECT_EQ(sandbox.run({"nmea", sandbox.path("turn.nmea"), "--date", "23.11.2026"}).status, 2);
     EXPECT_EQ(sandbox.run({"nmea", sandbox.path("turn.nmea"), "--wind", "gale"}).status, 2);
->>>>>>> d3044fd (Logs without times, short arcs in wind and surveyed bases are as unsure as they are; the import page takes wind, date and the variation's error; the live strip shows the turn rate and doubts the variation)
 }
 
 TEST(NmeaCommand, theCsvIsASwing)
