@@ -16,6 +16,11 @@ std::string signedCell(std::optional<double> value, int width, int decimals)
     return value ? text("%+*.*f", width, decimals, *value) : text("%*s", width, "-");
 }
 
+std::string cell(std::optional<double> value, int decimals)
+{
+    return value ? text("%*.*f", kSmithColumn, decimals, *value) : text("%*s", kSmithColumn, "-");
+}
+
 std::optional<double> degrees(std::optional<double> angle_rad) { return angle_rad ? std::optional(toDegrees(*angle_rad)) : std::nullopt; }
 
 std::string readingsTable(const Analysis& analysis)
@@ -26,7 +31,37 @@ std::string readingsTable(const Analysis& analysis)
         out += text("%8.2f %8.2f   %+8.2f ", reading.magnetic.degrees(), reading.compass.degrees(), reading.deviation.degrees());
         out += signedCell(degrees(reading.residualApproximate_rad), 10, 2) + signedCell(degrees(reading.residualExact_rad), 10, 2);
         if (reading.suspect)
-            out += text("  <- look again: %+.1f standard deviations off the others' curve", reading.studentised.value_or(0));
+            out += "  <- look again";
+        out += "\n";
+    }
+    return out;
+}
+
+const char* wordsOf(Slip slip)
+{
+    switch (slip) {
+    case Slip::SwappedDigits: return "swapped digits";
+    case Slip::Reciprocal: return "the reciprocal";
+    case Slip::FiveDegrees: return "a 5 deg slip";
+    case Slip::TenDegrees: return "a 10 deg slip";
+    case Slip::HundredDegrees: return "a 100 deg slip";
+    case Slip::WrongSign: return "a deviation applied with the wrong sign";
+    case Slip::WrongRow: return "the wrong row";
+    case Slip::Unexplained: break;
+    }
+    return "no slip that has a name";
+}
+
+std::string slipsTable(const Analysis& analysis)
+{
+    std::string out;
+    for (const auto& slip : analysis.slips.slips) {
+        const auto& reading = analysis.readings[slip.reading];
+        out += text("look again at %.1f, which reads %.1f: %s with %.0f %%", reading.magnetic.degrees(), reading.compass.degrees(),
+            slip.orReadings.empty() ? "it was misread" : "one of the readings that cannot be told apart was misread", 100 * slip.probability);
+        for (const auto& candidate : slip.candidates)
+            out += candidate.slip == Slip::Unexplained ? text("; %s %.0f %%", wordsOf(candidate.slip), 100 * candidate.probability)
+                                                       : text("; %s, %.1f meant, %.0f %%", wordsOf(candidate.slip), candidate.meant_deg, 100 * candidate.probability);
         out += "\n";
     }
     return out;
@@ -43,13 +78,14 @@ std::string pointRuleCell(const std::optional<PointRules>& rules, Coefficient co
 std::string coefficientsTable(const Analysis& analysis)
 {
     const auto& rules = analysis.pointRules;
-    std::string out = text("\n%13s%12s%12s%12s", "approx. (deg)", "+- s.e.", "exact", "+- s.e.");
+    std::string out = text("\n%13s%12s%12s%12s%12s%12s", "approx. (deg)", "s.e.", "95 % +-", "exact", "s.e.", "95 % +-");
     out += rules ? text("%15s\n", rules->points == 8 ? "8-point (deg)" : "4-point (deg)") : "\n";
     for (const Coefficient coefficient : kCoefficients) {
         const auto i = indexOf(coefficient);
         out += letterOf(coefficient) + signedCell(degrees(analysis.approximate.value[i]), kSmithColumn, 3);
-        out += signedCell(degrees(analysis.approximate.standardError[i]), kSmithColumn, 3);
-        out += signedCell(analysis.exact.value[i], kSmithColumn, 5) + signedCell(analysis.exact.standardError[i], kSmithColumn, 5);
+        out += cell(degrees(analysis.approximate.standardError[i]), 3) + cell(degrees(analysis.approximate.interval95(coefficient)), 3);
+        out += signedCell(analysis.exact.value[i], kSmithColumn, 5);
+        out += cell(analysis.exact.standardError[i], 5) + cell(analysis.exact.interval95(coefficient), 5);
         out += pointRuleCell(rules, coefficient) + "\n";
     }
     out += text("rms residual: approximate %.3f deg, exact %.3f deg; condition number %.1f\n", toDegrees(analysis.approximate.rms_rad),
@@ -74,7 +110,7 @@ std::string harmonicsTable(const Harmonics& harmonics)
 std::string tableOf(const Analysis& analysis)
 {
     const auto& summary = analysis.summary;
-    return readingsTable(analysis) + coefficientsTable(analysis) + harmonicsTable(analysis.harmonics)
+    return readingsTable(analysis) + slipsTable(analysis) + coefficientsTable(analysis) + harmonicsTable(analysis.harmonics)
         + text("\nlargest deviation %+.2f deg at magnetic heading %.1f deg; rms %.2f deg\n",
             summary.maxDeviation_rad >= -summary.minDeviation_rad ? toDegrees(summary.maxDeviation_rad)
                                                                   : toDegrees(summary.minDeviation_rad),

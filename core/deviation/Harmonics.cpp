@@ -9,6 +9,7 @@
 
 #include "core/deviation/FourierPlan.h"
 #include "core/deviation/LeastSquares.h"
+#include "core/deviation/ToldCoefficients.h"
 #include "core/deviation/SmithFit.h"
 
 namespace lubberline {

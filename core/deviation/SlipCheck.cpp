@@ -7,6 +7,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "core/deviation/SlipVariants.h"
+
 namespace lubberline {
 
 namespace {
@@ -14,9 +16,6 @@ namespace {
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
-// How often each slip happens, a reading. Our estimates: only their order of size matters, as likelihoods differ by far more.
-constexpr double kSwappedDigits = 2e-3, kReciprocal = 1e-3, kTenDegrees = 4e-3, kHundredDegrees = 5e-4, kWrongSign = 1e-3, kWrongRow = 2e-3;
-constexpr double kUnexplained = 1e-3;     ///< any figure of the circle, alike
 constexpr double kTwitch_deg = 0.4;       ///< of a reader and a swaying card, besides the resolution
 constexpr double kTurnedWithin_deg = 3.0; ///< how near to the wanted heading an aircraft is turned (procedures: within 5°)
 constexpr double kLeastShown = 0.01;
@@ -84,43 +83,6 @@ double Expectation::compass_deg(double magnetic_deg) const
     return wrap360(compass);
 }
 
-/// The figure with two of its three digits exchanged; a fraction stays.
-std::vector<double> withSwappedDigits(double figure_deg)
-{
-    const int whole = static_cast<int>(std::floor(figure_deg));
-    const std::array<int, 3> digits{whole / 100, whole / 10 % 10, whole % 10};
-    std::vector<double> swapped;
-    for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)}) {
-        auto other = digits;
-        std::swap(other[i], other[j]);
-        const int meant = other[0] * 100 + other[1] * 10 + other[2];
-        if (meant != whole && meant < 360)
-            swapped.push_back(meant + figure_deg - whole);
-    }
-    return swapped;
-}
-
-struct Variant {
-    Slip slip;
-    double meant_deg;
-    double prior;
-};
-
-/// What may have been meant where `figure_deg` was written, with how likely such a slip is before the reading is looked at.
-std::vector<Variant> variantsOf(double figure_deg)
-{
-    std::vector<Variant> variants;
-    const auto swapped = withSwappedDigits(figure_deg);
-    for (const double meant : swapped)
-        variants.push_back({Slip::SwappedDigits, meant, kSwappedDigits / static_cast<double>(swapped.size())});
-    variants.push_back({Slip::Reciprocal, wrap360(figure_deg + 180.0), kReciprocal});
-    for (const double off : {-10.0, 10.0})
-        variants.push_back({Slip::TenDegrees, wrap360(figure_deg + off), kTenDegrees / 2});
-    for (const double off : {-100.0, 100.0})
-        variants.push_back({Slip::HundredDegrees, wrap360(figure_deg + off), kHundredDegrees / 2});
-    return variants;
-}
-
 double likelihoodOfDatum(double magnetic_deg, const std::optional<double>& nominal_deg)
 {
     return nominal_deg ? normalDensity(wrap180(magnetic_deg - *nominal_deg), kTurnedWithin_deg) : 1.0 / 360.0;
@@ -132,16 +94,16 @@ std::vector<SlipCandidate> weighedSlips(const Observation& reading, const SlipCo
     const double magnetic = reading.magnetic.degrees(), compass = reading.compass.degrees();
     const double datumHere = likelihoodOfDatum(magnetic, context.nominal_deg);
     std::vector<SlipCandidate> slips;
-    for (const auto& variant : variantsOf(compass))
+    for (const auto& variant : slipVariantsOf(compass))
         slips.push_back({variant.slip, SlippedFigure::Compass, variant.meant_deg,
             variant.prior * datumHere * expectation.likelihood(magnetic, variant.meant_deg)});
-    for (const auto& variant : variantsOf(magnetic))
+    for (const auto& variant : slipVariantsOf(magnetic))
         slips.push_back({variant.slip, SlippedFigure::Datum, variant.meant_deg,
             variant.prior * likelihoodOfDatum(variant.meant_deg, context.nominal_deg)
                 * expectation.likelihood(variant.meant_deg, compass)});
     const double turned = wrap360(2.0 * magnetic - compass);
-    slips.push_back({Slip::WrongSign, SlippedFigure::Compass, turned, kWrongSign * datumHere * expectation.likelihood(magnetic, turned)});
-    const double each = kWrongRow / static_cast<double>(std::max<std::size_t>(context.otherNominals_deg.size(), 1));
+    slips.push_back({Slip::WrongSign, SlippedFigure::Compass, turned, kWrongSignRate * datumHere * expectation.likelihood(magnetic, turned)});
+    const double each = kWrongRowRate / static_cast<double>(std::max<std::size_t>(context.otherNominals_deg.size(), 1));
     for (const double nominal : context.otherNominals_deg) {
         // On another row the aircraft stood within the usual few degrees of that row's heading.
         const double off = wrap180(compass - expectation.compass_deg(nominal));
@@ -169,7 +131,7 @@ SlipJudgement judgeReading(const Observation& reading, const SlipContext& contex
     judgement.expectedError_deg = expectation.sigma_deg(judgement.expected.degrees());
     judgement.candidates = weighedSlips(reading, context, expectation);
     judgement.probabilityAsRead = datumHere * expectation.likelihood(reading.magnetic.degrees(), reading.compass.degrees());
-    judgement.probabilityUnexplained = kUnexplained / 360.0 * (datumHere + 1.0 / 360.0) / 2.0; // either figure, anywhere
+    judgement.probabilityUnexplained = kUnexplainedRate / 360.0 * (datumHere + 1.0 / 360.0) / 2.0; // either figure, anywhere
 
     double total = judgement.probabilityAsRead + judgement.probabilityUnexplained;
     for (const auto& candidate : judgement.candidates)

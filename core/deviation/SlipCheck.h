@@ -16,10 +16,12 @@ namespace lubberline {
 enum class Slip {
     SwappedDigits, ///< 269 for 296
     Reciprocal,    ///< read from the other side: 180° off
+    FiveDegrees,   ///< the neighbouring mark of the card: 5° off
     TenDegrees,    ///< the neighbouring figure of the card: 10° off
     HundredDegrees,
     WrongSign, ///< the deviation was applied the wrong way round
     WrongRow,  ///< it fits another heading of the list
+    Unexplained, ///< off the curve, by no slip that has a name
 };
 
 enum class SlippedFigure { Compass, Datum };

@@ -11,6 +11,8 @@
 #include <string>
 
 #include "core/deviation/LeastSquares.h"
+#include "core/deviation/SerialCorrelation.h"
+#include "core/deviation/ToldCoefficients.h"
 
 namespace lubberline {
 
@@ -63,45 +65,30 @@ Result<int> enoughHeadings(std::span<const Observation> readings, const std::vec
     return distinct;
 }
 
+/// The readings' deviations about `index_deg`: without a jump from +180° to −180° among them.
+double aboutIndex_deg(const Observation& reading, double index_deg)
+{
+    return index_deg + wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - index_deg);
+}
+
 /// What distinguishes the two fits: a row of the design matrix and its right-hand side.
 struct Row {
     std::array<double, kCoefficientCount> x;
     double y;
 };
 
-Row approximateRow(const Observation& reading)
+Row approximateRow(const Observation& reading, double index_deg)
 {
     const double s1 = std::sin(reading.compass.radians()), c1 = std::cos(reading.compass.radians());
-    return {{1, s1, c1, 2 * s1 * c1, c1 * c1 - s1 * s1}, deviationOf(reading.magnetic, reading.compass).radians()};
+    return {{1, s1, c1, 2 * s1 * c1, c1 * c1 - s1 * s1}, toRadians(aboutIndex_deg(reading, index_deg))};
 }
 
-Row exactRow(const Observation& reading)
+/// As if the compass had been turned in its mount by the index.
+Row exactRow(const Observation& reading, double index_deg)
 {
-    const double z = reading.compass.radians(), sum = reading.magnetic.radians() + z;
-    const double deviation = deviationOf(reading.magnetic, reading.compass).radians();
+    const double z = reading.compass.radians() + toRadians(index_deg), sum = reading.magnetic.radians() + z;
+    const double deviation = reading.magnetic.radians() - z;
     return {{std::cos(deviation), std::sin(z), std::cos(z), std::sin(sum), std::cos(sum)}, std::sin(deviation)};
-}
-
-/// Five, three or no parameters: the most that the headings can tell.
-/// A condition number of 20 means that a reading error can be blown up some five to ten times in a coefficient: half a circle
-/// of readings (15) is just accepted for all five, a quarter (16) for A, B and C.
-int parametersFor(const Design& design, int distinct, SmithFitReport& report)
-{
-    const auto n = design.rows();
-    const Eigen::VectorXd sigma = singularValues(n >= 5 ? design : Design(design.transpose()));
-    const double tolerance = sigma(0) * std::numeric_limits<double>::epsilon() * static_cast<double>(std::max<Eigen::Index>(n, 5));
-    report.rank = static_cast<int>((sigma.array() > tolerance).count());
-    report.conditionNumber = n >= 5 ? conditionNumber(sigma) : std::numeric_limits<double>::max();
-    if (distinct >= 5 && report.conditionNumber <= kConditionLimit)
-        return 5;
-    const double three = conditionNumber(singularValues(design.leftCols(3)));
-    if (three <= kConditionLimit) {
-        report.conditionNumber = three;
-        return 3;
-    }
-    // What is reported must be a number.
-    report.conditionNumber = std::min(report.conditionNumber, std::numeric_limits<double>::max());
-    return 0;
 }
 
 void fillStatistics(SmithFitReport& report)
@@ -117,15 +104,55 @@ void fillStatistics(SmithFitReport& report)
         report.sigma_rad = std::sqrt(sumOfSquares / report.degreesOfFreedom);
 }
 
-void fillUncertainty(SmithFitReport& report, const Eigen::MatrixXd& inverseNormal)
+/// Student quantiles are slow to compute and asked for again and again with the same few degrees of freedom.
+double studentQuantile(double probability, double degreesOfFreedom)
 {
-    if (!report.sigma_rad)
-        return;
-    const auto p = report.parameters;
-    const double scatter_rad = std::max(*report.sigma_rad, kLeastScatter_rad);
-    report.covariance.topLeftCorner(p, p) = inverseNormal * (scatter_rad * scatter_rad);
-    for (int i = 0; i < p; ++i)
+    static std::mutex mutex;
+    static std::map<std::pair<double, double>, double> known;
+    const std::lock_guard lock(mutex);
+    const auto [place, isNew] = known.try_emplace({probability, degreesOfFreedom}, 0.0);
+    if (isNew)
+        place->second = boost::math::quantile(boost::math::students_t(degreesOfFreedom), probability);
+    return place->second;
+}
+
+/// A small matrix over the coefficients that were fitted, as one over all five.
+Eigen::Matrix<double, 5, 5> overAllFive(const Eigen::MatrixXd& small, const std::vector<int>& columns)
+{
+    Eigen::Matrix<double, 5, 5> whole = Eigen::Matrix<double, 5, 5>::Zero();
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        for (std::size_t j = 0; j < columns.size(); ++j)
+            whole(columns[i], columns[j]) = small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    return whole;
+}
+
+void fillUncertainty(SmithFitReport& report, const Eigen::MatrixXd& covariance, const std::vector<int>& columns, double freedom)
+{
+    report.covariance = overAllFive(covariance, columns);
+    for (const int i : columns)
         report.standardError[static_cast<std::size_t>(i)] = std::sqrt(report.covariance(i, i));
+    report.intervalFactor = studentQuantile(0.975, freedom);
+}
+
+struct SerialErrors {
+    SerialCorrelation errors;
+    Design design; ///< in the order of reading
+};
+
+std::optional<SerialErrors> serialErrorsOf(const Design& columns, const Eigen::VectorXd& observed, const std::vector<std::size_t>& order)
+{
+    if (columns.rows() < kLeastForSerialCorrelation)
+        return std::nullopt;
+    Design inOrder(columns.rows(), columns.cols());
+    Eigen::VectorXd observedInOrder(observed.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        inOrder.row(static_cast<Eigen::Index>(order[i])) = columns.row(static_cast<Eigen::Index>(i));
+        observedInOrder(static_cast<Eigen::Index>(order[i])) = observed(static_cast<Eigen::Index>(i));
+    }
+    const auto errors = serialCorrelation(inOrder, observedInOrder);
+    if (!errors)
+        return std::nullopt;
+    return SerialErrors{*errors, std::move(inOrder)};
 }
 
 template <class Fit, class MakeRow, class Predict>
@@ -135,47 +162,49 @@ Result<Fit> fit(std::span<const Observation> readings, MakeRow makeRow, Predict 
     const auto distinct = enoughHeadings(readings, order);
     if (!distinct)
         return distinct.error();
+    Fit report;
+    report.index_rad = toRadians(largeIndex_deg(readings));
     const auto n = static_cast<Eigen::Index>(readings.size());
     Design design(n, 5);
     Eigen::VectorXd observed(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        const Row row = makeRow(readings[order[static_cast<std::size_t>(i)]]);
+        const Row row = makeRow(readings[order[static_cast<std::size_t>(i)]], toDegrees(report.index_rad));
         design.row(i) = Eigen::Map<const Eigen::Matrix<double, 1, 5>>(row.x.data());
         observed(i) = row.y;
     }
-    Fit report;
-    report.parameters = parametersFor(design, *distinct, report);
+    const ToldCoefficients told = toldBy(design, *distinct);
+    report.parameters = static_cast<int>(told.columns.size());
+    report.rank = told.rank;
+    report.conditionNumber = told.conditionNumber;
     if (!report.fitted())
         return report;
 
-    const LeastSquares solved = solveLeastSquares(design.leftCols(report.parameters), observed);
-    for (int i = 0; i < report.parameters; ++i)
-        report.value[static_cast<std::size_t>(i)] = solved.solution(i);
+    const Design columns = design(Eigen::all, told.columns);
+    const LeastSquares solved = solveLeastSquares(columns, observed);
+    for (std::size_t i = 0; i < told.columns.size(); ++i)
+        report.value[static_cast<std::size_t>(told.columns[i])] = solved.solution(static_cast<Eigen::Index>(i));
     report.residual_rad.resize(readings.size());
     report.leverage.resize(readings.size());
-    const auto smith = report.smith();
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto& reading = readings[order[i]];
-        const Deviation fitted = predict(smith, reading);
+        const Deviation fitted = predict(report, reading);
         report.residual_rad[order[i]]
             = Deviation::fromDegrees(deviationOf(reading.magnetic, reading.compass).degrees() - fitted.degrees()).radians();
         report.leverage[order[i]] = solved.leverage(static_cast<Eigen::Index>(i));
     }
     fillStatistics(report);
-    fillUncertainty(report, solved.inverseNormal);
+    report.unitCovariance = overAllFive(solved.inverseNormal, told.columns);
+    if (!report.sigma_rad)
+        return report;
+    if (const auto serial = serialErrorsOf(columns, observed, order)) {
+        report.lagOneCorrelation = serial->errors.lagOne();
+        const double freedom = independentReadings(serial->errors, static_cast<int>(n)) - report.parameters;
+        fillUncertainty(report, covarianceUnder(serial->errors, serial->design, solved.inverseNormal), told.columns, std::max(1.0, freedom));
+    } else {
+        const double scatter_rad = std::max(*report.sigma_rad, kLeastScatter_rad);
+        fillUncertainty(report, solved.inverseNormal * (scatter_rad * scatter_rad), told.columns, report.degreesOfFreedom);
+    }
     return report;
-}
-
-/// Student quantiles are slow to compute and asked for again and again with the same few degrees of freedom.
-double studentQuantile(double probability, int degreesOfFreedom)
-{
-    static std::mutex mutex;
-    static std::map<std::pair<double, int>, double> known;
-    const std::lock_guard lock(mutex);
-    const auto [place, isNew] = known.try_emplace({probability, degreesOfFreedom}, 0.0);
-    if (isNew)
-        place->second = boost::math::quantile(boost::math::students_t(degreesOfFreedom), probability);
-    return place->second;
 }
 
 } // namespace
@@ -190,26 +219,71 @@ ExactSmith ExactFit::smith() const
     return {value[0].value_or(0), value[1].value_or(0), value[2].value_or(0), value[3].value_or(0), value[4].value_or(0)};
 }
 
+std::optional<double> SmithFitReport::interval95(Coefficient c) const
+{
+    const auto& error = standardError[indexOf(c)];
+    if (!error || !intervalFactor)
+        return std::nullopt;
+    return *error * *intervalFactor;
+}
+
+Deviation deviationAt(const ExactFit& fit, MagneticHeading magnetic)
+{
+    return Deviation::fromDegrees(deviationAt(fit.smith(), magnetic).degrees() + toDegrees(fit.index_rad));
+}
+
+double largeIndex_deg(std::span<const Observation> readings)
+{
+    constexpr double kLarge_deg = 45.0;
+    double x = 0, y = 0;
+    for (const auto& reading : readings) {
+        const double deviation = deviationOf(reading.magnetic, reading.compass).radians();
+        x += std::cos(deviation);
+        y += std::sin(deviation);
+    }
+    const double mean_deg = toDegrees(std::atan2(y, x));
+    // Deviations all round the circle have no middle.
+    const bool together = std::hypot(x, y) > 0.5 * static_cast<double>(readings.size());
+    return together && std::abs(mean_deg) > kLarge_deg ? std::round(mean_deg) : 0.0;
+}
+
+void widenTo(SmithFitReport& fit, double error_rad)
+{
+    constexpr double kNormalQuantile = 1.959964; // of 95 %: a reading error is known, not estimated
+    if (!fit.fitted() || error_rad <= 0.0 || (fit.sigma_rad && *fit.sigma_rad >= error_rad))
+        return;
+    if (!fit.sigma_rad) { // as many coefficients as readings: the reading error is all that is known
+        fit.covariance = fit.unitCovariance * (error_rad * error_rad);
+    } else {
+        const double factor = error_rad / std::max(*fit.sigma_rad, kLeastScatter_rad);
+        fit.covariance *= factor * factor;
+        fit.intervalFactor = std::max(*fit.intervalFactor / factor, kNormalQuantile);
+    }
+    for (std::size_t i = 0; i < kCoefficientCount; ++i)
+        if (fit.value[i])
+            fit.standardError[i] = std::sqrt(fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
+}
+
 Result<ApproximateFit> fitApproximate(std::span<const Observation> readings)
 {
     return fit<ApproximateFit>(readings, approximateRow,
-        [](const ApproximateSmith& smith, const Observation& reading) { return deviationAt(smith, reading.compass); });
+        [](const ApproximateFit& found, const Observation& reading) { return deviationAt(found.smith(), reading.compass); });
 }
 
 Result<ExactFit> fitExact(std::span<const Observation> readings)
 {
     return fit<ExactFit>(
-        readings, exactRow, [](const ExactSmith& smith, const Observation& reading) { return deviationAt(smith, reading.magnetic); });
+        readings, exactRow, [](const ExactFit& found, const Observation& reading) { return deviationAt(found, reading.magnetic); });
 }
 
 std::optional<double> bandHalfWidth_rad(const ApproximateFit& fit, CompassHeading compass)
 {
-    if (!fit.sigma_rad)
+    if (!fit.intervalFactor)
         return std::nullopt;
-    const Row row = approximateRow({MagneticHeading{}, compass});
+    const Row row = approximateRow({MagneticHeading{}, compass}, 0.0);
     const auto x = Eigen::Map<const Eigen::Matrix<double, 5, 1>>(row.x.data());
     const double variance = x.dot(fit.covariance * x); // rows without a value are zero
-    return studentQuantile(0.975, fit.degreesOfFreedom) * std::sqrt(std::max(0.0, variance));
+    return *fit.intervalFactor * std::sqrt(std::max(0.0, variance));
 }
 
 std::vector<std::optional<double>> studentisedResiduals(const SmithFitReport& fit)
@@ -227,20 +301,6 @@ std::vector<std::optional<double>> studentisedResiduals(const SmithFitReport& fi
         studentised[i] = residual / std::sqrt(variance * free);
     }
     return studentised;
-}
-
-double deletedResidual_rad(const SmithFitReport& fit, std::size_t reading)
-{
-    LUBBERLINE_EXPECT(reading < fit.residual_rad.size() && fit.leverage[reading] < 1.0, "the others fit a curve without this reading");
-    return fit.residual_rad[reading] / (1.0 - fit.leverage[reading]);
-}
-
-double suspectThreshold(int readings, int degreesOfFreedom)
-{
-    constexpr double kFalseAlarmsPerSwing = 0.10;
-    if (degreesOfFreedom < 2)
-        return std::numeric_limits<double>::max();
-    return studentQuantile(1.0 - kFalseAlarmsPerSwing / (2.0 * readings), degreesOfFreedom - 1);
 }
 
 } // namespace lubberline

@@ -21,7 +21,14 @@ struct SmithFitReport {
     std::array<std::optional<double>, kCoefficientCount> value;
     std::array<std::optional<double>, kCoefficientCount> standardError;           ///< none without degrees of freedom
     Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero(); ///< zero rows where there is no value
-    int parameters = 0;                                                           ///< 5, 3 (A, B, C) or 0
+    Eigen::Matrix<double, 5, 5> unitCovariance = Eigen::Matrix<double, 5, 5>::Zero(); ///< (XᵀX)⁻¹, of readings with unit variance
+    /// Half width of the 95 % interval in standard errors: Student's quantile of the degrees of freedom (of those that correlated readings
+    /// are worth); none where no scatter could be measured.
+    std::optional<double> intervalFactor;
+    /// Of neighbouring readings, where it is more than chance: the covariance counts it (SerialCorrelation.h).
+    std::optional<double> lagOneCorrelation;
+    double index_rad = 0; ///< largeIndex_deg(), taken out before the exact fit; in A of the approximate one
+    int parameters = 0;   ///< 5; 4 (without D or E), 3 (A, B, C) or 0
     int rank = 0;                                                                 ///< numerical rank of the five-column design matrix
     int degreesOfFreedom = 0;                                                     ///< readings − parameters
     double conditionNumber = 0; ///< of the design matrix of the parameters that were fitted (of five columns if none was)
@@ -32,6 +39,8 @@ struct SmithFitReport {
     std::vector<double> leverage;     ///< diagonal of the hat matrix
     [[nodiscard]] bool fitted() const { return parameters > 0; }
     [[nodiscard]] std::optional<double> of(Coefficient c) const { return value[indexOf(c)]; }
+    /// Half width of the 95 % interval, in the unit of the value.
+    [[nodiscard]] std::optional<double> interval95(Coefficient c) const;
 };
 
 struct ApproximateFit : SmithFitReport {
@@ -39,15 +48,24 @@ struct ApproximateFit : SmithFitReport {
     [[nodiscard]] ApproximateSmith smith() const;
 };
 struct ExactFit : SmithFitReport {
+    /// Of the compass turned in its mount by index_rad: deviationAt() of the fit has the index in it.
     [[nodiscard]] ExactSmith smith() const;
 };
+/// δ by [P 3], with the index.
+[[nodiscard]] Deviation deviationAt(const ExactFit& fit, MagneticHeading magnetic);
 
-/// A design matrix is accepted up to this condition number; see SmithFit.cpp for what it means in readings.
-inline constexpr double kConditionLimit = 20.0;
+/// A compass mounted by more than 45° out of place, or read from its other side: the mean of the deviations on the circle, to a whole
+/// degree [deg], so that what is left is a deviation like any other. 0 for every other compass.
+[[nodiscard]] double largeIndex_deg(std::span<const Observation> readings);
+
+/// A fit cannot be surer than its readings, whose error is `error_rad` each: where they scatter less (a few whole degrees that happen to
+/// lie on a curve), or where there are no more of them than coefficients, covariance and standard errors are those of readings with that
+/// error, and intervals are not shorter than its normal ones. The scatter itself (sigma_rad) and the residuals stay as they were found.
+void widenTo(SmithFitReport& fit, double error_rad);
 
 /// Fits [P 4] on compass headings by linear least squares.
-/// Fewer than five distinct headings, or five columns beyond kConditionLimit: A, B, C only; these too beyond it: nothing is
-/// fitted and the report says why by its numbers.
+/// What the headings cannot tell is left out (ToldCoefficients.h); where they cannot tell A, B and C nothing is fitted, and the report
+/// says why by its numbers.
 /// Errors: InvalidInput (fewer than 3 readings, or fewer than 3 distinct compass headings).
 Result<ApproximateFit> fitApproximate(std::span<const Observation> readings);
 
@@ -55,17 +73,11 @@ Result<ApproximateFit> fitApproximate(std::span<const Observation> readings);
 /// linear in the five. Residuals are δ read − δ by [P 3] at the magnetic heading. Selection and errors as above.
 Result<ExactFit> fitExact(std::span<const Observation> readings);
 
-/// Half width of the 95 % confidence band of the fitted curve at a compass heading [rad] (Student t, covariance of the fit);
+/// Half width of the 95 % confidence band of the fitted curve at a compass heading [rad] (covariance and intervalFactor of the fit);
 /// none without degrees of freedom.
 [[nodiscard]] std::optional<double> bandHalfWidth_rad(const ApproximateFit& fit, CompassHeading compass);
 
 /// Externally studentised residuals, none for a reading where two degrees of freedom are missing.
 [[nodiscard]] std::vector<std::optional<double>> studentisedResiduals(const SmithFitReport& fit);
-/// How far a reading lies from the curve fitted to the others: e/(1 − h) with its residual e and leverage h [rad].
-/// The fit must be fitted() and the leverage below 1.
-[[nodiscard]] double deletedResidual_rad(const SmithFitReport& fit, std::size_t reading);
-/// |studentised residual| beyond which one reading of a swing is suspect: the two-sided Student quantile with Bonferroni's
-/// correction for N readings, 10 % a swing (a false alarm costs one look at the compass, a miss costs a wrong card).
-[[nodiscard]] double suspectThreshold(int readings, int degreesOfFreedom);
 
 } // namespace lubberline

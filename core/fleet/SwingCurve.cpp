@@ -7,6 +7,7 @@
 
 #include "core/base/Contract.h"
 #include "core/deviation/SmithFit.h"
+#include "core/deviation/ToldCoefficients.h"
 
 namespace lubberline {
 

@@ -14,7 +14,7 @@ std::vector<LoadNote> loadsPast(const SwingJob& job, const Analysis& analysis, d
         const auto* read = std::get_if<job::InterferenceRead>(&event.what);
         if (!read)
             continue;
-        const double without_deg = deviationAt(analysis.exact.smith(), MagneticHeading::fromDegrees(read->heading_deg)).degrees();
+        const double without_deg = deviationAt(analysis.exact, MagneticHeading::fromDegrees(read->heading_deg)).degrees();
         const LoadNote note{read->load, read->heading_deg, wrap180(without_deg - (read->on_deg - read->off_deg))};
         if (std::abs(note.deviation_deg) <= limit_deg)
             continue;

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+
+#include "core/swing/CompassAtFault.h"
+#include "core/swing/LackOfFit.h"
 
 namespace lubberline {
 
 namespace {
 
-/// A residual smaller than this is no misreading of a compass read by eye, however quiet the others are.
-constexpr double kLeastSuspicious_rad = 1.0 * kRadiansPerDegree;
+/// A slip that could pass unseen up to this size is nothing to warn of.
+constexpr double kUnseen_deg = 8.0;
 /// From here on the coefficients lean visibly on where the readings stand.
 constexpr double kLeaningCondition = 10.0;
 
@@ -43,20 +47,58 @@ Message gapText(std::span<const Observation> readings)
     return {MARKED("core", "no reading between %1 and %2 (compass)"), degreesText(gap.from_deg), degreesText(gap.to_deg)};
 }
 
+/// Why D and E, or more, cannot be told: too few headings, or headings on one side.
+Message whyUntold(std::span<const Observation> readings)
+{
+    std::vector<double> headings_deg;
+    for (const auto& reading : readings)
+        headings_deg.push_back(reading.compass.degrees());
+    std::sort(headings_deg.begin(), headings_deg.end());
+    const auto distinct = std::unique(headings_deg.begin(), headings_deg.end(), [](double a, double b) { return b - a < 0.5; }) - headings_deg.begin();
+    if (distinct < 5)
+        return {MARKED_N("core", "there are readings on %n heading(s), and five coefficients need five"), distinct};
+    return {MARKED("core", "the headings stand on one side: %1"), gapText(readings)};
+}
+
 void warnOfFit(std::vector<Message>& warnings, const SmithFitReport& fit, Pattern name, std::span<const Observation> readings)
 {
     if (!fit.fitted())
-        warnings.push_back(
-            {MARKED("core", "%1 A, B, C, D and E cannot be told: the headings stand too close together; %2"), name, gapText(readings)});
+        warnings.push_back({MARKED("core", "%1 A, B, C, D and E cannot be told: %2"), name, whyUntold(readings)});
     else if (fit.parameters == 3)
-        warnings.push_back(
-            {MARKED("core",
-                 "%1 D and E cannot be told: they need at least 5 different headings around the compass; %2; whatever there is of them is hidden in A, B and C"),
-                name, gapText(readings)});
+        warnings.push_back({MARKED("core", "%1 D and E cannot be told: %2; whatever there is of them is hidden in A, B and C"), name,
+            whyUntold(readings)});
+    else if (fit.parameters == 4 && !fit.of(Coefficient::D))
+        warnings.push_back({MARKED("core", "%1 D cannot be told: on the cardinal headings it does nothing"), name});
+    else if (fit.parameters == 4)
+        warnings.push_back({MARKED("core", "%1 E cannot be told: on the intercardinal headings it does nothing"), name});
     if (fit.fitted() && fit.conditionNumber > kLeaningCondition)
         warnings.push_back({MARKED("core", "%1 coefficients lean on few headings: %2"), name, gapText(readings)});
     if (fit.fitted() && fit.degreesOfFreedom == 0)
-        warnings.push_back({MARKED("core", "%1 coefficients have no uncertainty: there are as many of them as readings"), name});
+        warnings.push_back(
+            {MARKED("core",
+                 "%1 coefficients go through every reading: their standard errors are those of the reading alone, and no scatter can be seen"),
+                name});
+    if (fit.lagOneCorrelation) {
+        char text[16];
+        std::snprintf(text, sizeof text, "%.2f", *fit.lagOneCorrelation);
+        warnings.push_back(
+            {MARKED("core",
+                 "%1 residuals of neighbouring readings are alike (correlation %2): the standard errors count that many readings tell little "
+                 "more than a few; something drifted slowly, or five coefficients do not describe the curve"),
+                name, std::string(text)});
+    }
+}
+
+void warnOfSlips(std::vector<Message>& warnings, const SlipSearch& slips, std::size_t readings)
+{
+    if (slips.seenFrom_deg && *slips.seenFrom_deg <= kUnseen_deg)
+        return;
+    if (!slips.seenFrom_deg || *slips.seenFrom_deg > 90.0)
+        warnings.push_back({MARKED_N("core", "%n reading(s) cannot be checked against each other: a misread figure would not be seen"), readings});
+    else
+        warnings.push_back({MARKED_N("core",
+                                "%n reading(s) hold little against each other: a figure misread by less than about %1° could pass unseen"),
+            readings, static_cast<int>(std::ceil(*slips.seenFrom_deg))});
 }
 
 Summary summarise(const std::vector<AnalysedReading>& readings)
@@ -84,20 +126,14 @@ Summary summarise(const std::vector<AnalysedReading>& readings)
 void addResiduals(Analysis& analysis)
 {
     const auto studentised = studentisedResiduals(analysis.approximate);
-    const double threshold = suspectThreshold(static_cast<int>(analysis.readings.size()), analysis.approximate.degreesOfFreedom);
     for (std::size_t i = 0; i < analysis.readings.size(); ++i) {
         auto& reading = analysis.readings[i];
         if (analysis.exact.fitted())
             reading.residualExact_rad = analysis.exact.residual_rad[i];
         if (!analysis.approximate.fitted())
             continue;
-        const double residual = analysis.approximate.residual_rad[i];
-        reading.residualApproximate_rad = residual;
+        reading.residualApproximate_rad = analysis.approximate.residual_rad[i];
         reading.studentised = studentised[i];
-        if (!studentised[i])
-            continue;
-        const double deleted = residual / (1.0 - analysis.approximate.leverage[i]); // against the fit of the others
-        reading.suspect = std::abs(*studentised[i]) > threshold && std::abs(deleted) >= kLeastSuspicious_rad;
     }
 }
 
@@ -105,6 +141,8 @@ void addResiduals(Analysis& analysis)
 
 Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOptions& options)
 {
+    if (auto fault = faultOf(readings))
+        return *std::move(fault);
     auto approximate = fitApproximate(readings);
     if (!approximate)
         return approximate.error();
@@ -128,6 +166,19 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     analysis.pointRules = pointRules(readings);
     analysis.summary = summarise(analysis.readings);
     addResiduals(analysis);
+    widenTo(analysis.approximate, options.readingError_rad);
+    widenTo(analysis.exact, options.readingError_rad);
+    if (const auto words = indexWords(toDegrees(analysis.approximate.index_rad)))
+        analysis.warnings.push_back(*words);
+    if (options.findSlips && analysis.approximate.fitted()) {
+        analysis.slips = findSlips(readings, options.resolution_deg);
+        for (const auto& slip : analysis.slips.slips)
+            analysis.readings[slip.reading].suspect = true;
+        warnOfSlips(analysis.warnings, analysis.slips, readings.size());
+    }
+    if (analysis.slips.slips.empty())
+        if (const auto words = lackOfFit(readings, analysis.approximate, options.readingError_rad))
+            analysis.warnings.push_back(*words);
     warnOfFit(analysis.warnings, analysis.approximate, MARKED("core", "approximate"), readings);
     warnOfFit(analysis.warnings, analysis.exact, MARKED("core", "exact"), readings);
     return analysis;

@@ -9,6 +9,7 @@
 #include "core/deviation/Harmonics.h"
 #include "core/deviation/PointRules.h"
 #include "core/deviation/SmithFit.h"
+#include "core/deviation/SwingSlips.h"
 #include "core/record/Site.h"
 
 namespace lubberline {
@@ -20,7 +21,7 @@ struct AnalysedReading {
     std::optional<double> residualApproximate_rad;
     std::optional<double> residualExact_rad;
     std::optional<double> studentised; ///< external, of the approximate fit
-    bool suspect = false;              ///< |studentised| beyond suspectThreshold(); never dropped by itself
+    bool suspect = false;              ///< among the slips that were found; never dropped by itself
 };
 
 struct Summary {
@@ -39,14 +40,18 @@ struct Analysis {
     std::optional<PointRules> pointRules;
     Harmonics harmonics;
     Summary summary;
+    SlipSearch slips;              ///< which readings were probably misread; the rest of Analysis takes them as they were read
     std::vector<Message> warnings; ///< what the readings cannot tell, in words
 };
 
 struct AnalysisOptions {
-    int maxOrder = -1; ///< highest harmonic wanted; negative: all that the headings resolve
+    int maxOrder = -1;           ///< highest harmonic wanted; negative: all that the headings resolve
+    double resolution_deg = 1.0; ///< smallest division of the compass
+    double readingError_rad = 0; ///< of one deviation (core/swing/ReadingError.h): what a fit cannot be surer than
+    bool findSlips = true;       ///< whether misread figures are looked for
 };
 
-/// Errors: InvalidInput (fewer than 3 readings; fewer than 3 distinct headings).
+/// Errors: InvalidInput (fewer than 3 readings; fewer than 3 distinct headings; a compass that is stuck or runs backwards).
 Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOptions& options = {});
 
 enum class Verdict { InLimits, OutOfLimits, NotKnown };

@@ -14,7 +14,7 @@ Result<SwingAtPlace> swingAtPlace(const SwingRecord& record)
             {MARKED("core",
                  "the Earth's field of the swing of %1 is not known; expected a site with latitude and longitude, and a date within the magnetic models"),
                 label}};
-    const auto result = resultOf(record, nullptr, {0}); // no harmonics are asked for
+    const auto result = resultOf(record, nullptr, {.maxOrder = 0, .findSlips = false}); // neither harmonics nor slips are asked for
     if (!result)
         return result.error();
     return swingAtPlace(result->exact, stamp->field.meridian(), label);

@@ -10,10 +10,10 @@ namespace lubberline {
 
 Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options)
 {
-    auto analysis = analyse(observationsOf(record.swing), options);
-    if (analysis)
-        widenToReadings(*analysis, readingError_rad(record.compass.resolution_deg, job ? job->datum.resolution_deg : 0.0));
-    return analysis;
+    AnalysisOptions own = options;
+    own.resolution_deg = record.compass.resolution_deg;
+    own.readingError_rad = readingError_rad(record.compass.resolution_deg, job ? job->datum.resolution_deg : 0.0);
+    return analyse(observationsOf(record.swing), own);
 }
 
 double divisionOf_deg(const Swing& swing)

@@ -55,7 +55,7 @@ CachedResult resultOf(const Swing& swing, const std::optional<LimitsProfile>& li
     CachedResult result;
     for (const auto& reading : swing.readings)
         result.readings += reading.complete() ? 1 : 0;
-    const auto analysis = analyse(observationsOf(swing), {0}); // no harmonics are kept
+    const auto analysis = analyse(observationsOf(swing), {.maxOrder = 0, .findSlips = false}); // neither harmonics nor slips are kept
     if (!analysis)
         return result;
     result.maxAbsDeviation_deg = toDegrees(analysis->summary.maxAbsDeviation_rad);

@@ -82,7 +82,7 @@ std::vector<Observation> levelSwing(const SensorModel& model, const MeridianFiel
 
 std::shared_ptr<const Analysis> analysed(const std::vector<Observation>& readings, QString& why)
 {
-    auto analysis = analyse(readings);
+    auto analysis = analyse(readings, {.findSlips = false}); // computed, not read
     if (!analysis) {
         why = messageOf(analysis.error());
         return nullptr;

@@ -26,7 +26,7 @@ CoefficientsPanel::CoefficientsPanel(QWidget* parent)
 {
     m_table->setObjectName(QStringLiteral("coefficients"));
     m_table->setAccessibleName(tr("Coefficients"));
-    m_table->setHorizontalHeaderLabels({tr("Approx. (°)"), tr("± s.e."), tr("Exact"), tr("± s.e."), tr("Rule (°)")});
+    m_table->setHorizontalHeaderLabels({tr("Approx. (°)"), tr("95 % ±"), tr("Exact"), tr("95 % ±"), tr("Rule (°)")});
     m_table->setVerticalHeaderLabels({"A", "B", "C", "D", "E"});
     const QString tips[] = {tr("Least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ on compass headings"),
         tr("Standard error"), tr("Exact Smith coefficients, dimensionless, on magnetic headings"), tr("Standard error"),
@@ -69,13 +69,16 @@ void CoefficientsPanel::setCell(int row, int column, const QString& text, const 
 
 void CoefficientsPanel::showFit(const SmithFitReport& fit, int column, double scale, int decimals, const QString& whyNone)
 {
-    const QString whyNoError = fit.fitted() ? tr("No standard error: there are no more readings than coefficients") : whyNone;
+    const QString whyNoInterval = fit.fitted() ? tr("No interval: there are no more readings than coefficients") : whyNone;
     for (const Coefficient coefficient : kCoefficients) {
         const auto i = indexOf(coefficient);
-        const auto value = fit.value[i], error = fit.standardError[i];
+        const auto value = fit.value[i], interval = fit.interval95(coefficient), error = fit.standardError[i];
         setCell(static_cast<int>(i), column, value ? signedNumber(*value * scale, decimals) : QString(), whyNone);
-        setCell(static_cast<int>(i), column + 1, error ? QString::number(*error * scale, 'f', decimals) : QString(),
-            value ? whyNoError : whyNone);
+        setCell(static_cast<int>(i), column + 1, interval ? QString::number(*interval * scale, 'f', decimals) : QString(),
+            value ? whyNoInterval : whyNone);
+        if (interval)
+            m_table->item(static_cast<int>(i), column + 1)
+                ->setToolTip(tr("95 % interval (Student): %1 standard errors of %2").arg(*fit.intervalFactor, 0, 'f', 2).arg(*error * scale, 0, 'f', decimals));
     }
 }
 

@@ -34,10 +34,12 @@ QString nameOf(Slip slip)
     switch (slip) {
     case Slip::SwappedDigits: return SlipWordsTexts::tr("swapped digits");
     case Slip::Reciprocal: return SlipWordsTexts::tr("the reciprocal");
+    case Slip::FiveDegrees: return SlipWordsTexts::tr("a 5° slip");
     case Slip::TenDegrees: return SlipWordsTexts::tr("a 10° slip");
     case Slip::HundredDegrees: return SlipWordsTexts::tr("a 100° slip");
     case Slip::WrongSign: return SlipWordsTexts::tr("a deviation applied with the wrong sign");
     case Slip::WrongRow: return SlipWordsTexts::tr("the wrong row");
+    case Slip::Unexplained: return SlipWordsTexts::tr("no usual slip");
     }
     return {};
 }
@@ -54,6 +56,26 @@ QString candidateWords(const SlipCandidate& candidate, AngleStyle style)
 }
 
 } // namespace
+
+QString suspicionOf(const Analysis& analysis, std::size_t index, AngleStyle style)
+{
+    const auto& slips = analysis.slips.slips;
+    const auto found = std::find_if(slips.begin(), slips.end(), [index](const auto& slip) { return slip.reading == index; });
+    if (found == slips.end())
+        return {};
+    const AnalysedReading& reading = analysis.readings.at(index);
+    const QString reads = SlipWordsTexts::tr("on %1 the compass reads %2.")
+                              .arg(figure(reading.magnetic.degrees(), style), figure(reading.compass.degrees(), style));
+    if (!found->orReadings.empty()) {
+        QStringList places{figure(reading.magnetic.degrees(), style)};
+        for (const auto other : found->orReadings)
+            places += figure(analysis.readings.at(other).magnetic.degrees(), style);
+        return SlipWordsTexts::tr("one of the readings on %1 was probably misread (%2); these readings cannot tell which: look at them again")
+            .arg(places.join(SlipWordsTexts::tr(", ")), percent(found->probability));
+    }
+    const bool named = !found->candidates.empty() && found->candidates.front().slip != Slip::Unexplained;
+    return reads + ' ' + (named ? candidateWords(found->candidates.front(), style) : SlipWordsTexts::tr("Look again: no usual slip explains it"));
+}
 
 SlipJudgement judgeRow(const SwingEditor& editor, int row)
 {

@@ -8,10 +8,15 @@
 #include "core/angle/AngleText.h"
 #include "core/deviation/SlipCheck.h"
 #include "core/record/Fleet.h"
+#include "core/swing/Analysis.h"
 
 namespace lubberline::ui {
 
 class SwingEditor;
+
+/// "on 045° the compass reads 052°. Look again: most likely a 10° slip, 042° meant (92 %)", or which readings cannot be told apart;
+/// empty where the analysis suspects nothing. `index` counts the analysed readings.
+[[nodiscard]] QString suspicionOf(const Analysis& analysis, std::size_t index, AngleStyle style);
 
 /// One reading of the swing that is shown, against the last swing's curve and all other readings that count. `row` is complete
 /// and counts.

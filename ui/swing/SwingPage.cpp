@@ -256,17 +256,16 @@ void SwingPage::showResults()
 
 QString SwingPage::suspicion() const
 {
+    const auto& analysis = m_editor->analysis();
+    if (analysis && !analysis->slips.slips.empty()) {
+        const int current = m_editor->analysedIndex(currentRow());
+        if (current >= 0 && analysis->readings[static_cast<std::size_t>(current)].suspect)
+            return suspicionOf(*analysis, static_cast<std::size_t>(current), m_style);
+        return suspicionOf(*analysis, analysis->slips.slips.front().reading, m_style);
+    }
+    // Few readings tell little against each other: the last swing and the headings that were wanted are held against them, too.
     if (const auto row = likeliestSlip(*m_editor))
         return slipSentence(judgeRow(*m_editor, *row), m_editor->readings()[static_cast<std::size_t>(*row)], m_style);
-    const auto& analysis = m_editor->analysis();
-    if (!analysis)
-        return {};
-    const int current = m_editor->analysedIndex(currentRow());
-    if (current >= 0 && analysis->readings[static_cast<std::size_t>(current)].suspect)
-        return suspicionOf(*analysis, static_cast<std::size_t>(current), m_style);
-    for (std::size_t i = 0; i < analysis->readings.size(); ++i)
-        if (analysis->readings[i].suspect)
-            return suspicionOf(*analysis, i, m_style);
     return {};
 }
 

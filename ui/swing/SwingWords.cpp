@@ -74,16 +74,6 @@ QString meaningOf(const Analysis& analysis, const std::optional<LimitsProfile>& 
         + judgementSentence(summary, limits) + suspicionSentence(analysis);
 }
 
-QString suspicionOf(const Analysis& analysis, std::size_t index, AngleStyle style)
-{
-    const AnalysedReading& reading = analysis.readings.at(index);
-    const double off_rad = std::abs(deletedResidual_rad(analysis.approximate, index));
-    const double t = reading.studentised.value_or(0.0);
-    QString number = QString::number(t, 'f', std::abs(t) < 10 ? 1 : 0);
-    return SwingWordsTexts::tr("%1 reads %2 off the curve of the others (t = %3): look again")
-        .arg(place(reading.magnetic), toText(formatSignedAngle(toDegrees(off_rad), style)).remove('+'), number.replace('-', QChar(0x2212)));
-}
-
 QString limitationsOf(const Analysis& analysis)
 {
     QStringList lines;

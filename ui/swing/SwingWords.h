@@ -12,9 +12,6 @@ namespace lubberline::ui {
 /// "Largest deviation +3.4° at 047°. Within 10° (14 CFR 25.1327)."
 [[nodiscard]] QString meaningOf(const Analysis& analysis, const std::optional<LimitsProfile>& limits, AngleStyle style);
 
-/// "045° reads 10.2° off the curve of the others (t = 15): look again"; `index` counts the analysed readings.
-[[nodiscard]] QString suspicionOf(const Analysis& analysis, std::size_t index, AngleStyle style);
-
 /// Why coefficients are missing, and what the headings cannot tell; empty when nothing is missing.
 [[nodiscard]] QString limitationsOf(const Analysis& analysis);
 

@@ -35,12 +35,17 @@ std::string keyOf(Coefficient coefficient, const char* unit) { return letterOf(c
 
 Json fitJson(const SmithFitReport& fit, const char* unit, Json (*convert)(std::optional<double>))
 {
-    Json json, errors;
+    Json json, errors, intervals;
     for (const Coefficient coefficient : kCoefficients) {
         json[keyOf(coefficient, unit)] = convert(fit.of(coefficient));
         errors[keyOf(coefficient, unit)] = convert(fit.standardError[indexOf(coefficient)]);
+        intervals[keyOf(coefficient, unit)] = convert(fit.interval95(coefficient));
     }
     json[std::string("standard_error") + unit] = errors;
+    json[std::string("interval_95") + unit] = intervals; // half widths
+    json["interval_factor"] = plain(fit.intervalFactor);
+    json["lag_one_correlation"] = plain(fit.lagOneCorrelation);
+    json["index_deg"] = degrees(fit.index_rad);
     json["rms_deg"] = fit.fitted() ? degrees(fit.rms_rad) : Json();
     json["max_abs_residual_deg"] = fit.fitted() ? degrees(fit.maxAbsResidual_rad) : Json();
     json["condition_number"] = plain(fit.conditionNumber);
@@ -86,6 +91,39 @@ Json readingJson(const AnalysedReading& reading)
         {"outlier", reading.suspect}};
 }
 
+const char* codeOf(Slip slip)
+{
+    switch (slip) {
+    case Slip::SwappedDigits: return "swapped_digits";
+    case Slip::Reciprocal: return "reciprocal";
+    case Slip::FiveDegrees: return "five_degrees";
+    case Slip::TenDegrees: return "ten_degrees";
+    case Slip::HundredDegrees: return "hundred_degrees";
+    case Slip::WrongSign: return "wrong_sign";
+    case Slip::WrongRow: return "wrong_row";
+    case Slip::Unexplained: break;
+    }
+    return "unexplained";
+}
+
+/// Rows count from 1, in the order of `readings`.
+Json slipsJson(const Analysis& analysis)
+{
+    Json json = Json::array();
+    for (const auto& slip : analysis.slips.slips) {
+        Json others = Json::array(), candidates = Json::array();
+        for (const auto other : slip.orReadings)
+            others.push_back(other + 1);
+        for (const auto& candidate : slip.candidates)
+            candidates.push_back({{"what", codeOf(candidate.slip)},
+                {"means_deg", candidate.slip == Slip::Unexplained ? Json() : Json(clean(candidate.meant_deg))},
+                {"probability", clean(candidate.probability)}});
+        json.push_back({{"row", slip.reading + 1}, {"magnetic_heading_deg", headingJson(analysis.readings[slip.reading].magnetic)},
+            {"probability", clean(slip.probability)}, {"or_rows", others}, {"candidates", candidates}});
+    }
+    return json;
+}
+
 Json analysisJson(const Analysis& analysis)
 {
     Json json;
@@ -101,6 +139,8 @@ Json analysisJson(const Analysis& analysis)
         {"rms_deviation_deg", degrees(analysis.summary.rmsDeviation_rad)},
         {"min_deviation_deg", degrees(analysis.summary.minDeviation_rad)},
         {"max_deviation_deg", degrees(analysis.summary.maxDeviation_rad)}, {"spread_deg", degrees(analysis.summary.spread_rad())}};
+    json["slips"] = slipsJson(analysis);
+    json["slips_seen_from_deg"] = plain(analysis.slips.seenFrom_deg);
     json["warnings"] = inEnglish(analysis.warnings);
     return json;
 }

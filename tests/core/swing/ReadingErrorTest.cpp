@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/swing/Analysis.h"
 #include "core/swing/ReadingError.h"
 
 namespace lubberline {
@@ -30,7 +31,7 @@ TEST(ReadingError, aFitIsNoSurerThanItsReadings)
     Analysis analysis = worksheet();
     const double before = *analysis.approximate.standardError[0], sigma = *analysis.approximate.sigma_rad;
     EXPECT_LT(toDegrees(before), 0.02);
-    widenToReadings(analysis, readingError_rad(1));
+    widenTo(analysis.approximate, readingError_rad(1));
     EXPECT_NEAR(toDegrees(*analysis.approximate.standardError[0]), 1 / std::sqrt(12.0 * 8), 0.003);
     EXPECT_NEAR(toDegrees(*analysis.approximate.standardError[1]), 1 / std::sqrt(12.0 * 4), 0.006);
     EXPECT_NEAR(std::sqrt(analysis.approximate.covariance(0, 0)), *analysis.approximate.standardError[0], 1e-12);
@@ -44,9 +45,21 @@ TEST(ReadingError, aLargerScatterStands)
 {
     Analysis analysis = worksheet();
     const Analysis before = analysis;
-    widenToReadings(analysis, *before.approximate.sigma_rad * 0.5);
+    widenTo(analysis.approximate, *before.approximate.sigma_rad * 0.5);
     EXPECT_EQ(analysis.approximate.covariance, before.approximate.covariance);
     EXPECT_EQ(analysis.approximate.standardError, before.approximate.standardError);
+}
+
+/// Three degrees of freedom: Student's 97.5 % point is 3.182 (any table). Where the scatter is below the reading error the error is known,
+/// not estimated, and the interval is the normal 1.960 of it, as long as that is the longer one.
+TEST(ReadingError, anIntervalIsStudentsAndNeverShorterThanTheReadingLeaves)
+{
+    Analysis analysis = worksheet();
+    const double byScatter = *analysis.approximate.interval95(Coefficient::A);
+    EXPECT_NEAR(byScatter / *analysis.approximate.standardError[0], 3.182446, 1e-5);
+    widenTo(analysis.approximate, readingError_rad(1));
+    EXPECT_NEAR(*analysis.approximate.interval95(Coefficient::A) / *analysis.approximate.standardError[0], 1.959964, 1e-6);
+    EXPECT_GT(*analysis.approximate.interval95(Coefficient::A), byScatter);
 }
 
 } // namespace

@@ -61,7 +61,7 @@ QString placeReadOut(double magnetic_deg, double deviation_deg, const SwingPictu
     QStringList parts{
         Words::tr("magnetic %1").arg(heading(wrap360(magnetic_deg), style)), Words::tr("deviation %1").arg(angle(deviation_deg, style))};
     if (picture.analysis && picture.analysis->exact.fitted()) {
-        const Deviation fitted = deviationAt(picture.analysis->exact.smith(), MagneticHeading::fromDegrees(magnetic_deg));
+        const Deviation fitted = deviationAt(picture.analysis->exact, MagneticHeading::fromDegrees(magnetic_deg));
         parts += Words::tr("exact fit %1").arg(angle(fitted.degrees(), style));
     }
     return join(parts);

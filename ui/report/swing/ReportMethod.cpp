@@ -25,13 +25,19 @@ QString pointRuleWords(const Analysis& analysis)
 
 QString errorWords(const Analysis& analysis)
 {
-    const int degreesOfFreedom = analysis.approximate.degreesOfFreedom;
-    if (!analysis.approximate.fitted() || degreesOfFreedom < 2)
-        return Words::tr("there are too few readings for standard errors or for finding suspect readings.");
-    const double threshold = suspectThreshold(static_cast<int>(analysis.readings.size()), degreesOfFreedom);
-    return Words::tr("standard errors are of equal, independent errors. t is the externally studentised residual of the approximate fit; "
-                     "beyond ±%1 in this swing a reading is marked suspect. It stays in use until somebody excludes it with a reason.")
-        .arg(figure(threshold, 2));
+    const auto& fit = analysis.approximate;
+    if (!fit.fitted())
+        return Words::tr("there is no fit, and no errors of it.");
+    const QString looked = Words::tr("Suspect: a slip of reading or writing is likely, by Bayes' rule over the usual slips; a suspect reading "
+                                     "stays in use until somebody excludes it with a reason. t is the externally studentised residual.");
+    if (!fit.intervalFactor)
+        return Words::tr("the standard errors are those of the smallest division alone: there are no more readings than coefficients, and no "
+                         "interval can be given.")
+            + ' ' + looked;
+    return Words::tr("standard errors are of the scatter about the fit, and never less than the smallest division leaves. 95 % ± is the half "
+                     "width of the interval that holds the true value 95 times in 100: %1 standard errors (Student).")
+               .arg(figure(*fit.intervalFactor, 2))
+        + ' ' + looked;
 }
 
 QString spectrumWords(const Harmonics& harmonics)

@@ -108,10 +108,10 @@ std::vector<TableColumn> coefficientColumns(const Analysis& analysis)
                                        .arg(rules->points)
                                        .arg(rules->argument == HeadingArgument::Magnetic ? Words::tr("magnetic") : Words::tr("compass"))
                                  : Words::tr("none");
-    return {{Words::tr("Coefficient"), {}, {}, 28, Align::Left}, {Words::tr("Approximate"), Words::tr("compass heading"), degrees, 28},
-        {Words::tr("± std. error"), {}, degrees, 22}, {Words::tr("Exact"), Words::tr("magnetic heading"), Words::tr("no unit"), 28},
-        {Words::tr("± std. error"), {}, Words::tr("no unit"), 22}, {Words::tr("Exact"), Words::tr("as an angle"), degrees, 24},
-        {Words::tr("Point rules"), points, degrees, 28}};
+    return {{Words::tr("Coefficient"), {}, {}, 22, Align::Left}, {Words::tr("Approximate"), Words::tr("compass heading"), degrees, 26},
+        {Words::tr("std. error"), {}, degrees, 18}, {Words::tr("95 % ±"), {}, degrees, 16},
+        {Words::tr("Exact"), Words::tr("magnetic heading"), Words::tr("no unit"), 26}, {Words::tr("95 % ±"), {}, Words::tr("no unit"), 18},
+        {Words::tr("Exact"), Words::tr("as an angle"), degrees, 24}, {Words::tr("Point rules"), points, degrees, 28}};
 }
 
 /// What cannot be solved has a condition number that says no more than that it is huge.
@@ -161,8 +161,9 @@ Table coefficientsTable(const Analysis& analysis)
         const std::size_t i = indexOf(c);
         TableRow row;
         row.cells = {coefficientName(c), signedFigure(inDegrees(analysis.approximate.value[i]), 2),
-            figure(inDegrees(analysis.approximate.standardError[i]), 2), signedFigure(analysis.exact.value[i], kExactDecimals),
-            figure(analysis.exact.standardError[i], kExactDecimals), signedFigure(inDegrees(angles[i]), 2),
+            figure(inDegrees(analysis.approximate.standardError[i]), 2), figure(inDegrees(analysis.approximate.interval95(c)), 2),
+            signedFigure(analysis.exact.value[i], kExactDecimals), figure(analysis.exact.interval95(c), kExactDecimals),
+            signedFigure(inDegrees(angles[i]), 2),
             signedFigure(inDegrees(rules[i]), 2)};
         table.rows.push_back(row);
     }

@@ -1,0 +1,368 @@
+#include "core/deviation/SwingSlips.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "core/deviation/SlipVariants.h"
+
+namespace lubberline {
+
+namespace {
+
+using Row5 = Eigen::Matrix<double, 5, 1>;
+using Normal5 = Eigen::Matrix<double, 5, 5>;
+
+/// What crews and compasses add to the division when they read: about a third of a degree, seldom under a tenth or over one and a half.
+constexpr double kHandling_deg = 0.35, kHandlingSpread = 0.9;
+constexpr std::array kHandlingSteps{-2.5, -2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0};
+/// A slip without a name: a few degrees to some tens.
+constexpr double kUnnamedSize_deg = 15.0, kUnnamedRate = 5e-4;
+/// A reading is looked at again when a slip in it is not twelve times less likely than none: a look costs seconds, a miss a wrong card.
+/// Found by simulation of eight readings to 1° (tests/core/deviation/SwingSlipsTest): scatter 0.3° and 0.5° give no false alarm, 1°
+/// one swing in eight. A second slip, which its first could feign, must be likelier than none.
+constexpr double kOdds = 0.08, kOddsMore = 1.0;
+/// A reading that could be the slipped one instead must be at least this likely, given that one slipped.
+constexpr double kLeastLikely = 0.02;
+constexpr double kLeastShown_share = 0.01;
+/// Readings beyond this many are only looked at where they stand out most: a log is no list that somebody wrote.
+constexpr std::size_t kLookedAt = 48;
+
+/// The two forms of Smith's formula, both linear in their coefficients. A large deviation is written otherwise by each; a reading that
+/// either of them explains is no slip.
+enum class Form { Exact, Approximate };
+
+Row5 rowOf(Form form, double magnetic_deg, double deviation_deg)
+{
+    const double z = toRadians(magnetic_deg - deviation_deg);
+    if (form == Form::Approximate)
+        return {1.0, std::sin(z), std::cos(z), std::sin(2 * z), std::cos(2 * z)};
+    const double sum = toRadians(magnetic_deg) + z;
+    return {std::cos(toRadians(deviation_deg)), std::sin(z), std::cos(z), std::sin(sum), std::cos(sum)};
+}
+
+double sideOf(Form form, double deviation_deg)
+{
+    return form == Form::Approximate ? toRadians(deviation_deg) : std::sin(toRadians(deviation_deg));
+}
+
+/// The deviation of a curve at a magnetic heading [deg].
+double curveAt(Form form, const Row5& curve, double magnetic_deg)
+{
+    if (form == Form::Exact)
+        return deviationAt(ExactSmith{curve(0), curve(1), curve(2), curve(3), curve(4)}, MagneticHeading::fromDegrees(magnetic_deg)).degrees();
+    double deviation_deg = 0;
+    for (int i = 0; i < 12; ++i) // deviations of compasses that can be steered by converge
+        deviation_deg = wrap180(toDegrees(rowOf(form, magnetic_deg, deviation_deg).dot(curve)));
+    return deviation_deg;
+}
+
+double logNormal(double off, double variance) { return -0.5 * (off * off / variance + std::log(2.0 * kPi * variance)); }
+
+/// The middle of the deviations on the circle: the one that is nearest to all others.
+double middle_deg(std::span<const Observation> readings)
+{
+    double best = 0, bestSum = std::numeric_limits<double>::max();
+    for (const auto& candidate : readings) {
+        const double at = deviationOf(candidate.magnetic, candidate.compass).degrees();
+        double sum = 0;
+        for (const auto& reading : readings)
+            sum += std::abs(wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - at));
+        if (sum < bestSum || (sum == bestSum && at < best)) {
+            best = at;
+            bestSum = sum;
+        }
+    }
+    return best;
+}
+
+/// What the other readings say of one, for one size of the scatter.
+struct Foretold {
+    double deviation_deg = 0; ///< at the reading's own magnetic heading
+    double variance_deg2 = 0; ///< of a reading there
+    double logEvidence = 0;   ///< of the other readings
+    Row5 curve;
+    Normal5 covariance;
+};
+
+struct Hypothesis {
+    std::size_t reading = 0;
+    SlipCandidate candidate; ///< its probability is the odds against "as read"
+};
+
+/// One look at the readings that are in.
+struct Pass {
+    std::vector<Hypothesis> hypotheses;
+    std::vector<double> oddsOf; ///< by reading
+    double odds = 0;            ///< of any slip against none
+};
+
+class Search {
+public:
+    Search(Form form, std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected);
+    [[nodiscard]] Pass look() const;
+    void takeOut(std::size_t reading)
+    {
+        m_out[reading] = true;
+        add(reading, -1.0);
+    }
+    [[nodiscard]] double seenFrom_deg() const;
+
+private:
+    [[nodiscard]] Foretold foretell(std::size_t reading, double sigma_deg) const;
+    void weigh(std::size_t reading, Pass& pass) const;
+    [[nodiscard]] std::vector<std::size_t> standingOut() const;
+    void add(std::size_t reading, double sign);
+
+    Form m_form;
+    std::span<const Observation> m_readings;
+    double m_middle_deg = 0;
+    std::vector<double> m_deviation_deg; ///< the index taken out
+    std::vector<double> m_sigmas_deg, m_logPrior;
+    Row5 m_mean;
+    Row5 m_precision;
+    std::vector<bool> m_out; ///< readings found so far
+    Normal5 m_information;   ///< Σ x xᵀ of those that are in
+    Row5 m_sum;              ///< Σ x sin δ
+    double m_squares = 0;
+    int m_count = 0;
+};
+
+Search::Search(Form form, std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected)
+    : m_form(form), m_readings(readings), m_middle_deg(middle_deg(readings)), m_out(readings.size(), false)
+{
+    for (const auto& reading : readings)
+        m_deviation_deg.push_back(wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - m_middle_deg));
+    for (const double step : kHandlingSteps) {
+        m_sigmas_deg.push_back(std::hypot(resolution_deg / std::sqrt(12.0), kHandling_deg * std::exp(step * kHandlingSpread)));
+        m_logPrior.push_back(-0.5 * step * step);
+    }
+    const ExactSmith exact = toExact(expected.mean);
+    if (form == Form::Exact)
+        m_mean << 0.0, exact.B, exact.C, exact.D, exact.E; // the index is taken out
+    else
+        m_mean << 0.0, expected.mean.B_rad, expected.mean.C_rad, expected.mean.D_rad, expected.mean.E_rad;
+    const auto& spread = expected.standardDeviation;
+    m_precision = Row5{spread.A_rad, spread.B_rad, spread.C_rad, spread.D_rad, spread.E_rad}.array().square().inverse();
+    m_information.setZero();
+    m_sum.setZero();
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        add(i, 1.0);
+}
+
+void Search::add(std::size_t reading, double sign)
+{
+    const Row5 x = rowOf(m_form, m_readings[reading].magnetic.degrees(), m_deviation_deg[reading]);
+    const double side = sideOf(m_form, m_deviation_deg[reading]);
+    m_information += sign * x * x.transpose();
+    m_sum += sign * side * x;
+    m_squares += sign * side * side;
+    m_count += sign > 0 ? 1 : -1;
+}
+
+Foretold Search::foretell(std::size_t reading, double sigma_deg) const
+{
+    const double magnetic_deg = m_readings[reading].magnetic.degrees();
+    const double own = m_out[reading] ? 0.0 : 1.0; // a reading that is out already does not speak
+    const Row5 x = rowOf(m_form, magnetic_deg, m_deviation_deg[reading]);
+    const double side = sideOf(m_form, m_deviation_deg[reading]);
+    const double perVariance = 1.0 / (toRadians(sigma_deg) * toRadians(sigma_deg));
+    const Normal5 prior = m_precision.asDiagonal();
+    const Normal5 information = prior + perVariance * (m_information - own * x * x.transpose());
+    const Row5 sum = prior * m_mean + perVariance * (m_sum - own * side * x);
+    const Eigen::LLT<Normal5> solver(information);
+    const Row5 beta = solver.solve(sum);
+    const double squares = perVariance * (m_squares - own * side * side) + m_mean.dot(prior * m_mean) - sum.dot(beta);
+    const double logDeterminant = 2.0 * solver.matrixLLT().diagonal().array().log().sum();
+
+    Foretold foretold;
+    foretold.curve = beta;
+    foretold.covariance = solver.solve(Normal5::Identity());
+    foretold.logEvidence = -(m_count - own) * std::log(sigma_deg) - 0.5 * (squares + logDeterminant);
+    foretold.deviation_deg = curveAt(m_form, beta, magnetic_deg);
+    const Row5 there = rowOf(m_form, magnetic_deg, foretold.deviation_deg);
+    foretold.variance_deg2 = kDegreesPerRadian * kDegreesPerRadian * there.dot(foretold.covariance * there) + sigma_deg * sigma_deg;
+    return foretold;
+}
+
+/// Adds every slip of one reading, with its odds against "as read", over all sizes of the scatter.
+void Search::weigh(std::size_t reading, Pass& pass) const
+{
+    const double magnetic_deg = m_readings[reading].magnetic.degrees(), compass_deg = m_readings[reading].compass.degrees();
+    std::vector<Foretold> foretold;
+    double highest = -std::numeric_limits<double>::max();
+    for (std::size_t s = 0; s < m_sigmas_deg.size(); ++s) {
+        foretold.push_back(foretell(reading, m_sigmas_deg[s]));
+        foretold.back().logEvidence += m_logPrior[s];
+        highest = std::max(highest, foretold.back().logEvidence);
+    }
+    // Density of a deviation at a magnetic heading, given the other readings, times their evidence.
+    const auto density = [&](double atMagnetic_deg, double deviation_deg, double blur_deg) {
+        double sum = 0;
+        for (const auto& f : foretold) {
+            const double curve_deg = atMagnetic_deg == magnetic_deg
+                ? f.deviation_deg
+                : curveAt(m_form, f.curve, atMagnetic_deg);
+            sum += std::exp(f.logEvidence - highest + logNormal(wrap180(deviation_deg - curve_deg), f.variance_deg2 + blur_deg * blur_deg));
+        }
+        return sum;
+    };
+    const double own_deg = m_deviation_deg[reading];
+    const double asRead = std::max(density(magnetic_deg, own_deg, 0.0), 1e-290);
+    const auto put = [&](Slip slip, SlippedFigure figure, double meant_deg, double weight) {
+        pass.hypotheses.push_back({reading, {slip, figure, meant_deg, weight / asRead}});
+        pass.oddsOf[reading] += weight / asRead;
+        pass.odds += weight / asRead;
+    };
+    for (const auto& variant : slipVariantsOf(compass_deg))
+        put(variant.slip, SlippedFigure::Compass, variant.meant_deg,
+            variant.prior * density(magnetic_deg, wrap180(own_deg + compass_deg - variant.meant_deg), 0.0));
+    const double turned_deg = wrap360(2.0 * magnetic_deg - compass_deg);
+    put(Slip::WrongSign, SlippedFigure::Compass, turned_deg,
+        kWrongSignRate * density(magnetic_deg, wrap180(magnetic_deg - turned_deg - m_middle_deg), 0.0));
+    put(Slip::Unexplained, SlippedFigure::Compass, compass_deg, kUnnamedRate * density(magnetic_deg, own_deg, kUnnamedSize_deg));
+}
+
+/// The readings that lie furthest off what the others foretell.
+std::vector<std::size_t> Search::standingOut() const
+{
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < m_readings.size(); ++i)
+        if (!m_out[i])
+            all.push_back(i);
+    if (all.size() <= kLookedAt)
+        return all;
+    const Normal5 information = m_information + Normal5(m_precision.asDiagonal()) * 1e-4;
+    const Row5 beta = information.llt().solve(m_sum);
+    std::vector<double> off(m_readings.size());
+    for (const auto i : all)
+        off[i] = std::abs(wrap180(m_deviation_deg[i] - curveAt(m_form, beta, m_readings[i].magnetic.degrees())));
+    std::nth_element(all.begin(), all.begin() + kLookedAt, all.end(),
+        [&](auto a, auto b) { return off[a] != off[b] ? off[a] > off[b] : a < b; });
+    all.resize(kLookedAt);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+Pass Search::look() const
+{
+    Pass pass;
+    pass.oddsOf.assign(m_readings.size(), 0.0);
+    for (const auto i : standingOut())
+        weigh(i, pass);
+    return pass;
+}
+
+double Search::seenFrom_deg() const
+{
+    // A slip of the usual rate is likelier than none from some 3.5 standard deviations on; the scatter as it is likeliest.
+    constexpr double kDeviations = 3.5;
+    double worst = 0;
+    for (const auto i : standingOut()) {
+        Foretold likeliest;
+        likeliest.logEvidence = -std::numeric_limits<double>::max();
+        for (std::size_t s = 0; s < m_sigmas_deg.size(); ++s) {
+            auto foretold = foretell(i, m_sigmas_deg[s]);
+            foretold.logEvidence += m_logPrior[s];
+            if (foretold.logEvidence > likeliest.logEvidence)
+                likeliest = foretold;
+        }
+        worst = std::max(worst, kDeviations * std::sqrt(likeliest.variance_deg2));
+    }
+    return worst;
+}
+
+SlippedReading described(const Pass& pass, std::size_t reading)
+{
+    SlippedReading slipped{reading, pass.oddsOf[reading] / (1.0 + pass.odds), {}, {}};
+    for (const auto& hypothesis : pass.hypotheses) {
+        const double share = hypothesis.candidate.probability / (1.0 + pass.odds);
+        if (hypothesis.reading == reading && share >= kLeastShown_share) {
+            slipped.candidates.push_back(hypothesis.candidate);
+            slipped.candidates.back().probability = share;
+        }
+    }
+    std::sort(slipped.candidates.begin(), slipped.candidates.end(),
+        [](const auto& a, const auto& b) { return a.probability > b.probability; });
+    return slipped;
+}
+
+/// Both forms side by side; of each pass the one counts that finds less.
+class BothForms {
+public:
+    BothForms(std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected)
+        : m_exact(Form::Exact, readings, resolution_deg, expected), m_approximate(Form::Approximate, readings, resolution_deg, expected)
+    {
+    }
+    [[nodiscard]] Pass look() const
+    {
+        Pass exact = m_exact.look();
+        if (exact.odds <= kOdds)
+            return exact;
+        Pass approximate = m_approximate.look();
+        return approximate.odds < exact.odds ? approximate : exact;
+    }
+    void takeOut(std::size_t reading)
+    {
+        m_exact.takeOut(reading);
+        m_approximate.takeOut(reading);
+    }
+    [[nodiscard]] double seenFrom_deg() const { return m_exact.seenFrom_deg(); }
+
+private:
+    Search m_exact, m_approximate;
+};
+
+/// The likeliest and those that could be it instead.
+std::vector<std::size_t> likelyOnes(const Pass& pass)
+{
+    std::vector<std::size_t> likely;
+    for (std::size_t i = 0; i < pass.oddsOf.size(); ++i)
+        if (pass.oddsOf[i] > kLeastLikely * pass.odds)
+            likely.push_back(i);
+    std::stable_sort(likely.begin(), likely.end(), [&](auto a, auto b) { return pass.oddsOf[a] > pass.oddsOf[b]; });
+    return likely;
+}
+
+} // namespace
+
+SlipSearch findSlips(std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected)
+{
+    if (readings.size() < 3)
+        return {};
+    BothForms forms(readings, resolution_deg, expected);
+    SlipSearch found;
+    // Beyond a third of the readings nothing is left to hold the others against.
+    const std::size_t most = std::max<std::size_t>(1, readings.size() / 3);
+    while (found.slips.size() < most && readings.size() - found.slips.size() > 3) {
+        const Pass pass = forms.look();
+        if (pass.odds <= (found.slips.empty() ? kOdds : kOddsMore))
+            break;
+        const auto likely = likelyOnes(pass);
+        forms.takeOut(likely.front());
+        // Readings cannot be told apart when nothing is left to find with the likeliest taken out.
+        const bool alike = likely.size() > 1 && forms.look().odds <= kOddsMore;
+        if (!alike) {
+            found.slips.push_back(described(pass, likely.front()));
+            continue;
+        }
+        double together = 0;
+        for (const auto reading : likely)
+            together += pass.oddsOf[reading] / (1.0 + pass.odds);
+        for (const auto reading : likely) {
+            auto one = described(pass, reading);
+            one.probability = together;
+            std::copy_if(likely.begin(), likely.end(), std::back_inserter(one.orReadings), [reading](auto other) { return other != reading; });
+            found.slips.push_back(std::move(one));
+        }
+        break;
+    }
+    found.seenFrom_deg = forms.seenFrom_deg();
+    return found;
+}
+
+} // namespace lubberline

@@ -1,0 +1,33 @@
+#pragma once
+/// Which readings of a whole swing were misread, misheard or written wrong, by Bayes' rule over "all as read" and every slip of
+/// every reading. Eight readings leave three degrees of freedom: their scatter alone finds little. What is known besides is used:
+/// how a compass is read (the scatter, within what crews reach), how aircraft compasses deviate (ExpectedCurve) and how people slip.
+///   model: sin δ = 𝔄 cos δ + 𝔅 sin ψ' + ℭ cos ψ' + 𝔇 sin(ψ+ψ') + 𝔈 cos(ψ+ψ') + ε [P 3, multiplied out], coefficients normal,
+///   ε normal with a scatter that is itself uncertain (log-normal about half a degree, besides the division of the compass).
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/deviation/SlipCheck.h"
+
+namespace lubberline {
+
+struct SlippedReading {
+    std::size_t reading = 0;
+    double probability = 0;                ///< that this reading slipped; with `orReadings`: that one of them all did
+    std::vector<std::size_t> orReadings;   ///< the others that could be it instead: which one slipped cannot be told
+    std::vector<SlipCandidate> candidates; ///< the likeliest first; probabilities of what this reading may have meant
+};
+
+struct SlipSearch {
+    std::vector<SlippedReading> slips; ///< in order of their finding: the likeliest first; all that cannot be told apart are listed
+    /// A misreading of one reading by less than this could pass unseen [deg]: of the reading that is checked worst. None without check.
+    std::optional<double> seenFrom_deg;
+};
+
+/// @param resolution_deg smallest division of the compass. @param expected what this compass, or any, is expected to deviate after its
+/// index is taken out (the middle of the readings' deviations). Fewer than three readings check nothing.
+[[nodiscard]] SlipSearch findSlips(std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected = anyCurve());
+
+} // namespace lubberline

@@ -1,0 +1,63 @@
+#include "core/deviation/ToldCoefficients.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include "core/deviation/LeastSquares.h"
+
+namespace lubberline {
+
+namespace {
+
+/// D (3) or E (4) when the worst told direction is its own; −1 otherwise. A quarter of it may leak into the others.
+int ownDirection(const Eigen::MatrixXd& design)
+{
+    constexpr double kOwn = 0.97; // cosine of the angle between the direction and the coefficient's axis
+    const Eigen::MatrixXd small = design.rows() > 5
+        ? Eigen::MatrixXd(Eigen::HouseholderQR<Eigen::MatrixXd>(design).matrixQR().topRows(5).triangularView<Eigen::Upper>())
+        : design;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(small, Eigen::ComputeFullV);
+    const Eigen::VectorXd worst = svd.matrixV().col(4);
+    for (const int column : {3, 4})
+        if (std::abs(worst(column)) >= kOwn)
+            return column;
+    return -1;
+}
+
+} // namespace
+
+ToldCoefficients toldBy(const Eigen::MatrixXd& design, int distinctHeadings)
+{
+    const auto n = design.rows();
+    ToldCoefficients told;
+    const Eigen::VectorXd sigma = singularValues(n >= 5 ? design : Eigen::MatrixXd(design.transpose()));
+    const double tolerance = sigma(0) * std::numeric_limits<double>::epsilon() * static_cast<double>(std::max<Eigen::Index>(n, 5));
+    told.rank = static_cast<int>((sigma.array() > tolerance).count());
+    const double five = n >= 5 ? conditionNumber(sigma) : std::numeric_limits<double>::infinity();
+    const auto accept = [&](std::vector<int> columns, double condition) {
+        told.columns = std::move(columns);
+        told.conditionNumber = condition;
+        return told;
+    };
+    if (distinctHeadings >= 5 && five <= kConditionLimit)
+        return accept({0, 1, 2, 3, 4}, five);
+    if (distinctHeadings >= 4 && n >= 4) {
+        if (const int without = ownDirection(design); without >= 0) {
+            const std::vector<int> four = without == 3 ? std::vector{0, 1, 2, 4} : std::vector{0, 1, 2, 3};
+            const double condition = conditionNumber(singularValues(design(Eigen::all, four)));
+            if (condition <= kConditionLimit)
+                return accept(four, condition);
+        }
+    }
+    const double three = conditionNumber(singularValues(design.leftCols(3)));
+    if (three <= kConditionLimit)
+        return accept({0, 1, 2}, three);
+    told.conditionNumber = std::min(five, std::numeric_limits<double>::max()); // what is reported must be a number
+    return told;
+}
+
+} // namespace lubberline

@@ -1,0 +1,154 @@
+// Slips seeded into whole swings of eight readings to 1°: found at the promised rates, and readings that are right left alone.
+// The rates are of simulated swings with a fixed seed: no luck of the day in them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "core/deviation/SwingSlips.h"
+
+namespace lubberline {
+namespace {
+
+struct Rates {
+    double named = 0, alarms = 0, innocent = 0;
+    int swings = 0;
+};
+
+/// @param slip what the reading becomes; the same figure: this swing is left out.
+Rates ratesOf(double scatter_deg, int readings, const std::function<double(double compass_deg, double magnetic_deg, int sign)>& slip)
+{
+    std::mt19937_64 engine(20261126);
+    std::normal_distribution<double> noise;
+    std::uniform_real_distribution<double> within(-1.0, 1.0);
+    Rates rates;
+    for (int swing = 0; swing < 150; ++swing) {
+        const ApproximateSmith smith{toRadians(0.5 * within(engine)), toRadians(6 * within(engine)), toRadians(6 * within(engine)),
+            toRadians(2.5 * within(engine)), toRadians(1.0 * within(engine))};
+        std::vector<Observation> observations;
+        for (int i = 0; i < readings; ++i) {
+            const auto magnetic = MagneticHeading::fromDegrees(360.0 * i / readings);
+            const double compass = compassHeadingFor(smith, magnetic)->degrees() + scatter_deg * noise(engine);
+            observations.push_back({magnetic, CompassHeading::fromDegrees(std::round(compass))});
+        }
+        const auto wrong = static_cast<std::size_t>(engine() % static_cast<unsigned>(readings));
+        auto& reading = observations[wrong];
+        const double written = wrap360(slip(reading.compass.degrees(), reading.magnetic.degrees(), engine() % 2 ? 1 : -1));
+        const bool slipped = written != reading.compass.degrees();
+        reading.compass = CompassHeading::fromDegrees(written);
+        const auto found = findSlips(observations, 1.0).slips;
+        bool named = false, innocent = false;
+        for (const auto& one : found) {
+            const bool maybe = one.reading == wrong || std::count(one.orReadings.begin(), one.orReadings.end(), wrong) > 0;
+            named |= slipped && one.reading == wrong;
+            innocent |= slipped && !maybe;
+        }
+        rates.named += named;
+        rates.innocent += innocent;
+        rates.alarms += !found.empty();
+        ++rates.swings;
+    }
+    for (double* rate : {&rates.named, &rates.alarms, &rates.innocent})
+        *rate /= rates.swings;
+    return rates;
+}
+
+double offBy(double compass_deg, double off_deg) { return compass_deg + off_deg; }
+
+TEST(SwingSlips, eightReadingsNameASlipOfTenOrOfHalfACircle)
+{
+    for (const double scatter : {0.3, 0.5}) {
+        for (const double off : {8.0, 10.0, 100.0, 180.0}) {
+            const auto rates = ratesOf(scatter, 8, [off](double compass, double, int sign) { return offBy(compass, sign * off); });
+            EXPECT_GE(rates.named, 0.97) << scatter << " " << off;
+            EXPECT_LE(rates.innocent, 0.02) << scatter << " " << off;
+        }
+    }
+    const auto coarse = ratesOf(1.0, 8, [](double compass, double, int sign) { return offBy(compass, 8.0 * sign); });
+    EXPECT_GE(coarse.named, 0.90);
+    EXPECT_LE(coarse.innocent, 0.02);
+}
+
+TEST(SwingSlips, eightReadingsNameMostSlipsOfFiveDegrees)
+{
+    const auto slip = [](double compass, double, int sign) { return offBy(compass, 5.0 * sign); };
+    EXPECT_GE(ratesOf(0.3, 8, slip).named, 0.94);
+    EXPECT_GE(ratesOf(0.5, 8, slip).named, 0.80);
+}
+
+TEST(SwingSlips, aDeviationAppliedTheWrongWayIsNamed)
+{
+    const auto rates = ratesOf(0.5, 12, [](double compass, double magnetic, int) {
+        const double turned = 2.0 * magnetic - compass;
+        return std::abs(wrap180(turned - compass)) < 8.0 ? compass : turned;
+    });
+    EXPECT_LE(rates.alarms - rates.named, 0.01); // what is named is what slipped
+}
+
+TEST(SwingSlips, rightReadingsAreLeftAlone)
+{
+    const auto nothing = [](double compass, double, int) { return compass; };
+    EXPECT_EQ(ratesOf(0.3, 8, nothing).alarms, 0.0);
+    EXPECT_LE(ratesOf(0.5, 8, nothing).alarms, 0.02);
+    EXPECT_LE(ratesOf(1.0, 8, nothing).alarms, 0.15); // the price of finding 5° at 0.3°: a look costs seconds
+    EXPECT_LE(ratesOf(0.5, 24, nothing).alarms, 0.02);
+}
+
+TEST(SwingSlips, whatWasMeantIsNamedWithItsProbability)
+{
+    std::vector<Observation> readings;
+    for (int i = 0; i < 12; ++i)
+        readings.push_back({MagneticHeading::fromDegrees(30 * i), CompassHeading::fromDegrees(30 * i)});
+    readings[9].compass = CompassHeading::fromDegrees(207); // 270 with its digits swapped
+    const auto found = findSlips(readings, 1.0).slips;
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].reading, 9u);
+    ASSERT_FALSE(found[0].candidates.empty());
+    EXPECT_EQ(found[0].candidates[0].slip, Slip::SwappedDigits);
+    EXPECT_EQ(found[0].candidates[0].meant_deg, 270.0);
+    EXPECT_GT(found[0].candidates[0].probability, 0.9);
+    EXPECT_TRUE(found[0].orReadings.empty());
+}
+
+TEST(SwingSlips, twoSlipsOfTwelveAreBothFound)
+{
+    std::vector<Observation> readings;
+    for (int i = 0; i < 12; ++i)
+        readings.push_back({MagneticHeading::fromDegrees(30 * i), CompassHeading::fromDegrees(30 * i - 2 * std::round(std::sin(i)))});
+    readings[2].compass = CompassHeading::fromDegrees(readings[2].compass.degrees() + 10);
+    readings[7].compass = CompassHeading::fromDegrees(readings[7].compass.degrees() + 180);
+    std::vector<std::size_t> named;
+    for (const auto& one : findSlips(readings, 1.0).slips)
+        named.push_back(one.reading);
+    std::sort(named.begin(), named.end());
+    EXPECT_EQ(named, (std::vector<std::size_t>{2, 7}));
+}
+
+/// The index is no slip: every reading has it.
+TEST(SwingSlips, aMountThatIsOutSlipsNobody)
+{
+    std::vector<Observation> readings;
+    for (int i = 0; i < 8; ++i)
+        readings.push_back({MagneticHeading::fromDegrees(45 * i), CompassHeading::fromDegrees(45 * i + 180)});
+    EXPECT_TRUE(findSlips(readings, 1.0).slips.empty());
+}
+
+TEST(SwingSlips, howSmallASlipCouldPassIsSaid)
+{
+    const auto seenFrom = [](int count) {
+        std::vector<Observation> readings;
+        for (int i = 0; i < count; ++i)
+            readings.push_back({MagneticHeading::fromDegrees(360.0 * i / count), CompassHeading::fromDegrees(std::round(360.0 * i / count))});
+        return findSlips(readings, 1.0).seenFrom_deg;
+    };
+    EXPECT_FALSE(seenFrom(2));
+    EXPECT_GT(*seenFrom(4), 8.0);
+    EXPECT_LT(*seenFrom(8), 6.0);
+    EXPECT_LT(*seenFrom(24), *seenFrom(8));
+}
+
+} // namespace
+} // namespace lubberline
