@@ -21,13 +21,12 @@ struct PredictArguments {
     Output output;
     std::vector<std::string> swings;
     double latitude_deg = 0, longitude_deg = 0, altitude_m = 0;
+    AssumedIron assumed;
     bool json = false;
 };
 
-/// What is expected there, and here where there is a here to compare it with.
 struct PredictAnswer {
     Prediction there;
-    std::optional<Prediction> here;
     std::optional<LimitsProfile> limits;
 };
 
@@ -51,31 +50,19 @@ Result<PredictAnswer> fromModel(const std::string& path, const MeridianField& th
     const auto setup = readModelJsonFile(path);
     if (!setup)
         return setup.error();
-    auto prediction = predict(setup->model, there);
+    const auto here = fieldOf(*setup); // the model's own place is the one to compare with
+    auto prediction = predict(setup->model, {here ? std::optional(*here) : std::nullopt, there});
     if (!prediction)
         return prediction.error();
-    PredictAnswer answer{std::move(prediction.value()), {}, {}};
-    if (const auto field = fieldOf(*setup)) // the model's own place is the one to compare with
-        if (auto here = predict(setup->model, *field))
-            answer.here = std::move(here.value());
-    return answer;
+    return PredictAnswer{std::move(prediction.value()), {}};
 }
 
-Result<PredictAnswer> fromSwings(const PlacedSwings& swings, const MeridianField& there)
+Result<PredictAnswer> fromSwings(const PlacedSwings& swings, const PredictArguments& options, const MeridianField& there)
 {
-    const auto asked = [&](const MeridianField& field) -> Result<Prediction> {
-        if (swings.swings.size() == 1)
-            return predict(swings.swings.front(), field);
-        const auto separation = separateIron(swings.swings);
-        return separation ? predict(*separation, field) : Result<Prediction>(separation.error());
-    };
-    auto prediction = asked(there);
+    auto prediction = predict(swings.swings, {swings.swings.back().field, there}, options.assumed);
     if (!prediction)
         return prediction.error();
-    PredictAnswer answer{std::move(prediction.value()), {}, swings.limits};
-    if (auto here = asked(swings.swings.back().field))
-        answer.here = std::move(here.value());
-    return answer;
+    return PredictAnswer{std::move(prediction.value()), swings.limits};
 }
 
 void printTable(const PredictAnswer& answer)
@@ -83,6 +70,9 @@ void printTable(const PredictAnswer& answer)
     const Prediction& there = answer.there;
     std::printf("expected with H %.0f nT, dip %+.1f deg; from %s\n", there.there.horizontal_nT, toDegrees(there.there.inclination_rad()),
         there.basis.english().c_str());
+    if (there.assumed)
+        std::printf("the whole curve lies between lowest and highest with a probability of %.0f %%, assuming %s\n", 100 * kBoundProbability,
+            sayAssumed(*there.assumed).english().c_str());
     std::printf("magnetic   deviation     lowest    highest\n   (deg)  (deg, E +)      (deg)      (deg)\n");
     for (std::size_t i = 0; i < there.points.size(); i += 6) {
         const auto& point = there.points[i];
@@ -93,17 +83,13 @@ void printTable(const PredictAnswer& answer)
             std::printf("%8.0f  %10s\n", point.magnetic.degrees(), "vanishes");
     }
     std::printf("verdict: %s\n", nameOf(judge(there, answer.limits)));
-    if (answer.here) {
-        const auto again = swingAgainAfterMove(*answer.here, there, answer.limits);
-        std::printf("swing again: %s, %s\n", again.needed ? "yes" : "no", again.reason.english().c_str());
-    }
+    if (const auto again = swingAgainAfterMove(there, answer.limits))
+        std::printf("swing again: %s, %s\n", again->needed ? "yes" : "no", again->reason.english().c_str());
 }
 
 int tell(const PredictArguments& options, const PredictAnswer& answer)
 {
-    PredictionContext context{answer.limits, {}};
-    if (answer.here)
-        context.swingAgain = swingAgainAfterMove(*answer.here, answer.there, answer.limits);
+    const PredictionContext context{answer.limits, swingAgainAfterMove(answer.there, answer.limits)};
     if (!options.json)
         warn(answer.there.warnings);
     if (!options.output.empty()) {
@@ -137,7 +123,7 @@ int predictCommand(const PredictArguments& options, const std::string& database)
     const auto swings = placedSwings(database, options.swings);
     if (!swings)
         return fail(swings.error());
-    const auto answer = fromSwings(*swings, *there);
+    const auto answer = fromSwings(*swings, options, *there);
     return answer ? tell(options, *answer) : fail(answer.error());
 }
 
@@ -155,6 +141,14 @@ void addPredict(CLI::App& app, Invocation& invocation)
     command->add_option("--lon", options->longitude_deg, "longitude there [deg, east positive]")->required();
     command->add_option("--alt", options->altitude_m, "height above the WGS84 ellipsoid [m]")->capture_default_str();
     command->add_option("--date", options->date, "YYYY-MM-DD, or a year as 2026.5")->required();
+    const auto assume = [&](const char* name, double& size, const char* what) {
+        command->add_option(name, size, what)->capture_default_str()->check(CLI::PositiveNumber);
+    };
+    assume("--assume-soft", options->assumed.verticalSoft,
+        "plausible size of the vertical soft iron c and f; this and the next: standard deviations");
+    assume("--assume-hard-nT", options->assumed.hardIron_nT, "plausible size of the hard iron P and Q [nT]");
+    assume("--assume-magnets-nT", options->assumed.compensator_nT, "plausible size of the compensating magnets [nT]");
+    assume("--assume-one-cycle-deg", options->assumed.compassOneCycle_deg, "plausible one-cycle error of the compass itself [deg]");
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
     addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".csv", ".json"})->excludes(json);
     addDatabaseOption(*command, invocation);

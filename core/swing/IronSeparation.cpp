@@ -41,8 +41,7 @@ class Separation {
 public:
     explicit Separation(std::span<const SwingAtPlace> swings) : m_swings(swings)
     {
-        m_errorsKnown = std::all_of(
-            swings.begin(), swings.end(), [](const auto& swing) { return swing.standardError.B > 0 && swing.standardError.C > 0; });
+        m_errorsKnown = std::all_of(swings.begin(), swings.end(), errorsKnown);
     }
     Result<IronSeparation> make();
 
@@ -197,6 +196,8 @@ SensorModel levelModel(double A, double D, double E)
 }
 
 } // namespace
+
+bool errorsKnown(const SwingAtPlace& swing) { return swing.standardError.B > 0 && swing.standardError.C > 0; }
 
 double widening(int degreesOfFreedom)
 {

@@ -20,9 +20,13 @@ struct SwingAtPlace {
     ExactSmith exact;
     ExactSmith standardError; ///< dimensionless; 0 everywhere: not known (the scatter of the swings is used then)
     MeridianField field;
-    std::string label;        ///< site and date, for messages
-    int degreesOfFreedom = 0; ///< of the fit that the standard errors are from; 0: they are known well
+    std::string label;                                          ///< site and date, for messages
+    int degreesOfFreedom = 0;                                   ///< of the fit that the standard errors are from; 0: they are known well
+    std::optional<Eigen::Matrix<double, 5, 5>> covariance = {}; ///< of the fit, A … E; none: the errors are independent
 };
+
+/// Whether the swing's own errors of B and C are known.
+[[nodiscard]] bool errorsKnown(const SwingAtPlace& swing);
 
 /// By how much standard errors of few degrees of freedom are widened before anything is concluded from them: by Student's
 /// quantiles, so that one of them holds the truth in 68 % of the cases and three of them in 95 % at least. 1 for 0 (known

@@ -36,11 +36,11 @@ Result<Message> whySwingAfterMove(const SwingRecord& last, const Site& base, con
     const auto swing = swingAtPlace(last);
     if (!swing)
         return swing.error();
-    const auto predictedThere = predict(*swing, *there), predictedHere = predict(*swing, swing->field);
-    if (!predictedThere || !predictedHere)
-        return predictedThere ? predictedHere.error() : predictedThere.error();
-    const SwingAgain again = swingAgainAfterMove(*predictedHere, *predictedThere, last.limits);
-    return again.needed ? Message{MARKED("core", "based at %1: %2"), base.name, again.reason} : Message();
+    const auto predicted = predict(*swing, *there);
+    if (!predicted)
+        return predicted.error();
+    const auto again = swingAgainAfterMove(*predicted, last.limits);
+    return again && again->needed ? Message{MARKED("core", "based at %1: %2"), base.name, again->reason} : Message();
 }
 
 } // namespace lubberline

@@ -49,6 +49,8 @@ TEST(PredictCommand, fromAModel)
     EXPECT_NEAR(json.at("exact").at("B").get<double>(), 1000 / H, 1e-12);
     EXPECT_EQ(json.at("verdict"), "no_limit");
     EXPECT_TRUE(json.at("swing_again").contains("needed"));
+    EXPECT_TRUE(json.at("bounds").at("probability").is_null()); // a model assumes nothing
+    EXPECT_EQ(json.at("max_change").at("expected_deg"), json.at("max_change").at("bound_deg"));
 }
 
 TEST(PredictCommand, fromOneSwingAndFromSwingsAtSeveralPlaces)
@@ -65,12 +67,20 @@ TEST(PredictCommand, fromOneSwingAndFromSwingsAtSeveralPlaces)
         for (const auto& point : json.at("points"))
             widest = std::max(widest, point.at("highest_deg").get<double>() - point.at("lowest_deg").get<double>());
         EXPECT_NE(json.at("verdict"), "no_limit");
+        EXPECT_EQ(json.at("bounds").at("probability"), 0.95);
+        for (const char* size : {"c_f", "P_Q_nT", "compensator_nT", "compass_one_cycle_deg"})
+            EXPECT_GT(json.at("bounds").at("assumed_sizes").at(size).get<double>(), 0) << size;
+        EXPECT_GE(json.at("max_change").at("bound_deg"), json.at("max_change").at("expected_deg"));
+        if (json.at("verdict") != "out_of_limits") {
+            EXPECT_NE(json.at("swing_again").at("reason").get<std::string>().find("95 %, assuming"), std::string::npos);
+        }
         return widest;
     };
     const double one = width({"--swing", demo.swings[0]});
     const double three = width({"--swing", demo.swings[0], "--swing", demo.swings[1], "--swing", demo.swings[2]});
     EXPECT_GT(one, 0.5);
     EXPECT_LT(three, one);
+    EXPECT_LT(width({"--swing", demo.swings[0], "--assume-soft", "0.01", "--assume-magnets-nT", "500", "--assume-hard-nT", "500"}), one);
 }
 
 TEST(PredictCommand, refusals)
@@ -87,6 +97,7 @@ TEST(PredictCommand, refusals)
     EXPECT_EQ(status({model, "--lat", "91", "--lon", "0", "--date", "2026-11-23"}), 1);
     EXPECT_EQ(status({model, "--lat", "50", "--lon", "0", "--date", "2042-11-23"}), 1);
     EXPECT_EQ(status({model, "--lat", "85.8", "--lon", "139.3", "--date", "2026-11-23"}), 1); // blackout
+    EXPECT_EQ(status({model, "--lat", "50", "--lon", "0", "--date", "2026-11-23", "--assume-soft", "-1"}), 2);
     EXPECT_EQ(status({"--lat", "50", "--lon", "0", "--date", "2026-11-23"}), 2);
     EXPECT_EQ(status({model, "--lat", "50", "--lon", "0", "--date", "2026-11-23", "-o", "curve.xls"}), 2);
     EXPECT_EQ(status({"--swing", "none", "--db", "none.lubberline", "--lat", "50", "--lon", "0", "--date", "2026-11-23"}), 1);

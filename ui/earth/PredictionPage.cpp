@@ -33,7 +33,7 @@ QString verdictWords(const Prediction& prediction, const std::optional<LimitsPro
 {
     const QString largest = PredictionPage::tr("Up to %1° expected").arg(toDegrees(prediction.maxAbs_rad), 0, 'f', 1)
         + (prediction.maxAbsPossible_rad > prediction.maxAbs_rad
-                ? PredictionPage::tr(", up to %1° possible").arg(toDegrees(prediction.maxAbsPossible_rad), 0, 'f', 1)
+                ? PredictionPage::tr(", up to %1° possible (95 %)").arg(toDegrees(prediction.maxAbsPossible_rad), 0, 'f', 1)
                 : QString());
     switch (judge(prediction, limits)) {
     case PredictedVerdict::InLimits: return PredictionPage::tr("● In limits. %1; allowed %2°.").arg(largest).arg(*limits->maxDeviation_deg);
@@ -100,7 +100,7 @@ QWidget* PredictionPage::buildForm()
     };
     m_basis = new QComboBox;
     m_basis->setObjectName(QStringLiteral("predictionBasis"));
-    m_basis->addItems({tr("this swing alone, between two extremes"), tr("all swings of this compass at different places")});
+    m_basis->addItems({tr("this swing alone"), tr("all swings of this compass at different places")});
     connect(m_basis, &QComboBox::activated, this, &PredictionPage::useSwings);
     form->addRow(tr("&From:"), m_basis);
     m_site = new QComboBox;
@@ -181,25 +181,30 @@ void PredictionPage::takeSite(int index)
     recompute();
 }
 
+Result<std::vector<SwingAtPlace>> PredictionPage::swingsOfCompass() const
+{
+    const auto rows = m_stores.swings.swingsOf(m_record.compass.id);
+    if (!rows)
+        return rows.error();
+    std::vector<SwingAtPlace> swings;
+    for (std::size_t i = 0; i < rows->size() && i < kMostSwings; ++i)
+        if (const auto record = m_stores.swings.record((*rows)[i].id))
+            if (auto swing = swingAtPlace(*record)) // what tells nothing of iron is passed over
+                swings.push_back(std::move(swing.value()));
+    return swings;
+}
+
 void PredictionPage::useSwings()
 {
     m_separation.reset();
     if (m_basis->currentIndex() == 1) {
-        const auto rows = m_stores.swings.swingsOf(m_record.compass.id);
-        if (!rows) {
-            emit failed(messageOf(rows.error()));
-            return;
-        }
-        std::vector<SwingAtPlace> swings;
-        for (std::size_t i = 0; i < rows->size() && i < kMostSwings; ++i)
-            if (const auto record = m_stores.swings.record((*rows)[i].id))
-                if (auto swing = swingAtPlace(*record)) // what tells nothing of iron is passed over
-                    swings.push_back(std::move(swing.value()));
-        auto separation = separateIron(swings);
+        auto swings = swingsOfCompass();
+        auto separation = swings ? separateIron(*swings) : Result<IronSeparation>(swings.error());
         if (!separation) {
             m_basis->setCurrentIndex(0);
             emit failed(messageOf(separation.error()));
         } else {
+            m_others = std::move(swings.value());
             m_separation = std::move(separation.value());
         }
     }
@@ -222,7 +227,7 @@ Result<MeridianField> PredictionPage::fieldThere() const
 
 Result<Prediction> PredictionPage::predictAt(const MeridianField& field) const
 {
-    return m_separation ? predict(*m_separation, field) : predict(*m_swing, field);
+    return m_separation ? predict(m_others, {m_swing->field, field}) : predict(*m_swing, field);
 }
 
 void PredictionPage::recompute()
@@ -267,12 +272,13 @@ void PredictionPage::showPrediction(const Prediction& there, const std::optional
     m_there = there;
     m_verdict->setText(verdictWords(there, m_record.limits));
     m_again->clear();
-    if (here) {
-        const SwingAgain again = swingAgainAfterMove(*here, there, m_record.limits);
-        m_again->setText(again.needed ? tr("Swing again after the move: %1.").arg(toText(again.reason))
-                                      : tr("No new swing is needed for the move: %1.").arg(toText(again.reason)));
-    }
+    if (const auto again = swingAgainAfterMove(there, m_record.limits))
+        m_again->setText(again->needed ? tr("Swing again after the move: %1.").arg(toText(again->reason))
+                                       : tr("No new swing is needed for the move: %1.").arg(toText(again->reason)));
     QStringList lines{tr("From %1.").arg(toText(there.basis))};
+    lines += tr("The band holds the whole curve with a probability of %1 %, assuming %2.")
+                 .arg(100 * kBoundProbability, 0, 'f', 0)
+                 .arg(toText(sayAssumed(*there.assumed)));
     for (const auto& warning : there.warnings)
         lines += tr("Mind: %1.").arg(toText(warning));
     m_warnings->setText(lines.join('\n'));

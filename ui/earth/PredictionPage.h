@@ -1,5 +1,5 @@
 #pragma once
-/// What a compass will read at another base: from one swing between two extremes, or from its swings at several places.
+/// What a compass will read at another base: from one swing, or from its swings at several places.
 
 #include <optional>
 #include <vector>
@@ -45,12 +45,14 @@ private:
     void showKnowledge();
     [[nodiscard]] Result<MeridianField> fieldThere() const;
     [[nodiscard]] Result<Prediction> predictAt(const MeridianField& field) const;
+    [[nodiscard]] Result<std::vector<SwingAtPlace>> swingsOfCompass() const;
 
     db::Stores& m_stores;
     std::vector<Site> m_sites; ///< those with a place
     SwingRecord m_record;
     std::optional<SwingAtPlace> m_swing;
     QString m_whyNoSwing;
+    std::vector<SwingAtPlace> m_others; ///< all of the compass, where the prediction is from several
     std::optional<IronSeparation> m_separation;
     std::optional<Prediction> m_there;
 

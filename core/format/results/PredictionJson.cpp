@@ -29,6 +29,28 @@ Json estimateJson(const Estimate& estimate)
     return {{"value", estimate.value}, {"standard_error", estimate.standardError > 0 ? Json(estimate.standardError) : Json()}};
 }
 
+Json assumedOrNull(const std::optional<AssumedIron>& assumed)
+{
+    if (!assumed)
+        return {};
+    return {{"c_f", assumed->verticalSoft}, {"P_Q_nT", assumed->hardIron_nT}, {"compensator_nT", assumed->compensator_nT},
+        {"compass_one_cycle_deg", assumed->compassOneCycle_deg}, {"degrees_of_freedom", assumed->degreesOfFreedom},
+        {"in_words", sayAssumed(*assumed).english()}};
+}
+
+/// How sure the bounds are: of a model they are the curve itself.
+Json boundsJson(const Prediction& prediction)
+{
+    return {{"probability", prediction.assumed ? Json(kBoundProbability) : Json()}, {"assumed_sizes", assumedOrNull(prediction.assumed)}};
+}
+
+Json changeOrNull(const std::optional<PredictedChange>& change)
+{
+    return change
+        ? Json{{"expected_deg", toTenDecimals(toDegrees(change->expected_rad))}, {"bound_deg", toTenDecimals(toDegrees(change->bound_rad))}}
+        : Json();
+}
+
 } // namespace
 
 const char* nameOf(PredictedVerdict verdict)
@@ -56,6 +78,8 @@ std::string toJson(const Prediction& prediction, const PredictionContext& contex
     json["exact"] = exactOrNull(prediction.exact);
     json["max_abs_deviation_deg"] = degreesOrNull(prediction.maxAbs_rad);
     json["max_abs_possible_deg"] = degreesOrNull(prediction.maxAbsPossible_rad);
+    json["bounds"] = boundsJson(prediction);
+    json["max_change"] = changeOrNull(prediction.change);
     json["limit_deg"] = context.limits && context.limits->maxDeviation_deg ? Json(*context.limits->maxDeviation_deg) : Json();
     json["verdict"] = nameOf(judge(prediction, context.limits));
     json["swing_again"]

@@ -64,7 +64,8 @@ private slots:
             QCOMPARE(open.page.prediction()->points[i].deviation->degrees(), expected->points[i].deviation->degrees());
         QVERIFY(open.label("predictionField").contains("nT"));
         QVERIFY(open.label("predictionVerdict").contains("imits"));
-        QVERIFY(open.label("predictionWarnings").contains("between the two extremes"));
+        QVERIFY(open.label("predictionWarnings").contains("with a probability of 95 %, assuming vertical soft iron"));
+        QVERIFY2(open.label("predictionAgain").contains("95 %"), qPrintable(open.label("predictionAgain")));
         auto* plot = open.page.findChild<PredictionPlot*>("prediction");
         QVERIFY(plot->picture().there && plot->picture().here);
         QCOMPARE(*plot->picture().limit_deg, 10.0);

@@ -44,6 +44,18 @@ QVector<QwtIntervalSample> bandOf(const std::optional<Prediction>& prediction)
     return samples;
 }
 
+/// What the band rests on goes where the plot goes, to paper too.
+QString bandTitle(const std::optional<Prediction>& prediction)
+{
+    if (!prediction || !prediction->assumed)
+        return PredictionChart::tr("possible there");
+    return PredictionChart::tr("possible there: %1 % if c, f ~ %2; P, Q ~ %3 nT; magnets ~ %4 nT")
+        .arg(100 * kBoundProbability, 0, 'f', 0)
+        .arg(prediction->assumed->verticalSoft)
+        .arg(prediction->assumed->hardIron_nT, 0, 'f', 0)
+        .arg(prediction->assumed->compensator_nT, 0, 'f', 0);
+}
+
 double largestPredicted(const PredictionPicture& picture)
 {
     double largest = 0;
@@ -91,6 +103,7 @@ void PredictionChart::setPicture(const PredictionPicture& picture)
     entry(m_thereEntry).present = m_there->dataSize() > 0;
     entry(m_hereEntry).present = m_here->dataSize() > 0;
     entry(m_bandEntry).present = m_band->dataSize() > 0;
+    entry(m_bandEntry).title = bandTitle(picture.there);
     entry(m_limitEntry).present = picture.limit_deg.has_value();
     entry(m_limitEntry).title = picture.limit_deg ? tr("limit ±%1°").arg(*picture.limit_deg) : QString();
     const double largest = largestPredicted(picture);
