@@ -13,7 +13,7 @@ QString columnHeading(const Swing& swing, bool several)
     case RadioState::Off: return "RADIO OFF";
     case RadioState::NotStated: break;
     }
-    return several ? "STEER " + QString::fromStdString(swing.date) : QString("STEER");
+    return several ? "STEER " + QString::fromStdString(swing.date.text()) : QString("STEER");
 }
 
 } // namespace

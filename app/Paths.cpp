@@ -44,5 +44,6 @@ Result<QString> demonstrationPath(const std::string& option)
 }
 
 QString nowUtc() { return QString::fromStdString(machineClock().nowUtc()); }
+Date today() { return machineClock().today(); }
 
 } // namespace lubberline::app

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/base/Date.h"
 #include "core/base/Result.h"
 
 namespace lubberline::app {
@@ -18,5 +19,6 @@ Result<QString> demonstrationPath(const std::string& option);
 
 /// The time now, UTC, ISO 8601: what is printed on documents.
 [[nodiscard]] QString nowUtc();
+[[nodiscard]] Date today(); ///< UTC
 
 } // namespace lubberline::app

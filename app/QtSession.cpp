@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "ui/text/Language.h"
+
 namespace lubberline::app {
 
 namespace {
@@ -64,6 +66,7 @@ Result<std::unique_ptr<QApplication>> makeWindowSession(int& argc, char** argv)
     qInstallMessageHandler(showMessage);
     auto session = std::make_unique<QApplication>(argc, argv);
     describeApplication();
+    ui::speak(ui::wantedLanguages());
     return session;
 }
 

@@ -12,7 +12,7 @@ namespace lubberline::app {
 /// For commands that print or draw: the offscreen platform, whatever QT_QPA_PLATFORM names.
 [[nodiscard]] std::unique_ptr<QApplication> makeDrawingSession();
 
-/// For the window. Errors: Unsupported when there is no display.
+/// For the window, in the language of ui/text/Language.h. Errors: Unsupported when there is no display.
 Result<std::unique_ptr<QApplication>> makeWindowSession(int& argc, char** argv);
 
 /// Whether a window that is opened here is seen by somebody: there is a display, and QT_QPA_PLATFORM does not turn away from it

@@ -58,10 +58,12 @@ std::string slipsTable(const Analysis& analysis)
     for (const auto& slip : analysis.slips.slips) {
         const auto& reading = analysis.readings[slip.reading];
         out += text("look again at %.1f, which reads %.1f: %s with %.0f %%", reading.magnetic.degrees(), reading.compass.degrees(),
-            slip.orReadings.empty() ? "it was misread" : "one of the readings that cannot be told apart was misread", 100 * slip.probability);
+            slip.orReadings.empty() ? "it was misread" : "one of the readings that cannot be told apart was misread",
+            100 * slip.probability);
         for (const auto& candidate : slip.candidates)
-            out += candidate.slip == Slip::Unexplained ? text("; %s %.0f %%", wordsOf(candidate.slip), 100 * candidate.probability)
-                                                       : text("; %s, %.1f meant, %.0f %%", wordsOf(candidate.slip), candidate.meant_deg, 100 * candidate.probability);
+            out += candidate.slip == Slip::Unexplained
+                ? text("; %s %.0f %%", wordsOf(candidate.slip), 100 * candidate.probability)
+                : text("; %s, %.1f meant, %.0f %%", wordsOf(candidate.slip), candidate.meant_deg, 100 * candidate.probability);
         out += "\n";
     }
     return out;

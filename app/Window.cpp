@@ -12,6 +12,7 @@
 #include "app/commands/Command.h"
 #include "db/schema/Schema.h"
 #include "db/transfer/Maintenance.h"
+#include "ui/text/Translated.h"
 #include "ui/window/MainWindow.h"
 
 namespace lubberline::app {
@@ -21,7 +22,7 @@ namespace {
 /// Said on standard error, and in a box for whoever started the program from a menu.
 int failVisibly(const Error& error)
 {
-    QMessageBox::critical(nullptr, "Lubberline", QString::fromStdString(describe(error)));
+    QMessageBox::critical(nullptr, "Lubberline", ui::messageOf(error));
     return fail(error);
 }
 
@@ -30,13 +31,13 @@ void startDemonstration(ui::MainWindow& window)
 {
     const auto demonstration = openDemonstration({});
     if (!demonstration) {
-        window.fail(QString::fromStdString(describe(demonstration.error())));
+        window.fail(ui::messageOf(demonstration.error()));
         return;
     }
     if (QProcess::startDetached(QCoreApplication::applicationFilePath(), {"--db", (*demonstration)->location()}))
         window.close();
     else
-        window.fail(QObject::tr("The window of the demonstration fleet could not be started."));
+        window.fail(ui::translated(MARKED("app", "The window of the demonstration fleet could not be started.")));
 }
 
 /// Beside the program's own data; where that drive is full, too, in memory until the machine is switched off.

@@ -49,7 +49,7 @@ Result<void> writePlots(
     if (previous) {
         if (auto analysed = analyseSwing({SwingRecord{*previous, {}, {}, {}, {}, {}}, {}, "the previous swing"}); analysed) {
             last = std::make_shared<Analysis>(std::move(analysed.value()));
-            lastDate = QString::fromStdString(previous->date);
+            lastDate = QString::fromStdString(previous->date.text());
         }
     }
     const auto picture = ui::pictureOf(record, analysis, {}, last, lastDate, AngleStyle::DecimalDegrees);

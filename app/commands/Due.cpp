@@ -8,12 +8,11 @@
 #include "app/Paths.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
-#include "core/base/Calendar.h"
-#include "core/base/FileText.h"
 #include "core/base/NearWord.h"
 #include "core/base/OutputFile.h"
 #include "core/format/json/JsonWriter.h"
 #include "core/format/results/DueJson.h"
+#include "core/record/RecordWords.h"
 #include "ui/due/DueWork.h"
 
 namespace lubberline::app {
@@ -37,26 +36,25 @@ struct WaiverOptions {
     bool json = false;
 };
 
-std::string todayUtc() { return nowUtc().left(10).toStdString(); }
-
-Result<std::string> dayOr(const std::string& option, const char* name)
+Result<Date> dayOr(const std::string& option, const char* name)
 {
     if (option.empty())
-        return todayUtc();
-    if (!isIsoDate(option))
+        return today();
+    const auto day = Date::read(option);
+    if (!day)
         return Error{
             ErrorCode::InvalidInput, {MARKED("app", "%1: '%2' is no day of the calendar; expected YYYY-MM-DD"), std::string(name), option}};
-    return option;
+    return *day;
 }
 
-std::string dayOf(const DueLine& line) { return line.answer.flags.empty() ? line.answer.nextByCalendar : line.answer.flags.front().since; }
+Date dayOf(const DueLine& line) { return line.answer.flags.empty() ? line.answer.nextByCalendar : line.answer.flags.front().since; }
 
 /// Due now, or by the calendar within so many days.
-bool wanted(const DueLine& line, const DueArguments& options, const std::string& today)
+bool wanted(const DueLine& line, const DueArguments& options, Date today)
 {
     if (options.all || line.answer.state >= DueState::Due)
         return true;
-    const std::string& next = line.answer.nextByCalendar;
+    const Date next = line.answer.nextByCalendar;
     return options.within > 0 ? !next.empty() && daysBetween(today, next) <= options.within : line.answer.state == DueState::DueSoon;
 }
 
@@ -76,7 +74,7 @@ void print(const std::vector<DueLine>& lines)
     std::printf("%-9s %-10s %-10s %-18s %-10s  %s\n", "state", "type", "aircraft", "compass", "since", "reason");
     for (const auto& line : lines)
         std::printf("%-9s %-10s %-10s %-18s %-10s  %s\n", std::string(nameOf(line.answer.state)).c_str(), line.compass.typeName.c_str(),
-            line.compass.registration.c_str(), line.compass.compassName.c_str(), dayOf(line).c_str(), reasonOf(line).c_str());
+            line.compass.registration.c_str(), line.compass.compassName.c_str(), dayOf(line).text().c_str(), reasonOf(line).c_str());
 }
 
 int dueCommand(const DueArguments& options, const std::string& database)
@@ -98,7 +96,8 @@ int dueCommand(const DueArguments& options, const std::string& database)
     for (const auto& warning : news->warnings)
         say("not predicted after a move: " + warning.english());
     if (!options.calendar.empty()) {
-        if (const auto written = writeWholeFile(options.calendar.path, writeCalendar(calendarOf(news->lines), *today + "T00:00:00Z"));
+        if (const auto written
+            = writeWholeFile(options.calendar.path, writeCalendar(calendarOf(news->lines), today->text() + "T00:00:00Z"));
             !written)
             return fail(written.error());
         if (options.calendar.toStandardOutput())
@@ -125,13 +124,13 @@ Result<DueCause> causeOf(const EventOptions& options)
 {
     if (options.cause.empty())
         return causeInWords(options.words);
-    if (const auto cause = dueCauseNamed(options.cause))
+    if (const auto cause = choiceOf<DueCause>(options.cause))
         return *cause;
     std::array<std::string_view, kDueCauses> names;
     std::string known;
     for (int i = 0; i < kDueCauses; ++i) {
-        names[static_cast<std::size_t>(i)] = nameOf(static_cast<DueCause>(i));
-        known += (i > 0 ? ", " : "") + std::string(nameOf(static_cast<DueCause>(i)));
+        names[static_cast<std::size_t>(i)] = fileWord(static_cast<DueCause>(i));
+        known += (i > 0 ? ", " : "") + std::string(fileWord(static_cast<DueCause>(i)));
     }
     const auto near = nearWord(options.cause, names);
     return Error{ErrorCode::InvalidInput,
@@ -166,13 +165,13 @@ int eventCommand(const EventOptions& options, const std::string& database)
         JsonWriter json;
         json.beginObject();
         json.text("event", event.record);
-        json.text("cause", nameOf(event.cause));
-        json.text("date", event.date);
+        json.text("cause", fileWord(event.cause));
+        json.text("date", event.date.text());
         json.end();
         std::fputs(json.take().c_str(), stdout);
         return kDone;
     }
-    std::printf("%s  %s: %s\n", event.record.c_str(), std::string(nameOf(event.cause)).c_str(),
+    std::printf("%s  %s: %s\n", event.record.c_str(), std::string(fileWord(event.cause)).c_str(),
         event.cause == DueCause::Other ? "opens no due flag" : "a swing is due until a later one is signed, or a waiver answers");
     return kDone;
 }

@@ -6,7 +6,7 @@
 #include "app/Tables.h"
 #include "app/commands/Command.h"
 #include "core/angle/AngleText.h"
-#include "core/base/FileText.h"
+#include "core/base/Date.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
@@ -20,7 +20,7 @@ namespace lubberline::app {
 namespace {
 
 struct NmeaArguments {
-    std::string file;
+    std::string file, date;
     Output output;
     NmeaOptions nmea;
     bool json = false;
@@ -134,13 +134,14 @@ void addNmea(CLI::App& app, Invocation& invocation)
         ->add_option("--variation-error", options->nmea.variationError_deg,
             "standard error of the variation where you know of one (survey of the base, magnetic storm) [deg]: widens A")
         ->check(CLI::Range(0.0, 180.0));
-    command->add_option("--date", options->nmea.date, "YYYY-MM-DD, where the log's own is wrong")->check([](const std::string& text) {
-        return isIsoDate(text) ? std::string() : "\"" + text + "\" is no date; expected YYYY-MM-DD";
+    command->add_option("--date", options->date, "YYYY-MM-DD, where the log's own is wrong")->check([options](const std::string& text) {
+        options->nmea.date = Date::read(text).value_or(Date());
+        return options->nmea.date.empty() ? "\"" + text + "\" is no date; expected YYYY-MM-DD" : std::string();
     });
     command->add_option("--talker", options->nmea.compassTalker, "whose HDG and HDM are the compass (HC, II, …), where several send");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     addOutputOption(*command, invocation, "-o,--output", options->output, "write the used pairs as a Swing CSV", {".csv"});
-    options->nmea.today = nowUtc().left(10).toStdString();
+    options->nmea.today = today();
     command->callback([options, &invocation] { invocation.action = [options] { return nmeaCommand(*options); }; });
 }
 

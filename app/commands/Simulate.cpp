@@ -89,8 +89,8 @@ SwingRecord swingOf(const std::vector<SensorReading>& points, const SensorSetup&
     swing.kind = SwingKind::Calibration;
     swing.datum.instrument = "simulation";
     swing.note = "simulated from " + std::filesystem::path(nameOfInput(options.model)).filename().string();
-    if (const auto* place = std::get_if<PlaceAndDate>(&setup.field); place && isIsoDate(place->date))
-        swing.date = place->date;
+    if (const auto* place = std::get_if<PlaceAndDate>(&setup.field))
+        swing.date = Date::read(place->date).value_or(Date()); // none for a decimal year
     for (const auto& point : points) {
         Reading reading;
         reading.magnetic = point.attitude.heading;

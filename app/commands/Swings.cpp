@@ -6,6 +6,7 @@
 #include "app/QtSession.h"
 #include "app/SwingList.h"
 #include "app/commands/Command.h"
+#include "core/record/RecordWords.h"
 
 namespace lubberline::app {
 
@@ -15,16 +16,6 @@ struct SwingsArguments {
     std::string aircraft;
     bool json = false;
 };
-
-const char* nameOf(SwingState state)
-{
-    switch (state) {
-    case SwingState::Draft: return "draft";
-    case SwingState::Complete: return "complete";
-    case SwingState::Signed: return "signed";
-    }
-    return "";
-}
 
 const char* nameOf(Status status)
 {
@@ -44,7 +35,7 @@ std::string jsonOf(const std::vector<ListedSwing>& swings)
         if (swing.row.maxAbsDeviation_deg)
             largest = *swing.row.maxAbsDeviation_deg;
         array.push_back({{"record", swing.record}, {"type", swing.type}, {"aircraft", swing.aircraft}, {"compass", swing.compass},
-            {"date", swing.row.date}, {"state", nameOf(swing.row.state)}, {"readings", swing.row.readings},
+            {"date", swing.row.date.text()}, {"state", std::string(fileWord(swing.row.state))}, {"readings", swing.row.readings},
             {"max_abs_deviation_deg", largest}, {"status", nameOf(swing.row.status)}});
     }
     return nlohmann::ordered_json{{"swings", array}}.dump(2);
@@ -67,7 +58,7 @@ int swingsCommand(const SwingsArguments& options, const std::string& database)
         "max (deg)", "status");
     for (const auto& swing : *swings)
         std::printf("%-36s  %-10s %-10s %-18s %-10s %-8s %8d  %9s  %s\n", swing.record.c_str(), swing.type.c_str(), swing.aircraft.c_str(),
-            swing.compass.c_str(), swing.row.date.c_str(), nameOf(swing.row.state), swing.row.readings,
+            swing.compass.c_str(), swing.row.date.text().c_str(), std::string(fileWord(swing.row.state)).c_str(), swing.row.readings,
             swing.row.maxAbsDeviation_deg ? text("%.1f", *swing.row.maxAbsDeviation_deg).c_str() : "-", nameOf(swing.row.status));
     return kDone;
 }

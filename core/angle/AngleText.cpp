@@ -271,7 +271,7 @@ Pattern nameOf(North north)
     }
 }
 
-constexpr Pattern kExpectedHeading = MARKED("core", "degrees from 0 to 360, such as 47.5 or 47\u00B030', or a point such as NE");
+constexpr Pattern kExpectedHeading = MARKED("core", "degrees from 0 to 360, such as 47.5 or 47°30', or a point such as NE");
 
 /// N 45 E, S 12 30 W.
 Result<WrittenHeading> headingOfBearing(std::string_view text, const TypedAngle& angle)
@@ -298,19 +298,17 @@ std::string degreesMinutes(long long minutes, std::size_t wholeDigits)
 
 Result<double> parseSignedAngle_deg(std::string_view text)
 {
-    return parseAngle(text, {'E', 'W'}, 180.0, MARKED("core", "degrees such as 3.25, -3.25, 3.25W or 3\u00B015'W, between -180 and 180"));
+    return parseAngle(text, {'E', 'W'}, 180.0, MARKED("core", "degrees such as 3.25, -3.25, 3.25W or 3°15'W, between -180 and 180"));
 }
 
 Result<double> parsePlainAngle_deg(std::string_view text, double most_deg)
 {
-    return parseAngle(
-        text, {}, most_deg, {MARKED("core", "degrees from -%1 to %1, such as 3.25 or -3\u00B015'"), shortestNumber(most_deg)});
+    return parseAngle(text, {}, most_deg, {MARKED("core", "degrees from -%1 to %1, such as 3.25 or -3°15'"), shortestNumber(most_deg)});
 }
 
 Result<double> parseLatitude_deg(std::string_view text)
 {
-    return parseAngle(
-        text, {'N', 'S'}, 90.0, MARKED("core", "degrees from -90 to 90, north positive, such as 51.55, 51\u00B033'N or 33.9 S"));
+    return parseAngle(text, {'N', 'S'}, 90.0, MARKED("core", "degrees from -90 to 90, north positive, such as 51.55, 51°33'N or 33.9 S"));
 }
 
 Result<WrittenHeading> parseWrittenHeading(std::string_view text)

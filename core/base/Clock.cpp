@@ -8,14 +8,7 @@ namespace {
 
 using namespace std::chrono;
 
-std::string dateOf(Clock::Time time)
-{
-    const year_month_day date(floor<days>(time));
-    char text[32];
-    std::snprintf(text, sizeof text, "%04d-%02u-%02u", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-        static_cast<unsigned>(date.day()));
-    return text;
-}
+Date dateOf(Clock::Time time) { return Date(year_month_day(floor<days>(time))); }
 
 std::string textOf(Clock::Time time, bool withMilliseconds)
 {
@@ -23,7 +16,7 @@ std::string textOf(Clock::Time time, bool withMilliseconds)
     char text[32];
     std::snprintf(text, sizeof text, "T%02d:%02d:%02d", static_cast<int>(day.hours().count()), static_cast<int>(day.minutes().count()),
         static_cast<int>(day.seconds().count()));
-    std::string result = dateOf(time) + text;
+    std::string result = dateOf(time).text() + text;
     if (withMilliseconds) {
         std::snprintf(text, sizeof text, ".%03d", static_cast<int>(day.subseconds().count()));
         result += text;
@@ -33,7 +26,7 @@ std::string textOf(Clock::Time time, bool withMilliseconds)
 
 } // namespace
 
-std::string Clock::today() const { return dateOf(now()); }
+Date Clock::today() const { return dateOf(now()); }
 std::string Clock::nowUtc() const { return textOf(now(), false); }
 std::string Clock::nowUtc_ms() const { return textOf(now(), true); }
 

@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "core/base/Date.h"
+
 namespace lubberline {
 
 /// Always UTC: the day that is stored does not depend on where the laptop thinks it is. Near midnight it is not the crew's day.
@@ -13,7 +15,7 @@ struct Clock {
     using Time = std::chrono::sys_time<std::chrono::milliseconds>;
     std::function<Time()> now;
 
-    [[nodiscard]] std::string today() const;     ///< "2026-11-26"
+    [[nodiscard]] Date today() const;            ///< 2026-11-26
     [[nodiscard]] std::string nowUtc() const;    ///< "2026-11-26T11:05:09Z", cut to the second
     [[nodiscard]] std::string nowUtc_ms() const; ///< "2026-11-26T11:05:09.120Z"
 };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <chrono>
 #include <cstdio>
 
 namespace lubberline {
@@ -112,13 +110,6 @@ std::string quoted(std::string_view text, bool figures)
     return shown + (taken < text.size() ? "\u2026\"" : "\"");
 }
 
-int digitsOf(std::string_view text)
-{
-    int value = 0;
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-}
-
 } // namespace
 
 bool isUtf8(std::string_view text)
@@ -130,19 +121,6 @@ bool isUtf8(std::string_view text)
         text.remove_prefix(length);
     }
     return true;
-}
-
-bool isIsoDate(std::string_view text)
-{
-    if (text.size() != 10)
-        return false;
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if ((i == 4 || i == 7) ? text[i] != '-' : (text[i] < '0' || text[i] > '9'))
-            return false;
-    using namespace std::chrono;
-    return year_month_day(year(digitsOf(text.substr(0, 4))), month(static_cast<unsigned>(digitsOf(text.substr(5, 2)))),
-        day(static_cast<unsigned>(digitsOf(text.substr(8, 2)))))
-        .ok();
 }
 
 std::size_t spaceAt(std::string_view text)

@@ -11,9 +11,6 @@ namespace lubberline {
 /// @return whether all of it is well-formed UTF-8 (no overlong forms, no surrogates, nothing beyond U+10FFFF).
 [[nodiscard]] bool isUtf8(std::string_view text);
 
-/// @return whether it is YYYY-MM-DD and a day of the calendar: 2024-02-29 is, 2023-02-29 is not.
-[[nodiscard]] bool isIsoDate(std::string_view text);
-
 /// What spreadsheets and keyboards write between words: space, tab, no-break space U+00A0, narrow no-break space U+202F, and the other
 /// spaces of Unicode. @return the bytes of the one that begins the text; 0: it begins with none.
 [[nodiscard]] std::size_t spaceAt(std::string_view text);

@@ -15,6 +15,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/Date.h"
+
 namespace lubberline {
 
 /// A sentence of the source, made by MARKED: lupdate looks for that word. `%1` … `%9` are filled in; `%n` is the count.
@@ -62,6 +64,7 @@ public:
     Argument(std::string_view text) : m_value(std::string(text)) {}
     Argument(Message message) : m_value(std::move(message)) {}
     Argument(Pattern pattern) : m_value(Message(pattern)) {}
+    Argument(Date day) : m_value(day.text()) {}
     Argument(char letter) : m_value(std::string(1, letter)) {}
     template <class Number, std::enable_if_t<std::is_integral_v<Number> && !std::is_same_v<Number, bool>, int> = 0>
     Argument(Number number) : m_value(std::to_string(number))

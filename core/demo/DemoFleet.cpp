@@ -36,6 +36,11 @@ constexpr std::array<Misfortune, 3> kMisfortunes{{
     {3, 0, 1, "repair", "Wing-tip fairing fastened with steel screws.", 2.6},
 }};
 
+Date dayOf(int year, int month, int day)
+{
+    return Date({std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)), std::chrono::day(static_cast<unsigned>(day))});
+}
+
 class FleetMaker {
 public:
     explicit FleetMaker(const DemoOptions& options) : m_options(options), m_random(options.seed), m_deployed(options.seed + 1'000'003) {}
@@ -57,7 +62,6 @@ private:
     void addEvent(AircraftId aircraft, int year, int month, const char* kind, const char* note);
     [[nodiscard]] const Misfortune* misfortuneOf(int type, int number) const;
     [[nodiscard]] const DemoCompassKind& kindOf(CompassId compass) const { return *m_kinds[static_cast<std::size_t>(compass.value) - 1]; }
-    [[nodiscard]] std::string isoDate(int year, int month, int day) const;
     void setDatum(Swing& swing, const DemoCompassKind& kind);
     [[nodiscard]] CompassSystem& compassOf(CompassId id) { return m_fleet.compasses[static_cast<std::size_t>(id.value) - 1]; }
     [[nodiscard]] const Aircraft& aircraftOf(const CompassSystem& compass) const
@@ -72,13 +76,6 @@ private:
     std::vector<const DemoCompassKind*> m_kinds; ///< of each compass of the fleet
     int m_year = 0, m_month = 0;                 ///< of the visit to the compass base that is being made
 };
-
-std::string FleetMaker::isoDate(int year, int month, int day) const
-{
-    std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "%04d-%02d-%02d", year, month, day);
-    return text.data();
-}
 
 const Misfortune* FleetMaker::misfortuneOf(int type, int number) const
 {
@@ -143,11 +140,11 @@ void FleetMaker::addEvent(AircraftId aircraft, int year, int month, const char* 
     Event event;
     event.id.value = static_cast<std::int64_t>(m_fleet.events.size()) + 1;
     event.aircraft = aircraft;
-    event.date = isoDate(year, month, 12 + static_cast<int>(aircraft.value) % 12);
+    event.date = dayOf(year, month, 12 + static_cast<int>(aircraft.value) % 12);
     event.kind = kind;
     event.cause = causeInWords(kind);
     event.note = note;
-    event.record = recordIdFor("demonstration event " + std::to_string(aircraft.value) + event.date + event.kind);
+    event.record = recordIdFor("demonstration event " + std::to_string(aircraft.value) + event.date.text() + event.kind);
     m_fleet.events.push_back(event);
 }
 
@@ -226,7 +223,7 @@ void FleetMaker::addRadioOff(const DemoCompassKind& kind, DemoMagnetism& magneti
 void FleetMaker::setDatum(Swing& swing, const DemoCompassKind& kind)
 {
     swing.datum.serialNumber = "LC-" + std::to_string(40 + swing.site.value);
-    swing.datum.calibrationDue = isoDate(m_year + 1, 1, 31);
+    swing.datum.calibrationDue = dayOf(m_year + 1, 1, 31);
     swing.datum.instrument = kind.trueDatum ? "theodolite on surveyed marks (true)" : "landing compass";
     if (!kind.trueDatum)
         return;
@@ -244,7 +241,7 @@ void FleetMaker::addSwing(CompassId compass, SwingKind purpose, SwingStage stage
     swing.id.value = static_cast<std::int64_t>(m_fleet.swings.size()) + 1;
     swing.compass = compass;
     swing.site.value = static_cast<std::int64_t>(index % kDemoHomeSites) + 1;
-    swing.date = isoDate(m_year, m_month, day);
+    swing.date = dayOf(m_year, m_month, day);
     swing.kind = purpose;
     swing.stage = stage;
     swing.state = m_year < m_options.lastYear ? SwingState::Signed : SwingState::Complete;
@@ -261,7 +258,7 @@ void FleetMaker::addSwing(CompassId compass, SwingKind purpose, SwingStage stage
     swing.note = "Demonstration data.";
     swing.readings = std::move(readings);
     setDatum(swing, kindOf(compass));
-    swing.record = recordIdFor("demonstration swing " + std::to_string(m_options.seed) + system.record + swing.date);
+    swing.record = recordIdFor("demonstration swing " + std::to_string(m_options.seed) + system.record + swing.date.text());
     m_fleet.swings.push_back(std::move(swing));
 }
 
@@ -270,7 +267,7 @@ void FleetMaker::addMisreading(CompassId compass)
 {
     const int year = m_options.swingsPerCompass > 1 ? m_options.lastYear - 1 : m_options.lastYear;
     const auto swing = std::find_if(m_fleet.swings.rbegin(), m_fleet.swings.rend(), [&](const Swing& one) {
-        return one.compass == compass && one.kind == SwingKind::Check && one.date.starts_with(std::to_string(year));
+        return one.compass == compass && one.kind == SwingKind::Check && one.date.day().year() == std::chrono::year(year);
     });
     LUBBERLINE_EXPECT(swing != m_fleet.swings.rend(), "every compass is checked every year");
     auto& reading = swing->readings[swing->readings.size() / 3];
@@ -325,7 +322,7 @@ void FleetMaker::addMagnetometer(const DemoDeployment& deployment, const Aircraf
 void FleetMaker::addDeployedSwing(const SensorModel& hidden, SiteId site, int day)
 {
     Swing occasion;
-    occasion.date = isoDate(m_year, m_month, day);
+    occasion.date = dayOf(m_year, m_month, day);
     const auto stamp = stampFor(occasion, m_fleet.sites[static_cast<std::size_t>(site.value) - 1]);
     if (!stamp)
         return;

@@ -9,8 +9,8 @@
 
 #include "core/deviation/FourierPlan.h"
 #include "core/deviation/LeastSquares.h"
-#include "core/deviation/ToldCoefficients.h"
 #include "core/deviation/SmithFit.h"
+#include "core/deviation/ToldCoefficients.h"
 
 namespace lubberline {
 

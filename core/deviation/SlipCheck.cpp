@@ -102,7 +102,8 @@ std::vector<SlipCandidate> weighedSlips(const Observation& reading, const SlipCo
             variant.prior * likelihoodOfDatum(variant.meant_deg, context.nominal_deg)
                 * expectation.likelihood(variant.meant_deg, compass)});
     const double turned = wrap360(2.0 * magnetic - compass);
-    slips.push_back({Slip::WrongSign, SlippedFigure::Compass, turned, kWrongSignRate * datumHere * expectation.likelihood(magnetic, turned)});
+    slips.push_back(
+        {Slip::WrongSign, SlippedFigure::Compass, turned, kWrongSignRate * datumHere * expectation.likelihood(magnetic, turned)});
     const double each = kWrongRowRate / static_cast<double>(std::max<std::size_t>(context.otherNominals_deg.size(), 1));
     for (const double nominal : context.otherNominals_deg) {
         // On another row the aircraft stood within the usual few degrees of that row's heading.

@@ -19,8 +19,8 @@ enum class Slip {
     FiveDegrees,   ///< the neighbouring mark of the card: 5° off
     TenDegrees,    ///< the neighbouring figure of the card: 10° off
     HundredDegrees,
-    WrongSign, ///< the deviation was applied the wrong way round
-    WrongRow,  ///< it fits another heading of the list
+    WrongSign,   ///< the deviation was applied the wrong way round
+    WrongRow,    ///< it fits another heading of the list
     Unexplained, ///< off the curve, by no slip that has a name
 };
 

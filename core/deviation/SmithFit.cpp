@@ -199,7 +199,8 @@ Result<Fit> fit(std::span<const Observation> readings, MakeRow makeRow, Predict 
     if (const auto serial = serialErrorsOf(columns, observed, order)) {
         report.lagOneCorrelation = serial->errors.lagOne();
         const double freedom = independentReadings(serial->errors, static_cast<int>(n)) - report.parameters;
-        fillUncertainty(report, covarianceUnder(serial->errors, serial->design, solved.inverseNormal), told.columns, std::max(1.0, freedom));
+        fillUncertainty(
+            report, covarianceUnder(serial->errors, serial->design, solved.inverseNormal), told.columns, std::max(1.0, freedom));
     } else {
         const double scatter_rad = std::max(*report.sigma_rad, kLeastScatter_rad);
         fillUncertainty(report, solved.inverseNormal * (scatter_rad * scatter_rad), told.columns, report.degreesOfFreedom);

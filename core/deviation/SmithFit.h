@@ -19,18 +19,18 @@ inline constexpr double kLeastScatter_rad = 1e-12;
 /// A coefficient that the headings cannot tell has no value.
 struct SmithFitReport {
     std::array<std::optional<double>, kCoefficientCount> value;
-    std::array<std::optional<double>, kCoefficientCount> standardError;           ///< none without degrees of freedom
-    Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero(); ///< zero rows where there is no value
+    std::array<std::optional<double>, kCoefficientCount> standardError;               ///< none without degrees of freedom
+    Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero();     ///< zero rows where there is no value
     Eigen::Matrix<double, 5, 5> unitCovariance = Eigen::Matrix<double, 5, 5>::Zero(); ///< (XᵀX)⁻¹, of readings with unit variance
     /// Half width of the 95 % interval in standard errors: Student's quantile of the degrees of freedom (of those that correlated readings
     /// are worth); none where no scatter could be measured.
     std::optional<double> intervalFactor;
     /// Of neighbouring readings, where it is more than chance: the covariance counts it (SerialCorrelation.h).
     std::optional<double> lagOneCorrelation;
-    double index_rad = 0; ///< largeIndex_deg(), taken out before the exact fit; in A of the approximate one
-    int parameters = 0;   ///< 5; 4 (without D or E), 3 (A, B, C) or 0
-    int rank = 0;                                                                 ///< numerical rank of the five-column design matrix
-    int degreesOfFreedom = 0;                                                     ///< readings − parameters
+    double index_rad = 0;       ///< largeIndex_deg(), taken out before the exact fit; in A of the approximate one
+    int parameters = 0;         ///< 5; 4 (without D or E), 3 (A, B, C) or 0
+    int rank = 0;               ///< numerical rank of the five-column design matrix
+    int degreesOfFreedom = 0;   ///< readings − parameters
     double conditionNumber = 0; ///< of the design matrix of the parameters that were fitted (of five columns if none was)
     double rms_rad = 0;         ///< √(Σ residual² / N) over the readings
     double maxAbsResidual_rad = 0;

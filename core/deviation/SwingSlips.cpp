@@ -54,7 +54,8 @@ double sideOf(Form form, double deviation_deg)
 double curveAt(Form form, const Row5& curve, double magnetic_deg)
 {
     if (form == Form::Exact)
-        return deviationAt(ExactSmith{curve(0), curve(1), curve(2), curve(3), curve(4)}, MagneticHeading::fromDegrees(magnetic_deg)).degrees();
+        return deviationAt(ExactSmith{curve(0), curve(1), curve(2), curve(3), curve(4)}, MagneticHeading::fromDegrees(magnetic_deg))
+            .degrees();
     double deviation_deg = 0;
     for (int i = 0; i < 12; ++i) // deviations of compasses that can be steered by converge
         deviation_deg = wrap180(toDegrees(rowOf(form, magnetic_deg, deviation_deg).dot(curve)));
@@ -133,7 +134,10 @@ private:
 };
 
 Search::Search(Form form, std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected)
-    : m_form(form), m_readings(readings), m_middle_deg(middle_deg(readings)), m_out(readings.size(), false)
+    : m_form(form)
+    , m_readings(readings)
+    , m_middle_deg(middle_deg(readings))
+    , m_out(readings.size(), false)
 {
     for (const auto& reading : readings)
         m_deviation_deg.push_back(wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - m_middle_deg));
@@ -204,9 +208,7 @@ void Search::weigh(std::size_t reading, Pass& pass) const
     const auto density = [&](double atMagnetic_deg, double deviation_deg, double blur_deg) {
         double sum = 0;
         for (const auto& f : foretold) {
-            const double curve_deg = atMagnetic_deg == magnetic_deg
-                ? f.deviation_deg
-                : curveAt(m_form, f.curve, atMagnetic_deg);
+            const double curve_deg = atMagnetic_deg == magnetic_deg ? f.deviation_deg : curveAt(m_form, f.curve, atMagnetic_deg);
             sum += std::exp(f.logEvidence - highest + logNormal(wrap180(deviation_deg - curve_deg), f.variance_deg2 + blur_deg * blur_deg));
         }
         return sum;
@@ -241,8 +243,8 @@ std::vector<std::size_t> Search::standingOut() const
     std::vector<double> off(m_readings.size());
     for (const auto i : all)
         off[i] = std::abs(wrap180(m_deviation_deg[i] - curveAt(m_form, beta, m_readings[i].magnetic.degrees())));
-    std::nth_element(all.begin(), all.begin() + kLookedAt, all.end(),
-        [&](auto a, auto b) { return off[a] != off[b] ? off[a] > off[b] : a < b; });
+    std::nth_element(
+        all.begin(), all.begin() + kLookedAt, all.end(), [&](auto a, auto b) { return off[a] != off[b] ? off[a] > off[b] : a < b; });
     all.resize(kLookedAt);
     std::sort(all.begin(), all.end());
     return all;
@@ -286,8 +288,8 @@ SlippedReading described(const Pass& pass, std::size_t reading)
             slipped.candidates.back().probability = share;
         }
     }
-    std::sort(slipped.candidates.begin(), slipped.candidates.end(),
-        [](const auto& a, const auto& b) { return a.probability > b.probability; });
+    std::sort(
+        slipped.candidates.begin(), slipped.candidates.end(), [](const auto& a, const auto& b) { return a.probability > b.probability; });
     return slipped;
 }
 
@@ -295,7 +297,8 @@ SlippedReading described(const Pass& pass, std::size_t reading)
 class BothForms {
 public:
     BothForms(std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected)
-        : m_exact(Form::Exact, readings, resolution_deg, expected), m_approximate(Form::Approximate, readings, resolution_deg, expected)
+        : m_exact(Form::Exact, readings, resolution_deg, expected)
+        , m_approximate(Form::Approximate, readings, resolution_deg, expected)
     {
     }
     [[nodiscard]] Pass look() const
@@ -356,7 +359,8 @@ SlipSearch findSlips(std::span<const Observation> readings, double resolution_de
         for (const auto reading : likely) {
             auto one = described(pass, reading);
             one.probability = together;
-            std::copy_if(likely.begin(), likely.end(), std::back_inserter(one.orReadings), [reading](auto other) { return other != reading; });
+            std::copy_if(
+                likely.begin(), likely.end(), std::back_inserter(one.orReadings), [reading](auto other) { return other != reading; });
             found.slips.push_back(std::move(one));
         }
         break;

@@ -28,6 +28,7 @@ struct SlipSearch {
 
 /// @param resolution_deg smallest division of the compass. @param expected what this compass, or any, is expected to deviate after its
 /// index is taken out (the middle of the readings' deviations). Fewer than three readings check nothing.
-[[nodiscard]] SlipSearch findSlips(std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected = anyCurve());
+[[nodiscard]] SlipSearch findSlips(
+    std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected = anyCurve());
 
 } // namespace lubberline

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/Calendar.h"
-
 namespace lubberline {
 
 namespace {
@@ -59,8 +57,8 @@ std::string writeCalendar(std::span<const CalendarEntry> entries, const std::str
         addLine(file, "BEGIN:VEVENT");
         addLine(file, "UID:" + escaped(entry.uid));
         addLine(file, "DTSTAMP:" + basic(madeAtUtc));
-        addLine(file, "DTSTART;VALUE=DATE:" + basic(entry.date));
-        addLine(file, "DTEND;VALUE=DATE:" + basic(addDays(entry.date, 1))); // the end is not part of the event
+        addLine(file, "DTSTART;VALUE=DATE:" + basic(entry.date.text()));
+        addLine(file, "DTEND;VALUE=DATE:" + basic(addDays(entry.date, 1).text())); // the end is not part of the event
         addLine(file, "SUMMARY:" + escaped(entry.summary));
         if (!entry.description.empty())
             addLine(file, "DESCRIPTION:" + escaped(entry.description));

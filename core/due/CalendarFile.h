@@ -4,11 +4,13 @@
 #include <span>
 #include <string>
 
+#include "core/base/Date.h"
+
 namespace lubberline {
 
 struct CalendarEntry {
-    std::string uid;  ///< the same for the same thing: an import a second time changes the entry, and makes no second one
-    std::string date; ///< ISO 8601
+    std::string uid; ///< the same for the same thing: an import a second time changes the entry, and makes no second one
+    Date date;
     std::string summary;
     std::string description;
 };

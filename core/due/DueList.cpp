@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/record/RecordWords.h"
+
 namespace lubberline {
 
 namespace {
@@ -45,19 +47,20 @@ bool speaksOf(std::string_view text, std::string_view word)
 }
 
 /// The crew's words, with the cause where they do not tell it.
-std::string reasonOf(const Event& event)
+Message reasonOf(const Event& event)
 {
     if (event.kind.empty())
-        return inWords(event.cause);
-    return causeInWords(event.kind) == event.cause ? event.kind : event.kind + " (" + inWords(event.cause) + ")";
+        return shownWord(event.cause);
+    if (causeInWords(event.kind) == event.cause)
+        return Message::verbatim(event.kind);
+    return {MARKED("core", "%1 (%2)"), event.kind, shownWord(event.cause)};
 }
 
-std::string dayOf(const DueLine& line) { return line.answer.flags.empty() ? line.answer.nextByCalendar : line.answer.flags.front().since; }
+Date dayOf(const DueLine& line) { return line.answer.flags.empty() ? line.answer.nextByCalendar : line.answer.flags.front().since; }
 
 } // namespace
 
-DueInput inputFor(
-    const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today)
+DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today)
 {
     DueInput input;
     input.today = today;
@@ -77,7 +80,7 @@ DueInput inputFor(
 }
 
 std::vector<DueLine> dueList(
-    std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today)
+    std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today)
 {
     std::vector<DueLine> lines;
     lines.reserve(compasses.size());
@@ -98,7 +101,7 @@ std::vector<CalendarEntry> calendarOf(std::span<const DueLine> lines)
         const std::string whose = line.compass.registration + ", " + line.compass.compassName;
         if (!line.answer.nextByCalendar.empty())
             entries.push_back({"swing-" + line.compass.compassRecord + "@lubberline", line.answer.nextByCalendar,
-                "Compass swing of " + whose + " falls due", "last signed swing " + line.answer.lastSigned});
+                "Compass swing of " + whose + " falls due", "last signed swing " + line.answer.lastSigned.text()});
         for (const auto& flag : line.answer.flags) {
             if (flag.since.empty() || flag.since == line.answer.nextByCalendar)
                 continue; // no day to stand on; or the calendar's own
@@ -118,7 +121,7 @@ std::string_view nameOf(DueState state)
 
 std::string inWords(DueCause cause)
 {
-    std::string words(nameOf(cause));
+    std::string words(fileWord(cause));
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
 }

@@ -24,11 +24,11 @@ struct DueLine {
 
 /// Events and waivers of the compass's aircraft as the rules take them. @param moves of any compasses; its own is looked for.
 [[nodiscard]] DueInput inputFor(
-    const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today);
+    const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today);
 
 /// Every compass, overdue first, then due, due soon, not due; in each by the day since which it is, then by name.
 [[nodiscard]] std::vector<DueLine> dueList(
-    std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves, const std::string& today);
+    std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today);
 
 /// Whole-day entries: for each compass with a calendar rule its last day, and for each other open flag the day since which it
 /// is open. A compass that was never swung has no such day: the list tells it, the calendar cannot.

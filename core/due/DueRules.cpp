@@ -1,24 +1,18 @@
 #include "core/due/DueRules.h"
 
 #include <algorithm>
-#include <array>
-
-#include "core/base/Calendar.h"
 
 namespace lubberline {
 
 namespace {
 
-constexpr std::array<std::string_view, kDueCauses> kNames{"other", "parts_replaced", "engine_change", "modification", "electrical_change",
-    "lightning", "electrical_storm", "hard_landing", "magnetic_cargo", "moved", "parked_over_a_year", "accuracy_suspected"};
-
-std::optional<DueFlag> calendarFlag(const DueInput& input, const std::string& lastSigned)
+std::optional<DueFlag> calendarFlag(const DueInput& input, Date lastSigned)
 {
     if (!input.rule)
         return {};
     if (lastSigned.empty())
         return DueFlag{DueState::Due, {}, MARKED("core", "no signed swing is on record"), {}};
-    const std::string last = addMonths(lastSigned, input.rule->months);
+    const Date last = addMonths(lastSigned, input.rule->months);
     const int left = daysBetween(input.today, last);
     const Message words{MARKED_N("core", "%1: %n month(s) after the swing of %2"), input.rule->months, input.rule->name, lastSigned};
     if (left < -input.rule->graceDays)
@@ -32,14 +26,14 @@ std::optional<DueFlag> calendarFlag(const DueInput& input, const std::string& la
 
 /// Every source wants a swing after the installation. One on the day itself is of the compass as installed: before, there was
 /// none to swing.
-std::optional<DueFlag> installationFlag(const DueInput& input, const std::string& lastSigned)
+std::optional<DueFlag> installationFlag(const DueInput& input, Date lastSigned)
 {
     if (input.installed.empty() || input.installed > input.today || lastSigned >= input.installed)
         return {};
     return DueFlag{DueState::Due, input.installed, {MARKED("core", "installed on %1, and no swing signed since"), input.installed}, {}};
 }
 
-bool answered(const DueEvent& event, const DueInput& input, const std::string& lastSigned)
+bool answered(const DueEvent& event, const DueInput& input, Date lastSigned)
 {
     const bool swung = !lastSigned.empty() && lastSigned > event.date;
     return swung
@@ -47,16 +41,6 @@ bool answered(const DueEvent& event, const DueInput& input, const std::string& l
 }
 
 } // namespace
-
-std::string_view nameOf(DueCause cause) { return kNames[static_cast<std::size_t>(cause)]; }
-
-std::optional<DueCause> dueCauseNamed(std::string_view name)
-{
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end())
-        return {};
-    return static_cast<DueCause>(found - kNames.begin());
-}
 
 DueAnswer dueOf(const DueInput& input)
 {
@@ -74,7 +58,7 @@ DueAnswer dueOf(const DueInput& input)
             continue;
         if (!input.installed.empty() && event.date < input.installed)
             continue; // before this compass was on the aircraft
-        answer.flags.push_back({DueState::Due, event.date, Message::verbatim(event.text), event.record});
+        answer.flags.push_back({DueState::Due, event.date, event.reason, event.record});
     }
     if (input.predictedOutOfLimits)
         answer.flags.push_back({DueState::Due, input.today, input.predictedReason, {}});

@@ -5,34 +5,30 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/base/Date.h"
 #include "core/base/Message.h"
 #include "core/record/Aircraft.h"
 #include "core/record/DueRule.h"
 
 namespace lubberline {
 
-/// Stable name for files: "lightning", "hard_landing"; none for an unknown name.
-[[nodiscard]] std::string_view nameOf(DueCause cause);
-[[nodiscard]] std::optional<DueCause> dueCauseNamed(std::string_view name);
-
 struct DueEvent {
     RecordId record;
-    std::string date;
+    Date date;
     DueCause cause = DueCause::Other;
-    std::string text; ///< the crew's words
+    Message reason; ///< the crew's words, with the cause where they do not tell it
 };
 
 /// What the rules look at, for one compass.
 struct DueInput {
-    std::string today;                     ///< ISO 8601, UTC
-    std::vector<std::string> signedSwings; ///< dates, in any order
+    Date today;                     ///< UTC
+    std::vector<Date> signedSwings; ///< their days, in any order
     std::vector<DueEvent> events;
     std::vector<Waiver> waivers;
     std::optional<DueRule> rule;       ///< calendar; none: no calendar rule applies
-    std::string installed;             ///< since when the compass is on the aircraft; empty: not stated
+    Date installed;                    ///< since when the compass is on the aircraft; empty: not stated
     bool predictedOutOfLimits = false; ///< where the aircraft is based now (core/swing/Prediction.h)
     Message predictedReason;
 };
@@ -41,7 +37,7 @@ enum class DueState { NotDue, DueSoon, Due, Overdue };
 
 struct DueFlag {
     DueState state = DueState::Due;
-    std::string since; ///< date of the event or installation, or the calendar's last day; empty: never swung
+    Date since; ///< the day of the event or installation, or the calendar's last day; empty: never swung
     Message reason;
     RecordId event; ///< that opened it; empty: calendar, installation or prediction
 };
@@ -49,8 +45,8 @@ struct DueFlag {
 struct DueAnswer {
     DueState state = DueState::NotDue; ///< the most urgent flag
     std::vector<DueFlag> flags;        ///< the most urgent first
-    std::string lastSigned;            ///< empty: none
-    std::string nextByCalendar;        ///< the last day on which it is not overdue without grace; empty: no rule or never swung
+    Date lastSigned;                   ///< empty: none
+    Date nextByCalendar;               ///< the last day on which it is not overdue without grace; empty: no rule or never swung
 };
 
 /// Calendar: a swing of 23 November 2024 with 24 months is good through 23 November 2026, due from the day after, overdue when

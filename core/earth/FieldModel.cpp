@@ -153,42 +153,37 @@ Result<FieldAnswer> fieldForCompass(const FieldModel& model, const Place& place,
     return answer;
 }
 
-Result<double> decimalYear(const std::string& date)
+double yearOf(Date day)
 {
-    if (std::count(date.begin(), date.end(), '-') != 2)
-        return decimalYearNumber(date);
-    if (!isIsoDate(date))
-        return Error{ErrorCode::InvalidInput, {MARKED("core", "%1 is no day of the calendar; expected YYYY-MM-DD"), inQuotes(date)}};
-    const auto part = [&date](std::size_t begin, std::size_t size) {
-        int value = 0;
-        std::from_chars(date.data() + begin, date.data() + begin + size, value);
-        return value;
-    };
-    const int year = part(0, 4), month = part(5, 2), day = part(8, 2);
-    const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-    static constexpr std::array kDaysBefore{0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334};
-    const int dayOfYear = kDaysBefore[static_cast<std::size_t>(month - 1)] + day + (leap && month > 2 ? 1 : 0);
-    return year + (dayOfYear - 1) / (leap ? 366.0 : 365.0);
+    using namespace std::chrono;
+    const auto first = [](year one) { return sys_days(one / January / 1); };
+    const year_month_day date = day.day();
+    const auto days = (first(date.year() + years(1)) - first(date.year())).count();
+    return static_cast<int>(date.year()) + static_cast<double>((sys_days(date) - first(date.year())).count()) / static_cast<double>(days);
 }
 
-Result<FieldStamp> stampField(const FieldModel& model, const Place& place, const std::string& date)
+Result<double> decimalYear(const std::string& text)
 {
-    const auto year = decimalYear(date);
-    if (!year)
-        return year.error();
-    const auto answer = fieldForCompass(model, place, *year);
+    if (std::count(text.begin(), text.end(), '-') != 2)
+        return decimalYearNumber(text);
+    const auto day = Date::read(text);
+    if (!day)
+        return Error{ErrorCode::InvalidInput, {MARKED("core", "%1 is no day of the calendar; expected YYYY-MM-DD"), inQuotes(text)}};
+    return yearOf(*day);
+}
+
+Result<FieldStamp> stampField(const FieldModel& model, const Place& place, Date day)
+{
+    const auto answer = fieldForCompass(model, place, yearOf(day));
     if (!answer)
         return answer.error();
-    return FieldStamp{answer->model, place, date, answer->field};
+    return FieldStamp{answer->model, place, day, answer->field};
 }
 
-Result<FieldStamp> stampField(const Place& place, const std::string& date)
+Result<FieldStamp> stampField(const Place& place, Date day)
 {
-    const auto year = decimalYear(date);
-    if (!year)
-        return year.error();
-    const auto model = defaultFieldModel(*year);
-    return model ? stampField(*model, place, date) : Result<FieldStamp>(model.error());
+    const auto model = defaultFieldModel(yearOf(day));
+    return model ? stampField(*model, place, day) : Result<FieldStamp>(model.error());
 }
 
 } // namespace lubberline

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/Date.h"
 #include "core/base/Result.h"
 #include "core/earth/EarthField.h"
 #include "core/earth/FieldStamp.h"
@@ -76,12 +77,13 @@ Result<FieldModel> defaultFieldModel(double year);
 /// evaluate(), refused where H < 2000 nT. Errors: those of evaluate(); Numeric in the blackout zone, with H.
 Result<FieldAnswer> fieldForCompass(const FieldModel& model, const Place& place, double year);
 
-/// "2026-11-23" or "2026.9" → decimal year; a day is taken at its beginning, as WMM's own programs do: year + (day of year − 1)
-/// / days of the year. Errors: InvalidInput (no such day; not a date).
-Result<double> decimalYear(const std::string& date);
+/// A stated day → decimal year; it is taken at its beginning, as WMM's own programs do: year + (day of year − 1) / days of the year.
+[[nodiscard]] double yearOf(Date day);
+/// "2026-11-23" or "2026.9" → decimal year. Errors: InvalidInput (no such day; not a date).
+Result<double> decimalYear(const std::string& text);
 
 /// The field of a swing by the default model of its date (or by `model`). Errors: those of the above.
-Result<FieldStamp> stampField(const Place& place, const std::string& date);
-Result<FieldStamp> stampField(const FieldModel& model, const Place& place, const std::string& date);
+Result<FieldStamp> stampField(const Place& place, Date day);
+Result<FieldStamp> stampField(const FieldModel& model, const Place& place, Date day);
 
 } // namespace lubberline

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/Date.h"
 #include "core/earth/EarthField.h"
 
 namespace lubberline {
@@ -10,7 +11,7 @@ namespace lubberline {
 struct FieldStamp {
     std::string model; ///< "WMM2025", "IGRF-14", or the name that a loaded file gives itself
     Place place;       ///< for which it was computed
-    std::string date;  ///< ISO 8601 date for which it was computed
+    Date date;         ///< for which it was computed
     EarthField field;
     friend bool operator==(const FieldStamp&, const FieldStamp&) = default;
 };

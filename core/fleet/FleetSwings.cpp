@@ -1,17 +1,16 @@
 #include "core/fleet/FleetSwings.h"
 
 #include <algorithm>
-#include <charconv>
-#include <chrono>
-#include <cstdio>
 #include <numeric>
 #include <tuple>
 
-#include "core/base/FileText.h"
+#include "core/base/Date.h"
 
 namespace lubberline {
 
 namespace {
+
+constexpr Date kEpoch = "1970-01-01";
 
 /// @return for each old place the new one
 std::vector<std::int32_t> sortNames(std::vector<std::string>& names)
@@ -125,24 +124,10 @@ void putInOrder(FleetSwings& fleet)
 
 std::optional<int> dayOfDate(std::string_view date)
 {
-    if (!isIsoDate(date))
-        return {};
-    int year = 0;
-    unsigned month = 0, day = 0;
-    std::from_chars(date.data(), date.data() + 4, year);
-    std::from_chars(date.data() + 5, date.data() + 7, month);
-    std::from_chars(date.data() + 8, date.data() + 10, day);
-    const std::chrono::sys_days days = std::chrono::year{year} / std::chrono::month{month} / std::chrono::day{day};
-    return static_cast<int>(days.time_since_epoch().count());
+    const auto day = Date::read(date);
+    return day ? std::optional(daysBetween(kEpoch, *day)) : std::nullopt;
 }
 
-std::string dateOfDay(int day)
-{
-    const std::chrono::year_month_day date{std::chrono::sys_days{std::chrono::days{day}}};
-    char text[16];
-    std::snprintf(text, sizeof text, "%04d-%02u-%02u", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-        static_cast<unsigned>(date.day()));
-    return text;
-}
+std::string dateOfDay(int day) { return addDays(kEpoch, day).text(); }
 
 } // namespace lubberline

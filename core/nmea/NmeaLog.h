@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/Date.h"
 #include "core/nmea/NmeaValues.h"
 
 namespace lubberline {
@@ -38,7 +39,7 @@ struct NmeaStream {
 struct NmeaMark {
     std::size_t place = 0;
     double secondsOfDay = 0;
-    std::string date; ///< newest that was told; empty: none yet
+    Date date; ///< newest that was told; empty: none yet
 };
 struct NmeaMarks {
     NmeaSource source;
@@ -70,7 +71,7 @@ public:
     std::optional<Deviation> largestDeviation = {};                ///< of those
     std::int64_t headings = 0;                                     ///< of all compasses
     std::optional<double> latitude_deg, longitude_deg, altitude_m; ///< of the first fix
-    std::string firstDate;
+    Date firstDate;
 
 private:
     void take(const NmeaCompass& compass);
@@ -87,7 +88,7 @@ private:
     std::vector<NmeaVariations> m_variations;
     std::set<std::string> m_checking; ///< talkers that send checksums
     std::size_t m_place = 0;
-    std::string m_date;
+    Date m_date;
 };
 
 } // namespace lubberline

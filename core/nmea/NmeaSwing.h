@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/angle/Heading.h"
+#include "core/base/Date.h"
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/nmea/NmeaDelay.h"
@@ -38,8 +39,8 @@ struct NmeaOptions {
     std::string compassTalker = {}; ///< whose HDG and HDM are the compass; empty: the only one, or HC
     NmeaWindChoice wind = NmeaWindChoice::Found;
     double variationError_deg = 0; ///< standard error of the variation, where the user knows of one
-    std::string date = {};         ///< ISO 8601; empty: the log's
-    std::string today = {};        ///< of the user's clock; empty: not known
+    Date date = {};                ///< empty: the log's
+    Date today = {};               ///< of the user's clock; empty: not known
 };
 
 struct NmeaPair {
@@ -76,7 +77,7 @@ struct NmeaSwing {
     std::optional<Variation> variation; ///< that was applied
     std::string variationSource;        ///< "stated", "log", "WMM2025 at 60.0°N 24.8°E"
     std::optional<double> variationOfModel_deg;
-    std::string date;                                  ///< of the first fix, or as stated, ISO 8601; empty: not told
+    Date date;                                         ///< of the first fix, or as stated; empty: not told
     std::optional<double> latitude_deg, longitude_deg; ///< of the first fix
     bool timesTold = false;                            ///< false: seconds are made of the steps of the reference
     double step_s = 1;                                 ///< then: how long one was taken to be

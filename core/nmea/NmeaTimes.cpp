@@ -171,7 +171,7 @@ std::string NmeaTimes::utc(double seconds) const
     const int whole = thousandths / 1000;
     std::array<char, 48> time{};
     std::snprintf(time.data(), time.size(), "T%02d:%02d:%02d.%03dZ", whole / 3600, whole / 60 % 60, whole % 60, thousandths % 1000);
-    return mark.date + time.data();
+    return mark.date.text() + time.data();
 }
 
 } // namespace lubberline

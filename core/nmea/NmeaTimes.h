@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/Date.h"
 #include "core/nmea/NmeaLog.h"
 
 namespace lubberline {
@@ -34,7 +35,7 @@ private:
         std::size_t place = 0;
         double seconds = 0;
         double secondsOfDay = 0;
-        std::string date;
+        Date date;
         bool follows = true; ///< false: the clock was set back before it
     };
     struct Spread {

@@ -60,15 +60,15 @@ std::optional<NmeaTime> timeOf(std::string_view text)
 }
 
 /// @return none for what is no day of the calendar.
-std::optional<std::string> dateOf(int year, int month, int day)
+std::optional<Date> dateOf(int year, int month, int day)
 {
     char iso[48];
     std::snprintf(iso, sizeof iso, "%04d-%02d-%02d", year, month, day);
-    return isIsoDate(iso) ? std::optional<std::string>(iso) : std::nullopt;
+    return Date::read(iso);
 }
 
 /// ddmmyy: 80…99 are of the last century, as GPS began then.
-std::optional<std::string> shortDateOf(std::string_view text)
+std::optional<Date> shortDateOf(std::string_view text)
 {
     const auto value = number(text);
     if (!value || text.size() != 6 || *value < 0.0)

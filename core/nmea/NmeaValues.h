@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/angle/Heading.h"
+#include "core/base/Date.h"
 #include "core/nmea/NmeaSentence.h"
 
 namespace lubberline {
@@ -49,8 +50,8 @@ struct NmeaBadHeading {
 };
 
 struct NmeaTime {
-    double secondsOfDay = 0;         ///< UTC, [0, 86401)
-    std::optional<std::string> date; ///< ISO 8601; RMC and ZDA
+    double secondsOfDay = 0;  ///< UTC, [0, 86401)
+    std::optional<Date> date; ///< RMC and ZDA
 };
 
 /// ZDA.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/base/Calendar.h"
 #include "core/base/Number.h"
 #include "core/earth/FieldModel.h"
 
@@ -17,13 +16,13 @@ constexpr double kApart_deg = 1.0;
 /// Where a model states no uncertainty (IGRF): WMM states some 0.4° at middle latitudes for its own five years.
 constexpr double kUnstatedError_deg = 0.5;
 constexpr int kRollOver_days = 1024 * 7;
-const std::string kGpsBegins = "1980-01-06";
+constexpr Date kGpsBegins = "1980-01-06";
 
 /// What other clocks of the log say of the day.
 void compareClocks(const NmeaLog& log, NmeaDate& date)
 {
     for (const auto& clock : log.clocks()) {
-        const auto& first = clock.marks.front().date;
+        const Date first = clock.marks.front().date;
         if ((clock.source.type != "RMC" && clock.source.type != "ZDA") || first.empty())
             continue;
         if (std::abs(daysBetween(first, date.date)) > 1)
@@ -32,40 +31,40 @@ void compareClocks(const NmeaLog& log, NmeaDate& date)
     }
 }
 
-std::optional<FieldAnswer> modelAt(const NmeaLog& log, const std::string& date)
+std::optional<FieldAnswer> modelAt(const NmeaLog& log, Date date)
 {
     if (!log.latitude_deg || date.empty())
         return {};
     const auto place = makePlace(*log.latitude_deg, *log.longitude_deg, log.altitude_m.value_or(0.0));
-    const auto year = decimalYear(date);
-    const auto model = year ? defaultFieldModel(*year) : Result<FieldModel>(year.error());
+    const double year = yearOf(date);
+    const auto model = defaultFieldModel(year);
     if (!place || !model)
         return {};
-    auto answer = fieldForCompass(*model, *place, *year);
+    auto answer = fieldForCompass(*model, *place, year);
     return answer ? std::optional(std::move(answer.value())) : std::nullopt;
 }
 
 /// Why modelAt() has none.
-Error whyNoModel(const NmeaLog& log, const std::string& date)
+Error whyNoModel(const NmeaLog& log, Date date)
 {
     if (!log.latitude_deg || date.empty())
         return {ErrorCode::InvalidInput,
             MARKED(
                 "core", "the log tells no position with a date (RMC), so no model can give the variation; expected it stated in degrees")};
     const auto place = makePlace(*log.latitude_deg, *log.longitude_deg, log.altitude_m.value_or(0.0));
-    const auto year = decimalYear(date);
-    if (!place || !year)
-        return !place ? place.error() : year.error();
-    const auto model = defaultFieldModel(*year);
-    return model ? fieldForCompass(*model, *place, *year).error() : model.error();
+    if (!place)
+        return place.error();
+    const double year = yearOf(date);
+    const auto model = defaultFieldModel(year);
+    return model ? fieldForCompass(*model, *place, year).error() : model.error();
 }
 
-std::string whereOf(const FieldAnswer& answer, const std::string& date)
+std::string whereOf(const FieldAnswer& answer, Date date)
 {
     std::array<char, 96> where{};
     std::snprintf(where.data(), where.size(), " at %.2f° %c, %.2f° %c on ", std::abs(answer.place.latitude_deg),
         answer.place.latitude_deg < 0 ? 'S' : 'N', std::abs(answer.place.longitude_deg), answer.place.longitude_deg < 0 ? 'W' : 'E');
-    return answer.model + where.data() + date;
+    return answer.model + where.data() + date.text();
 }
 
 double middleOf(std::vector<double> values)
@@ -103,7 +102,7 @@ double chooseOfLog(const NmeaLog& log, const std::optional<double>& model_deg, s
 
 double errorOf_deg(const FieldAnswer& answer) { return answer.uncertainty ? answer.uncertainty->declination_deg : kUnstatedError_deg; }
 
-void holdAgainstModel(ChosenVariation& chosen, const FieldAnswer& answer, const std::string& date)
+void holdAgainstModel(ChosenVariation& chosen, const FieldAnswer& answer, Date date)
 {
     const double apart_deg = std::abs(wrap180(chosen.variation.degrees() - *chosen.model_deg));
     const bool ofLog = chosen.source == "log";
@@ -129,7 +128,7 @@ double movedByDate_deg(const NmeaLog& log, const NmeaDate& date, const FieldAnsw
 
 } // namespace
 
-NmeaDate dateOfLog(const NmeaLog& log, const std::string& stated, const std::string& today)
+NmeaDate dateOfLog(const NmeaLog& log, Date stated, Date today)
 {
     NmeaDate date{stated.empty() ? log.firstDate : stated, {}, {}};
     if (date.date.empty())

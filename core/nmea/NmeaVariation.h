@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/angle/Heading.h"
+#include "core/base/Date.h"
 #include "core/base/Result.h"
 #include "core/nmea/NmeaLog.h"
 
@@ -20,12 +21,12 @@ using NmeaVariation = std::variant<VariationFound, Variation, VariationOfLog, Va
 
 /// The day of a log. Receivers that miss the turn of the GPS week count (1024 weeks) are 19.6 years behind.
 struct NmeaDate {
-    std::string date;    ///< ISO 8601; empty: not told
-    std::string perhaps; ///< the day that it may be; empty: nothing better is known
+    Date date;    ///< empty: not told
+    Date perhaps; ///< the day that it may mean; empty: nothing better is known
     std::vector<Message> doubts;
 };
 /// @param stated by the user; empty: the log's own. @param today of the user's clock; empty: not known, the future is not doubted.
-[[nodiscard]] NmeaDate dateOfLog(const NmeaLog& log, const std::string& stated, const std::string& today);
+[[nodiscard]] NmeaDate dateOfLog(const NmeaLog& log, Date stated, Date today);
 
 struct ChosenVariation {
     Variation variation;

@@ -125,9 +125,9 @@ Result<CompassFigure> compassFigure(const RawFigures& raw, double resolution_deg
     return CompassFigure{CompassHeading::fromDegrees(side->mean_deg), side->spread_deg, side->uncertainty_deg};
 }
 
-bool calibrationOver(const DatumInstrument& instrument, const std::string& date)
+bool calibrationOver(const DatumInstrument& instrument, Date date)
 {
-    return !instrument.calibrationDue.empty() && instrument.calibrationDue < date; // ISO dates sort as they are
+    return !instrument.calibrationDue.empty() && instrument.calibrationDue < date;
 }
 
 } // namespace lubberline

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/angle/Heading.h"
+#include "core/base/Date.h"
 #include "core/base/Result.h"
 #include "core/record/DatumInstrument.h"
 #include "core/record/RawFigures.h"
@@ -38,6 +39,6 @@ Result<CompassFigure> compassFigure(const RawFigures& raw, double resolution_deg
 [[nodiscard]] double meanHeading_deg(const std::vector<double>& headings_deg);
 
 /// Whether its calibration is over on that day (ISO 8601 dates): it may be used on the day itself.
-[[nodiscard]] bool calibrationOver(const DatumInstrument& instrument, const std::string& date);
+[[nodiscard]] bool calibrationOver(const DatumInstrument& instrument, Date date);
 
 } // namespace lubberline

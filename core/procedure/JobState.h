@@ -59,7 +59,7 @@ Result<JobState> stateOf(const SwingJob& job);
 /// The swings that a guided swing makes besides its main one (as left): as found where something was corrected, and each further
 /// configuration. What can be complete is: nothing is added to it any more. Their ids and records are not valid yet.
 /// @param today ISO 8601.
-[[nodiscard]] std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, const Swing& main, const std::string& today);
+[[nodiscard]] std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, const Swing& main, Date today);
 
 /// STEER = FOR − (deviation − A) at every check heading, as the worksheet has it.
 struct ResidualRow {

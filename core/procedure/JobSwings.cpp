@@ -110,7 +110,7 @@ Swing asLeftSwing(const SwingJob& job, const JobState& state, int configuration)
     return swing;
 }
 
-std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, const Swing& main, const std::string& today)
+std::vector<Swing> furtherSwings(const SwingJob& job, const JobState& state, const Swing& main, Date today)
 {
     std::vector<Swing> others;
     const auto add = [&](Swing swing) {

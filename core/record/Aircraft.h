@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/Date.h"
 #include "core/record/Id.h"
 
 namespace lubberline {
@@ -49,7 +50,7 @@ struct CompassSystem {
     std::string location;
     double resolution_deg = 1.0; ///< smallest division that is read [deg]; drawn as the readings' bars
     LimitsProfileId limits;      ///< not valid: no limits are set
-    std::string installed = {};  ///< ISO 8601 date since when it is on this aircraft; empty: not stated
+    Date installed = {};         ///< since when it is on this aircraft; empty: not stated
     friend bool operator==(const CompassSystem&, const CompassSystem&) = default;
 };
 
@@ -75,7 +76,7 @@ struct Event {
     EventId id;
     RecordId record = {};
     AircraftId aircraft;
-    std::string date;                 ///< ISO 8601 date, UTC
+    Date date;                        ///< UTC
     std::string kind;                 ///< in the crew's words
     DueCause cause = DueCause::Other; ///< what it is to the rules on when a swing is due
     std::string note;

@@ -1,7 +1,5 @@
 #include "core/record/Completeness.h"
 
-#include "core/base/Calendar.h"
-
 namespace lubberline {
 
 namespace {
@@ -11,7 +9,7 @@ constexpr std::size_t kFewestReadings = 4;
 
 } // namespace
 
-Message missingIn(const Swing& swing, const std::string& today)
+Message missingIn(const Swing& swing, Date today)
 {
     if (swing.date.empty())
         return MARKED("core", "its date is not stated");

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/Date.h"
 #include "core/record/Id.h"
 
 namespace lubberline {
@@ -27,7 +28,7 @@ struct DatumInstrument {
     std::string name; ///< unique
     DatumKind kind = DatumKind::SightingCompass;
     std::string maker, serialNumber;
-    std::string calibrationDue;                          ///< ISO 8601 date; empty: none stated
+    Date calibrationDue;                                 ///< empty: none stated
     SightingDirection ahead = SightingDirection::Direct; ///< how it reads when the observer stands ahead of the aircraft
     bool givesTrue = false;                              ///< its figures are from true north: magnetic = true − variation
     double zero_deg = 0;         ///< added to every figure: circle zero of a theodolite, instrument error, offset of a painted line

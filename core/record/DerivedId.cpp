@@ -75,9 +75,9 @@ RecordId recordIdOfSensor(std::string_view registration, std::string_view compas
 RecordId recordIdOfSwing(const Swing& swing, std::string_view registration, std::string_view compass, std::string_view site)
 {
     Content content;
-    content << "swing" << registration << compass << site << swing.date << swing.kind << swing.stage << swing.configuration.radio
+    content << "swing" << registration << compass << site << swing.date.text() << swing.kind << swing.stage << swing.configuration.radio
             << swing.configuration.engines << swing.configuration.electrics << swing.configuration.other << swing.datum.instrument
-            << swing.datum.serialNumber << swing.datum.calibrationDue << swing.people.datumReader << swing.people.cockpitReader
+            << swing.datum.serialNumber << swing.datum.calibrationDue.text() << swing.people.datumReader << swing.people.cockpitReader
             << swing.people.adjuster << swing.people.inspector << swing.variation_deg << swing.procedure << swing.workOrder << swing.reason
             << swing.note;
     if (swing.indexRemoved_deg) // what is not stated leaves the identities as they were before it could be

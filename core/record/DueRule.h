@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/Date.h"
 #include "core/record/Id.h"
 
 namespace lubberline {
@@ -22,8 +23,8 @@ struct DueRule {
 /// Somebody answers for not swinging after an event (after lightning: two headings 90° apart show no change [CASA]).
 struct Waiver {
     RecordId record;
-    RecordId event;     ///< that it answers
-    std::string date;   ///< ISO 8601
+    RecordId event; ///< that it answers
+    Date date;
     std::string reason; ///< never empty
     std::string by;     ///< never empty
     friend bool operator==(const Waiver&, const Waiver&) = default;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/Date.h"
 #include "core/record/Id.h"
 
 namespace lubberline {
@@ -35,7 +36,7 @@ struct SelectedHeading {
 
 struct ElectricalSwing {
     RecordId record;
-    std::string date; ///< ISO 8601
+    Date date;
     std::string line; ///< id of the north–south line
     std::string calibrator, calibratorSerial, sensorSheet;
     FieldVoltage E1, E2;

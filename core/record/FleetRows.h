@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/Date.h"
 #include "core/record/Aircraft.h"
 #include "core/record/DueRule.h"
 #include "core/record/Id.h"
@@ -42,7 +43,7 @@ struct CompassRow {
 struct SwingRow {
     SwingId id;
     CompassId compass;
-    std::string date;
+    Date date;
     SwingKind kind = SwingKind::Check;
     SwingStage stage = SwingStage::AsFound;
     SwingState state = SwingState::Draft;
@@ -59,7 +60,8 @@ struct SwingRow {
 struct JobRow {
     SwingId swing;
     RecordId job;
-    std::string registration, compass, date;
+    std::string registration, compass;
+    Date date; ///< of the swing
     int events = 0;
 };
 
@@ -76,11 +78,11 @@ struct DueCompass {
     CompassId compass;
     RecordId typeRecord, compassRecord;
     std::string typeName, registration, compassName;
-    std::string installed;                 ///< ISO 8601; empty: not stated
-    SiteId base;                           ///< of the aircraft
-    std::vector<std::string> signedSwings; ///< dates of signed swings, newest first
-    std::vector<Event> events;             ///< of the aircraft
-    std::vector<Waiver> waivers;           ///< that answer those
+    Date installed;                 ///< empty: not stated
+    SiteId base;                    ///< of the aircraft
+    std::vector<Date> signedSwings; ///< the days of signed swings, newest first
+    std::vector<Event> events;      ///< of the aircraft
+    std::vector<Waiver> waivers;    ///< that answer those
 };
 
 struct SearchHit {

@@ -7,53 +7,108 @@ namespace lubberline {
 
 namespace {
 
-/// In the order of the enumeration.
+/// In the order of the enumeration: of files, and for people.
 template <class Choice>
 struct Words;
 template <>
 struct Words<SwingKind> {
     static constexpr std::array<std::string_view, 4> list{"check", "correction", "calibration", "air"};
+    static constexpr std::array shown{MARKED("core", "check swing"), MARKED("core", "correction swing"),
+        MARKED("core", "calibration swing"), MARKED("core", "air swing")};
+    static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<SwingStage> {
     static constexpr std::array<std::string_view, 2> list{"as_found", "as_left"};
+    static constexpr std::array shown{MARKED("core", "as found"), MARKED("core", "as left")};
+    static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<SwingState> {
     static constexpr std::array<std::string_view, 3> list{"draft", "complete", "signed"};
+    static constexpr std::array shown{MARKED("core", "draft"), MARKED("core", "complete"), MARKED("core", "signed")};
+    static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<RadioState> {
     static constexpr std::array<std::string_view, 3> list{"not_stated", "on", "off"};
+    static constexpr std::array shown{MARKED("core", "not stated"), MARKED("core", "on"), MARKED("core", "off")};
+    static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<CompassKind> {
     static constexpr std::array<std::string_view, 3> list{"direct_reading", "remote_unstabilised", "remote_stabilised"};
+    static constexpr std::array shown{
+        MARKED("core", "direct reading"), MARKED("core", "remote, not stabilised"), MARKED("core", "remote, gyro-stabilised")};
+    static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<Compensator> {
     static constexpr std::array<std::string_view, 5> list{"unknown", "none", "screws", "magnets", "electronic"};
+    static constexpr std::array shown{MARKED("core", "not known"), MARKED("core", "none"), MARKED("core", "screws"),
+        MARKED("core", "magnets"), MARKED("core", "electronic")};
+    static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<ModelOrigin> {
     static constexpr std::array<std::string_view, 4> list{"entered", "loaded", "estimated_from_swings", "iron_bench"};
+    static constexpr std::array shown{MARKED("core", "entered by hand"), MARKED("core", "loaded from a file"),
+        MARKED("core", "estimated from swings"), MARKED("core", "computed on the iron bench")};
+    static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<SignatureRole> {
     static constexpr std::array<std::string_view, 3> list{"performer", "inspector", "authority"};
+    static constexpr std::array shown{
+        MARKED("core", "swung and adjusted by"), MARKED("core", "inspected by"), MARKED("core", "released by")};
+    static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<DatumKind> {
     static constexpr std::array<std::string_view, 9> list{"rose_line", "sighting_compass", "theodolite", "digital_compass", "transfer_gyro",
         "astrocompass", "runway", "inertial", "electrical_calibrator"};
+    static constexpr std::array shown{MARKED("core", "painted rose line"), MARKED("core", "sighting compass"), MARKED("core", "theodolite"),
+        MARKED("core", "digital compass on the aircraft"), MARKED("core", "transfer gyro"), MARKED("core", "astrocompass"),
+        MARKED("core", "runway direction"), MARKED("core", "INS or GPS"), MARKED("core", "electrical calibrator")};
+    static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<SightingDirection> {
     static constexpr std::array<std::string_view, 2> list{"direct", "reciprocal"};
+    static constexpr std::array shown{MARKED("core", "the aircraft's heading"), MARKED("core", "its reciprocal")};
+    static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<SiteClass> {
     static constexpr std::array<std::string_view, 3> list{"none", "class_1", "class_2"};
+    static constexpr std::array shown{MARKED("core", "no class"), MARKED("core", "class 1"), MARKED("core", "class 2")};
+    static_assert(shown.size() == list.size());
+};
+
+template <>
+struct Words<DueCause> {
+    static constexpr std::array<std::string_view, kDueCauses> list{"other", "parts_replaced", "engine_change", "modification",
+        "electrical_change", "lightning", "electrical_storm", "hard_landing", "magnetic_cargo", "moved", "parked_over_a_year",
+        "accuracy_suspected"};
+    static constexpr std::array shown{MARKED("core", "something else"), MARKED("core", "ferrous parts or compass replaced"),
+        MARKED("core", "engine change"), MARKED("core", "cockpit or avionics modified"), MARKED("core", "electrical system changed"),
+        MARKED("core", "lightning strike"), MARKED("core", "severe electrical storm"), MARKED("core", "hard landing or shock"),
+        MARKED("core", "magnetic cargo"), MARKED("core", "moved to a very different field"),
+        MARKED("core", "parked on one heading over a year"), MARKED("core", "accuracy suspected")};
+    static_assert(shown.size() == list.size());
+};
+template <>
+struct Words<ProcedureKind> {
+    static constexpr std::array<std::string_view, 5> list{"coefficient", "half_error", "index_first", "flux_valve", "check_only"};
+    static constexpr std::array shown{MARKED("core", "Coefficient method"), MARKED("core", "Half-error method"),
+        MARKED("core", "Index first"), MARKED("core", "Flux valve"), MARKED("core", "Check only")};
+    static_assert(shown.size() == list.size());
+};
+template <>
+struct Words<Control> {
+    static constexpr std::array<std::string_view, 3> list{"north_south", "east_west", "index"};
+    static constexpr std::array shown{MARKED("core", "N–S screw"), MARKED("core", "E–W screw"), MARKED("core", "compass in its mount")};
+    static_assert(shown.size() == list.size());
 };
 
 template <class Choice>
@@ -82,6 +137,15 @@ std::string_view fileWord(SignatureRole role) { return wordOf(role); }
 std::string_view fileWord(DatumKind kind) { return wordOf(kind); }
 std::string_view fileWord(SightingDirection direction) { return wordOf(direction); }
 std::string_view fileWord(SiteClass siteClass) { return wordOf(siteClass); }
+std::string_view fileWord(DueCause cause) { return wordOf(cause); }
+std::string_view fileWord(ProcedureKind kind) { return wordOf(kind); }
+std::string_view fileWord(Control control) { return wordOf(control); }
+
+template <class Choice>
+std::span<const Pattern> shownWords()
+{
+    return Words<Choice>::shown;
+}
 
 template <class Choice>
 std::optional<Choice> choiceOf(std::string_view word)
@@ -114,6 +178,23 @@ template std::optional<SignatureRole> choiceOf(std::string_view);
 template std::optional<DatumKind> choiceOf(std::string_view);
 template std::optional<SightingDirection> choiceOf(std::string_view);
 template std::optional<SiteClass> choiceOf(std::string_view);
+template std::optional<DueCause> choiceOf(std::string_view);
+template std::optional<ProcedureKind> choiceOf(std::string_view);
+template std::optional<Control> choiceOf(std::string_view);
+template std::span<const Pattern> shownWords<SwingKind>();
+template std::span<const Pattern> shownWords<SwingStage>();
+template std::span<const Pattern> shownWords<SwingState>();
+template std::span<const Pattern> shownWords<RadioState>();
+template std::span<const Pattern> shownWords<CompassKind>();
+template std::span<const Pattern> shownWords<Compensator>();
+template std::span<const Pattern> shownWords<ModelOrigin>();
+template std::span<const Pattern> shownWords<SignatureRole>();
+template std::span<const Pattern> shownWords<DatumKind>();
+template std::span<const Pattern> shownWords<SightingDirection>();
+template std::span<const Pattern> shownWords<SiteClass>();
+template std::span<const Pattern> shownWords<DueCause>();
+template std::span<const Pattern> shownWords<ProcedureKind>();
+template std::span<const Pattern> shownWords<Control>();
 template std::string allowedWords<SwingKind>();
 template std::string allowedWords<SwingStage>();
 template std::string allowedWords<SwingState>();
@@ -125,5 +206,8 @@ template std::string allowedWords<SignatureRole>();
 template std::string allowedWords<DatumKind>();
 template std::string allowedWords<SightingDirection>();
 template std::string allowedWords<SiteClass>();
+template std::string allowedWords<DueCause>();
+template std::string allowedWords<ProcedureKind>();
+template std::string allowedWords<Control>();
 
 } // namespace lubberline

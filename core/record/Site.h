@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/Date.h"
 #include "core/record/Id.h"
 
 namespace lubberline {
@@ -35,10 +36,10 @@ struct Site {
     std::string owner = {};
     SiteClass siteClass = SiteClass::None;           ///< as certified
     std::string certificate = {};                    ///< its number or document
-    std::string certificateExpiry = {};              ///< ISO 8601 date; empty: none stated
+    Date certificateExpiry = {};                     ///< empty: none stated
     std::optional<double> paintedVariation_deg = {}; ///< the variation that the painted lines were laid out with; east positive
-    std::string paintedDate = {};                    ///< ISO 8601 date of that
-    std::string surveyDate = {};                     ///< ISO 8601
+    Date paintedDate = {};                           ///< of that
+    Date surveyDate = {};
     std::string surveyor = {}, surveyInstrument = {};
     std::vector<SurveyPoint> survey = {}; ///< in the order of the sheet; may be empty
     friend bool operator==(const Site&, const Site&) = default;

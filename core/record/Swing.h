@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/angle/Heading.h"
+#include "core/base/Date.h"
 #include "core/earth/FieldStamp.h"
 #include "core/record/Id.h"
 #include "core/record/RawFigures.h"
@@ -61,8 +62,8 @@ struct Configuration {
 struct Datum {
     std::string instrument;
     std::string serialNumber;
-    std::string calibrationDue; ///< ISO 8601 date
-    std::string readOut = {};   ///< how its figures were taken, in words: "from ahead, reciprocal; zero +0.3°"
+    Date calibrationDue;      ///< empty: none stated
+    std::string readOut = {}; ///< how its figures were taken, in words: "from ahead, reciprocal; zero +0.3°"
     friend bool operator==(const Datum&, const Datum&) = default;
 };
 
@@ -78,8 +79,8 @@ struct Swing {
     SwingId id;
     RecordId record = {};
     CompassId compass;
-    SiteId site;      ///< not valid: not stated
-    std::string date; ///< ISO 8601 date, UTC
+    SiteId site; ///< not valid: not stated
+    Date date;   ///< UTC
     SwingKind kind = SwingKind::Check;
     SwingStage stage = SwingStage::AsFound;
     SwingState state = SwingState::Draft;

@@ -1,15 +1,12 @@
 #include "core/record/SwingDifferences.h"
 
-#include <array>
 #include <cstdio>
+
+#include "core/record/RecordWords.h"
 
 namespace lubberline {
 
 namespace {
-
-constexpr std::array kKinds{MARKED("core", "check"), MARKED("core", "correction"), MARKED("core", "calibration"), MARKED("core", "air")};
-constexpr std::array kStages{MARKED("core", "as found"), MARKED("core", "as left")};
-constexpr std::array kRadio{MARKED("core", "not stated"), MARKED("core", "on"), MARKED("core", "off")};
 
 std::string number(std::optional<double> value)
 {
@@ -40,6 +37,10 @@ public:
     {
         add(what, Message::verbatim(before), Message::verbatim(after));
     }
+    void add(const Message& what, Date before, Date after) { add(what, before.text(), after.text()); }
+    template <class Choice>
+    requires std::is_enum_v<Choice>
+    void add(const Message& what, Choice before, Choice after) { add(what, Message(shownWord(before)), Message(shownWord(after))); }
     void add(const Message& what, const Message& before, const Message& after)
     {
         if (before != after)
@@ -54,13 +55,11 @@ private:
 void compareParticulars(Differences& all, const Swing& before, const Swing& after)
 {
     all.add(MARKED("core", "date"), before.date, after.date);
-    all.add(MARKED("core", "kind"), Message(kKinds[static_cast<std::size_t>(before.kind)]), kKinds[static_cast<std::size_t>(after.kind)]);
-    all.add(
-        MARKED("core", "stage"), Message(kStages[static_cast<std::size_t>(before.stage)]), kStages[static_cast<std::size_t>(after.stage)]);
+    all.add(MARKED("core", "kind"), before.kind, after.kind);
+    all.add(MARKED("core", "stage"), before.stage, after.stage);
     if (before.site != after.site)
         all.add(MARKED("core", "site"), Message(MARKED("core", "another")), MARKED("core", "changed"));
-    all.add(MARKED("core", "radio"), Message(kRadio[static_cast<std::size_t>(before.configuration.radio)]),
-        kRadio[static_cast<std::size_t>(after.configuration.radio)]);
+    all.add(MARKED("core", "radio"), before.configuration.radio, after.configuration.radio);
     all.add(MARKED("core", "engines"), before.configuration.engines, after.configuration.engines);
     all.add(MARKED("core", "electrics"), before.configuration.electrics, after.configuration.electrics);
     all.add(MARKED("core", "configuration"), before.configuration.other, after.configuration.other);

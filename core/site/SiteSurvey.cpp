@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/record/RecordWords.h"
+
 namespace lubberline {
 
 namespace {
@@ -45,13 +47,6 @@ SiteClass classOf(double off_deg)
     return SiteClass::None;
 }
 
-Pattern nameOf(SiteClass siteClass)
-{
-    return siteClass == SiteClass::Class1 ? MARKED("core", "class 1")
-        : siteClass == SiteClass::Class2  ? MARKED("core", "class 2")
-                                          : MARKED("core", "no class");
-}
-
 } // namespace
 
 std::span<const ClassRule> classRules()
@@ -90,13 +85,13 @@ Result<SurveySummary> summarise(std::span<const SurveyPoint> points, double hori
 
 double paintedLineOffset_deg(Variation painted, Variation today) { return wrap180(painted.degrees() - today.degrees()); }
 
-Message whyUnfit(const SiteFitness& site, const std::string& date)
+Message whyUnfit(const SiteFitness& site, Date date)
 {
     if (!site.certificateExpiry.empty() && site.certificateExpiry < date)
         return Message{MARKED("core", "the base's certificate ended on %1"), site.certificateExpiry};
     const bool enough = site.wanted == SiteClass::None || site.siteClass == SiteClass::Class1 || site.siteClass == site.wanted;
     if (!enough)
-        return Message{MARKED("core", "the base is of %1, and the procedure wants %2"), nameOf(site.siteClass), nameOf(site.wanted)};
+        return Message{MARKED("core", "the base is of %1, and the procedure wants %2"), shownWord(site.siteClass), shownWord(site.wanted)};
     return {};
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/angle/Heading.h"
+#include "core/base/Date.h"
 #include "core/base/Result.h"
 #include "core/record/Site.h"
 
@@ -46,10 +47,10 @@ Result<SurveySummary> summarise(std::span<const SurveyPoint> points, double hori
 
 /// May a swing be made here on that day? Empty: yes; else why not (an override needs a reason).
 struct SiteFitness {
-    std::string certificateExpiry; ///< ISO 8601; empty: none stated
+    Date certificateExpiry; ///< empty: none stated
     SiteClass siteClass = SiteClass::None;
     SiteClass wanted = SiteClass::None; ///< by the procedure
 };
-[[nodiscard]] Message whyUnfit(const SiteFitness& site, const std::string& date);
+[[nodiscard]] Message whyUnfit(const SiteFitness& site, Date date);
 
 } // namespace lubberline

@@ -54,7 +54,8 @@ Message whyUntold(std::span<const Observation> readings)
     for (const auto& reading : readings)
         headings_deg.push_back(reading.compass.degrees());
     std::sort(headings_deg.begin(), headings_deg.end());
-    const auto distinct = std::unique(headings_deg.begin(), headings_deg.end(), [](double a, double b) { return b - a < 0.5; }) - headings_deg.begin();
+    const auto distinct
+        = std::unique(headings_deg.begin(), headings_deg.end(), [](double a, double b) { return b - a < 0.5; }) - headings_deg.begin();
     if (distinct < 5)
         return {MARKED_N("core", "there are readings on %n heading(s), and five coefficients need five"), distinct};
     return {MARKED("core", "the headings stand on one side: %1"), gapText(readings)};
@@ -94,11 +95,12 @@ void warnOfSlips(std::vector<Message>& warnings, const SlipSearch& slips, std::s
     if (slips.seenFrom_deg && *slips.seenFrom_deg <= kUnseen_deg)
         return;
     if (!slips.seenFrom_deg || *slips.seenFrom_deg > 90.0)
-        warnings.push_back({MARKED_N("core", "%n reading(s) cannot be checked against each other: a misread figure would not be seen"), readings});
+        warnings.push_back(
+            {MARKED_N("core", "%n reading(s) cannot be checked against each other: a misread figure would not be seen"), readings});
     else
-        warnings.push_back({MARKED_N("core",
-                                "%n reading(s) hold little against each other: a figure misread by less than about %1° could pass unseen"),
-            readings, static_cast<int>(std::ceil(*slips.seenFrom_deg))});
+        warnings.push_back(
+            {MARKED_N("core", "%n reading(s) hold little against each other: a figure misread by less than about %1° could pass unseen"),
+                readings, static_cast<int>(std::ceil(*slips.seenFrom_deg))});
 }
 
 Summary summarise(const std::vector<AnalysedReading>& readings)

@@ -49,7 +49,8 @@ std::optional<Error> faultOf(std::span<const Observation> readings)
         std::string digits = std::to_string(shown);
         digits.insert(0, 3 - digits.size(), '0');
         return Error{ErrorCode::InvalidInput,
-            {MARKED("core", "the compass reads %1 on all headings: it is stuck, or one figure was written down for all; no deviation can be told"),
+            {MARKED("core",
+                 "the compass reads %1 on all headings: it is stuck, or one figure was written down for all; no deviation can be told"),
                 digits}};
     }
     const double forwards = togetherness(readings, [](const auto& r) { return r.magnetic.radians() - r.compass.radians(); });
@@ -70,13 +71,15 @@ std::optional<Message> indexWords(double index_deg)
     const auto off = static_cast<int>(std::lround(std::abs(index_deg)));
     const char side = index_deg > 0 ? 'E' : 'W';
     if (off >= 165)
-        return Message{MARKED("core",
-                           "the compass reads the reciprocal: %1°%2 was taken out as its index before B, C, D and E; look whether it was read "
-                           "from the other side or is mounted back to front"),
+        return Message{
+            MARKED("core",
+                "the compass reads the reciprocal: %1°%2 was taken out as its index before B, C, D and E; look whether it was read "
+                "from the other side or is mounted back to front"),
             off, side};
-    return Message{MARKED("core",
-                       "the compass is %1°%2 out as a whole: this was taken out as its index before B, C, D and E; look at its mount and its "
-                       "lubber line"),
+    return Message{
+        MARKED("core",
+            "the compass is %1°%2 out as a whole: this was taken out as its index before B, C, D and E; look at its mount and its "
+            "lubber line"),
         off, side};
 }
 

@@ -13,9 +13,9 @@ namespace lubberline {
 
 namespace {
 
-constexpr double kLeast_deg = 0.3;    ///< a smaller harmonic changes no card
-constexpr double kScatter_deg = 1.5;  ///< more than swaying cards and tired eyes
-constexpr std::size_t kLog = 200;     ///< readings of a log are not independent: no F test there
+constexpr double kLeast_deg = 0.3;   ///< a smaller harmonic changes no card
+constexpr double kScatter_deg = 1.5; ///< more than swaying cards and tired eyes
+constexpr std::size_t kLog = 200;    ///< readings of a log are not independent: no F test there
 
 std::string tenths(double angle_rad)
 {
@@ -64,14 +64,16 @@ std::optional<Message> lackOfFit(std::span<const Observation> readings, const Ap
         return std::nullopt;
     if (readings.size() >= 10 && readings.size() < kLog)
         if (const auto third_rad = higherHarmonics_rad(readings))
-            return Message{MARKED("core",
-                               "five coefficients do not describe this curve: a third harmonic of %1° is in the readings, more than chance, "
-                               "and the card leaves it out (largest residual %2°)"),
+            return Message{
+                MARKED("core",
+                    "five coefficients do not describe this curve: a third harmonic of %1° is in the readings, more than chance, "
+                    "and the card leaves it out (largest residual %2°)"),
                 tenths(*third_rad), tenths(fit.maxAbsResidual_rad)};
     if (fit.degreesOfFreedom >= 3 && *fit.sigma_rad > std::max(3.0 * readingError_rad, toRadians(kScatter_deg)))
-        return Message{MARKED("core",
-                           "five coefficients leave a scatter of %1° where reading the compass explains %2°: the readings are poor, or more "
-                           "than five coefficients are in them"),
+        return Message{
+            MARKED("core",
+                "five coefficients leave a scatter of %1° where reading the compass explains %2°: the readings are poor, or more "
+                "than five coefficients are in them"),
             tenths(*fit.sigma_rad), tenths(readingError_rad)};
     return std::nullopt;
 }

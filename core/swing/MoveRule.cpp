@@ -8,7 +8,7 @@ namespace lubberline {
 
 namespace {
 
-Result<MeridianField> fieldAt(const Site& base, const std::string& today)
+Result<MeridianField> fieldAt(const Site& base, Date today)
 {
     if (!base.latitude_deg || !base.longitude_deg)
         return Error{
@@ -16,19 +16,13 @@ Result<MeridianField> fieldAt(const Site& base, const std::string& today)
     const auto place = makePlace(*base.latitude_deg, *base.longitude_deg, base.elevation_m.value_or(0));
     if (!place)
         return place.error();
-    const auto year = decimalYear(today);
-    if (!year)
-        return year.error();
-    const auto model = defaultFieldModel(*year);
-    if (!model)
-        return model.error();
-    const auto answer = fieldForCompass(*model, *place, *year);
-    return answer ? Result<MeridianField>(answer->field.meridian()) : Result<MeridianField>(answer.error());
+    const auto stamp = stampField(*place, today);
+    return stamp ? Result<MeridianField>(stamp->field.meridian()) : Result<MeridianField>(stamp.error());
 }
 
 } // namespace
 
-Result<Message> whySwingAfterMove(const SwingRecord& last, const Site& base, const std::string& today)
+Result<Message> whySwingAfterMove(const SwingRecord& last, const Site& base, Date today)
 {
     const auto there = fieldAt(base, today);
     if (!there)

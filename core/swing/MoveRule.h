@@ -8,9 +8,9 @@
 namespace lubberline {
 
 /// Whether a compass that was last swung at one base is to be swung again at another: by what its last swing predicts there
-/// (core/swing/Prediction.h, swingAgainAfterMove). @param today ISO 8601.
+/// (core/swing/Prediction.h, swingAgainAfterMove). @param today UTC.
 /// @return the reason; empty: it is predicted to stay as it is.
 /// Errors: InvalidInput: the new base has no position, or the last swing tells too little (says what).
-Result<Message> whySwingAfterMove(const SwingRecord& last, const Site& base, const std::string& today);
+Result<Message> whySwingAfterMove(const SwingRecord& last, const Site& base, Date today);
 
 } // namespace lubberline

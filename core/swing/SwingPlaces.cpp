@@ -7,7 +7,7 @@ namespace lubberline {
 
 Result<SwingAtPlace> swingAtPlace(const SwingRecord& record)
 {
-    const std::string label = (record.site ? record.site->name + ", " : std::string()) + record.swing.date;
+    const std::string label = (record.site ? record.site->name + ", " : std::string()) + record.swing.date.text();
     const auto stamp = record.swing.field ? record.swing.field : stampFor(record.swing, record.site);
     if (!stamp)
         return Error{ErrorCode::InvalidInput,

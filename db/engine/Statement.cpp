@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/FileText.h"
 #include "db/engine/SqlError.h"
 
 namespace lubberline::db {
@@ -42,6 +43,7 @@ Statement& Statement::null()
 Result<void> Statement::run()
 {
     m_bound = 0;
+    m_damage.reset();
     if (!m_prepared)
         return errorOf(m_query.lastError(), m_database.path());
     if (!m_finite)
@@ -59,7 +61,24 @@ Result<void> Statement::finished() const
 {
     if (m_query.lastError().isValid())
         return errorOf(m_query.lastError(), m_database.path());
+    if (m_damage)
+        return Error{ErrorCode::Corrupt, *m_damage, m_database.path().toStdString()};
     return {};
+}
+
+Date Statement::day(int column) const
+{
+    const std::string stored = text(column);
+    const auto day = Date::read(stored);
+    if (!day && !stored.empty())
+        damages({MARKED("db", "%1 is stored where a day should be; expected YYYY-MM-DD"), inQuotes(stored)});
+    return day.value_or(Date());
+}
+
+void Statement::damages(const Message& why) const
+{
+    if (!m_damage)
+        m_damage = why;
 }
 
 std::optional<double> Statement::optionalReal(int column) const

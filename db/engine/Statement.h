@@ -19,6 +19,7 @@ public:
 
     Statement& operator<<(const std::string& text);
     Statement& operator<<(const char* text) { return *this << std::string(text); }
+    Statement& operator<<(Date day) { return *this << day.text(); }
     Statement& operator<<(double number);
     Statement& operator<<(std::int64_t number);
     Statement& operator<<(int number) { return *this << static_cast<std::int64_t>(number); }
@@ -40,10 +41,16 @@ public:
     /// that is not finite (SQLite would store NULL for it).
     Result<void> run();
     bool next() { return m_query.next(); }
-    /// Whether next() returned false because there are no more rows, and not because one could not be read (a damaged page).
+    /// Whether next() returned false because there are no more rows, and not because one could not be read (a damaged page), and no
+    /// row was damaged.
     Result<void> finished() const;
 
     [[nodiscard]] std::string text(int column) const { return m_query.value(column).toString().toStdString(); }
+    /// None stated where the text is empty, and where it names no day: that damages the row.
+    [[nodiscard]] Date day(int column) const;
+    /// What is stored in a row is not what it should be: finished() tells of the first such.
+    void damages(const Message& why) const;
+    [[nodiscard]] bool damaged() const { return m_damage.has_value(); }
     [[nodiscard]] std::int64_t integer(int column) const { return m_query.value(column).toLongLong(); }
     [[nodiscard]] double real(int column) const { return m_query.value(column).toDouble(); }
     [[nodiscard]] std::optional<double> optionalReal(int column) const;
@@ -68,6 +75,7 @@ private:
     int m_bound = 0;
     bool m_prepared = false;
     bool m_finite = true;
+    mutable std::optional<Message> m_damage;
 };
 
 /// Runs a statement and makes a value of each of its rows.
@@ -105,11 +113,12 @@ Result<std::optional<Row>> firstOf(Statement& statement, Make make)
 {
     if (const auto done = statement.run(); !done)
         return done.error();
+    std::optional<Row> row;
     if (statement.next())
-        return std::optional<Row>(make(statement));
+        row = make(statement);
     if (const auto read = statement.finished(); !read)
         return read.error();
-    return std::optional<Row>{};
+    return row;
 }
 
 /// The first row. Errors: NotFound ("there is no such `what` in the database").

@@ -24,7 +24,7 @@ const Table& waiverTable()
 const QString kSelectWaiver
     = "SELECT w.record, e.record, w.date, w.reason, w.signed_by, e.aircraft_id FROM waiver w JOIN event e ON e.id = w.event_id ";
 
-Waiver waiverFrom(const Statement& row) { return {row.text(0), row.text(1), row.text(2), row.text(3), row.text(4)}; }
+Waiver waiverFrom(const Statement& row) { return {row.text(0), row.text(1), row.day(2), row.text(3), row.text(4)}; }
 
 template <class Key, class Value, class MakeKey, class MakeValue>
 Result<std::map<Key, std::vector<Value>>> groups(Statement& statement, MakeKey key, MakeValue value)
@@ -130,8 +130,7 @@ Result<std::vector<DueCompass>> DueStore::compasses()
     const auto eventsOf = groups<AircraftId, Event>(
         events, [](Statement& row) { return row.id<AircraftId>(2); },
         [](Statement& row) {
-            return Event{
-                row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.text(4), row.as<DueCause>(5), row.text(6)};
+            return Event{row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.day(3), row.text(4), row.as<DueCause>(5), row.text(6)};
         });
     if (!eventsOf)
         return eventsOf.error();
@@ -141,8 +140,8 @@ Result<std::vector<DueCompass>> DueStore::compasses()
     if (!waiversOf)
         return waiversOf.error();
     Statement dates(m_database, "SELECT compass_id, date FROM swing WHERE state = 2 AND date <> '' ORDER BY date DESC");
-    const auto signedOf = groups<CompassId, std::string>(
-        dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.text(1); });
+    const auto signedOf = groups<CompassId, Date>(
+        dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.day(1); });
     if (!signedOf)
         return signedOf.error();
     Statement statement(m_database,
@@ -153,7 +152,7 @@ Result<std::vector<DueCompass>> DueStore::compasses()
         const auto aircraft = row.id<AircraftId>(1);
         const auto compass = row.id<CompassId>(2);
         return DueCompass{row.id<AircraftTypeId>(0), aircraft, compass, row.text(3), row.text(4), row.text(5), row.text(6), row.text(7),
-            row.text(8), row.id<SiteId>(9), of(*signedOf, compass), of(*eventsOf, aircraft), of(*waiversOf, aircraft)};
+            row.day(8), row.id<SiteId>(9), of(*signedOf, compass), of(*eventsOf, aircraft), of(*waiversOf, aircraft)};
     });
 }
 

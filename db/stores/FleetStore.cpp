@@ -129,7 +129,7 @@ Result<CompassSystem> FleetStore::compass(CompassId id)
     return oneOf<CompassSystem>(statement, m_database, MARKED("db", "compass"), [](Statement& row) {
         return CompassSystem{row.id<CompassId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.as<CompassKind>(4),
             row.as<Compensator>(5), row.text(6), row.text(7), row.text(8), row.text(9), row.real(10), row.id<LimitsProfileId>(11),
-            row.text(12)};
+            row.day(12)};
     });
 }
 
@@ -138,7 +138,7 @@ Result<std::vector<Event>> FleetStore::eventsOf(AircraftId id)
     Statement statement(m_database, select(eventTable()) + "WHERE aircraft_id = ? ORDER BY date DESC, id DESC");
     statement << id;
     return rowsOf<Event>(statement, [](Statement& row) {
-        return Event{row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.text(4), row.as<DueCause>(6), row.text(5)};
+        return Event{row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.day(3), row.text(4), row.as<DueCause>(6), row.text(5)};
     });
 }
 

@@ -1,6 +1,8 @@
 #include "db/stores/JobStore.h"
 
 #include "core/format/exchange/JobJson.h"
+#include "core/record/RecordWords.h"
+#include "core/swing/SwingResult.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
 #include "db/stores/Audit.h"
@@ -75,7 +77,7 @@ Result<std::vector<JobRow>> JobStore::open()
         " FROM swing_job j JOIN swing s ON s.id = j.swing_id JOIN compass c ON c.id = s.compass_id"
         " JOIN aircraft a ON a.id = c.aircraft_id WHERE j.state = 0 ORDER BY j.id DESC");
     return rowsOf<JobRow>(statement, [](Statement& row) {
-        return JobRow{row.id<SwingId>(0), row.text(1), row.text(2), row.text(3), row.text(4), static_cast<int>(row.integer(5))};
+        return JobRow{row.id<SwingId>(0), row.text(1), row.text(2), row.text(3), row.day(4), static_cast<int>(row.integer(5))};
     });
 }
 
@@ -101,6 +103,14 @@ Result<std::optional<JobRecord>> JobStore::jobOf(SwingId swing)
     job->particulars = std::move(*owner);
     job->particulars.readings.clear();
     return std::optional(JobRecord{(*row)->swing, std::move(*job)});
+}
+
+Result<Analysis> JobStore::resultOf(const SwingRecord& record)
+{
+    const auto job = jobOf(record.swing.id);
+    if (!job)
+        return job.error();
+    return lubberline::resultOf(record, *job ? &(*job)->job : nullptr);
 }
 
 Result<std::vector<JobRecord>> JobStore::all()

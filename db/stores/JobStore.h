@@ -6,6 +6,7 @@
 
 #include "core/record/Fleet.h"
 #include "core/record/FleetRows.h"
+#include "core/swing/Analysis.h"
 #include "db/engine/Database.h"
 
 namespace lubberline::db {
@@ -18,6 +19,9 @@ public:
     /// The job that belongs to the swing or made it. Its particulars are those of the swing that it belongs to.
     /// Errors: Corrupt (an event that does not read).
     Result<std::optional<JobRecord>> jobOf(SwingId swing);
+    /// The one result of a stored swing (core/swing/SwingResult.h), with the divisions of the guided swing that it came from.
+    /// Errors: those of resultOf(); Corrupt when that guided swing does not read: without it the result would look surer than it is.
+    Result<Analysis> resultOf(const SwingRecord& record);
     Result<std::vector<JobRecord>> all(); ///< of every swing, without particulars: for the exchange file
 
     /// A new draft for the job, and the job with its first events; the particulars are those of the swing.

@@ -2,6 +2,7 @@
 
 #include "core/format/exchange/BenchJson.h"
 #include "core/format/exchange/ModelJson.h"
+#include "core/format/exchange/RowJson.h"
 #include "db/stores/Saving.h"
 #include "db/stores/SensorText.h"
 
@@ -42,7 +43,7 @@ void bindSensor(Statement& statement, const SensorRecord& sensor)
         statement << writeBenchJson(*sensor.bench);
     else
         statement.null();
-    statement << statesText(sensor.benchStates);
+    statement << writeStatesRow(sensor.benchStates);
 }
 
 Result<void> check(const SensorRecord& sensor)

@@ -1,12 +1,10 @@
 #include "db/stores/SensorText.h"
 
-#include <QJsonDocument>
-#include <QJsonObject>
-
 #include <cmath>
 
 #include "core/format/exchange/BenchJson.h"
 #include "core/format/exchange/ModelJson.h"
+#include "core/format/exchange/RowJson.h"
 #include "core/iron/BenchCheck.h"
 
 namespace lubberline::db {
@@ -25,27 +23,7 @@ bool isFinite(const SensorModel& model)
 
 Error corruptSensor(const Message& why) { return {ErrorCode::Corrupt, why}; }
 
-Result<BenchStates> statesFrom(const std::string& text, const std::string& name)
-{
-    const auto document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
-    if (!document.isObject())
-        return corruptSensor({MARKED("db", "%1: the states of its moving parts do not read; expected an object"), name});
-    BenchStates states;
-    const QJsonObject object = document.object();
-    for (auto one = object.begin(); one != object.end(); ++one)
-        states[one.key().toStdString()] = one.value().toString().toStdString();
-    return states;
-}
-
 } // namespace
-
-std::string statesText(const BenchStates& states)
-{
-    QJsonObject object;
-    for (const auto& [group, state] : states)
-        object[QString::fromStdString(group)] = QString::fromStdString(state);
-    return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString();
-}
 
 Result<void> checkSensor(const SensorRecord& sensor)
 {
@@ -57,7 +35,7 @@ Result<void> checkSensor(const SensorRecord& sensor)
             return checked;
     // What could not be read again must not be stored.
     auto back = withTexts(sensor, writeSensorModelJson(sensor.model), sensor.bench ? writeBenchJson(*sensor.bench) : std::string(),
-        statesText(sensor.benchStates));
+        writeStatesRow(sensor.benchStates));
     if (back)
         return {};
     Error error = back.error();
@@ -78,9 +56,9 @@ Result<SensorRecord> withTexts(SensorRecord sensor, const std::string& model, co
             return corruptSensor(described(readBench.error()));
         sensor.bench = std::move(readBench.value());
     }
-    auto readStates = statesFrom(states, name);
+    auto readStates = readStatesRow(states);
     if (!readStates)
-        return readStates.error();
+        return corruptSensor({MARKED("db", "%1: the states of its moving parts do not read: %2"), name, readStates.error().message});
     sensor.benchStates = std::move(readStates.value());
     return sensor;
 }

@@ -8,8 +8,6 @@
 
 namespace lubberline::db {
 
-[[nodiscard]] std::string statesText(const BenchStates& states); ///< {"gear":"extended"}
-
 /// Reads model, bench (empty: none) and states into the record. Errors: Corrupt, naming the record.
 Result<SensorRecord> withTexts(SensorRecord sensor, const std::string& model, const std::string& bench, const std::string& states);
 

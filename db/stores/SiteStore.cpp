@@ -35,10 +35,10 @@ Result<Site> siteFrom(const Statement& row, const Database& database)
     site.owner = row.text(9);
     site.siteClass = row.as<SiteClass>(10);
     site.certificate = row.text(11);
-    site.certificateExpiry = row.text(12);
+    site.certificateExpiry = row.day(12);
     site.paintedVariation_deg = row.optionalReal(13);
-    site.paintedDate = row.text(14);
-    site.surveyDate = row.text(15);
+    site.paintedDate = row.day(14);
+    site.surveyDate = row.day(15);
     site.surveyor = row.text(16);
     site.surveyInstrument = row.text(17);
     const std::string points = row.text(18);
@@ -124,7 +124,7 @@ Result<std::vector<DatumInstrument>> SiteStore::instruments()
 {
     Statement statement(m_database, "SELECT record, " + instrumentTable().fields.join(", ") + " FROM datum_instrument ORDER BY name");
     return rowsOf<DatumInstrument>(statement, [](Statement& row) {
-        return DatumInstrument{row.text(0), row.text(1), row.as<DatumKind>(2), row.text(3), row.text(4), row.text(5),
+        return DatumInstrument{row.text(0), row.text(1), row.as<DatumKind>(2), row.text(3), row.text(4), row.day(5),
             row.as<SightingDirection>(6), row.integer(7) != 0, row.real(8), row.real(9), row.text(10)};
     });
 }

@@ -1,9 +1,9 @@
 #include "db/stores/SwingRows.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
 #include <QLocale>
 #include <QStringList>
+
+#include "core/format/exchange/RowJson.h"
 
 namespace lubberline::db {
 
@@ -11,50 +11,15 @@ namespace {
 
 constexpr int kStampColumns = 8;
 
-std::string extraText(const Reading& reading)
+/// Its own parts of a row; a text that does not read damages the row.
+template <class Value>
+Value partOf(const Statement& row, int column, Result<Value> (*read)(std::string_view))
 {
-    QJsonArray pairs;
-    for (const auto& [name, value] : reading.extra)
-        pairs.append(QJsonArray{QString::fromStdString(name), QString::fromStdString(value)});
-    return QJsonDocument(pairs).toJson(QJsonDocument::Compact).toStdString();
-}
-
-std::vector<std::pair<std::string, std::string>> extraFrom(const std::string& text)
-{
-    std::vector<std::pair<std::string, std::string>> extra;
-    if (text == "[]") // nearly always
-        return extra;
-    for (const auto& pair : QJsonDocument::fromJson(QByteArray::fromStdString(text)).array())
-        extra.emplace_back(pair.toArray().at(0).toString().toStdString(), pair.toArray().at(1).toString().toStdString());
-    return extra;
-}
-
-/// Three arrays: datum, astern, compass; nothing where no figures were kept apart.
-std::string rawText(const RawFigures& raw)
-{
-    if (raw.empty())
-        return {};
-    QJsonArray all;
-    for (const auto* figures : {&raw.datum_deg, &raw.astern_deg, &raw.compass_deg}) {
-        QJsonArray one;
-        for (const double figure : *figures)
-            one.append(figure);
-        all.append(one);
-    }
-    return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
-}
-
-RawFigures rawFrom(const std::string& text)
-{
-    RawFigures raw;
-    if (text.empty()) // nearly always
-        return raw;
-    const QJsonArray all = QJsonDocument::fromJson(QByteArray::fromStdString(text)).array();
-    qsizetype place = 0;
-    for (auto* figures : {&raw.datum_deg, &raw.astern_deg, &raw.compass_deg})
-        for (const auto& figure : all.at(place++).toArray())
-            figures->push_back(figure.toDouble());
-    return raw;
+    auto value = read(row.text(column));
+    if (value)
+        return std::move(value.value());
+    row.damages(described(value.error()));
+    return {};
 }
 
 template <class HeadingType>
@@ -77,7 +42,7 @@ std::optional<FieldStamp> stampFrom(const Statement& row, int first)
     if (stamp.model.empty())
         return {};
     stamp.place = {row.real(first + 1), row.real(first + 2), row.real(first + 3)};
-    stamp.date = row.text(first + 4);
+    stamp.date = row.day(first + 4);
     stamp.field = {row.real(first + 5), row.real(first + 6), row.real(first + 7)};
     return stamp;
 }
@@ -122,14 +87,16 @@ Swing swingFrom(const Statement& row, int first)
     swing.record = row.text(column++);
     swing.compass = row.id<CompassId>(column++);
     swing.site = row.id<SiteId>(column++);
-    swing.date = row.text(column++);
+    swing.date = row.day(column++);
     swing.kind = row.as<SwingKind>(column++);
     swing.stage = row.as<SwingStage>(column++);
     swing.state = row.as<SwingState>(column++);
     swing.configuration.radio = row.as<RadioState>(column++);
     for (std::string* field : {&swing.configuration.engines, &swing.configuration.electrics, &swing.configuration.other,
-             &swing.datum.instrument, &swing.datum.serialNumber, &swing.datum.calibrationDue, &swing.people.datumReader,
-             &swing.people.cockpitReader, &swing.people.adjuster, &swing.people.inspector})
+             &swing.datum.instrument, &swing.datum.serialNumber})
+        *field = row.text(column++);
+    swing.datum.calibrationDue = row.day(column++);
+    for (std::string* field : {&swing.people.datumReader, &swing.people.cockpitReader, &swing.people.adjuster, &swing.people.inspector})
         *field = row.text(column++);
     swing.variation_deg = row.optionalReal(column++);
     for (std::string* field : {&swing.procedure, &swing.workOrder, &swing.reason, &swing.note})
@@ -152,7 +119,7 @@ QString swingRowColumns()
 
 SwingRow swingRowFrom(const Statement& row)
 {
-    return {row.id<SwingId>(0), row.id<CompassId>(1), row.text(2), row.as<SwingKind>(3), row.as<SwingStage>(4), row.as<SwingState>(5),
+    return {row.id<SwingId>(0), row.id<CompassId>(1), row.day(2), row.as<SwingKind>(3), row.as<SwingStage>(4), row.as<SwingState>(5),
         static_cast<int>(row.integer(6)), row.optionalReal(7),
         {row.optionalReal(8), row.optionalReal(9), row.optionalReal(10), row.optionalReal(11), row.optionalReal(12)}, row.as<Status>(13),
         static_cast<int>(row.integer(14)), row.integer(15) != 0, row.integer(16) != 0};
@@ -184,8 +151,8 @@ Reading readingFrom(const Statement& row, int first)
     reading.note = row.text(column++);
     if (const std::string reason = row.text(column++); !reason.empty())
         reading.exclusion = Exclusion{reason};
-    reading.extra = extraFrom(row.text(column++));
-    reading.raw = rawFrom(row.text(column++));
+    reading.extra = partOf(row, column++, readExtraRow);
+    reading.raw = partOf(row, column++, readRawRow);
     reading.timeUtc = row.text(column++);
     return reading;
 }
@@ -198,7 +165,7 @@ void bindReading(Statement& statement, const Reading& reading)
         statement << reading.exclusion->reason;
     else
         statement.null();
-    statement << extraText(reading) << rawText(reading.raw) << reading.timeUtc;
+    statement << writeExtraRow(reading.extra) << writeRawRow(reading.raw) << reading.timeUtc;
 }
 
 std::string auditText(const Reading& reading)
@@ -221,9 +188,9 @@ std::string auditText(const Reading& reading)
     if (!reading.note.empty())
         add("note:", reading.note);
     if (!reading.extra.empty())
-        add("extra", extraText(reading));
+        add("extra", writeExtraRow(reading.extra));
     if (!reading.raw.empty())
-        add("figures", rawText(reading.raw));
+        add("figures", writeRawRow(reading.raw));
     return text.empty() ? "empty" : text;
 }
 

@@ -197,6 +197,8 @@ Result<void> SwingStore::forEach(const std::function<bool(const Swing&)>& callba
                 swing.readings.push_back(readingFrom(readings, 1));
         if (const auto found = signatures->find(swing.id); found != signatures->end())
             swing.signatures = found->second;
+        if (swings.damaged() || readings.damaged())
+            break;
         if (!callback(swing))
             return {};
     }

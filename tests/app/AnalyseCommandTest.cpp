@@ -49,13 +49,15 @@ TEST(AnalyseCommand, hasEveryKeyOfTheContract)
     EXPECT_EQ(json["readings"][0]["deviation_deg"], 1.0);
 }
 
-TEST(AnalyseCommand, fourHeadingsTellThreeCoefficientsOnly)
+TEST(AnalyseCommand, fourCardinalsTellAllButD)
 {
     const Sandbox sandbox;
     const auto json = sandbox.run({"analyse", sandbox.write("m.csv", kMilStd765), "--json"}).json();
     EXPECT_TRUE(json["approximate"]["D_deg"].is_null());
-    EXPECT_TRUE(json["approximate"]["E_deg"].is_null());
+    EXPECT_TRUE(json["approximate"]["E_deg"].is_number());
     EXPECT_TRUE(json["exact"]["D"].is_null());
+    EXPECT_TRUE(json["approximate"]["standard_error_deg"]["A_deg"].is_number()); // of the reading alone
+    EXPECT_TRUE(json["approximate"]["interval_95_deg"]["A_deg"].is_null());
     EXPECT_TRUE(json["approximate"]["A_deg"].is_number());
     EXPECT_FALSE(json["warnings"].empty());
     // Duncan Aviation's figures with the sign turned: index +1.75, E/W -3, N/S +5.5 as error.

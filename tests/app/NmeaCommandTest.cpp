@@ -84,30 +84,6 @@ TEST(NmeaCommand, whatTheTurnCannotTellStandsBesideTheResult)
     EXPECT_EQ(sandbox.run({"nmea", sandbox.path("turn.nmea"), "--wind", "gale"}).status, 2);
 }
 
-TEST(NmeaCommand, whatTheTurnCannotTellStandsBesideTheResult)
-{
-    const Sandbox sandbox;
-    const auto run
-        = sandbox.run({"nmea", sandbox.write("turn.nmea", circleLog()), "--variation", "6", "--variation-error", "0.5", "--json"});
-    ASSERT_EQ(run.status, 0) << run.err;
-    const Json json = Json::parse(run.out);
-    const Json& delay = json.at("delay");
-    EXPECT_TRUE(delay.at("seconds").is_null());
-    EXPECT_EQ(delay.at("told_by"), "one-way turn");
-    EXPECT_NEAR(delay.at("A_deg_per_s").get<double>(), -1.0, 0.01);
-    const double error_s = delay.at("standard_error_s"); // a second, and what the place in the log leaves open
-    EXPECT_NEAR(error_s, std::hypot(1.0, 5.0 / std::sqrt(12.0)), 1e-9);
-    EXPECT_NEAR(json.at("approximate").at("standard_error_deg").at("A_deg").get<double>(), std::hypot(error_s, 0.5), 0.02);
-    EXPECT_EQ(json.at("reference_source"), "GPRMC");
-    EXPECT_EQ(json.at("date"), "2026-11-23");
-    EXPECT_EQ(json.at("bad_headings"), 0);
-    EXPECT_FALSE(json.at("wind").at("taken_out").get<bool>());
-    EXPECT_TRUE(json.at("directions").is_null());
-    EXPECT_NEAR(json.at("variation_of_model_deg").get<double>(), 7.0, 1.0);
-    EXPECT_EQ(sandbox.run({"nmea", sandbox.path("turn.nmea"), "--date", "23.11.2026"}).status, 2);
-    EXPECT_EQ(sandbox.run({"nmea", sandbox.path("turn.nmea"), "--wind", "gale"}).status, 2);
-}
-
 TEST(NmeaCommand, theCsvIsASwing)
 {
     const Sandbox sandbox;

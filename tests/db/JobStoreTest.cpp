@@ -96,4 +96,22 @@ TEST_F(JobStore, lastTimeIsAsItWasLeft)
     EXPECT_EQ(m_swings.previous(leftId)->value().id, foundId); // nothing older: as it was found that day
 }
 
+TEST_F(JobStore, aResultHasTheDivisionsOfItsJobOrIsRefused)
+{
+    const SwingId id = *save(m_swings, worksheetSwing(m_stored));
+    const SwingRecord record = *m_swings.record(id);
+    const Analysis alone = *m_jobs.resultOf(record);
+    SwingJob job = smallJob();
+    job.datum.resolution_deg = 5;
+    ASSERT_TRUE(m_jobs.add(id, job, true)); // the swing itself does not name it, as in files of before
+    const Analysis guided = *m_jobs.resultOf(record);
+    EXPECT_GT(*guided.approximate.standardError[0], *alone.approximate.standardError[0]);
+
+    ASSERT_TRUE(db::execute(m_database, "UPDATE swing_job SET plan_json = '{'"));
+    const auto refused = m_jobs.resultOf(record);
+    ASSERT_FALSE(refused); // not as if there had been no datum
+    EXPECT_EQ(refused.error().code, ErrorCode::Corrupt);
+    EXPECT_THAT(refused.error().message.english(), testing::HasSubstr("guided swing"));
+}
+
 } // namespace lubberline::test

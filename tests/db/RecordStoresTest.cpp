@@ -43,6 +43,32 @@ TEST_F(RecordStores, rawFiguresAndTimesAreKept)
     EXPECT_TRUE(stored.readings[1].raw.empty());
     EXPECT_EQ(stored.startUtc, swing.startUtc);
     EXPECT_EQ(stored.siteOverride, swing.siteOverride);
+
+    ASSERT_TRUE(db::execute(m_database, "UPDATE reading SET raw_json = '[[317],[' WHERE raw_json <> ''"));
+    const auto damaged = m_swings.swing(stored.id);
+    ASSERT_FALSE(damaged); // told, not read as if no figures had been kept
+    EXPECT_EQ(damaged.error().code, ErrorCode::Corrupt);
+}
+
+TEST_F(RecordStores, aDayThatIsNoneIsToldWhereItIsRead)
+{
+    const SwingId id = *save(m_swings, worksheetSwing(m_stored));
+    for (const char* other : {"2026-02-30", "last spring", "20261120"}) {
+        ASSERT_TRUE(db::execute(m_database, QStringLiteral("UPDATE swing SET date = '%1'").arg(other)));
+        const auto refused = m_swings.swing(id);
+        ASSERT_FALSE(refused) << other;
+        EXPECT_EQ(refused.error().code, ErrorCode::Corrupt);
+        EXPECT_THAT(refused.error().message.english(), testing::HasSubstr(other));
+        EXPECT_EQ(m_swings.swingsOf(m_stored.compass).error().code, ErrorCode::Corrupt);
+        int seen = 0;
+        EXPECT_FALSE(m_swings.forEach([&](const Swing&) { return ++seen > 0; }));
+        EXPECT_EQ(seen, 0);
+    }
+    ASSERT_TRUE(db::execute(m_database, "UPDATE swing SET date = ''"));
+    EXPECT_TRUE(m_swings.swing(id)->date.empty());
+    ASSERT_TRUE(db::execute(m_database, "UPDATE compass SET installed = 'new'"));
+    EXPECT_EQ(m_fleet.compass(m_stored.compass).error().code, ErrorCode::Corrupt);
+    EXPECT_EQ(db::DueStore(m_database).compasses().error().code, ErrorCode::Corrupt);
 }
 
 TEST_F(RecordStores, instrumentsRulesWaiversAndElectricalSwings)

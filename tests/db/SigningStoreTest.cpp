@@ -108,7 +108,7 @@ TEST_F(SigningStore, aSwingIsCompleteOnlyWhenItIs)
     swing.readings.resize(3);
     EXPECT_THAT(m_signing.complete(*save(m_swings, swing)).error().message.english(), testing::HasSubstr("3 readings"));
     swing.readings = worksheetReadings();
-    swing.date.clear();
+    swing.date = {};
     EXPECT_THAT(m_signing.complete(*save(m_swings, swing)).error().message.english(), testing::HasSubstr("date"));
 }
 

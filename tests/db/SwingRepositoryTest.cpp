@@ -97,7 +97,7 @@ TEST_F(Swings, theLatestWithAResultDecidesTheStatus)
     empty.readings.clear();
     const auto draft = save(m_swings, empty);
     EXPECT_EQ(compassStatus(), Status::InLimits);
-    EXPECT_EQ(m_swings.previous(*draft)->value().date, "2026-01-01");
+    EXPECT_EQ(m_swings.previous(*draft)->value().date, Date("2026-01-01"));
 }
 
 TEST_F(Swings, changedLimitsChangeTheStatus)

@@ -148,7 +148,7 @@ inline Stored store(db::Database& database)
     return stored;
 }
 
-inline Swing swingOf(const Stored& stored, const std::string& date = "2026-11-20")
+inline Swing swingOf(const Stored& stored, Date date = "2026-11-20")
 {
     Swing swing;
     swing.compass = stored.compass;
@@ -158,7 +158,7 @@ inline Swing swingOf(const Stored& stored, const std::string& date = "2026-11-20
     return swing;
 }
 
-inline FieldStamp stampOf(const std::string& date) { return {"WMM2025", {51.55, 21.89, 117.0}, date, {18879.125, 2311.0625, 0.1 + 0.2}}; }
+inline FieldStamp stampOf(Date date) { return {"WMM2025", {51.55, 21.89, 117.0}, date, {18879.125, 2311.0625, 0.1 + 0.2}}; }
 
 inline SensorRecord sensorOf(const Stored& stored, const std::string& name = "as entered")
 {

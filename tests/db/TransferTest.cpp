@@ -22,7 +22,7 @@ TEST(Transfer, aFleetComesBackWhole)
     event.date = "2026-05-01";
     event.kind = "lightning";
     ASSERT_TRUE(save(db::FleetStore(first), event));
-    for (const char* date : {"2024-05-01", "2025-05-01", "2026-05-01"})
+    for (const Date date : {Date("2024-05-01"), Date("2025-05-01"), Date("2026-05-01")})
         ASSERT_TRUE(save(db::SwingStore(first), swingOf(stored, date)));
     const Fleet fleet = exported(first);
     auto second = inMemory();

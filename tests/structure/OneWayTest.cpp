@@ -34,6 +34,7 @@ const std::vector<OneWay> kWays = {
         {"core/base/OutputFile.cpp", "ui/kit/Recovery.cpp", "db/transfer/Maintenance.cpp"}},
     {"threads", R"(QtConcurrent|QFutureWatcher|QThreadPool|QThread::create|public QThread\b|std::j?thread|std::async)",
         {"ui/kit/Worker.h", "ui/kit/Worker.cpp"}},
+    {"readingJson", R"(\bQJson[A-Z]|\bparse_event_t\b)", {"core/format/json/JsonDocument.cpp"}},
     {"askingForFiles", R"(QFileDialog\b)", {"ui/kit/Dialogs.h", "ui/kit/Dialogs.cpp"}},
 };
 

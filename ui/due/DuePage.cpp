@@ -44,7 +44,7 @@ void plain(QTableWidget& table, const char* name, const QStringList& heads)
 
 } // namespace
 
-DuePage::DuePage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, FileQuestions questions, QWidget* parent)
+DuePage::DuePage(EditContext& context, QUndoStack& undo, std::function<Date()> today, FileQuestions questions, QWidget* parent)
     : Page(parent)
     , m_stores(context.stores)
     , m_today(std::move(today))
@@ -308,7 +308,7 @@ void DuePage::exportCalendar()
     if (path.isEmpty())
         return;
     const auto entries = calendarOf(m_news->lines);
-    if (const auto written = writeWholeFile(path.toStdString(), writeCalendar(entries, m_today() + "T00:00:00Z")); !written)
+    if (const auto written = writeWholeFile(path.toStdString(), writeCalendar(entries, m_today().text() + "T00:00:00Z")); !written)
         emit failed(messageOf(written.error()));
     else
         emit done(tr("%1: %n dates", nullptr, static_cast<int>(entries.size())).arg(path));

@@ -25,8 +25,8 @@ class DuePage : public Page {
     Q_OBJECT
 
 public:
-    /// @param today ISO 8601, UTC.
-    DuePage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, FileQuestions questions, QWidget* parent = nullptr);
+    /// @param today UTC.
+    DuePage(EditContext& context, QUndoStack& undo, std::function<Date()> today, FileQuestions questions, QWidget* parent = nullptr);
     using QWidget::show;
     void show(std::shared_ptr<const DueNews> news);
 
@@ -51,7 +51,7 @@ private:
     [[nodiscard]] const DueFlag* currentFlag() const;
 
     db::Stores& m_stores;
-    std::function<std::string()> m_today;
+    std::function<Date()> m_today;
     FileQuestions m_questions;
     std::shared_ptr<const DueNews> m_news;
     std::vector<const DueLine*> m_shown;

@@ -10,7 +10,7 @@ constexpr int kDayLook_ms = 60'000;
 
 }
 
-DueWatch::DueWatch(db::Stores& stores, std::function<std::string()> today, QObject* parent)
+DueWatch::DueWatch(db::Stores& stores, std::function<Date()> today, QObject* parent)
     : QObject(parent)
     , m_stores(stores)
     , m_today(std::move(today))

@@ -17,8 +17,8 @@ class DueWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// @param today ISO 8601, UTC.
-    DueWatch(db::Stores& stores, std::function<std::string()> today, QObject* parent = nullptr);
+    /// @param today UTC.
+    DueWatch(db::Stores& stores, std::function<Date()> today, QObject* parent = nullptr);
 
     void start();
     void lookAtDay(); ///< starts when it is another day than it was found for
@@ -32,10 +32,10 @@ private:
     void take(Result<DueNews> news);
 
     db::Stores& m_stores;
-    std::function<std::string()> m_today;
+    std::function<Date()> m_today;
     std::shared_ptr<const DueNews> m_news;
     QTimer m_dayTimer;
-    std::string m_day; ///< that it was found for; empty: not yet
+    Date m_day; ///< that it was found for; empty: not yet
     Worker<DueNews> m_worker;
 };
 

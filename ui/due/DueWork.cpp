@@ -35,7 +35,7 @@ int DueNews::due() const
         std::count_if(lines.begin(), lines.end(), [](const DueLine& line) { return line.answer.state >= DueState::Due; }));
 }
 
-Result<DueNews> dueNews(db::Stores& stores, const std::string& today, const Progress& progress)
+Result<DueNews> dueNews(db::Stores& stores, Date today, const Progress& progress)
 {
     auto compasses = stores.due.compasses();
     auto rules = stores.due.rules();

@@ -16,7 +16,7 @@ struct DueNews {
     [[nodiscard]] int due() const; ///< lines that are due or overdue
 };
 
-/// @param today ISO 8601. Errors: those of the stores; Cancelled.
-Result<DueNews> dueNews(db::Stores& stores, const std::string& today, const Progress& progress);
+/// @param today UTC. Errors: those of the stores; Cancelled.
+Result<DueNews> dueNews(db::Stores& stores, Date today, const Progress& progress);
 
 } // namespace lubberline::ui

@@ -1,7 +1,6 @@
 #include "ui/earth/FieldText.h"
 
 #include <QCoreApplication>
-#include <QDate>
 
 #include <cmath>
 
@@ -20,15 +19,15 @@ Error wrong(const QString& message) { return {ErrorCode::InvalidInput, said(mess
 
 } // namespace
 
-Result<std::string> parseDate(const QString& text, bool mayBeEmpty)
+Result<Date> parseDate(const QString& text, bool mayBeEmpty)
 {
     const QString typed = text.trimmed();
     if (typed.isEmpty() && mayBeEmpty)
-        return std::string();
-    const QDate date = QDate::fromString(typed, Qt::ISODate);
-    if (!date.isValid() || typed.size() != 10)
+        return Date();
+    const auto day = Date::read(typed.toStdString());
+    if (!day)
         return wrong(Words::tr("“%1” is no date; expected year-month-day, as 2026-11-20").arg(typed));
-    return typed.toStdString();
+    return *day;
 }
 
 Result<std::optional<double>> parseOptionalAngle_deg(const QString& text)

@@ -10,7 +10,7 @@
 namespace lubberline::ui {
 
 /// ISO 8601, "2026-11-20"; empty where `mayBeEmpty`. Errors: InvalidInput.
-Result<std::string> parseDate(const QString& text, bool mayBeEmpty);
+Result<Date> parseDate(const QString& text, bool mayBeEmpty);
 /// A signed angle in any form of AngleText, or empty. Errors: InvalidInput.
 Result<std::optional<double>> parseOptionalAngle_deg(const QString& text);
 /// A positive number of degrees, decimal point or comma. Errors: InvalidInput.

@@ -8,7 +8,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "core/earth/FieldModel.h"
+#include "core/sensor/SensorSetup.h"
 #include "core/swing/SwingPlaces.h"
 #include "ui/kit/PlaceText.h"
 #include "ui/kit/Words.h"
@@ -221,8 +221,7 @@ Result<MeridianField> PredictionPage::fieldThere() const
     const auto place = makePlace(*latitude, *longitude);
     if (!place)
         return place.error();
-    const auto stamp = stampField(*place, m_date->text().trimmed().toStdString());
-    return stamp ? Result<MeridianField>(stamp->field.meridian()) : Result<MeridianField>(stamp.error());
+    return fieldOf({PlaceAndDate{*place, m_date->text().trimmed().toStdString()}, {}, {}});
 }
 
 Result<Prediction> PredictionPage::predictAt(const MeridianField& field) const

@@ -72,7 +72,7 @@ FormFields<ElectricalSwing>::Take takeNumber(std::function<std::optional<double>
 
 } // namespace
 
-ElectricalPage::ElectricalPage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, QWidget* parent)
+ElectricalPage::ElectricalPage(EditContext& context, QUndoStack& undo, std::function<Date()> today, QWidget* parent)
     : Page(parent)
     , m_context(context)
     , m_stores(context.stores)

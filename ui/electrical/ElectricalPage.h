@@ -23,8 +23,8 @@ class ElectricalPage : public Page {
     Q_OBJECT
 
 public:
-    /// @param today ISO 8601, UTC.
-    ElectricalPage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, QWidget* parent = nullptr);
+    /// @param today UTC.
+    ElectricalPage(EditContext& context, QUndoStack& undo, std::function<Date()> today, QWidget* parent = nullptr);
     Result<void> showCompass(CompassId compass);
 
     static PageDescription description(PageContext& context);
@@ -51,7 +51,7 @@ private:
     EditContext& m_context;
     db::Stores& m_stores;
     QUndoStack& m_undo;
-    std::function<std::string()> m_today;
+    std::function<Date()> m_today;
     CompassSystem m_compass;
     std::vector<ElectricalSwing> m_swings;
     int m_current = -1;

@@ -22,7 +22,7 @@ namespace lubberline::ui {
 
 namespace {
 
-enum SwingColumn { Date, Kind, Stage, State, Readings, Largest, CoefficientA, Standing = CoefficientA + 5, kSwingColumns };
+enum SwingColumn { SwungOn, Kind, Stage, State, Readings, Largest, CoefficientA, Standing = CoefficientA + 5, kSwingColumns };
 
 Result<void> takeBuiltYear(Aircraft& aircraft, const QString& text)
 {
@@ -154,11 +154,11 @@ QWidget* AircraftPage::buildCompassForm()
         *form, tr("Name:"), QStringLiteral("compassName"), [](const CompassSystem& record) { return toText(record.name); },
         takeName(&CompassSystem::name, tr("a compass must have a name, as “standby compass”")));
     m_compass.addChoice(
-        *form, tr("Kind:"), QStringLiteral("compassKind"), compassKindWords(),
+        *form, tr("Kind:"), QStringLiteral("compassKind"), choiceWords<CompassKind>(),
         [](const CompassSystem& record) { return static_cast<int>(record.kind); },
         [](CompassSystem& record, int choice) { record.kind = static_cast<CompassKind>(choice); });
     m_compass.addChoice(
-        *form, tr("Compensator:"), QStringLiteral("compassCompensator"), compensatorWords(),
+        *form, tr("Compensator:"), QStringLiteral("compassCompensator"), choiceWords<Compensator>(),
         [](const CompassSystem& record) { return static_cast<int>(record.compensator); },
         [](CompassSystem& record, int choice) { record.compensator = static_cast<Compensator>(choice); });
     const auto shownLimits = [this](const CompassSystem& record) {
@@ -332,7 +332,7 @@ void AircraftPage::showSwings(const std::vector<SwingRow>& swings, const Compass
             item->setTextAlignment(Qt::AlignVCenter | (number ? Qt::AlignRight : Qt::AlignLeft));
             m_swingTable->setItem(row, column, item);
         };
-        set(Date, toText(swing.date), false);
+        set(SwungOn, toText(swing.date), false);
         set(Kind, wordFor(swing.kind), false);
         set(Stage, wordFor(swing.stage), false);
         set(State, wordFor(swing.state), false);

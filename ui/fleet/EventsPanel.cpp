@@ -54,7 +54,7 @@ EventsPanel::EventsPanel(EditContext& context, QUndoStack& stack, QWidget* paren
     m_kind->setObjectName(QStringLiteral("eventKind"));
     m_kind->setPlaceholderText(tr("lightning strike, engine change, hard landing …"));
     m_cause->setObjectName(QStringLiteral("eventCause"));
-    m_cause->addItems(dueCauseWords());
+    m_cause->addItems(choiceWords<DueCause>());
     m_cause->setItemText(0, tr("no"));
     m_cause->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_note->setObjectName(QStringLiteral("eventNote"));
@@ -103,7 +103,7 @@ void EventsPanel::showEvents()
         m_table->setItem(row, EventDate, new QTableWidgetItem(toText(event.date)));
         m_table->setItem(row, EventKind, new QTableWidgetItem(toText(event.kind)));
         auto* cause = new CauseBox;
-        cause->addItems(dueCauseWords());
+        cause->addItems(choiceWords<DueCause>());
         cause->setItemText(0, tr("no"));
         cause->setCurrentIndex(static_cast<int>(event.cause));
         cause->setEnabled(!m_context.stores.readOnly());

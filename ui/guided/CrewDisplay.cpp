@@ -62,7 +62,7 @@ void CrewDisplay::refresh()
     QString what = stepTitle(m_job), figure, detail;
     if (state.turn) {
         what = state.phase == JobPhase::Index ? tr("Turn the compass in its mount until it reads")
-                                              : tr("Turn the %1 until the compass reads").arg(controlWord(state.turn->control));
+                                              : tr("Turn the %1 until the compass reads").arg(wordFor(state.turn->control));
         figure = figureText(state.turn->makeCompassRead_deg);
         detail = here ? tr("on %1").arg(stationHeading(here->station.nominal_deg)) : QString();
     } else if (here) {

@@ -163,7 +163,7 @@ void GuidedPage::buildFault()
 
 Result<void> GuidedPage::begin(CompassId compass)
 {
-    if (auto begun = m_start->begin(compass, m_nowUtc().substr(0, 10)); !begun)
+    if (auto begun = m_start->begin(compass, m_stores.clock().today()); !begun)
         return begun;
     m_swing = {};
     m_job->close();

@@ -65,7 +65,7 @@ void GuidedReview::build()
     }
     m_control->setObjectName(QStringLiteral("turnedControl"));
     for (const Control control : {Control::NorthSouth, Control::EastWest, Control::Index})
-        m_control->addItem(controlWord(control));
+        m_control->addItem(wordFor(control));
     m_after->setObjectName(QStringLiteral("turnedAfter"));
     m_after->setPlaceholderText(tr("the compass now reads"));
     m_after->setMaximumWidth(180);

@@ -28,7 +28,7 @@ constexpr int kPoints[] = {8, 12, 24};
 DatumInstrument plainDatum()
 {
     DatumInstrument plain;
-    plain.name = GuidedStart::tr("magnetic heading, as read").toStdString();
+    plain.name = "magnetic heading, as read"; // it is stored
     plain.kind = DatumKind::DigitalCompass;
     return plain;
 }
@@ -86,7 +86,7 @@ void GuidedStart::build()
     auto* inner = new QWidget;
     inner->setFont(bigFont(font(), kForm_px));
     auto* form = new QFormLayout;
-    m_procedure = addBox(*form, tr("&Procedure:"), "guidedProcedure", procedureWords());
+    m_procedure = addBox(*form, tr("&Procedure:"), "guidedProcedure", choiceWords<ProcedureKind>());
     m_meaning->setWordWrap(true);
     m_meaning->setFont(font());
     m_meaning->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
@@ -96,7 +96,7 @@ void GuidedStart::build()
     m_datum = addBox(*form, tr("&Datum:"), "guidedDatumBox");
     m_site = addBox(*form, tr("&Site:"), "guidedSite");
     m_date = addLine(*form, tr("Da&te (UTC):"), "guidedDate");
-    m_radio = addBox(*form, tr("&Radio:"), "guidedRadio", radioStateWords());
+    m_radio = addBox(*form, tr("&Radio:"), "guidedRadio", choiceWords<RadioState>());
     m_engines = addLine(*form, tr("&Engines:"), "guidedEngines", tr("as running, 1500 rpm"));
     m_electrics = addLine(*form, tr("E&lectrics:"), "guidedElectrics", tr("loads on and off"));
     m_further = addLine(*form, tr("&Further configurations:"), "guidedFurther", tr("each read once more, as radio on; pitot heat on"));
@@ -139,7 +139,7 @@ void GuidedStart::build()
     connect(cancel, &QPushButton::clicked, this, &GuidedStart::cancelled);
 }
 
-Result<void> GuidedStart::begin(CompassId compass, const std::string& today)
+Result<void> GuidedStart::begin(CompassId compass, Date today)
 {
     const auto system = m_stores.fleet.compass(compass);
     if (!system)
@@ -197,8 +197,9 @@ DatumInstrument GuidedStart::datum() const
 double GuidedStart::paintedOffset_deg() const
 {
     Swing day;
-    day.date = typed(*m_date);
-    if (!site() || !site()->paintedVariation_deg || !parseDate(m_date->text(), false))
+    if (const auto date = parseDate(m_date->text(), true))
+        day.date = *date;
+    if (day.date.empty() || !site() || !site()->paintedVariation_deg)
         return 0;
     const auto stamp = stampFor(day, *site());
     if (!stamp)
@@ -209,13 +210,13 @@ double GuidedStart::paintedOffset_deg() const
 
 Message GuidedStart::whyNot() const
 {
-    const std::string date = typed(*m_date);
+    const auto date = parseDate(m_date->text(), false);
     Message why;
-    if (!parseDate(m_date->text(), false))
+    if (!date)
         return why;
     if (site())
-        why = whyUnfit({site()->certificateExpiry, site()->siteClass, SiteClass::None}, date);
-    if (calibrationOver(datum(), date))
+        why = whyUnfit({site()->certificateExpiry, site()->siteClass, SiteClass::None}, *date);
+    if (calibrationOver(datum(), *date))
         why = together({std::move(why), {MARKED("ui", "the calibration of %1 was due on %2"), datum().name, datum().calibrationDue}});
     return why;
 }
@@ -246,9 +247,9 @@ Result<Swing> GuidedStart::particulars() const
         = static_cast<ProcedureKind>(m_procedure->currentIndex()) == ProcedureKind::CheckOnly ? SwingStage::AsFound : SwingStage::AsLeft;
     swing.configuration = {static_cast<RadioState>(m_radio->currentIndex()), typed(*m_engines), typed(*m_electrics), {}};
     const DatumInstrument instrument = datum();
-    swing.datum = {instrument.name, instrument.serialNumber, instrument.calibrationDue, readOutWords(instrument).toStdString()};
+    swing.datum = {instrument.name, instrument.serialNumber, instrument.calibrationDue, readOutWords(instrument)};
     swing.people = {typed(*m_datumReader), typed(*m_cockpitReader), typed(*m_adjuster), {}};
-    swing.procedure = m_procedure->currentText().toStdString();
+    swing.procedure = Message(shownWord(static_cast<ProcedureKind>(m_procedure->currentIndex()))).english(); // not in the window's language
     swing.reason = typed(*m_reason);
     swing.workOrder = typed(*m_workOrder);
     if (instrument.givesTrue) {

@@ -22,7 +22,7 @@ public:
     GuidedStart(db::Stores& stores, QWidget* parent = nullptr);
 
     /// For a compass, on a day (ISO 8601, UTC). Errors: those of the stores.
-    Result<void> begin(CompassId compass, const std::string& today);
+    Result<void> begin(CompassId compass, Date today);
 
 signals:
     void started(lubberline::SwingId swing);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/Number.h"
 #include "core/procedure/SkipCost.h"
 #include "ui/guided/GuidedJob.h"
 #include "ui/kit/Words.h"
@@ -45,12 +46,6 @@ QString letterOf(Control control)
 
 } // namespace
 
-QStringList procedureWords()
-{
-    return {Words::tr("Coefficient method"), Words::tr("Half-error method"), Words::tr("Index first"), Words::tr("Flux valve"),
-        Words::tr("Check only")};
-}
-
 QString procedureMeaning(ProcedureKind kind)
 {
     switch (kind) {
@@ -68,16 +63,6 @@ QString procedureMeaning(ProcedureKind kind)
         return Words::tr("Read N, E, S and W untouched; the flux valve is turned by their mean, then C on N and B on E; check swing "
                          "(Duncan Aviation, after MIL-STD-765A practice).");
     case ProcedureKind::CheckOnly: return Words::tr("Nothing is touched: the check swing alone.");
-    }
-    return {};
-}
-
-QString controlWord(Control control)
-{
-    switch (control) {
-    case Control::NorthSouth: return Words::tr("N–S screw");
-    case Control::EastWest: return Words::tr("E–W screw");
-    case Control::Index: return Words::tr("compass in its mount");
     }
     return {};
 }
@@ -101,7 +86,7 @@ QString figureText(double heading_deg)
 
 QString turnSentence(const MakeCompassRead& turn)
 {
-    const QString control = controlWord(turn.control);
+    const QString control = wordFor(turn.control);
     if (turn.removal == HowMuch::All)
         return Words::tr("Error %1°: turn the %2 until all of it is gone, and the compass reads")
             .arg(signedNumber(turn.coefficient_deg, 1), control);
@@ -120,16 +105,17 @@ QString stepTitle(const GuidedJob& job)
     return Words::tr("%1 · step %2 of %3").arg(phaseWord(job)).arg(state.current + 1).arg(state.stations.size());
 }
 
-QString readOutWords(const DatumInstrument& instrument)
+std::string readOutWords(const DatumInstrument& instrument)
 {
-    QStringList words;
+    std::vector<Message> words;
     if (instrument.kind == DatumKind::SightingCompass || instrument.kind == DatumKind::Theodolite)
-        words += instrument.ahead == SightingDirection::Direct ? Words::tr("from ahead: direct") : Words::tr("from ahead: reciprocal");
+        words.push_back(
+            instrument.ahead == SightingDirection::Direct ? MARKED("ui", "from ahead: direct") : MARKED("ui", "from ahead: reciprocal"));
     if (instrument.zero_deg != 0)
-        words += Words::tr("zero %1°").arg(signedNumber(instrument.zero_deg, 2));
+        words.push_back({MARKED("ui", "zero %1°"), signedFigureText(instrument.zero_deg, 2)});
     if (instrument.givesTrue)
-        words += Words::tr("true, less variation");
-    return words.join(QStringLiteral("; "));
+        words.push_back(MARKED("ui", "true, less variation"));
+    return together(std::move(words)).english();
 }
 
 QString skipWords(const JobState& state)

@@ -11,17 +11,15 @@ namespace lubberline::ui {
 
 class GuidedJob;
 
-[[nodiscard]] QStringList procedureWords();                 ///< in the order of ProcedureKind
 [[nodiscard]] QString procedureMeaning(ProcedureKind kind); ///< what is done in which order, and whose method it is
-[[nodiscard]] QString controlWord(Control control);         ///< "N–S screw"
 [[nodiscard]] QString stationHeading(double nominal_deg);   ///< "180° S", "315° NW", "015°"
 [[nodiscard]] QString figureText(double heading_deg);       ///< "176", "176.5": as a compass is read
 /// "C = −6.0°: turn the N–S screw until the compass reads".
 [[nodiscard]] QString turnSentence(const MakeCompassRead& turn);
 /// "Correction · step 3 of 12".
 [[nodiscard]] QString stepTitle(const GuidedJob& job);
-/// "from ahead, reciprocal; zero +0.3°; true": for the record.
-[[nodiscard]] QString readOutWords(const DatumInstrument& instrument);
+/// "from ahead, reciprocal; zero +0.3°; true": for the record, so in no language but that of all records.
+[[nodiscard]] std::string readOutWords(const DatumInstrument& instrument);
 /// "315° was skipped (tug cannot turn): the curve is known to ±0.9 of a reading at 320° instead of ±0.8"; empty where nothing
 /// was.
 [[nodiscard]] QString skipWords(const JobState& state);

@@ -74,9 +74,9 @@ NewSwingPage::NewSwingPage(EditContext& context, QUndoStack& stack, QWidget* par
 void NewSwingPage::build()
 {
     m_kind->setObjectName(QStringLiteral("newKind"));
-    m_kind->addItems(swingKindWords());
+    m_kind->addItems(choiceWords<SwingKind>());
     m_stage->setObjectName(QStringLiteral("newStage"));
-    m_stage->addItems(swingStageWords());
+    m_stage->addItems(choiceWords<SwingStage>());
     m_limits->setObjectName(QStringLiteral("newLimits"));
     m_limits->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_limits->setToolTip(tr("What a new compass is held against. A known compass keeps its own: see the aircraft's page"));

@@ -9,6 +9,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include <array>
 #include <cmath>
 
 #include "core/angle/AngleText.h"
@@ -25,6 +26,10 @@
 namespace lubberline::ui {
 
 namespace {
+
+/// In the order of NmeaReference.
+constexpr std::array kReferences{MARKED("ui", "track over ground (RMC, VTG)"), MARKED("ui", "true heading (HDT, THS)"),
+    MARKED("ui", "another magnetic heading (HDM, HDG)")};
 
 Result<double> positive(const QString& text, const QString& what)
 {
@@ -108,11 +113,12 @@ void NmeaImportPage::build()
     const NmeaOptions usual;
     m_title->setObjectName(QStringLiteral("nmeaTitle"));
     m_reference->setObjectName(QStringLiteral("nmeaReference"));
-    m_reference->addItems({tr("track over ground (RMC, VTG)"), tr("true heading (HDT, THS)"), tr("another magnetic heading (HDM, HDG)")});
+    for (const Message reference : kReferences)
+        m_reference->addItem(toText(reference));
     m_wind->setObjectName(QStringLiteral("nmeaWind"));
     m_wind->addItems({tr("taken out in flight"), tr("taken out always (afloat)"), tr("none (on wheels)")}); // as NmeaWindChoice
     m_kind->setObjectName(QStringLiteral("nmeaKind"));
-    m_kind->addItems(swingKindWords());
+    m_kind->addItems(choiceWords<SwingKind>());
     m_kind->setCurrentIndex(static_cast<int>(SwingKind::Calibration));
     m_variation->setObjectName(QStringLiteral("nmeaVariation"));
     m_variation->setPlaceholderText(tr("empty: the log's, else the model's; log; model; or degrees, E +"));
@@ -221,9 +227,11 @@ Result<NmeaOptions> NmeaImportPage::options() const
         return !variation ? variation.error() : !speed ? speed.error() : rate.error();
     if (!error)
         return error.error();
-    options.date = m_date->text().trimmed().toStdString();
-    if (!options.date.empty() && !isIsoDate(options.date))
+    const QString typedDay = m_date->text().trimmed();
+    const auto day = typedDay.isEmpty() ? std::optional(Date()) : Date::read(typedDay.toStdString());
+    if (!day)
         return Error{ErrorCode::InvalidInput, said(tr("'%1' is no date; expected YYYY-MM-DD").arg(m_date->text()))};
+    options.date = *day;
     options.wind = static_cast<NmeaWindChoice>(m_wind->currentIndex());
     options.variationError_deg = *error;
     options.variation = *variation;
@@ -243,7 +251,7 @@ void NmeaImportPage::start()
         emit failed(messageOf(chosen.error()));
         return;
     }
-    m_datum = m_reference->currentText().toStdString();
+    m_datum = Message(kReferences[static_cast<std::size_t>(m_reference->currentIndex())]).english(); // it is stored
     m_used = *chosen;
     m_cancel->show();
     m_read->setEnabled(false);

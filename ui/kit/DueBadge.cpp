@@ -81,13 +81,4 @@ QIcon dueIcon(DueState state)
     return icons[static_cast<std::size_t>(state)];
 }
 
-QStringList dueCauseWords()
-{
-    return {DueBadgeTexts::tr("something else"), DueBadgeTexts::tr("ferrous parts or compass replaced"), DueBadgeTexts::tr("engine change"),
-        DueBadgeTexts::tr("cockpit or avionics modified"), DueBadgeTexts::tr("electrical system changed"),
-        DueBadgeTexts::tr("lightning strike"), DueBadgeTexts::tr("severe electrical storm"), DueBadgeTexts::tr("hard landing or shock"),
-        DueBadgeTexts::tr("magnetic cargo"), DueBadgeTexts::tr("moved to a very different field"),
-        DueBadgeTexts::tr("parked on one heading over a year"), DueBadgeTexts::tr("accuracy suspected")};
-}
-
 } // namespace lubberline::ui

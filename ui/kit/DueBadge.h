@@ -17,7 +17,4 @@ namespace lubberline::ui {
 /// The same shape as a character, for lists that have another badge already.
 [[nodiscard]] QString dueMark(DueState state);
 
-/// The causes in words, in the order of DueCause.
-[[nodiscard]] QStringList dueCauseWords();
-
 } // namespace lubberline::ui

@@ -39,7 +39,7 @@ struct PageContext {
     std::function<void()> openDemonstration = {};
 
     /// ISO 8601, UTC.
-    [[nodiscard]] std::function<std::string()> today() const
+    [[nodiscard]] std::function<Date()> today() const
     {
         return [&stores = stores] { return stores.clock().today(); };
     }

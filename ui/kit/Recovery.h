@@ -4,36 +4,12 @@
 #include <QString>
 #include <QStringList>
 
-#include <cstdint>
-#include <variant>
 #include <vector>
 
-#include "core/record/SwingJob.h"
+#include "core/format/exchange/LostJson.h"
 #include "db/stores/Stores.h"
 
 namespace lubberline::ui {
-
-/// A step of a guided swing, with how many steps were known.
-struct LostStep {
-    std::size_t place = 0;
-    JobEvent event;
-    friend bool operator==(const LostStep&, const LostStep&) = default;
-};
-/// A row of readings as it was to be.
-struct LostReading {
-    int row = 0;
-    Reading reading;
-    friend bool operator==(const LostReading&, const LostReading&) = default;
-};
-
-struct LostEntry {
-    std::string database; ///< where it belongs: Stores::location()
-    SwingId swing;
-    RecordId record;     ///< of the swing: an id may be another swing's by then
-    std::string subject; ///< whose swing it is, for people
-    std::variant<LostStep, LostReading> what;
-    friend bool operator==(const LostEntry&, const LostEntry&) = default;
-};
 
 class Recovery {
 public:

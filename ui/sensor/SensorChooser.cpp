@@ -12,21 +12,6 @@
 
 namespace lubberline::ui {
 
-namespace {
-
-QString wordsFor(ModelOrigin origin)
-{
-    switch (origin) {
-    case ModelOrigin::Entered: return SensorChooser::tr("entered by hand");
-    case ModelOrigin::Loaded: return SensorChooser::tr("loaded from a file");
-    case ModelOrigin::EstimatedFromSwings: return SensorChooser::tr("estimated from swings");
-    case ModelOrigin::IronBench: break;
-    }
-    return SensorChooser::tr("computed on the iron bench");
-}
-
-} // namespace
-
 SensorChooser::SensorChooser(SensorEditor& editor, QWidget* parent)
     : QWidget(parent)
     , m_editor(editor)
@@ -110,7 +95,7 @@ void SensorChooser::follow()
     m_remove->setEnabled(editable && some);
     m_fields.show(some ? *m_editor.record() : SensorRecord(), editable && some);
     m_origin->setText(!editable ? tr("The database can only be read: sliders play, nothing is stored.")
-            : some              ? wordsFor(m_editor.record()->origin)
+            : some              ? wordFor(m_editor.record()->origin)
                                 : tr("This compass has no model yet. The first figure that you set makes one."));
 }
 

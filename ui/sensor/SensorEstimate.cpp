@@ -15,7 +15,7 @@ namespace lubberline::ui {
 namespace {
 
 struct SensorEstimateTexts {
-    Q_DECLARE_TR_FUNCTIONS(SensorEstimate)
+    Q_DECLARE_TR_FUNCTIONS(lubberline::ui::SensorEstimate)
 };
 
 /// Older swings say nothing of today's iron, and are not read: that would take the window's time.
@@ -33,7 +33,7 @@ std::optional<EstimatedSwing> estimated(const SwingRecord& record)
     if (!result)
         return std::nullopt;
     const auto& stamp = record.swing.field;
-    const std::string label = record.swing.date + (record.site ? " " + record.site->name : std::string());
+    const std::string label = record.swing.date.text() + (record.site ? " " + record.site->name : std::string());
     auto atPlace = swingAtPlace(result->exact, stamp ? stamp->field.meridian() : MeridianField(), label);
     return atPlace ? std::optional(EstimatedSwing{std::move(atPlace.value()), stamp}) : std::nullopt;
 }

@@ -115,7 +115,7 @@ void SensorFieldForm::setSites(const std::vector<Site>& sites)
         compute();
 }
 
-void SensorFieldForm::showSite(SiteId site, const std::string& date)
+void SensorFieldForm::showSite(SiteId site, Date date)
 {
     m_date->setText(toText(date));
     for (std::size_t i = 0; i < m_sites.size(); ++i)

@@ -27,7 +27,7 @@ public:
 
     /// Sites without latitude and longitude are left out. What was typed stays; a site that is no more becomes what it gave.
     void setSites(const std::vector<Site>& sites);
-    void showSite(SiteId site, const std::string& date);
+    void showSite(SiteId site, Date date);
     void showTyped(const MeridianField& field);
 
     /// Errors: no such date, outside the years of every model, blackout zone.

@@ -14,7 +14,7 @@ constexpr double kSoftIron = 0.5, kHardIron_nT = 20000, kMount_deg = 20, kCurren
 constexpr double kMostSoftIron = 100, kMostField_nT = 1e6, kMostCurrent_A = 1e5;
 
 struct SensorParametersTexts {
-    Q_DECLARE_TR_FUNCTIONS(SensorParameters)
+    Q_DECLARE_TR_FUNCTIONS(lubberline::ui::SensorParameters)
 };
 
 ParameterSpec symmetric(

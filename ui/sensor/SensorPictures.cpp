@@ -14,7 +14,7 @@ namespace lubberline::ui {
 namespace {
 
 struct SensorPicturesTexts {
-    Q_DECLARE_TR_FUNCTIONS(SensorPictures)
+    Q_DECLARE_TR_FUNCTIONS(lubberline::ui::SensorPictures)
 };
 
 constexpr std::size_t kMarkedExtremes = 6, kMarkedWhileDragging = 2;

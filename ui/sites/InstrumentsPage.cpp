@@ -32,13 +32,6 @@ void takeKind(DatumInstrument& instrument, int choice)
 
 } // namespace
 
-QStringList datumKindWords()
-{
-    return {InstrumentsPage::tr("painted rose line"), InstrumentsPage::tr("sighting compass"), InstrumentsPage::tr("theodolite"),
-        InstrumentsPage::tr("digital compass on the aircraft"), InstrumentsPage::tr("transfer gyro"), InstrumentsPage::tr("astrocompass"),
-        InstrumentsPage::tr("runway direction"), InstrumentsPage::tr("INS or GPS"), InstrumentsPage::tr("electrical calibrator")};
-}
-
 QString datumExample(const DatumInstrument& instrument)
 {
     const auto heading = datumHeading(instrument, {{kExampleFigure_deg}, {}, {}}, Variation::fromDegrees(kExampleVariation_deg));
@@ -52,7 +45,7 @@ QString datumExample(const DatumInstrument& instrument)
     return text + '.';
 }
 
-InstrumentsPage::InstrumentsPage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, QWidget* parent)
+InstrumentsPage::InstrumentsPage(EditContext& context, QUndoStack& undo, std::function<Date()> today, QWidget* parent)
     : Page(parent)
     , m_context(context)
     , m_stores(context.stores)
@@ -89,7 +82,7 @@ void InstrumentsPage::build()
     };
     text(tr("Name:"), "instrumentName", &DatumInstrument::name);
     m_fields.addChoice(
-        *form, tr("Kind:"), QStringLiteral("instrumentKind"), datumKindWords(),
+        *form, tr("Kind:"), QStringLiteral("instrumentKind"), choiceWords<DatumKind>(),
         [](const DatumInstrument& one) { return static_cast<int>(one.kind); }, takeKind);
     text(tr("Maker:"), "instrumentMaker", &DatumInstrument::maker);
     text(tr("Serial number:"), "instrumentSerial", &DatumInstrument::serialNumber);
@@ -104,7 +97,7 @@ void InstrumentsPage::build()
             return {};
         });
     m_fields.addChoice(
-        *form, tr("From ahead it reads:"), QStringLiteral("instrumentAhead"), {tr("the aircraft's heading"), tr("its reciprocal")},
+        *form, tr("From ahead it reads:"), QStringLiteral("instrumentAhead"), choiceWords<SightingDirection>(),
         [](const DatumInstrument& one) { return static_cast<int>(one.ahead); },
         [](DatumInstrument& one, int choice) { one.ahead = static_cast<SightingDirection>(choice); });
     m_fields.addChoice(

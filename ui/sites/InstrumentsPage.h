@@ -15,8 +15,6 @@ class QUndoStack;
 
 namespace lubberline::ui {
 
-/// "rose line", "sighting compass" …, in the order of DatumKind.
-[[nodiscard]] QStringList datumKindWords();
 /// What the instrument's setting makes of a figure: "It reads 358 from ahead: the aircraft heads 178 magnetic."
 [[nodiscard]] QString datumExample(const DatumInstrument& instrument);
 
@@ -24,8 +22,8 @@ class InstrumentsPage : public Page {
     Q_OBJECT
 
 public:
-    /// @param today ISO 8601, UTC.
-    InstrumentsPage(EditContext& context, QUndoStack& undo, std::function<std::string()> today, QWidget* parent = nullptr);
+    /// @param today UTC.
+    InstrumentsPage(EditContext& context, QUndoStack& undo, std::function<Date()> today, QWidget* parent = nullptr);
     void reload();
 
     static PageDescription description(PageContext& context);
@@ -43,7 +41,7 @@ private:
     EditContext& m_context;
     db::Stores& m_stores;
     QUndoStack& m_undo;
-    std::function<std::string()> m_today;
+    std::function<Date()> m_today;
     std::vector<DatumInstrument> m_instruments;
     FormFields<DatumInstrument> m_fields;
     QListWidget* m_list;

@@ -27,7 +27,7 @@ QString optionalFigure(std::optional<double> value) { return value ? QString::nu
 
 namespace {
 
-FormFields<Site>::Take takeDate(std::string Site::*member)
+FormFields<Site>::Take takeDate(Date Site::*member)
 {
     return [member](Site& site, const QString& text) -> Result<void> {
         const auto date = parseDate(text, true);
@@ -66,7 +66,7 @@ FormFields<Site>::Take takeVariation(std::optional<double> Site::*member)
 
 } // namespace
 
-SitesPage::SitesPage(EditContext& context, QUndoStack& stack, std::function<std::string()> today, QWidget* parent)
+SitesPage::SitesPage(EditContext& context, QUndoStack& stack, std::function<Date()> today, QWidget* parent)
     : Page(parent)
     , m_context(context)
     , m_stack(stack)
@@ -310,7 +310,7 @@ void SitesPage::takeModelVariation()
     if (!stamp)
         return;
     after.variation_deg = std::round(stamp->field.variation().degrees() * 100) / 100;
-    after.variationSource = stamp->model + ", " + stamp->date;
+    after.variationSource = stamp->model + ", " + stamp->date.text();
     store(after, tr("variation"));
 }
 

@@ -24,8 +24,8 @@ class SitesPage : public Page {
     Q_OBJECT
 
 public:
-    /// @param today ISO 8601, UTC.
-    SitesPage(EditContext& context, QUndoStack& stack, std::function<std::string()> today, QWidget* parent = nullptr);
+    /// @param today UTC.
+    SitesPage(EditContext& context, QUndoStack& stack, std::function<Date()> today, QWidget* parent = nullptr);
     void reload();
 
     static PageDescription description(PageContext& context);
@@ -51,7 +51,7 @@ private:
 
     EditContext& m_context;
     QUndoStack& m_stack;
-    std::function<std::string()> m_today;
+    std::function<Date()> m_today;
     std::vector<Site> m_sites;
     FormFields<Site> m_fields;
     QListWidget* m_list;

@@ -78,7 +78,9 @@ void CoefficientsPanel::showFit(const SmithFitReport& fit, int column, double sc
             value ? whyNoInterval : whyNone);
         if (interval)
             m_table->item(static_cast<int>(i), column + 1)
-                ->setToolTip(tr("95 % interval (Student): %1 standard errors of %2").arg(*fit.intervalFactor, 0, 'f', 2).arg(*error * scale, 0, 'f', decimals));
+                ->setToolTip(tr("95 % interval (Student): %1 standard errors of %2")
+                                 .arg(*fit.intervalFactor, 0, 'f', 2)
+                                 .arg(*error * scale, 0, 'f', decimals));
     }
 }
 

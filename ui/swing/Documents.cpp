@@ -8,7 +8,7 @@ namespace lubberline::ui {
 
 QString fileStem(const SwingRecord& record)
 {
-    QString stem = toText(record.aircraft.registration + " " + record.compass.name + " " + record.swing.date);
+    QString stem = toText(record.aircraft.registration + " " + record.compass.name + " " + record.swing.date.text());
     static const QRegularExpression disliked(QStringLiteral("[^\\w .-]"), QRegularExpression::UseUnicodePropertiesOption);
     return stem.replace(disliked, QStringLiteral("-")).simplified();
 }

@@ -358,6 +358,8 @@ QString ReadingsModel::rejection(const QModelIndex& index) const
 
 QModelIndex ReadingsModel::firstRejected() const
 {
+    if (m_rejected.empty()) // nearly always, and a log has many rows
+        return {};
     for (int row = 0; row < rowCount(); ++row)
         for (int column = 0; column < kReadingColumns; ++column)
             if (rejectedAt(index(row, column)))

@@ -1,17 +1,13 @@
 #include "ui/swing/RecordDocuments.h"
 
 #include <QCoreApplication>
-#include <QDate>
-
 #include <cstdlib>
 
-#include "core/base/Calendar.h"
 #include "core/due/DueRules.h"
 #include "core/procedure/Checklist.h"
 #include "core/procedure/JobState.h"
 #include "core/procedure/LoadNotes.h"
 #include "core/swing/Observations.h"
-#include "core/swing/SwingResult.h"
 #include "ui/report/page/Figures.h"
 
 namespace lubberline::ui {
@@ -37,11 +33,10 @@ QString columnHeading(RadioState radio)
 /// Two swings stand on one card when they differ in the radio and were made in the same days.
 bool belongTogether(const Swing& swing, const Swing& other)
 {
-    const auto dateOf = [](const Swing& one) { return QDate::fromString(QString::fromStdString(one.date), Qt::ISODate); };
     const bool opposite = (swing.configuration.radio == RadioState::On && other.configuration.radio == RadioState::Off)
         || (swing.configuration.radio == RadioState::Off && other.configuration.radio == RadioState::On);
-    return opposite && swing.stage == other.stage && dateOf(swing).isValid() && dateOf(other).isValid()
-        && std::abs(dateOf(swing).daysTo(dateOf(other))) <= kDaysOfOneJob;
+    return opposite && swing.stage == other.stage && !swing.date.empty() && !other.date.empty()
+        && std::abs(daysBetween(swing.date, other.date)) <= kDaysOfOneJob;
 }
 
 /// The nearest by the list's order (newest first), which is one job in practice.
@@ -64,18 +59,9 @@ Result<std::optional<SwingRecord>> radioPartner(db::Stores& stores, const SwingR
     return std::optional<SwingRecord>();
 }
 
-/// What the guided swing that a swing came from adds to its result.
-Result<Analysis> storedResult(db::Stores& stores, const SwingRecord& record)
-{
-    const auto job = stores.jobs.jobOf(record.swing.id);
-    if (!job)
-        return job.error();
-    return resultOf(record, *job ? &(*job)->job : nullptr);
-}
-
 Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const CardOptions& options)
 {
-    const auto analysis = storedResult(stores, record);
+    const auto analysis = stores.jobs.resultOf(record);
     auto card = analysis ? makeCard(*analysis, options) : Result<Card>(analysis.error());
     if (!card)
         return card.error();
@@ -88,7 +74,7 @@ QString nextDue(db::Stores& stores, const SwingRecord& record)
     if (!rules || record.swing.date.empty())
         return {};
     const auto rule = ruleFor(*rules, record.type.record);
-    return rule ? QString::fromStdString(addMonths(record.swing.date, rule->months)) : QString();
+    return rule ? toText(addMonths(record.swing.date, rule->months)) : QString();
 }
 
 /// Of the guided swing that the card is of, by what its interference check read.
@@ -131,7 +117,7 @@ Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& made
     auto record = stores.swings.record(id);
     if (!record)
         return record.error();
-    auto analysis = storedResult(stores, *record);
+    auto analysis = stores.jobs.resultOf(*record);
     if (!analysis)
         return analysis.error();
     auto previous = stores.swings.previous(id);

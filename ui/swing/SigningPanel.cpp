@@ -51,11 +51,6 @@ void fit(QTableWidget& table)
     table.setVisible(table.rowCount() > 0);
 }
 
-QStringList roleWords()
-{
-    return {SigningPanel::tr("swung and adjusted by"), SigningPanel::tr("inspected by"), SigningPanel::tr("released by")};
-}
-
 } // namespace
 
 SigningPanel::SigningPanel(EditContext& context, const SwingEditor& editor, QWidget* parent)
@@ -88,7 +83,7 @@ void SigningPanel::build()
     m_statement->setObjectName(QStringLiteral("signStatement"));
     m_statement->setWordWrap(true);
     m_role->setObjectName(QStringLiteral("signRole"));
-    m_role->addItems(roleWords());
+    m_role->addItems(choiceWords<SignatureRole>());
     m_name->setObjectName(QStringLiteral("signName"));
     m_name->setPlaceholderText(tr("name"));
     m_licence->setObjectName(QStringLiteral("signLicence"));
@@ -178,7 +173,7 @@ void SigningPanel::showSignatures()
         const auto& one = signatures[i];
         const bool holds = hold && i < hold->size() && (*hold)[i];
         addRow(*m_signatures,
-            {roleWords()[static_cast<int>(one.role)], toText(one.name), toText(one.licence), toText(one.timeUtc),
+            {wordFor(one.role), toText(one.name), toText(one.licence), toText(one.timeUtc),
                 holds ? tr("✓ what the swing says now (%1…)").arg(toText(one.hash.substr(0, 12)))
                       : tr("✗ no longer: the swing was changed after it")});
     }

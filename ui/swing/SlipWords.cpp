@@ -26,7 +26,8 @@ constexpr std::size_t kMostJudged = 64;
 
 QString percent(double probability)
 {
-    return SlipWordsTexts::tr("%1 %").arg(std::min(99, static_cast<int>(std::lround(100 * probability))));
+    const long whole = std::lround(100 * probability);
+    return SlipWordsTexts::tr("%1 %").arg(std::min(99L, whole));
 }
 
 QString nameOf(Slip slip)
@@ -70,11 +71,13 @@ QString suspicionOf(const Analysis& analysis, std::size_t index, AngleStyle styl
         QStringList places{figure(reading.magnetic.degrees(), style)};
         for (const auto other : found->orReadings)
             places += figure(analysis.readings.at(other).magnetic.degrees(), style);
-        return SlipWordsTexts::tr("one of the readings on %1 was probably misread (%2); these readings cannot tell which: look at them again")
+        return SlipWordsTexts::tr(
+            "one of the readings on %1 was probably misread (%2); these readings cannot tell which: look at them again")
             .arg(places.join(SlipWordsTexts::tr(", ")), percent(found->probability));
     }
     const bool named = !found->candidates.empty() && found->candidates.front().slip != Slip::Unexplained;
-    return reads + ' ' + (named ? candidateWords(found->candidates.front(), style) : SlipWordsTexts::tr("Look again: no usual slip explains it"));
+    return reads + ' '
+        + (named ? candidateWords(found->candidates.front(), style) : SlipWordsTexts::tr("Look again: no usual slip explains it"));
 }
 
 SlipJudgement judgeRow(const SwingEditor& editor, int row)

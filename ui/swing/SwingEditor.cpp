@@ -6,7 +6,6 @@
 
 #include "core/angle/AngleText.h"
 #include "core/swing/Observations.h"
-#include "core/swing/SwingResult.h"
 #include "ui/fleet/RecordEdits.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/NominalLayout.h"
@@ -86,11 +85,7 @@ void SwingEditor::analyseRecord()
     m_used = usedReadings(m_record.swing);
     m_analysis.reset();
     m_whyNoAnalysis.clear();
-    std::optional<SwingJob> job;
-    if (!m_record.swing.job.empty())
-        if (auto found = m_context.stores.jobs.jobOf(id()); found && *found)
-            job = std::move((*found)->job);
-    auto result = resultOf(m_record, job ? &*job : nullptr);
+    auto result = m_context.stores.jobs.resultOf(m_record);
     if (result)
         m_analysis = std::make_shared<const Analysis>(std::move(result.value()));
     else

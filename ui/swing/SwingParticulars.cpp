@@ -94,10 +94,11 @@ void SwingParticulars::buildOccasion(QFormLayout& form)
             form, tr("Date:"), QStringLiteral("swingDate"), [](const Swing& swing) { return toText(swing.date); }, takeDate)
         ->setPlaceholderText(tr("year-month-day, UTC"));
     m_fields.addChoice(
-        form, tr("Kind:"), QStringLiteral("swingKind"), swingKindWords(), [](const Swing& swing) { return static_cast<int>(swing.kind); },
+        form, tr("Kind:"), QStringLiteral("swingKind"), choiceWords<SwingKind>(),
+        [](const Swing& swing) { return static_cast<int>(swing.kind); },
         [](Swing& swing, int choice) { swing.kind = static_cast<SwingKind>(choice); });
     m_fields.addChoice(
-        form, tr("Stage:"), QStringLiteral("swingStage"), swingStageWords(),
+        form, tr("Stage:"), QStringLiteral("swingStage"), choiceWords<SwingStage>(),
         [](const Swing& swing) { return static_cast<int>(swing.stage); },
         [](Swing& swing, int choice) { swing.stage = static_cast<SwingStage>(choice); });
     const auto shownSite = [this](const Swing& swing) {
@@ -115,7 +116,7 @@ void SwingParticulars::buildOccasion(QFormLayout& form)
 void SwingParticulars::buildConfiguration(QFormLayout& form)
 {
     m_fields.addChoice(
-        form, tr("Radio:"), QStringLiteral("swingRadio"), radioStateWords(),
+        form, tr("Radio:"), QStringLiteral("swingRadio"), choiceWords<RadioState>(),
         [](const Swing& swing) { return static_cast<int>(swing.configuration.radio); },
         [](Swing& swing, int choice) { swing.configuration.radio = static_cast<RadioState>(choice); });
     addPartLine(m_fields, form, tr("Engines:"), QStringLiteral("swingEngines"), &Swing::configuration, &Configuration::engines);

@@ -240,7 +240,7 @@ void MainWindow::offerRecovery()
 void MainWindow::keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what)
 {
     const LostEntry entry{m_stores.location().toStdString(), record.swing.id, record.swing.record,
-        record.aircraft.registration + ", " + record.compass.name + ", " + record.swing.date, std::move(what)};
+        record.aircraft.registration + ", " + record.compass.name + ", " + record.swing.date.text(), std::move(what)};
     if (const auto kept = m_recovery.keep(entry); kept)
         m_messages->add(MessagePanel::Kind::Information, tr("What could not be stored is kept and offered at the next start."));
     else

@@ -64,11 +64,12 @@ Result<void> takeChoice(const KeyLine& line, Choice& into)
     return {};
 }
 
-Result<void> takeDate(const KeyLine& line, std::string& into)
+Result<void> takeDate(const KeyLine& line, Date& into)
 {
-    if (!isIsoDate(line.value))
+    const auto day = Date::read(line.value);
+    if (!day)
         return wrongValue(line, MARKED("core", "a date of the calendar as YYYY-MM-DD"));
-    into = line.value;
+    into = *day;
     return {};
 }
 
@@ -261,12 +262,12 @@ std::string keyLinesOf(const SwingRecord& record)
     for (const auto& key : kTextKeys)
         if (key.key != "note")
             write(text, key.key, key.field(file));
-    write(text, "date", file.swing.date);
+    write(text, "date", file.swing.date.text());
     write(text, "kind", std::string(fileWord(file.swing.kind)));
     write(text, "stage", std::string(fileWord(file.swing.stage)));
     if (file.swing.configuration.radio != RadioState::NotStated)
         write(text, "radio", std::string(fileWord(file.swing.configuration.radio)));
-    write(text, "datum_calibration_due", file.swing.datum.calibrationDue);
+    write(text, "datum_calibration_due", file.swing.datum.calibrationDue.text());
     if (file.swing.variation_deg)
         write(text, "variation_deg", shortestNumber(*file.swing.variation_deg));
     if (file.swing.field)

@@ -4,9 +4,8 @@
 #include "core/angle/WrittenDegrees.h"
 #include "core/base/WholeFile.h"
 #include "core/format/exchange/Ranges.h"
-#include "core/format/json/JsonDocument.h"
-#include "core/format/json/JsonObject.h"
 #include "core/format/json/JsonWriter.h"
+#include "core/format/json/ReadObject.h"
 #include "core/iron/BenchCheck.h"
 
 namespace lubberline {
@@ -215,16 +214,7 @@ IronBench readBench(JsonObject& object, FirstFault& fault)
 
 Result<IronBench> readBenchJson(std::string_view text, const std::string& name)
 {
-    const auto document = parseJson(text, name, kExpectedBench);
-    if (!document)
-        return document.error();
-    FirstFault fault(name);
-    const JsonPath root;
-    JsonObject object(*document, root, fault);
-    IronBench bench = readBench(object, fault);
-    if (fault.error())
-        return *fault.error();
-    return bench;
+    return readJsonObject<IronBench>(text, name, kExpectedBench, readBench);
 }
 
 Result<IronBench> readBenchJsonFile(const std::string& path)

@@ -36,7 +36,7 @@ DueRule readDueRule(JsonObject& object)
 void writeWaiver(JsonWriter& json, const Waiver& waiver)
 {
     json.text("record", waiver.record);
-    json.text("date", waiver.date);
+    json.text("date", waiver.date.text());
     json.text("reason", waiver.reason);
     json.text("by", waiver.by);
 }

@@ -2,7 +2,7 @@
 
 #include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/Ranges.h"
-#include "core/format/json/JsonDocument.h"
+#include "core/format/json/ReadObject.h"
 
 namespace lubberline {
 
@@ -144,16 +144,7 @@ std::string writeElectricalJson(const ElectricalSwing& swing)
 
 Result<ElectricalSwing> readElectricalJson(std::string_view text, const std::string& name)
 {
-    const auto document = parseJson(text, name, MARKED("core", "an electrical swing"));
-    if (!document)
-        return document.error();
-    FirstFault fault(name);
-    const JsonPath root{};
-    JsonObject object(*document, root, fault);
-    ElectricalSwing swing = readElectrical(object);
-    if (fault.error())
-        return *fault.error();
-    return swing;
+    return readJsonObject<ElectricalSwing>(text, name, MARKED("core", "an electrical swing"), readElectrical);
 }
 
 } // namespace lubberline

@@ -37,48 +37,7 @@ void writeStates(JsonWriter& json, const BenchStates& states)
     json.end();
 }
 
-template <class Angle>
-std::optional<Angle> heading(JsonObject& object, std::string_view key)
-{
-    const auto heading_deg = object.number(key, kHeadingRange);
-    return heading_deg ? std::optional(Angle::fromDegrees(*heading_deg)) : std::nullopt;
-}
-
-std::vector<std::pair<std::string, std::string>> readExtra(JsonObject& object)
-{
-    std::vector<std::pair<std::string, std::string>> extra;
-    object.objects("extra", [&](JsonObject& pair) {
-        auto name = pair.requiredText("name");
-        auto value = pair.text("value");
-        pair.finish();
-        extra.emplace_back(std::move(name), std::move(value));
-    });
-    return extra;
-}
-
 } // namespace
-
-Reading readReading(JsonObject& object, bool withRaw)
-{
-    Reading reading;
-    if (const auto nominal_deg = object.number("nominal_deg", kHeadingRange))
-        reading.nominal_deg = wrap360(*nominal_deg);
-    reading.magnetic = heading<MagneticHeading>(object, "magnetic_heading_deg");
-    reading.compass = heading<CompassHeading>(object, "compass_heading_deg");
-    reading.trueHeading = heading<TrueHeading>(object, "true_heading_deg");
-    reading.pitch_deg = object.number("pitch_deg", {-90, 90});
-    reading.roll_deg = object.number("roll_deg", {-180, 180});
-    if (withRaw) {
-        reading.raw = readRaw(object);
-        reading.timeUtc = object.text("time_utc");
-    }
-    reading.note = object.text("note");
-    if (auto reason = object.optionalText("excluded"))
-        reading.exclusion = Exclusion{std::move(*reason)};
-    reading.extra = readExtra(object);
-    object.finish();
-    return reading;
-}
 
 FieldStamp readStamp(JsonObject& object)
 {
@@ -104,7 +63,7 @@ void writeStamp(JsonWriter& json, std::string_view key, const FieldStamp& stamp)
     json.number("latitude_deg", stamp.place.latitude_deg);
     json.number("longitude_deg", stamp.place.longitude_deg);
     json.number("height_m", stamp.place.height_m);
-    json.text("date", stamp.date);
+    json.text("date", stamp.date.text());
     json.number("north_nT", stamp.field.north_nT);
     json.number("east_nT", stamp.field.east_nT);
     json.number("down_nT", stamp.field.down_nT);

@@ -7,16 +7,12 @@
 #include "core/format/json/JsonObject.h"
 #include "core/format/json/JsonWriter.h"
 #include "core/record/SensorRecord.h"
-#include "core/record/Swing.h"
 
 namespace lubberline::exchange {
 
 /// {"model", "latitude_deg", "longitude_deg", "height_m", "date", "north_nT", "east_nT", "down_nT"}, all of them.
 [[nodiscard]] FieldStamp readStamp(JsonObject& object);
 void writeStamp(JsonWriter& json, std::string_view key, const FieldStamp& stamp);
-
-/// A reading, the whole object. @param withRaw it may have figures as they were read, and a time: from version 3 on.
-[[nodiscard]] Reading readReading(JsonObject& object, bool withRaw);
 
 /// The keys "model" (as in a Model JSON), "bench" (as in a Bench JSON) and "bench_states" of a sensor; a sensor without bench
 /// has neither of the last two.

@@ -9,6 +9,7 @@
 #include "core/format/exchange/InstrumentJson.h"
 #include "core/format/exchange/JobJson.h"
 #include "core/format/exchange/Ranges.h"
+#include "core/format/exchange/ReadingJson.h"
 #include "core/format/exchange/RecordChoice.h"
 #include "core/format/exchange/SiteJson.h"
 #include "core/format/exchange/SwingJson.h"
@@ -292,7 +293,7 @@ void FleetReader::readSwing(const Json& value, const JsonPath& path, CompassId c
     swing.note = object.text("note");
     if (m_version >= 3)
         readVersion3(object, swing);
-    object.objects("readings", [&](JsonObject& one) { swing.readings.push_back(exchange::readReading(one, m_version >= 3)); });
+    object.objects("readings", [&](JsonObject& one) { swing.readings.push_back(readReading(one, m_version >= 3)); });
     if (swing.readings.size() > kMaxReadings)
         object.fault("readings", {MARKED("core", "are more than %1; expected a compass swing"), kMaxReadings});
     object.finish();
@@ -337,7 +338,7 @@ void FleetReader::readRule(JsonObject& object)
 void FleetReader::readCause(JsonObject& object, Event& event)
 {
     if (const std::string word = object.text("cause"); !word.empty()) {
-        const auto cause = dueCauseNamed(word);
+        const auto cause = choiceOf<DueCause>(word);
         if (!cause)
             object.fault("cause",
                 {MARKED("core", "%1 is not known; expected a cause such as lightning, engine_change or parts_replaced"), inQuotes(word)});

@@ -10,6 +10,7 @@
 #include "core/format/exchange/InstrumentJson.h"
 #include "core/format/exchange/JobJson.h"
 #include "core/format/exchange/OptionalKeys.h"
+#include "core/format/exchange/ReadingJson.h"
 #include "core/format/exchange/SiteJson.h"
 #include "core/format/exchange/SwingJson.h"
 #include "core/format/json/JsonWriter.h"
@@ -18,13 +19,6 @@
 namespace lubberline {
 
 namespace {
-
-template <class Angle>
-void angle(JsonWriter& json, std::string_view key, const std::optional<Angle>& value)
-{
-    if (value)
-        json.number(key, value->degrees());
-}
 
 void record(JsonWriter& json, const RecordId& id)
 {
@@ -128,7 +122,6 @@ private:
     void write(const CompassSystem& compass);
     void write(const SensorRecord& sensor);
     void write(const Swing& swing);
-    void write(const Reading& reading);
 
     const Fleet& m_fleet;
     std::map<AircraftId, std::vector<const CompassSystem*>> m_compasses;
@@ -194,7 +187,7 @@ void FleetWriter::write(const Event& event)
     textIfAny(m_json, "kind", event.kind);
     textIfAny(m_json, "note", event.note);
     if (event.cause != DueCause::Other)
-        m_json.text("cause", nameOf(event.cause));
+        m_json.text("cause", fileWord(event.cause));
     const auto waivers = sorted(m_fleet.waivers, [&](const Waiver& one) { return one.event == event.record; });
     if (!waivers.empty())
         each("waivers", waivers);
@@ -269,33 +262,9 @@ void FleetWriter::write(const Swing& swing)
         m_json.end();
     }
     m_json.beginArray("readings");
-    for (const auto& reading : swing.readings)
-        write(reading);
-    m_json.end();
-}
-
-void FleetWriter::write(const Reading& reading)
-{
-    m_json.beginObject({}, true);
-    numberIfAny(m_json, "nominal_deg", reading.nominal_deg);
-    angle(m_json, "magnetic_heading_deg", reading.magnetic);
-    angle(m_json, "compass_heading_deg", reading.compass);
-    angle(m_json, "true_heading_deg", reading.trueHeading);
-    numberIfAny(m_json, "pitch_deg", reading.pitch_deg);
-    numberIfAny(m_json, "roll_deg", reading.roll_deg);
-    writeRaw(m_json, reading.raw);
-    textIfAny(m_json, "time_utc", reading.timeUtc);
-    textIfAny(m_json, "note", reading.note);
-    if (reading.exclusion)
-        m_json.text("excluded", reading.exclusion->reason);
-    if (!reading.extra.empty()) {
-        m_json.beginArray("extra");
-        for (const auto& [name, value] : reading.extra) {
-            m_json.beginObject();
-            m_json.text("name", name);
-            m_json.text("value", value);
-            m_json.end();
-        }
+    for (const auto& reading : swing.readings) {
+        m_json.beginObject({}, true);
+        writeReadingKeys(m_json, reading);
         m_json.end();
     }
     m_json.end();

@@ -8,18 +8,17 @@
 #include "core/format/exchange/InstrumentJson.h"
 #include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/Ranges.h"
+#include "core/format/exchange/RecordChoice.h"
 #include "core/format/exchange/SwingJson.h"
-#include "core/format/json/JsonDocument.h"
-#include "core/format/json/JsonObject.h"
 #include "core/format/json/JsonWriter.h"
+#include "core/format/json/ReadObject.h"
 
 namespace lubberline {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kKinds{"coefficient", "half_error", "index_first", "flux_valve", "check_only"};
-constexpr std::array<std::string_view, 3> kControls{"north_south", "east_west", "index"};
 constexpr NumberRange kStation{0, 1000};
+constexpr Pattern kExpectedJob = MARKED("core", "a guided swing");
 
 template <class Choice, std::size_t N>
 Choice choose(JsonObject& object, std::string_view key, const std::array<std::string_view, N>& words)
@@ -114,7 +113,7 @@ job::What readWhat(JsonObject& object, std::size_t kind)
     case 6: {
         job::Adjusted adjusted;
         adjusted.station = station(object);
-        adjusted.control = choose<Control>(object, "control", kControls);
+        adjusted.control = choice<Control>(object, "control");
         adjusted.before_deg = number("before_deg");
         adjusted.target_deg = number("target_deg");
         adjusted.after_deg = number("after_deg");
@@ -123,7 +122,7 @@ job::What readWhat(JsonObject& object, std::size_t kind)
     }
     case 7: {
         const int at = station(object);
-        const auto control = choose<Control>(object, "control", kControls);
+        const auto control = choice<Control>(object, "control");
         return job::NotAdjusted{at, control, object.requiredText("reason")};
     }
     case 8: {
@@ -190,7 +189,7 @@ std::vector<std::string> texts(JsonObject& object, std::string_view key)
 
 void readPlanKeys(JsonObject& object, SwingJob& job)
 {
-    job.plan.kind = choose<ProcedureKind>(object, "procedure", kKinds);
+    job.plan.kind = choice<ProcedureKind>(object, "procedure");
     job.plan.checkPoints = object.integer("check_points", {8, 24}).value_or(8);
     if (job.plan.checkPoints != 8 && job.plan.checkPoints != 12 && job.plan.checkPoints != 24)
         object.fault("check_points", {MARKED("core", "is %1; expected 8, 12 or 24"), job.plan.checkPoints}), job.plan.checkPoints = 8;
@@ -200,27 +199,7 @@ void readPlanKeys(JsonObject& object, SwingJob& job)
     job.checklist = texts(object, "checklist");
 }
 
-/// Reads one object of JSON text by `read`.
-template <class Value, class Read>
-Result<Value> readObject(std::string_view text, const std::string& name, Read read)
-{
-    const auto json = parseJson(text, name, MARKED("core", "a guided swing"));
-    if (!json)
-        return json.error();
-    FirstFault fault(name);
-    const JsonPath root{};
-    JsonObject object(*json, root, fault);
-    Value value = read(object);
-    if (fault.error())
-        return *fault.error();
-    return value;
-}
-
 } // namespace
-
-std::string_view fileWord(ProcedureKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
-
-std::string_view fileWord(Control control) { return kControls[static_cast<std::size_t>(control)]; }
 
 std::string writeJobEvent(const JobEvent& event)
 {
@@ -233,7 +212,10 @@ std::string writeJobEvent(const JobEvent& event)
     return text;
 }
 
-Result<JobEvent> readJobEvent(std::string_view text, const std::string& name) { return readObject<JobEvent>(text, name, readEventKeys); }
+Result<JobEvent> readJobEvent(std::string_view text, const std::string& name)
+{
+    return readJsonObject<JobEvent>(text, name, kExpectedJob, readEventKeys);
+}
 
 std::string writeJobPlan(const SwingJob& job)
 {
@@ -246,7 +228,7 @@ std::string writeJobPlan(const SwingJob& job)
 
 Result<SwingJob> readJobPlan(std::string_view text, const std::string& name)
 {
-    return readObject<SwingJob>(text, name, [](JsonObject& object) {
+    return readJsonObject<SwingJob>(text, name, kExpectedJob, [](JsonObject& object) {
         SwingJob job;
         readPlanKeys(object, job);
         object.finish();

@@ -26,8 +26,4 @@ Result<SwingJob> readJobPlan(std::string_view text, const std::string& name);
 void writeJob(JsonWriter& json, const SwingJob& job);
 [[nodiscard]] SwingJob readJob(JsonObject& object);
 
-/// Stable names for files.
-[[nodiscard]] std::string_view fileWord(ProcedureKind kind); ///< coefficient, half_error, index_first, flux_valve, check_only
-[[nodiscard]] std::string_view fileWord(Control control);    ///< north_south, east_west, index
-
 } // namespace lubberline

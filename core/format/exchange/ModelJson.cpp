@@ -7,9 +7,8 @@
 #include "core/angle/WrittenDegrees.h"
 #include "core/base/WholeFile.h"
 #include "core/format/exchange/Ranges.h"
-#include "core/format/json/JsonDocument.h"
-#include "core/format/json/JsonObject.h"
 #include "core/format/json/JsonWriter.h"
+#include "core/format/json/ReadObject.h"
 
 namespace lubberline {
 
@@ -116,21 +115,6 @@ SensorModel readOnlyModel(JsonObject& object)
     return readSensorModel(object);
 }
 
-template <class Value>
-Result<Value> readWith(Value (*read)(JsonObject&), std::string_view text, const std::string& name)
-{
-    const auto document = parseJson(text, name, kExpectedModel);
-    if (!document)
-        return document.error();
-    FirstFault fault(name);
-    const JsonPath root;
-    JsonObject object(*document, root, fault);
-    Value value = read(object);
-    if (fault.error())
-        return *fault.error();
-    return value;
-}
-
 void writePlace(JsonWriter& json, const PlaceAndDate& field)
 {
     json.number("lat_deg", field.place.latitude_deg);
@@ -202,8 +186,14 @@ void writeSensorModel(JsonWriter& json, const SensorModel& model)
     json.end();
 }
 
-Result<SensorSetup> readModelJson(std::string_view text, const std::string& name) { return readWith(readSetup, text, name); }
-Result<SensorModel> readSensorModelJson(std::string_view text, const std::string& name) { return readWith(readOnlyModel, text, name); }
+Result<SensorSetup> readModelJson(std::string_view text, const std::string& name)
+{
+    return readJsonObject<SensorSetup>(text, name, kExpectedModel, readSetup);
+}
+Result<SensorModel> readSensorModelJson(std::string_view text, const std::string& name)
+{
+    return readJsonObject<SensorModel>(text, name, kExpectedModel, readOnlyModel);
+}
 
 Result<SensorSetup> readModelJsonFile(const std::string& path)
 {

@@ -8,6 +8,8 @@ void textIfAny(JsonWriter& json, std::string_view key, const std::string& value)
         json.text(key, value);
 }
 
+void textIfAny(JsonWriter& json, std::string_view key, Date day) { textIfAny(json, key, day.text()); }
+
 void numberIfAny(JsonWriter& json, std::string_view key, std::optional<double> value)
 {
     if (value)

@@ -3,7 +3,7 @@
 #include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/Ranges.h"
 #include "core/format/exchange/RecordChoice.h"
-#include "core/format/json/JsonDocument.h"
+#include "core/format/json/ReadObject.h"
 
 namespace lubberline {
 
@@ -99,17 +99,11 @@ std::string writeSurvey(const std::vector<SurveyPoint>& points)
 
 Result<std::vector<SurveyPoint>> readSurvey(std::string_view text, const std::string& name)
 {
-    const auto document = parseJson(text, name, MARKED("core", "the survey of a compass base"));
-    if (!document)
-        return document.error();
-    FirstFault fault(name);
-    const JsonPath root{};
-    JsonObject object(*document, root, fault);
-    auto points = readPoints(object);
-    object.finish();
-    if (fault.error())
-        return *fault.error();
-    return points;
+    return readJsonObject<std::vector<SurveyPoint>>(text, name, MARKED("core", "the survey of a compass base"), [](JsonObject& object) {
+        auto points = readPoints(object);
+        object.finish();
+        return points;
+    });
 }
 
 } // namespace lubberline

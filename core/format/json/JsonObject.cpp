@@ -133,12 +133,13 @@ std::optional<std::string> JsonObject::optionalText(std::string_view key)
     return has(key) ? std::optional(requiredText(key)) : std::nullopt;
 }
 
-std::string JsonObject::date(std::string_view key)
+Date JsonObject::date(std::string_view key)
 {
-    std::string value = text(key);
-    if (!value.empty() && !isIsoDate(value))
+    const std::string value = text(key);
+    const auto day = Date::read(value);
+    if (!value.empty() && !day)
         fault(key, {MARKED("core", "%1 is not a date; expected a day of the calendar as YYYY-MM-DD"), inQuotes(value)});
-    return value;
+    return day.value_or(Date());
 }
 
 std::string JsonObject::recordId(std::string_view key)

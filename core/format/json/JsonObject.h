@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/Date.h"
 #include "core/base/Result.h"
 #include "core/format/json/JsonPath.h"
 
@@ -48,7 +49,7 @@ public:
     [[nodiscard]] std::string requiredText(
         std::string_view key, const Message& expected = MARKED("core", "text")); ///< neither missing nor empty
     [[nodiscard]] std::optional<std::string> optionalText(std::string_view key); ///< when there, not empty
-    [[nodiscard]] std::string date(std::string_view key);                        ///< empty, or a day of the calendar
+    [[nodiscard]] Date date(std::string_view key);                               ///< empty where there is none
     [[nodiscard]] std::string recordId(std::string_view key);
     [[nodiscard]] std::optional<double> number(std::string_view key, NumberRange range = {});
     [[nodiscard]] double requiredNumber(std::string_view key, NumberRange range);

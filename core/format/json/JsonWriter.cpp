@@ -24,20 +24,20 @@ void JsonWriter::startValue(std::string_view key)
         return;
     Level& level = m_levels.back();
     if (!level.empty)
-        m_text += level.inOneLine ? ", " : ",";
+        m_text += level.inOneLine && !m_compact ? ", " : ",";
     level.empty = false;
     if (!level.inOneLine)
         newLine();
     if (level.closing == '}') {
         string(key);
-        m_text += ": ";
+        m_text += m_compact ? ":" : ": ";
     }
 }
 
 void JsonWriter::begin(std::string_view key, char opening, Level level)
 {
     startValue(key);
-    level.inOneLine |= !m_levels.empty() && m_levels.back().inOneLine;
+    level.inOneLine |= m_compact || (!m_levels.empty() && m_levels.back().inOneLine);
     m_text += opening;
     m_levels.push_back(level);
 }
@@ -96,7 +96,9 @@ void JsonWriter::null(std::string_view key)
 std::string JsonWriter::take()
 {
     LUBBERLINE_EXPECT(m_levels.empty(), "every object and array has been ended");
-    return std::move(m_text) + "\n";
+    if (!m_compact)
+        m_text += '\n';
+    return std::move(m_text);
 }
 
 } // namespace lubberline

@@ -10,8 +10,15 @@
 
 namespace lubberline {
 
+enum class JsonLayout {
+    Lines,   ///< for people: a key a line, indented
+    Compact, ///< no space and no line end
+};
+
 class JsonWriter {
 public:
+    explicit JsonWriter(JsonLayout layout = JsonLayout::Lines) : m_compact(layout == JsonLayout::Compact) {}
+
     /// Begins an object, on one line when `inOneLine`; as the value of `key`, or with an empty key as the next of an array.
     void beginObject(std::string_view key = {}, bool inOneLine = false);
     void beginArray(std::string_view key = {}, bool inOneLine = false);
@@ -24,7 +31,7 @@ public:
     void boolean(std::string_view key, bool value);
     void null(std::string_view key);
 
-    /// All that was written, with a newline at the end; every object and array has been ended.
+    /// All that was written, with a newline at the end (not when compact); every object and array has been ended.
     [[nodiscard]] std::string take();
 
 private:
@@ -38,6 +45,7 @@ private:
     void newLine();
     void string(std::string_view value);
 
+    bool m_compact;
     std::string m_text;
     std::vector<Level> m_levels;
 };

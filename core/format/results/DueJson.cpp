@@ -14,6 +14,8 @@ void textOrNull(JsonWriter& json, std::string_view key, const std::string& text)
         json.text(key, text);
 }
 
+void dayOrNull(JsonWriter& json, std::string_view key, Date day) { textOrNull(json, key, day.text()); }
+
 void writeLine(JsonWriter& json, const DueLine& line)
 {
     json.beginObject();
@@ -22,13 +24,13 @@ void writeLine(JsonWriter& json, const DueLine& line)
     json.text("compass", line.compass.compassName);
     json.text("compass_record", line.compass.compassRecord);
     json.text("state", nameOf(line.answer.state));
-    textOrNull(json, "last_signed", line.answer.lastSigned);
-    textOrNull(json, "next_by_calendar", line.answer.nextByCalendar);
+    dayOrNull(json, "last_signed", line.answer.lastSigned);
+    dayOrNull(json, "next_by_calendar", line.answer.nextByCalendar);
     json.beginArray("flags");
     for (const auto& flag : line.answer.flags) {
         json.beginObject({}, true);
         json.text("state", nameOf(flag.state));
-        textOrNull(json, "since", flag.since);
+        dayOrNull(json, "since", flag.since);
         json.text("reason", flag.reason.english());
         textOrNull(json, "event", flag.event);
         json.end();
@@ -39,11 +41,11 @@ void writeLine(JsonWriter& json, const DueLine& line)
 
 } // namespace
 
-std::string toJson(std::span<const DueLine> lines, std::span<const Message> warnings, const std::string& today)
+std::string toJson(std::span<const DueLine> lines, std::span<const Message> warnings, Date today)
 {
     JsonWriter json;
     json.beginObject();
-    json.text("today", today);
+    json.text("today", today.text());
     json.beginArray("compasses");
     for (const auto& line : lines)
         writeLine(json, line);

@@ -70,7 +70,7 @@ std::string toJson(const NmeaSwing& swing, const std::optional<Analysis>& analys
         {"compass_talker", swing.compassTalker}, {"variation_deg", swing.variation ? Json(swing.variation->degrees()) : Json()},
         {"variation_source", swing.variationSource}, {"variation_of_model_deg", orNull(swing.variationOfModel_deg)},
         {"bad_headings", swing.badHeadings}, {"reference_source", swing.referenceSource},
-        {"date", swing.date.empty() ? Json() : Json(swing.date)}, {"delay", delayJson(swing)}, {"wind", windJson(swing.wind)},
+        {"date", swing.date.empty() ? Json() : Json(swing.date.text())}, {"delay", delayJson(swing)}, {"wind", windJson(swing.wind)},
         {"directions", directionsJson(swing.directions)}, {"readings", Json::array()}};
     for (const auto& pair : swing.pairs)
         if (pair.used)

@@ -21,7 +21,7 @@ Clock standingAt(sys_days day, milliseconds time)
 TEST(Clock, saysTheTimeAsItIsStored)
 {
     const Clock clock = standingAt(2026y / November / 6, hours(9) + minutes(5) + seconds(7) + milliseconds(40));
-    EXPECT_EQ(clock.today(), "2026-11-06");
+    EXPECT_EQ(clock.today(), Date("2026-11-06"));
     EXPECT_EQ(clock.nowUtc(), "2026-11-06T09:05:07Z");
     EXPECT_EQ(clock.nowUtc_ms(), "2026-11-06T09:05:07.040Z");
     EXPECT_EQ(standingAt(2024y / February / 29, hours(24) - milliseconds(1)).nowUtc_ms(), "2024-02-29T23:59:59.999Z");

@@ -93,15 +93,6 @@ TEST(Utf8, isToldFromOtherBytes)
         EXPECT_FALSE(isUtf8(text)) << text;
 }
 
-TEST(IsoDate, isADayOfTheCalendar)
-{
-    for (const char* text : {"2026-11-23", "2024-02-29", "2000-02-29", "1999-12-31"})
-        EXPECT_TRUE(isIsoDate(text)) << text;
-    for (const char* text : {"", "2023-02-29", "1900-02-29", "2026-13-01", "2026-00-10", "2026-04-31", "2026-4-3", "23.11.2026",
-             "2026/11/23", "2026-11-23T00", "2026-11-2a"})
-        EXPECT_FALSE(isIsoDate(text)) << text;
-}
-
 TEST(Quotes, nameWhatTheEyeCannotSee)
 {
     EXPECT_EQ(inQuotes("a\tb\x1b"), "\"a[U+0009]b[U+001B]\"");

@@ -41,7 +41,7 @@ std::set<AircraftId> outOfLimits(const Fleet& fleet)
     std::set<AircraftId> out;
     for (const auto& [compass, swing] : lastSwings(fleet)) {
         const auto analysis = analyse(observationsOf(*swing));
-        EXPECT_TRUE(analysis.ok()) << swing->date;
+        EXPECT_TRUE(analysis.ok()) << swing->date.text();
         if (analysis && judge(analysis->summary, limitsOf(fleet, *swing)).verdict == Verdict::OutOfLimits)
             out.insert(compassOf(fleet, *swing).aircraft);
     }
@@ -55,7 +55,7 @@ SwingAtPlace atPlace(const Swing& swing)
     const auto error = [&fit](Coefficient c) { return fit.standardError[indexOf(c)].value_or(0.0); };
     return {fit.smith(),
         {error(Coefficient::A), error(Coefficient::B), error(Coefficient::C), error(Coefficient::D), error(Coefficient::E)},
-        swing.field->field.meridian(), swing.date};
+        swing.field->field.meridian(), swing.date.text()};
 }
 
 } // namespace
@@ -75,7 +75,7 @@ TEST(DemoFleet, isTheSameOnEveryMachine)
     std::vector<double> compass_deg;
     for (const auto& reading : fleet.swings.front().readings)
         compass_deg.push_back(reading.compass->degrees());
-    EXPECT_EQ(fleet.swings.front().date, "2022-03-10");
+    EXPECT_EQ(fleet.swings.front().date, Date("2022-03-10"));
     EXPECT_EQ(fleet.swings.front().record, recordIdFor("demonstration swing 1" + fleet.compasses.front().record + "2022-03-10"));
     EXPECT_THAT(compass_deg, testing::ElementsAre(358, 44, 92, 139, 180, 224, 265, 311));
 }
@@ -90,7 +90,7 @@ TEST(DemoFleet, isLargeEnoughAndMarked)
         EXPECT_TRUE(aircraft.demonstration);
     std::set<std::string> years;
     for (const auto& swing : fleet.swings)
-        years.insert(swing.date.substr(0, 4));
+        years.insert(swing.date.text().substr(0, 4));
     EXPECT_EQ(years.size(), 5u);
 }
 
@@ -121,7 +121,7 @@ TEST(DemoFleet, hasRecordsOfItsOwnAndReferencesThatHold)
         registrations.insert(aircraft.registration);
     EXPECT_EQ(registrations.size(), fleet.aircraft.size());
     for (const auto& swing : fleet.swings) {
-        EXPECT_TRUE(isIsoDate(swing.date)) << swing.date;
+        EXPECT_FALSE(swing.date.empty());
         EXPECT_TRUE(swing.site.valid() && swing.compass.valid());
     }
 }
@@ -148,7 +148,7 @@ TEST(DemoFleet, hasOneMisreadFigureThatTheResidualsFind)
                 ++slips;
                 EXPECT_TRUE(analysis->readings[i].suspect);
                 EXPECT_FALSE(swing.readings[i].exclusion); // left in for the user to find
-                EXPECT_TRUE(swing.date.starts_with("2025"));
+                EXPECT_TRUE(swing.date.text().starts_with("2025"));
             }
     }
     EXPECT_EQ(slips, 1);
@@ -200,11 +200,11 @@ TEST(DemoFleet, everySwingHasTheFieldOfItsBaseAndDay)
     const Fleet fleet = demoFleet();
     for (const auto& swing : fleet.swings) {
         const Site& site = fleet.sites[static_cast<std::size_t>(swing.site.value) - 1];
-        ASSERT_TRUE(swing.field) << swing.date;
+        ASSERT_TRUE(swing.field) << swing.date.text();
         EXPECT_EQ(stateOf(swing, site), StampState::Current);
-        EXPECT_EQ(swing.field->model, swing.date < "2025" ? "IGRF-14" : "WMM2025");
+        EXPECT_EQ(swing.field->model, swing.date < Date("2025-01-01") ? "IGRF-14" : "WMM2025");
         if (swing.variation_deg) {
-            EXPECT_LT(std::abs(*variationBeyondStamp_deg(swing)), kDoubtfulVariation_deg) << site.name << " " << swing.date;
+            EXPECT_LT(std::abs(*variationBeyondStamp_deg(swing)), kDoubtfulVariation_deg) << site.name << " " << swing.date.text();
         }
     }
 }
@@ -229,7 +229,8 @@ TEST(DemoFleet, magnetometersAreSwungFarApartFromOneHiddenModel)
             mostH_nT = std::max(mostH_nT, swing.field->field.horizontal_nT());
             for (const auto& reading : swing.readings) {
                 const auto seen = readSensor(deployment->hidden, swing.field->field.meridian(), {*reading.magnetic, 0, 0});
-                EXPECT_NEAR(wrap180(seen.compass->degrees() - reading.compass->degrees()), 0, 0.8) << swing.date; // five times the noise
+                EXPECT_NEAR(wrap180(seen.compass->degrees() - reading.compass->degrees()), 0, 0.8)
+                    << swing.date.text(); // five times the noise
             }
             EXPECT_EQ(judge(analyse(observationsOf(swing))->summary, limitsOf(fleet, swing)).verdict, Verdict::InLimits);
         }

@@ -19,7 +19,8 @@ std::vector<Observation> turn(std::mt19937_64& engine, double rho, double slow_d
     for (int i = 0; i < 400; ++i) {
         slow = rho * slow + std::sqrt(1 - rho * rho) * slow_deg * normal(engine);
         const double psi = 0.9 * i, delta = -3 * std::sin(toRadians(psi)) + 2 * std::cos(toRadians(psi));
-        readings.push_back({MagneticHeading::fromDegrees(psi), CompassHeading::fromDegrees(psi - delta + slow + white_deg * normal(engine))});
+        readings.push_back(
+            {MagneticHeading::fromDegrees(psi), CompassHeading::fromDegrees(psi - delta + slow + white_deg * normal(engine))});
     }
     return readings;
 }

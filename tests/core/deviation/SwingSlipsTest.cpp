@@ -141,7 +141,8 @@ TEST(SwingSlips, howSmallASlipCouldPassIsSaid)
     const auto seenFrom = [](int count) {
         std::vector<Observation> readings;
         for (int i = 0; i < count; ++i)
-            readings.push_back({MagneticHeading::fromDegrees(360.0 * i / count), CompassHeading::fromDegrees(std::round(360.0 * i / count))});
+            readings.push_back(
+                {MagneticHeading::fromDegrees(360.0 * i / count), CompassHeading::fromDegrees(std::round(360.0 * i / count))});
         return findSlips(readings, 1.0).seenFrom_deg;
     };
     EXPECT_FALSE(seenFrom(2));

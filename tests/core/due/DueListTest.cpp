@@ -8,11 +8,12 @@
 
 #include "core/due/DueList.h"
 #include "core/format/results/DueJson.h"
+#include "core/record/RecordWords.h"
 
 namespace lubberline {
 namespace {
 
-DueCompass compass(int id, const std::string& registration, std::vector<std::string> swings)
+DueCompass compass(int id, const std::string& registration, std::vector<Date> swings)
 {
     DueCompass made;
     made.compass = {id};
@@ -25,7 +26,7 @@ DueCompass compass(int id, const std::string& registration, std::vector<std::str
     return made;
 }
 
-Event event(const std::string& record, const std::string& date, DueCause cause, const std::string& words)
+Event event(const std::string& record, Date date, DueCause cause, const std::string& words)
 {
     Event made;
     made.record = record;
@@ -82,8 +83,8 @@ TEST(DueList, wordsThatDoNotTellTheCauseAreGivenIt)
     auto one = compass(1, "1", {});
     one.events = {event("e1", "2026-10-05", DueCause::HardLanding, "incident 14"), event("e2", "2026-10-06", DueCause::EngineChange, "")};
     const auto input = inputFor(one, {}, {}, "2026-11-23");
-    EXPECT_EQ(input.events[0].text, "incident 14 (hard landing)");
-    EXPECT_EQ(input.events[1].text, "engine change");
+    EXPECT_EQ(input.events[0].reason.english(), "incident 14 (hard landing or shock)");
+    EXPECT_EQ(input.events[1].reason.english(), "engine change");
 }
 
 TEST(DueList, theCrewsWordsTellTheCause)
@@ -99,7 +100,7 @@ TEST(DueList, theCrewsWordsTellTheCause)
         {"new compass fitted", DueCause::PartsReplaced}, {"compass re-installed", DueCause::PartsReplaced},
         {"accuracy suspected", DueCause::AccuracySuspected}, {"washed", DueCause::Other}, {"", DueCause::Other}};
     for (const auto& [text, cause] : words)
-        EXPECT_EQ(nameOf(causeInWords(text)), nameOf(cause)) << text;
+        EXPECT_EQ(fileWord(causeInWords(text)), fileWord(cause)) << text;
     for (int i = 1; i < kDueCauses; ++i)
         EXPECT_EQ(causeInWords(inWords(static_cast<DueCause>(i))), static_cast<DueCause>(i)) << inWords(static_cast<DueCause>(i));
 }
@@ -126,7 +127,7 @@ TEST(DueList, theCalendarHasOneEntryForEachDay)
     const auto entries = calendarOf(dueList(fleet, kTwoYears, moves, "2026-12-24"));
     std::vector<std::pair<std::string, std::string>> told;
     for (const auto& entry : entries)
-        told.emplace_back(entry.uid, entry.date);
+        told.emplace_back(entry.uid, entry.date.text());
     std::sort(told.begin(), told.end());
     EXPECT_EQ(told,
         (std::vector<std::pair<std::string, std::string>>{{"event-e1-compass-1@lubberline", "2026-10-05"},

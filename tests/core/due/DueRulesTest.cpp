@@ -3,14 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "core/due/DueRules.h"
+#include "core/record/RecordWords.h"
 
 namespace lubberline {
 namespace {
 
-DueInput input(std::string today, std::vector<std::string> swings = {})
+Message said(const char* words) { return Message::verbatim(std::string(words)); }
+
+DueInput input(Date today, std::vector<Date> swings = {})
 {
     DueInput made;
-    made.today = std::move(today);
+    made.today = today;
     made.signedSwings = std::move(swings);
     made.rule = DueRule{"rule", "24 months", 24, 10, 30, "AWB 34-008", "3", {}};
     return made;
@@ -18,15 +21,15 @@ DueInput input(std::string today, std::vector<std::string> swings = {})
 
 TEST(DueRules, calendarOnTheDayItself)
 {
-    const auto on = [](const char* today) { return dueOf(input(today, {"2020-01-01", "2024-11-23"})); };
+    const auto on = [](Date today) { return dueOf(input(today, {"2020-01-01", "2024-11-23"})); };
     EXPECT_EQ(on("2026-10-23").state, DueState::NotDue);
     EXPECT_EQ(on("2026-10-24").state, DueState::DueSoon); // 30 days before
     EXPECT_EQ(on("2026-11-23").state, DueState::DueSoon); // good through the day
     EXPECT_EQ(on("2026-11-24").state, DueState::Due);
     EXPECT_EQ(on("2026-12-03").state, DueState::Due); // ten days of grace
     EXPECT_EQ(on("2026-12-04").state, DueState::Overdue);
-    EXPECT_EQ(on("2026-10-23").nextByCalendar, "2026-11-23");
-    EXPECT_EQ(on("2026-10-23").lastSigned, "2024-11-23");
+    EXPECT_EQ(on("2026-10-23").nextByCalendar, Date("2026-11-23"));
+    EXPECT_EQ(on("2026-10-23").lastSigned, Date("2024-11-23"));
 }
 
 TEST(DueRules, leapDay)
@@ -49,8 +52,8 @@ TEST(DueRules, neverSwung)
 TEST(DueRules, anEventStaysOpenUntilALaterSignedSwingOrAWaiver)
 {
     auto made = input("2026-11-23", {"2026-05-01"});
-    made.events = {{"e1", "2026-06-10", DueCause::Lightning, "lightning strike, nose"}, {"e2", "2026-06-11", DueCause::Other, "washed"},
-        {"e3", "2026-12-01", DueCause::EngineChange, "planned"}};
+    made.events = {{"e1", "2026-06-10", DueCause::Lightning, said("lightning strike, nose")},
+        {"e2", "2026-06-11", DueCause::Other, said("washed")}, {"e3", "2026-12-01", DueCause::EngineChange, said("planned")}};
     auto due = dueOf(made);
     ASSERT_EQ(due.flags.size(), 1u);
     EXPECT_EQ(due.flags[0].event, "e1");
@@ -69,7 +72,7 @@ TEST(DueRules, anEventStaysOpenUntilALaterSignedSwingOrAWaiver)
 TEST(DueRules, eventsBeforeTheCompassWasInstalledAreNotItsOwn)
 {
     auto made = input("2026-11-23", {"2026-01-01"});
-    made.events = {{"e1", "2026-02-10", DueCause::HardLanding, "hard landing"}};
+    made.events = {{"e1", "2026-02-10", DueCause::HardLanding, said("hard landing")}};
     made.installed = "2026-02-11";
     auto due = dueOf(made);
     ASSERT_EQ(due.flags.size(), 1u);
@@ -89,7 +92,7 @@ TEST(DueRules, anInstallationWantsASwing)
     made.rule.reset();
     made.installed = "2026-03-01";
     ASSERT_EQ(dueOf(made).flags.size(), 1u);
-    EXPECT_EQ(dueOf(made).flags[0].since, "2026-03-01");
+    EXPECT_EQ(dueOf(made).flags[0].since, Date("2026-03-01"));
     EXPECT_EQ(dueOf(made).state, DueState::Due);
     made.signedSwings.push_back("2026-03-01"); // on the day: there was no compass to swing before
     EXPECT_EQ(dueOf(made).state, DueState::NotDue);
@@ -102,7 +105,8 @@ TEST(DueRules, anInstallationWantsASwing)
 TEST(DueRules, eachOfTwoEventsWantsItsOwnWaiver)
 {
     auto made = input("2026-11-23", {"2026-05-01"});
-    made.events = {{"e1", "2026-06-10", DueCause::Lightning, "lightning"}, {"e2", "2026-06-10", DueCause::EngineChange, "engine change"}};
+    made.events = {
+        {"e1", "2026-06-10", DueCause::Lightning, said("lightning")}, {"e2", "2026-06-10", DueCause::EngineChange, said("engine change")}};
     made.waivers = {{"w1", "e1", "2026-06-12", "two headings agree", "inspector"}};
     const auto due = dueOf(made);
     ASSERT_EQ(due.flags.size(), 1u);
@@ -114,7 +118,7 @@ TEST(DueRules, eachOfTwoEventsWantsItsOwnWaiver)
 TEST(DueRules, anEventOfTodayIsOpenToday)
 {
     auto made = input("2028-02-29", {"2028-02-28"});
-    made.events = {{"e1", "2028-02-29", DueCause::HardLanding, "hard landing"}};
+    made.events = {{"e1", "2028-02-29", DueCause::HardLanding, said("hard landing")}};
     EXPECT_EQ(dueOf(made).state, DueState::Due);
     made.today = "2028-02-28";
     EXPECT_EQ(dueOf(made).state, DueState::NotDue);
@@ -138,7 +142,7 @@ TEST(DueRules, graceEndsAcrossTheLeapDay)
 TEST(DueRules, theMostUrgentFlagIsFirst)
 {
     auto made = input("2027-06-01", {"2024-11-23"});
-    made.events = {{"e1", "2026-02-10", DueCause::Moved, "moved to Singapore"}};
+    made.events = {{"e1", "2026-02-10", DueCause::Moved, said("moved to Singapore")}};
     made.predictedOutOfLimits = true;
     made.predictedReason = Message::verbatim(std::string("13 degrees expected"));
     const auto due = dueOf(made);
@@ -150,8 +154,8 @@ TEST(DueRules, theMostUrgentFlagIsFirst)
 TEST(DueRules, causesHaveStableNames)
 {
     for (int i = 0; i < kDueCauses; ++i)
-        EXPECT_EQ(dueCauseNamed(nameOf(static_cast<DueCause>(i))), static_cast<DueCause>(i));
-    EXPECT_FALSE(dueCauseNamed("earthquake"));
+        EXPECT_EQ(choiceOf<DueCause>(fileWord(static_cast<DueCause>(i))), static_cast<DueCause>(i));
+    EXPECT_FALSE(choiceOf<DueCause>("earthquake"));
 }
 
 TEST(DueRules, aTypesOwnRuleGoesFirst)

@@ -195,7 +195,7 @@ TEST(FieldStamp, keepsModelPlaceDateAndField)
     ASSERT_TRUE(stamp);
     EXPECT_EQ(stamp->model, "WMM2025");
     EXPECT_EQ(stamp->place, place);
-    EXPECT_EQ(stamp->date, "2026-11-23");
+    EXPECT_EQ(stamp->date, Date("2026-11-23"));
     EXPECT_EQ(stamp->field, wmm2025().evaluate(place, *decimalYear("2026-11-23"))->field);
     EXPECT_EQ(stampField(place, "2005-06-01")->model, "IGRF-14");
     EXPECT_FALSE(stampField(place, "1899-06-01"));

@@ -105,7 +105,7 @@ TEST(ExchangeVersion3, aFleetWithoutItStaysInTheOlderVersion)
     fleet.events.clear();
     fleet.sites.clear();
     fleet.aircraft.front().base = {};
-    fleet.compasses.front().installed.clear();
+    fleet.compasses.front().installed = {};
     Swing& swing = fleet.swings.front();
     Swing plain;
     plain.id = swing.id;

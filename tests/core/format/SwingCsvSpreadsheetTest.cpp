@@ -117,7 +117,7 @@ TEST(SpreadsheetCsv, keysComeBackFromTheirCells)
                   "magnetic_heading_deg,compass_heading_deg,note\n0,358,\n90,84,\n");
     ASSERT_TRUE(file) << describe(file.error());
     EXPECT_EQ(file->aircraft, "SP-XYZ");
-    EXPECT_EQ(file->swing.date, "2026-11-20");
+    EXPECT_EQ(file->swing.date, Date("2026-11-20"));
     EXPECT_EQ(file->site, "\u0141\u00F3d\u017A, stand 4");
     EXPECT_EQ(file->operatorName, "J\u00FCrgen");
     EXPECT_EQ(file->swing.note, "the \"old\" compass");

@@ -105,7 +105,7 @@ TEST(SwingCsv, keysBecomeParticulars)
     EXPECT_EQ(file->compass, "standby compass");
     EXPECT_EQ(file->site, "D\u0119blin");
     EXPECT_EQ(file->operatorName, "someone: else");
-    EXPECT_EQ(file->swing.date, "2024-02-29");
+    EXPECT_EQ(file->swing.date, Date("2024-02-29"));
     EXPECT_EQ(file->swing.kind, SwingKind::Correction);
     EXPECT_EQ(file->swing.stage, SwingStage::AsLeft);
     EXPECT_EQ(file->swing.configuration.radio, RadioState::On);

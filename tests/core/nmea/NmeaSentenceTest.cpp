@@ -132,7 +132,7 @@ TEST(NmeaValues, otherSentencesOfHeadingAndTime)
     EXPECT_DOUBLE_EQ(water.compass->degrees(), 100.2);
     const auto clock = read<NmeaClock>("$GPZDA,201530.00,04,07,2002,00,00*60");
     EXPECT_DOUBLE_EQ(clock.time.secondsOfDay, 20 * 3600 + 15 * 60 + 30);
-    EXPECT_EQ(*clock.time.date, "2002-07-04");
+    EXPECT_EQ(*clock.time.date, Date("2002-07-04"));
     EXPECT_FALSE(read<NmeaClock>("$GPZDA,201530.00,31,02,2002,00,00").time.date); // no day of the calendar
 }
 
@@ -156,7 +156,7 @@ TEST(NmeaValues, recommendedMinimum)
     EXPECT_DOUBLE_EQ(*track.speed_kt, 0.5);
     EXPECT_DOUBLE_EQ(track.variation->degrees(), 20.3);
     EXPECT_DOUBLE_EQ(track.time->secondsOfDay, 22 * 3600 + 54 * 60 + 46);
-    EXPECT_EQ(*track.time->date, "1994-11-19");
+    EXPECT_EQ(*track.time->date, Date("1994-11-19"));
     EXPECT_NEAR(*track.latitude_deg, 49 + 16.45 / 60, 1e-12);
     EXPECT_NEAR(*track.longitude_deg, -(123 + 11.12 / 60), 1e-12);
 }

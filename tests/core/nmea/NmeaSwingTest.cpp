@@ -81,7 +81,7 @@ TEST(NmeaSwing, theCoefficientsOfATurnComeBack)
     EXPECT_EQ(swing->sentences, 720);
     EXPECT_EQ(swing->pairs.size(), 360u);
     EXPECT_EQ(swing->used, 360u);
-    EXPECT_EQ(swing->date, "2026-11-23");
+    EXPECT_EQ(swing->date, Date("2026-11-23"));
     EXPECT_EQ(swing->pairs.front().timeUtc, "2026-11-23T10:00:00.000Z");
     expectSmith(*swing, 0.002);
 }

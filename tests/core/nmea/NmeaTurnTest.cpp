@@ -316,7 +316,7 @@ TEST(NmeaTurn, datesThatCannotBeAreDoubtedAloud)
     right.date = "2025-11-20";
     flight.date = "060406";
     const auto answer = answerOf(logOf(flight), right);
-    EXPECT_EQ(answer.swing.date, "2025-11-20");
+    EXPECT_EQ(answer.swing.date, Date("2025-11-20"));
     EXPECT_FALSE(answer.says("week count"));
 }
 

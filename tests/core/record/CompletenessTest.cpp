@@ -7,7 +7,7 @@
 namespace lubberline {
 namespace {
 
-Swing ofCardinals(const std::string& date)
+Swing ofCardinals(Date date)
 {
     Swing swing;
     swing.date = date;

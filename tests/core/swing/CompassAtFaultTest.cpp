@@ -66,7 +66,8 @@ TEST(CompassAtFault, aLargeIndexIsOneLargeA)
         EXPECT_THAT(inEnglish(analysis->warnings).front(), HasSubstr("taken out as its index"));
         EXPECT_TRUE(analysis->slips.slips.empty());
         const auto there = readings[3];
-        EXPECT_NEAR(wrap180(deviationAt(analysis->exact, there.magnetic).degrees() - deviationOf(there.magnetic, there.compass).degrees()), 0, 2.0);
+        EXPECT_NEAR(
+            wrap180(deviationAt(analysis->exact, there.magnetic).degrees() - deviationOf(there.magnetic, there.compass).degrees()), 0, 2.0);
     }
 }
 

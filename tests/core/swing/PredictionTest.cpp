@@ -115,10 +115,9 @@ public:
             const double compass_deg = std::round(heading_deg - toDegrees(deviation_rad(field, heading_deg)) + 0.3 * normal());
             observations.push_back({MagneticHeading::fromDegrees(heading_deg), CompassHeading::fromDegrees(compass_deg)});
         }
-        auto analysis = analyse(observations);
+        const auto analysis = analyse(observations, {.maxOrder = 0, .readingError_rad = readingError_rad(1), .findSlips = false});
         if (!analysis)
             return {};
-        widenToReadings(*analysis, readingError_rad(1));
         const auto swing = swingAtPlace(analysis->exact, field, "a base");
         return swing ? std::optional(*swing) : std::nullopt;
     }

@@ -18,7 +18,7 @@ Site siteAt(double latitude_deg, double longitude_deg, std::optional<double> ele
     return site;
 }
 
-Swing swingOn(const std::string& date)
+Swing swingOn(Date date)
 {
     Swing swing;
     swing.date = date;
@@ -43,7 +43,7 @@ TEST(SwingField, isThatOfTheSiteOnTheDay)
     ASSERT_TRUE(answer);
     EXPECT_EQ(stamp->field, answer->field);
     EXPECT_EQ(stamp->model, "WMM2025");
-    EXPECT_EQ(stamp->date, "2026-03-10");
+    EXPECT_EQ(stamp->date, Date("2026-03-10"));
     EXPECT_EQ(stamp->place, (Place{51.55, 21.89, 117}));
     EXPECT_EQ(stampFor(swingOn("2005-06-01"), siteAt(51.55, 21.89))->model, "IGRF-14");
     EXPECT_EQ(stampFor(swingOn("2026-03-10"), siteAt(51.55, 21.89, {}))->place.height_m, 0);

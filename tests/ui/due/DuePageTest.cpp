@@ -13,7 +13,6 @@
 #include <QTest>
 #include <QUndoStack>
 
-#include "core/base/Calendar.h"
 #include "tests/db/TestStores.h"
 #include "ui/due/DuePage.h"
 #include "ui/due/DueWatch.h"
@@ -29,7 +28,7 @@ namespace {
 struct OpenDue {
     test::TestStores stores;
     AircraftId old, struck, fresh;
-    std::string today = "2026-11-23";
+    Date today = "2026-11-23";
     QString path;
     QStringList failures, told;
     EditContext context{stores, [this](const Error& error) { failures += messageOf(error); }};
@@ -45,7 +44,7 @@ struct OpenDue {
         event(struck, "2026-06-10", DueCause::Lightning, "lightning strike");
         event(struck, "2026-06-11", DueCause::HardLanding, "hard landing");
     }
-    AircraftId add(const std::string& type, const std::string& registration, const std::string& swung)
+    AircraftId add(const std::string& type, const std::string& registration, Date swung)
     {
         const auto types = *stores.fleet.types();
         const auto known = std::find_if(types.begin(), types.end(), [&](const TypeRow& one) { return one.name == type; });
@@ -64,7 +63,7 @@ struct OpenDue {
         static_cast<void>(*stores.swings.add(swing));
         return compass.aircraft;
     }
-    void event(AircraftId aircraft, const std::string& date, DueCause cause, const std::string& words)
+    void event(AircraftId aircraft, Date date, DueCause cause, const std::string& words)
     {
         Event made;
         made.aircraft = aircraft;
@@ -190,7 +189,7 @@ private slots:
         QCOMPARE(waiver.event, open.stores.whole().events[1].record);
         QCOMPARE(waiver.reason, std::string("inspected, no shift on 000 and 090"));
         QCOMPARE(waiver.by, std::string("J. Nowak"));
-        QCOMPARE(waiver.date, std::string("2026-11-23"));
+        QCOMPARE(waiver.date, Date("2026-11-23"));
         QCOMPARE(open.text(open.row("3802"), 5), QString("lightning strike"));
         QCOMPARE(flags.rowCount(), 1);
         QVERIFY(open.find<QLineEdit>("waiverReason").text().isEmpty());

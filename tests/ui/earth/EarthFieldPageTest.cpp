@@ -303,15 +303,15 @@ void EarthFieldPageTest::theMapFollowsElementAndYear()
 
 void EarthFieldPageTest::placesAreReadAndWritten()
 {
-    QCOMPARE(*parseLatitude_deg("51°33'N"), 51.55);
-    QCOMPARE(*parseLatitude_deg("33,5 s"), -33.5);
-    QCOMPARE(*parseLatitude_deg("-90"), -90.0);
-    QCOMPARE(*parseLongitude_deg("540"), 540.0);
-    QCOMPARE(*parseLongitude_deg("70 30 W"), -70.5);
-    QVERIFY(!parseLatitude_deg("90.01 S"));
-    QVERIFY(!parseLatitude_deg(""));
-    QVERIFY(!parseLongitude_deg("nan"));
-    QVERIFY(!parseLongitude_deg(""));
+    QCOMPARE(*parseLatitude_deg(QString("51°33'N")), 51.55);
+    QCOMPARE(*parseLatitude_deg(QString("33,5 s")), -33.5);
+    QCOMPARE(*parseLatitude_deg(QString("-90")), -90.0);
+    QCOMPARE(*parseLongitude_deg(QString("540")), 540.0);
+    QCOMPARE(*parseLongitude_deg(QString("70 30 W")), -70.5);
+    QVERIFY(!parseLatitude_deg(QString("90.01 S")));
+    QVERIFY(!parseLatitude_deg(QString("")));
+    QVERIFY(!parseLongitude_deg(QString("nan")));
+    QVERIFY(!parseLongitude_deg(QString("")));
     QCOMPARE(*parseHeight_m(""), 0.0);
     QCOMPARE(*parseHeight_m("118,5"), 118.5);
     for (const double degrees : {0.0, -51.5534, 89.9999, -0.25}) {

@@ -82,7 +82,7 @@ private slots:
         QCOMPARE(listener.heading.heading("HCHDG")->mean_deg, 98.3);
         QVERIFY(!listener.heading.isTrue("HCHDG"));
         QVERIFY(listener.heading.isTrue("GPHDT"));
-        QCOMPARE(listener.heading.variation()->degrees(), -12.6);
+        QCOMPARE(listener.heading.variation()->variation.degrees(), -12.6);
     }
 
     void aPortThatVanishes()
@@ -125,7 +125,7 @@ private slots:
         QTRY_VERIFY(listener.heading.referenceChannels().contains("GPRMC"));
         QCOMPARE(listener.heading.compassChannels(), (QStringList{"HCHDG", "IIHDG"})); // two talkers stay two
         QCOMPARE(listener.heading.heading("GPRMC")->mean_deg, 45.0);
-        QCOMPARE(listener.heading.variation()->degrees(), 6.5);
+        QCOMPARE(listener.heading.variation()->variation.degrees(), 6.5);
     }
 
     void aReplayedLogSettles()

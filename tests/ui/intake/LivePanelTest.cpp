@@ -181,7 +181,7 @@ private slots:
         QCOMPARE(made.count(), 1);
         const Swing swing = made.front().front().value<Swing>();
         QCOMPARE(swing.compass, fleet.compass);
-        QCOMPARE(swing.date, std::string("2026-11-23"));
+        QCOMPARE(swing.date, Date("2026-11-23"));
         const auto analysis = analyse(observationsOf(swing));
         QVERIFY(qAbs(toDegrees(*analysis->approximate.of(Coefficient::A)) - 2) < 0.1);
         QVERIFY(qAbs(toDegrees(*analysis->approximate.of(Coefficient::B)) - 3) < 0.1);

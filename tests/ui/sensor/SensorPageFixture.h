@@ -75,7 +75,7 @@ struct OpenPage {
         return *stores.save(site);
     }
     /// Every 30°, as the model reads there in the field of the day.
-    SwingId addSwing(SiteId site, const std::string& date, const SensorModel& model)
+    SwingId addSwing(SiteId site, Date date, const SensorModel& model)
     {
         Swing swing;
         swing.compass = compass;

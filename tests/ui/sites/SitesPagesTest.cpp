@@ -43,7 +43,7 @@ private slots:
         type(in<QLineEdit>(page, "siteExpiry"), "2026-11-23");                         // on the day itself it holds
         QVERIFY(in<QLabel>(page, "siteFitness").text().startsWith("●"));
         stack.undo();
-        QCOMPARE(fleet.stores.sites.sites()->front().certificateExpiry, std::string("2026-11-22"));
+        QCOMPARE(fleet.stores.sites.sites()->front().certificateExpiry, Date("2026-11-22"));
     }
 
     void aSurveyIsTypedAndSummed()
@@ -101,7 +101,7 @@ private slots:
         QCOMPARE(fleet.stores.sites.instruments()->front().name, std::string("B-16"));
         QCOMPARE(in<QLineEdit>(page, "instrumentDue").text(), QString("2026-11-22")); // the page shows it again
         stack.undo();
-        QCOMPARE(fleet.stores.sites.instruments()->front().calibrationDue, std::string());
+        QCOMPARE(fleet.stores.sites.instruments()->front().calibrationDue, Date());
         stack.undo();
         stack.undo(); // its name, and that it was made
         QVERIFY(fleet.stores.sites.instruments()->empty());

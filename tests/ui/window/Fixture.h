@@ -62,7 +62,7 @@ struct SmallFleet {
     }
 
     /// Readings: magnetic and compass headings [deg].
-    SwingId addSwing(const std::string& date, const std::vector<std::pair<double, double>>& headings_deg)
+    SwingId addSwing(Date date, const std::vector<std::pair<double, double>>& headings_deg)
     {
         Swing made;
         made.compass = compass;

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTableWidget>
 
+#include "db/engine/Statement.h"
 #include "tests/ui/window/Fixture.h"
 #include "ui/fleet/AircraftPage.h"
 #include "ui/fleet/RecordEdits.h"
@@ -25,6 +26,7 @@ private slots:
     void anEventTypedForOneAircraftIsGoneOnTheNext();
     void figuresOfOneGuidedSwingAreGoneInTheNext();
     void anotherWindowsChangeIsShownBeforeItIsSigned();
+    void aGuidedSwingThatDoesNotReadIsSaidOnItsPage();
     void everyShortcutIsGivenOnce();
 
 private:
@@ -92,10 +94,11 @@ void RecordPagesTest::whatIsSignedIsTheSwingInTheTitle()
     route(open, fleet, other);
     const SwingRecord shown = open.window.findChild<SwingPage*>()->editor().record();
     QVERIFY(shown.swing.id != first);
-    QVERIFY(open.label("swingTitle").contains(QString::fromStdString(shown.swing.date)));
+    QVERIFY(open.label("swingTitle").contains(QString::fromStdString(shown.swing.date.text())));
     open.trigger("signSwing");
     QVERIFY(open.find<QLineEdit>("signName").text().isEmpty());
-    QVERIFY2(open.label("signStatement").contains(QString::fromStdString(shown.swing.date)), qPrintable(open.label("signStatement")));
+    QVERIFY2(
+        open.label("signStatement").contains(QString::fromStdString(shown.swing.date.text())), qPrintable(open.label("signStatement")));
     open.find<QPushButton>("changeState").click(); // completes the one that is shown, if anything
     open.find<QLineEdit>("signName").setText("Ben");
     open.find<QPushButton>("signButton").click();
@@ -164,6 +167,18 @@ void RecordPagesTest::anotherWindowsChangeIsShownBeforeItIsSigned()
     second.trigger("complete");
     QCOMPARE(open.window.findChild<SwingPage*>()->editor().record().swing.state, SwingState::Complete);
     QVERIFY(open.find<QWidget>("signButton").isVisible());
+}
+
+void RecordPagesTest::aGuidedSwingThatDoesNotReadIsSaidOnItsPage()
+{
+    SmallFleet fleet;
+    const SwingId swing = fleet.addSwing("2026-11-20", eightPoints());
+    QVERIFY(fleet.stores.jobs.add(swing, SwingJob(), true));
+    QVERIFY(db::execute(fleet.stores.database(), "UPDATE swing_job SET plan_json = '{'"));
+    OpenWindow open(fleet.stores);
+    open.window.go(swing);
+    QVERIFY2(open.label("meaning").contains("does not read"), qPrintable(open.label("meaning")));
+    QVERIFY(!open.window.findChild<SwingPage*>()->editor().analysis()); // no figures without the datum's division
 }
 
 void RecordPagesTest::everyShortcutIsGivenOnce()

@@ -7,9 +7,11 @@
 
 #include <string>
 
+#include "core/base/Date.h"
+
 namespace lubberline::ui {
 
-inline const std::string kToday = "2026-11-23";
+inline constexpr Date kToday = "2026-11-23";
 
 template <class Widget>
 Widget& in(QWidget& page, const char* name)

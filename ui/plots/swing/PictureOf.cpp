@@ -12,7 +12,7 @@ namespace {
 QString titleOf(const SwingRecord& record)
 {
     QStringList parts;
-    for (const std::string& part : {record.aircraft.registration, record.compass.name, record.swing.date})
+    for (const std::string& part : {record.aircraft.registration, record.compass.name, record.swing.date.text()})
         if (!part.empty())
             parts += QString::fromStdString(part);
     return parts.join(QStringLiteral(" · "));

@@ -4,61 +4,6 @@
 
 namespace lubberline::ui {
 
-QString wordsFor(SwingKind kind)
-{
-    switch (kind) {
-    case SwingKind::Check: return Words::tr("check swing");
-    case SwingKind::Correction: return Words::tr("correction swing");
-    case SwingKind::Calibration: return Words::tr("calibration swing");
-    case SwingKind::Air: return Words::tr("air swing");
-    }
-    return {};
-}
-
-QString wordsFor(SwingStage stage) { return stage == SwingStage::AsFound ? Words::tr("as found") : Words::tr("as left"); }
-
-QString wordsFor(SwingState state)
-{
-    switch (state) {
-    case SwingState::Draft: return Words::tr("draft");
-    case SwingState::Complete: return Words::tr("complete, not yet signed");
-    case SwingState::Signed: return Words::tr("signed");
-    }
-    return {};
-}
-
-QString wordsFor(RadioState radio)
-{
-    switch (radio) {
-    case RadioState::NotStated: return {};
-    case RadioState::On: return Words::tr("radio on");
-    case RadioState::Off: return Words::tr("radio off");
-    }
-    return {};
-}
-
-QString wordsFor(CompassKind kind)
-{
-    switch (kind) {
-    case CompassKind::DirectReading: return Words::tr("direct reading");
-    case CompassKind::RemoteUnstabilised: return Words::tr("remote reading, not stabilised");
-    case CompassKind::RemoteStabilised: return Words::tr("remote reading, gyro-stabilised");
-    }
-    return {};
-}
-
-QString wordsFor(Compensator compensator)
-{
-    switch (compensator) {
-    case Compensator::Unknown: return {};
-    case Compensator::None: return Words::tr("no compensator");
-    case Compensator::Screws: return Words::tr("compensated by screws");
-    case Compensator::Magnets: return Words::tr("compensated by magnets");
-    case Compensator::Electronic: return Words::tr("compensated electronically");
-    }
-    return {};
-}
-
 QString bannerFor(const SwingRecord& record)
 {
     QStringList marks;
@@ -71,7 +16,9 @@ QString bannerFor(const SwingRecord& record)
 
 QString configurationWords(const Configuration& configuration)
 {
-    return joined({labelled(Words::tr("engines"), printable(configuration.engines)), wordsFor(configuration.radio),
+    const QString radio
+        = configuration.radio == RadioState::NotStated ? QString() : labelled(Words::tr("radio"), wordFor(configuration.radio));
+    return joined({labelled(Words::tr("engines"), printable(configuration.engines)), radio,
         labelled(Words::tr("electrics"), printable(configuration.electrics)), printable(configuration.other)});
 }
 

@@ -71,7 +71,7 @@ void describeField(const ReportInput& input, FieldPage& page)
 {
     page.field = fieldFacts(input.record.swing);
     page.combinations = combinationsTable(input.analysis.exact);
-    const auto swing = swingAtPlace(input.analysis.exact, input.record.swing.field->field.meridian(), input.record.swing.date);
+    const auto swing = swingAtPlace(input.analysis.exact, input.record.swing.field->field.meridian(), input.record.swing.date.text());
     if (!swing) {
         page.unknown
             = {Words::tr("the headings of this swing do not tell all five coefficients, so nothing is said of Poisson's parameters")};

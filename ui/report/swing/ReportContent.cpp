@@ -33,7 +33,7 @@ SwingPicture pictureFor(const ReportInput& input)
         input.record, std::make_shared<const Analysis>(input.analysis), {}, previousAnalysis(input.previous), label, input.angleStyle);
 }
 
-QString wordFor(Verdict verdict)
+QString verdictWordOf(Verdict verdict)
 {
     switch (verdict) {
     case Verdict::InLimits: return Words::tr("PASS");
@@ -153,7 +153,7 @@ ReportContent contentOf(const ReportInput& input)
     content.frame = frameFor(record, Words::tr("Compass swing report"), input.madeAtUtc);
     content.frame.credit = Words::tr("The plots are based in part on the work of the Qwt project (http://qwt.sf.net).");
     content.verdict = judge(input.analysis.summary, record.limits).verdict;
-    content.verdictWord = wordFor(content.verdict);
+    content.verdictWord = verdictWordOf(content.verdict);
     content.verdictSentence = sentenceFor(input);
     content.facts = factsOf(record);
     if (auto change = changeFact(input))

@@ -23,9 +23,11 @@ QString aircraftWords(const Aircraft& aircraft, const AircraftType& type)
 
 QString compassWords(const CompassSystem& compass)
 {
-    return joined({printable(compass.name), wordsFor(compass.kind), printable(compass.maker),
+    const QString compensator
+        = compass.compensator == Compensator::Unknown ? QString() : labelled(Words::tr("compensator:"), wordFor(compass.compensator));
+    return joined({printable(compass.name), wordFor(compass.kind), printable(compass.maker),
         labelled(Words::tr("part no."), printable(compass.partNumber)), labelled(Words::tr("serial no."), printable(compass.serialNumber)),
-        printable(compass.location), Words::tr("read to %1°").arg(compass.resolution_deg), wordsFor(compass.compensator)});
+        printable(compass.location), Words::tr("read to %1°").arg(compass.resolution_deg), compensator});
 }
 
 QString swingWords(const Swing& swing)
@@ -34,8 +36,10 @@ QString swingWords(const Swing& swing)
     const QString times = swing.startUtc.empty()
         ? QString()
         : Words::tr("%1 to %2 UTC").arg(printable(swing.startUtc).mid(11, 5), printable(swing.endUtc).mid(11, 5));
+    const QString state
+        = swing.state == SwingState::Complete ? Words::tr("%1, not yet signed").arg(wordFor(swing.state)) : wordFor(swing.state);
     const QString revision = swing.revision > 1 ? Words::tr("revision %1").arg(swing.revision) : QString();
-    return joined({date, times, wordsFor(swing.kind), wordsFor(swing.stage), wordsFor(swing.state), revision, printable(swing.weather)});
+    return joined({date, times, wordFor(swing.kind), wordFor(swing.stage), state, revision, printable(swing.weather)});
 }
 
 QString workWords(const Swing& swing)

@@ -28,14 +28,17 @@ QString errorWords(const Analysis& analysis)
     const auto& fit = analysis.approximate;
     if (!fit.fitted())
         return Words::tr("there is no fit, and no errors of it.");
-    const QString looked = Words::tr("Suspect: a slip of reading or writing is likely, by Bayes' rule over the usual slips; a suspect reading "
-                                     "stays in use until somebody excludes it with a reason. t is the externally studentised residual.");
+    const QString looked
+        = Words::tr("Suspect: a slip of reading or writing is likely, by Bayes' rule over the usual slips; a suspect reading "
+                    "stays in use until somebody excludes it with a reason. t is the externally studentised residual.");
     if (!fit.intervalFactor)
-        return Words::tr("the standard errors are those of the smallest division alone: there are no more readings than coefficients, and no "
-                         "interval can be given.")
+        return Words::tr(
+                   "the standard errors are those of the smallest division alone: there are no more readings than coefficients, and no "
+                   "interval can be given.")
             + ' ' + looked;
-    return Words::tr("standard errors are of the scatter about the fit, and never less than the smallest division leaves. 95 % ± is the half "
-                     "width of the interval that holds the true value 95 times in 100: %1 standard errors (Student).")
+    return Words::tr(
+               "standard errors are of the scatter about the fit, and never less than the smallest division leaves. 95 % ± is the half "
+               "width of the interval that holds the true value 95 times in 100: %1 standard errors (Student).")
                .arg(figure(*fit.intervalFactor, 2))
         + ' ' + looked;
 }

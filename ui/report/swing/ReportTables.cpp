@@ -163,8 +163,7 @@ Table coefficientsTable(const Analysis& analysis)
         row.cells = {coefficientName(c), signedFigure(inDegrees(analysis.approximate.value[i]), 2),
             figure(inDegrees(analysis.approximate.standardError[i]), 2), figure(inDegrees(analysis.approximate.interval95(c)), 2),
             signedFigure(analysis.exact.value[i], kExactDecimals), figure(analysis.exact.interval95(c), kExactDecimals),
-            signedFigure(inDegrees(angles[i]), 2),
-            signedFigure(inDegrees(rules[i]), 2)};
+            signedFigure(inDegrees(angles[i]), 2), signedFigure(inDegrees(rules[i]), 2)};
         table.rows.push_back(row);
     }
     return table;

@@ -15,17 +15,6 @@ using Align = TableColumn::Align;
 constexpr double kMostRoll_deg = 60;
 constexpr int kHeadings = 181, kRolls = 121;
 
-QString wordsFor(ModelOrigin origin)
-{
-    switch (origin) {
-    case ModelOrigin::Entered: return Words::tr("entered");
-    case ModelOrigin::Loaded: return Words::tr("loaded from a file");
-    case ModelOrigin::EstimatedFromSwings: return Words::tr("estimated from swings");
-    case ModelOrigin::IronBench: break;
-    }
-    return Words::tr("computed by the iron bench");
-}
-
 TableRow vectorRow(const QString& name, const QString& unit, const QStringList& figures)
 {
     return {QStringList{name, unit} + figures, TableRow::Look::Plain};
@@ -108,7 +97,7 @@ MapPicture mapOf(const ReportInput& input, const SensorModel& model, const QStri
 
 void describeSensor(const ReportInput& input, const SensorRecord& sensor, FieldPage& page)
 {
-    page.sensor = {{Words::tr("Name"), joined({printable(sensor.name), wordsFor(sensor.origin)})}};
+    page.sensor = {{Words::tr("Name"), joined({printable(sensor.name), wordFor(sensor.origin)})}};
     if (const QString note = printable(sensor.note); !note.isEmpty())
         page.sensor.push_back({Words::tr("Note"), note});
     page.parameters = parametersTable(sensor.model);

@@ -40,7 +40,7 @@ TEST(ReportCsv, ourReaderGetsTheReadingsBack)
     }
     EXPECT_EQ(file->swing.readings[2].exclusion, record.swing.readings[2].exclusion);
     EXPECT_EQ(file->aircraft, "SP-XYZ");
-    EXPECT_EQ(file->swing.date, "2026-11-20");
+    EXPECT_EQ(file->swing.date, Date("2026-11-20"));
 }
 
 TEST(ReportCsv, theResultsStandBesideTheReadings)

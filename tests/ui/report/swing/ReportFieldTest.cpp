@@ -98,7 +98,7 @@ TEST(ReportField, tellsTheNewestModelWithItsCoefficientsAndMap)
     const auto smith = smithOf(input.sensors.front().model, input.record.swing.field->field.meridian());
     ASSERT_TRUE(smith);
     const QString text = PdfProbe(input).flowingText();
-    for (const char* words : {"newest model · computed by the iron bench", "of the tail",
+    for (const char* words : {"newest model · computed on the iron bench", "of the tail",
              "landing light, 10.0 A, on nT/A +14.00 −22.00 +6.00", "Hard iron P, Q, R nT −620.0 +480.0 +350.0",
              "Misalignment: roll, pitch, yaw ° 0.00 0.00 +1.50", "Deviation over heading and roll, modelled", "MODELLED"})
         EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words;

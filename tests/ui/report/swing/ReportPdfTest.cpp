@@ -89,7 +89,7 @@ TEST(ReportPdf, saysWhatIsNotStated)
     record.swing.configuration = {};
     record.swing.datum = {};
     record.swing.people = {};
-    record.swing.date.clear();
+    record.swing.date = {};
     const QString text = PdfProbe(reportOf(record)).flowingText();
     EXPECT_TRUE(text.contains("Site not stated"));
     EXPECT_TRUE(text.contains("Swing date not stated"));

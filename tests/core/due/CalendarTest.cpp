@@ -1,30 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "core/base/Calendar.h"
 #include "core/due/CalendarFile.h"
 
 namespace lubberline {
 namespace {
-
-TEST(Calendar, monthsKeepTheDayWhereThereIsOne)
-{
-    EXPECT_EQ(addMonths("2024-11-23", 24), "2026-11-23");
-    EXPECT_EQ(addMonths("2024-02-29", 12), "2025-02-28");
-    EXPECT_EQ(addMonths("2024-02-29", 48), "2028-02-29");
-    EXPECT_EQ(addMonths("2025-02-28", 36), "2028-02-28");
-    EXPECT_EQ(addMonths("2026-01-31", 1), "2026-02-28");
-    EXPECT_EQ(addMonths("2026-12-31", 2), "2027-02-28");
-    EXPECT_EQ(addMonths("2026-03-31", -1), "2026-02-28");
-}
-
-TEST(Calendar, daysAcrossLeapYears)
-{
-    EXPECT_EQ(addDays("2024-02-28", 1), "2024-02-29");
-    EXPECT_EQ(addDays("2100-02-28", 1), "2100-03-01");
-    EXPECT_EQ(addDays("2026-01-01", -1), "2025-12-31");
-    EXPECT_EQ(daysBetween("2024-01-01", "2025-01-01"), 366);
-    EXPECT_EQ(daysBetween("2026-11-24", "2026-11-23"), -1);
-}
 
 TEST(CalendarFile, isWhatRfc5545Wants)
 {

@@ -1,0 +1,9717 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="pl_PL" sourcelanguage="en">
+<context>
+    <name>SlipWordsTexts</name>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app</name>
+    <message>
+        <source>this swing is of %1, %2; expected the aircraft and compass of %3 (%4, %5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 findings in %2 swings; expected none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the demonstration database has no swing with a result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder cannot be made; expected one that may be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the window could not be started</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is no day of the calendar; expected YYYY-MM-DD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--cause: &apos;%1&apos; is not known; expected one of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--cause: &apos;%1&apos; is not known; expected one of %2 (did you mean %3?)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no event &apos;%1&apos;; expected a record id as `lubberline due` tells it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; begins %2 events; expected more of the record id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an Electrical JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no aircraft type &apos;%1&apos; with a compass; expected one of the fleet, or all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no rule &apos;%1&apos;; expected one that `lubberline rule` lists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--role: &apos;%1&apos; is not known; expected %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the horizontal field at the sensor vanishes on every heading, which leaves no readings for %1; expected a compass that points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the horizontal field at the sensor vanishes on heading %1: no compass heading there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--switch &quot;%1&quot;; expected NAME=on or NAME=off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no circuit &quot;%1&quot;; the model has none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no circuit &quot;%1&quot;; the model has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the data folder cannot be made; name a database with --db FILE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PostgreSQL databases are not supported yet; expected an SQLite file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swing %1 is of another compass; expected swings of one compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swing %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set, or QT_QPA_PLATFORM names one that nobody sees); commands work without one: lubberline --help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window of the demonstration fleet could not be started.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard input (-) is named twice; expected it once, it can be read only once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a database is no stream; expected the name of an SQLite file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>degrees such as 3.25, -3.25, 3.25W or 3°15&apos;W, between -180 and 180</source>
+        <translation>stopni, na przykład 3.25, -3.25, 3.25W lub 3°15&apos;W, od -180 do 180</translation>
+    </message>
+    <message>
+        <source>not an angle</source>
+        <translation>to nie kąt</translation>
+    </message>
+    <message>
+        <source>signed twice</source>
+        <translation>znak podano dwa razy</translation>
+    </message>
+    <message>
+        <source>too large</source>
+        <translation>za duża wartość</translation>
+    </message>
+    <message>
+        <source>not a heading</source>
+        <translation>to nie kurs</translation>
+    </message>
+    <message>
+        <source>not a heading: it has an E or a W</source>
+        <translation>to nie kurs: zawiera E lub W</translation>
+    </message>
+    <message>
+        <source>this is a folder; expected the name of a file to write</source>
+        <translation>to folder; oczekiwano nazwy pliku do zapisania</translation>
+    </message>
+    <message>
+        <source>this is a pipe; expected the name of a file to write</source>
+        <translation>to potok; oczekiwano nazwy pliku do zapisania</translation>
+    </message>
+    <message>
+        <source>this is a socket; expected the name of a file to write</source>
+        <translation>to gniazdo; oczekiwano nazwy pliku do zapisania</translation>
+    </message>
+    <message>
+        <source>this is a device; expected the name of a file to write</source>
+        <translation>to urządzenie; oczekiwano nazwy pliku do zapisania</translation>
+    </message>
+    <message>
+        <source>this is a link that leads to no file; expected the name of a file to write</source>
+        <translation>to dowiązanie, które nie prowadzi do pliku; oczekiwano nazwy pliku do zapisania</translation>
+    </message>
+    <message>
+        <source>the folder %1 does not exist; expected an existing folder to write into</source>
+        <translation>folder %1 nie istnieje; oczekiwano istniejącego folderu do zapisu</translation>
+    </message>
+    <message>
+        <source>%1 is not a folder; expected a folder to write into</source>
+        <translation>%1 nie jest folderem; oczekiwano folderu do zapisu</translation>
+    </message>
+    <message>
+        <source>the folder %1 takes no new file (%2); expected a folder that may be written to</source>
+        <translation>folder %1 nie przyjmuje nowego pliku (%2); oczekiwano folderu, do którego wolno zapisywać</translation>
+    </message>
+    <message>
+        <source>this is the same file as %1, which is read; expected another name</source>
+        <translation>to ten sam plik co czytany %1; oczekiwano innej nazwy</translation>
+    </message>
+    <message>
+        <source>this file may not be written (%1); expected one that may, or another name</source>
+        <translation>tego pliku nie wolno zapisać (%1); oczekiwano pliku do zapisu albo innej nazwy</translation>
+    </message>
+    <message>
+        <source>there is no room for it in the folder %1; expected a drive with free space</source>
+        <translation>w folderze %1 brak na niego miejsca; oczekiwano dysku z wolnym miejscem</translation>
+    </message>
+    <message>
+        <source>cannot be written into the folder %1 (%2); expected a drive that takes it</source>
+        <translation>nie daje się zapisać w folderze %1 (%2); oczekiwano dysku, który go przyjmie</translation>
+    </message>
+    <message>
+        <source>there is no name; expected the name of a file to write</source>
+        <translation>brak nazwy; oczekiwano nazwy pliku do zapisania</translation>
+    </message>
+    <message>
+        <source>this is the name of a folder; expected the name of a file to write</source>
+        <translation>to nazwa folderu; oczekiwano nazwy pliku do zapisania</translation>
+    </message>
+    <message>
+        <source>is a folder; expected %1</source>
+        <translation>jest folderem; oczekiwano: %1</translation>
+    </message>
+    <message>
+        <source>cannot be opened; expected %1 that exists and may be read</source>
+        <translation>nie daje się otworzyć; oczekiwano istniejącego pliku, który wolno czytać: %1</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MiB; expected %2</source>
+        <translation>jest większy niż %1 MiB; oczekiwano: %2</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>nie daje się przeczytać do końca</translation>
+    </message>
+    <message>
+        <source>no reading on %1 (within 11.25° of magnetic heading %2°); a correction needs readings on N, E, S and W</source>
+        <translation>brak odczytu na %1 (w granicach 11,25° od kursu magnetycznego %2°); kompensacja wymaga odczytów na N, E, S i W</translation>
+    </message>
+    <message>
+        <source>no readings; expected at least one for a mean</source>
+        <translation>brak odczytów; do średniej oczekiwano co najmniej jednego</translation>
+    </message>
+    <message>
+        <source>a heading or deviation is not a finite number</source>
+        <translation>kurs lub dewiacja nie jest liczbą skończoną</translation>
+    </message>
+    <message>
+        <source>no approximate coefficient %1 exists: the sine that it would have is %2; expected one between -1 and 1</source>
+        <translation>współczynnik przybliżony %1 nie istnieje: jego sinus wyniósłby %2; oczekiwano wartości od -1 do 1</translation>
+    </message>
+    <message>
+        <source>no magnetic heading gives the compass heading %1: the coefficients are too large</source>
+        <translation>żaden kurs magnetyczny nie daje kursu kompasowego %1: współczynniki są za duże</translation>
+    </message>
+    <message>
+        <source>the compass heading %1 belongs to several magnetic headings (%2): the deviation curve is folded; expected one</source>
+        <translation>kursowi kompasowemu %1 odpowiada kilka kursów magnetycznych (%2): krzywa dewiacji zawija się; oczekiwano jednego</translation>
+    </message>
+    <message>
+        <source>no compass heading gives the magnetic heading %1: the coefficients are too large</source>
+        <translation>żaden kurs kompasowy nie daje kursu magnetycznego %1: współczynniki są za duże</translation>
+    </message>
+    <message>
+        <source>the magnetic heading %1 belongs to several compass headings (%2): the deviation curve is folded; expected one</source>
+        <translation>kursowi magnetycznemu %1 odpowiada kilka kursów kompasowych (%2): krzywa dewiacji zawija się; oczekiwano jednego</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) with both headings; expected at least 3 on different headings</source>
+        <translation>
+            <numerusform>%n odczyt z oboma kursami; oczekiwano co najmniej 3 na różnych kursach</numerusform>
+            <numerusform>%n odczyty z oboma kursami; oczekiwano co najmniej 3 na różnych kursach</numerusform>
+            <numerusform>%n odczytów z oboma kursami; oczekiwano co najmniej 3 na różnych kursach</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>all %1 readings are on %n heading(s); expected at least 3 different headings</source>
+        <translation>
+            <numerusform>wszystkie odczyty (%1) są na %n kursie; oczekiwano co najmniej 3 różnych kursów</numerusform>
+            <numerusform>wszystkie odczyty (%1) są na %n kursach; oczekiwano co najmniej 3 różnych kursów</numerusform>
+            <numerusform>wszystkie odczyty (%1) są na %n kursach; oczekiwano co najmniej 3 różnych kursów</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>no signed swing is on record</source>
+        <translation>w zapisach nie ma podpisanego pomiaru dewiacji</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n month(s) after the swing of %2</source>
+        <translation>
+            <numerusform>%1: %n miesiąc po pomiarze z %2</numerusform>
+            <numerusform>%1: %n miesiące po pomiarze z %2</numerusform>
+            <numerusform>%1: %n miesięcy po pomiarze z %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>installed on %1, and no swing signed since</source>
+        <translation>zabudowana %1, od tego czasu nie podpisano pomiaru dewiacji</translation>
+    </message>
+    <message>
+        <source>the latitude is beyond the poles; expected -90 to 90 degrees, north positive</source>
+        <translation>szerokość geograficzna leży poza biegunami; oczekiwano od -90 do 90 stopni, północna dodatnia</translation>
+    </message>
+    <message>
+        <source>the longitude is not a number; expected degrees, east positive</source>
+        <translation>długość geograficzna nie jest liczbą; oczekiwano stopni, wschodnia dodatnia</translation>
+    </message>
+    <message>
+        <source>the height is outside the models; expected -10 000 to 600 000 m above the ellipsoid</source>
+        <translation>wysokość wykracza poza modele; oczekiwano od -10 000 do 600 000 m nad elipsoidą</translation>
+    </message>
+    <message>
+        <source>is no text of magnetic coefficients (WMM .COF or IGRF table)</source>
+        <translation>nie jest tekstem współczynników magnetycznych (WMM .COF lub tablica IGRF)</translation>
+    </message>
+    <message>
+        <source>is empty; expected magnetic coefficients (WMM .COF or IGRF table)</source>
+        <translation>jest pusty; oczekiwano współczynników magnetycznych (WMM .COF lub tablica IGRF)</translation>
+    </message>
+    <message numerus="yes">
+        <source>the line has %n figure(s); it is cut short</source>
+        <translation>
+            <numerusform>wiersz ma %n liczbę; jest ucięty</numerusform>
+            <numerusform>wiersz ma %n liczby; jest ucięty</numerusform>
+            <numerusform>wiersz ma %n liczb; jest ucięty</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 nie jest liczbą</translation>
+    </message>
+    <message>
+        <source>%1 is no degree or order; expected a whole number</source>
+        <translation>%1 nie jest stopniem ani rzędem; oczekiwano liczby całkowitej</translation>
+    </message>
+    <message>
+        <source>holds degree %1 order %2 where degree %3 order %4 was expected: a line is missing, doubled or out of order</source>
+        <translation>zawiera stopień %1 rząd %2 zamiast stopnia %3 rzędu %4: brakuje wiersza, jest powtórzony lub nie na miejscu</translation>
+    </message>
+    <message>
+        <source>ends within degree %1, before order %2: it is cut short</source>
+        <translation>kończy się w stopniu %1, przed rzędem %2: jest ucięty</translation>
+    </message>
+    <message>
+        <source>has more than the six figures n m g h dg dh</source>
+        <translation>ma więcej niż sześć liczb n m g h dg dh</translation>
+    </message>
+    <message>
+        <source>gives h for order 0, where there is none</source>
+        <translation>podaje h dla rzędu 0, gdzie go nie ma</translation>
+    </message>
+    <message>
+        <source>is no header of a WMM coefficient file; expected epoch, name and date, as in &quot;2025.0 WMM-2025 11/13/2024&quot;</source>
+        <translation>nie jest nagłówkiem pliku współczynników WMM; oczekiwano epoki, nazwy i daty, jak „2025.0 WMM-2025 11/13/2024”</translation>
+    </message>
+    <message>
+        <source>has no header &quot;g/h n m 1900.0 …&quot; with its epochs; expected an IGRF table</source>
+        <translation>nie ma nagłówka „g/h n m 1900.0 …” z epokami; oczekiwano tablicy IGRF</translation>
+    </message>
+    <message>
+        <source>has epochs that are not five years apart</source>
+        <translation>ma epoki, które nie są odległe o pięć lat</translation>
+    </message>
+    <message>
+        <source>begins with %1 where %2 of degree %3 order %4 was expected: a line is missing, doubled or out of order</source>
+        <translation>zaczyna się od %1 zamiast %2 stopnia %3 rzędu %4: brakuje wiersza, jest powtórzony lub nie na miejscu</translation>
+    </message>
+    <message numerus="yes">
+        <source>has %n word(s) where the header has %1</source>
+        <translation>
+            <numerusform>ma %n wyraz, a nagłówek %1</numerusform>
+            <numerusform>ma %n wyrazy, a nagłówek %1</numerusform>
+            <numerusform>ma %n wyrazów, a nagłówek %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>ends within degree %1: it is cut short</source>
+        <translation>kończy się w stopniu %1: jest ucięty</translation>
+    </message>
+    <message>
+        <source>the map of the world was cancelled</source>
+        <translation>anulowano mapę świata</translation>
+    </message>
+    <message>
+        <source>%1 is valid from %2 to %3, and the date is %4</source>
+        <translation>%1 obowiązuje od %2 do %3, a data to %4</translation>
+    </message>
+    <message>
+        <source>blackout zone: H is below 2000 nT, a compass is not to be used</source>
+        <translation>strefa zakazana: H poniżej 2000 nT, nie wolno używać busoli</translation>
+    </message>
+    <message>
+        <source>caution zone: H is below 6000 nT, declination and compasses are unreliable</source>
+        <translation>strefa ostrożności: H poniżej 6000 nT, deklinacja i busole są niepewne</translation>
+    </message>
+    <message>
+        <source>%1 is no date; expected YYYY-MM-DD, or a year as 2026.5</source>
+        <translation>%1 nie jest datą; oczekiwano RRRR-MM-DD albo roku jak 2026.5</translation>
+    </message>
+    <message>
+        <source>%1 is valid from %2 to %3 and %4 from %5 to %6; the date is %7</source>
+        <translation>%1 obowiązuje od %2 do %3, a %4 od %5 do %6; data to %7</translation>
+    </message>
+    <message>
+        <source>H is %1 nT there, below 2000 nT (blackout zone): a compass tells nothing</source>
+        <translation>H wynosi tam %1 nT, poniżej 2000 nT (strefa zakazana): busola niczego nie wskazuje</translation>
+    </message>
+    <message>
+        <source>%1 is no day of the calendar; expected YYYY-MM-DD</source>
+        <translation>%1 nie jest dniem kalendarza; oczekiwano RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>two of magnetic_heading_deg, compass_heading_deg, deviation_deg (or true_heading_deg with a line &quot;# variation_deg: …&quot; in place of the magnetic heading)</source>
+        <translation>dwie z kolumn magnetic_heading_deg, compass_heading_deg, deviation_deg (albo true_heading_deg z wierszem „# variation_deg: …” zamiast kursu magnetycznego)</translation>
+    </message>
+    <message>
+        <source>a column is missing; expected %1, found %2</source>
+        <translation>brakuje kolumny; oczekiwano: %1, jest: %2</translation>
+    </message>
+    <message>
+        <source>the column %1 is there twice; expected each column once</source>
+        <translation>kolumna %1 występuje dwa razy; każdej oczekiwano raz</translation>
+    </message>
+    <message>
+        <source>column %1 has no name; expected a name for each column</source>
+        <translation>kolumna %1 nie ma nazwy; oczekiwano nazwy każdej kolumny</translation>
+    </message>
+    <message>
+        <source>there is no header: the first row is numbers; expected a row of column names, %1</source>
+        <translation>brak nagłówka: pierwszy wiersz to liczby; oczekiwano wiersza nazw kolumn, %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not allowed; expected %3</source>
+        <translation>%1: %2 jest niedozwolone; oczekiwano: %3</translation>
+    </message>
+    <message>
+        <source>a date of the calendar as YYYY-MM-DD</source>
+        <translation>data kalendarzowa jak RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>metres from -10000 to 600000</source>
+        <translation>metry od -10000 do 600000</translation>
+    </message>
+    <message>
+        <source>the key %1 is there twice; expected each key once</source>
+        <translation>klucz %1 występuje dwa razy; każdego oczekiwano raz</translation>
+    </message>
+    <message>
+        <source>%1 is stated without %2; expected both or neither</source>
+        <translation>podano %1 bez %2; oczekiwano obu albo żadnego</translation>
+    </message>
+    <message>
+        <source>the place of the swing is stated, but no date, so the field there is not known; expected a line &quot;# date: YYYY-MM-DD&quot;</source>
+        <translation>podano miejsce pomiaru, lecz nie datę, więc pole tam nie jest znane; oczekiwano wiersza „# date: RRRR-MM-DD”</translation>
+    </message>
+    <message>
+        <source>the Earth&apos;s field at the swing&apos;s place is not known: %1</source>
+        <translation>pole Ziemi w miejscu pomiaru nie jest znane: %1</translation>
+    </message>
+    <message>
+        <source>expected a Swing CSV: text in UTF-8 with a header of named columns and one reading a row</source>
+        <translation>oczekiwano pliku CSV pomiaru: tekstu UTF-8 z nagłówkiem nazw kolumn i jednym odczytem w wierszu</translation>
+    </message>
+    <message>
+        <source>is binary: it has NUL bytes or lines of more than 1 MiB; %1</source>
+        <translation>jest binarny: zawiera bajty NUL lub wiersze dłuższe niż 1 MiB; %1</translation>
+    </message>
+    <message>
+        <source>reading was cancelled</source>
+        <translation>odczyt anulowano</translation>
+    </message>
+    <message>
+        <source>variation_deg stands below the header; expected it above, since the rows are computed with it</source>
+        <translation>variation_deg stoi pod nagłówkiem; oczekiwano go powyżej, bo służy do obliczania wierszy</translation>
+    </message>
+    <message>
+        <source>a quoted cell that begins in this row is not closed; expected a second &quot;</source>
+        <translation>komórka w cudzysłowie, która zaczyna się w tym wierszu, nie jest zamknięta; oczekiwano drugiego &quot;</translation>
+    </message>
+    <message>
+        <source>there is text behind a closing quote; expected a separator there, or &quot;&quot; for a quote inside</source>
+        <translation>za zamykającym cudzysłowem stoi tekst; oczekiwano tam separatora albo &quot;&quot; dla cudzysłowu wewnątrz</translation>
+    </message>
+    <message>
+        <source>true_heading_deg stands in place of the magnetic heading, but the variation is not stated; expected a line &quot;# variation_deg: …&quot; (degrees, east positive) above the header</source>
+        <translation>zamiast kursu magnetycznego stoi true_heading_deg, lecz nie podano deklinacji; oczekiwano wiersza „# variation_deg: …” (stopnie, wschodnie dodatnie) nad nagłówkiem</translation>
+    </message>
+    <message>
+        <source>the column %1 means nothing here; it is kept with the readings</source>
+        <translation>kolumna %1 nic tu nie znaczy; jest zachowana przy odczytach</translation>
+    </message>
+    <message>
+        <source>there are more than %1 readings; expected a compass swing</source>
+        <translation>odczytów jest więcej niż %1; oczekiwano pomiaru dewiacji busoli</translation>
+    </message>
+    <message>
+        <source>is empty; %1</source>
+        <translation>jest pusty; %1</translation>
+    </message>
+    <message>
+        <source>has no header; %1</source>
+        <translation>nie ma nagłówka; %1</translation>
+    </message>
+    <message>
+        <source>has a header but no readings; expected one reading a row below it</source>
+        <translation>ma nagłówek, lecz nie ma odczytów; oczekiwano pod nim jednego odczytu w wierszu</translation>
+    </message>
+    <message>
+        <source>%1 %2 contradicts the row&apos;s other columns, which give %3; expected %4</source>
+        <translation>%1 %2 jest sprzeczne z innymi kolumnami wiersza, które dają %3; oczekiwano: %4</translation>
+    </message>
+    <message>
+        <source>magnetic - compass, in agreement to %1 degrees</source>
+        <translation>kurs magnetyczny - kompasowy, zgodnie do %1 stopnia</translation>
+    </message>
+    <message>
+        <source>compass - magnetic, in agreement to %1 degrees</source>
+        <translation>kurs kompasowy - magnetyczny, zgodnie do %1 stopnia</translation>
+    </message>
+    <message>
+        <source>magnetic + variation, in agreement to %1 degrees</source>
+        <translation>kurs magnetyczny + deklinacja, zgodnie do %1 stopnia</translation>
+    </message>
+    <message numerus="yes">
+        <source>the row has %n cell(s); expected %1 cells as in the header</source>
+        <translation>
+            <numerusform>wiersz ma %n komórkę; oczekiwano tylu komórek co w nagłówku: %1</numerusform>
+            <numerusform>wiersz ma %n komórki; oczekiwano tylu komórek co w nagłówku: %1</numerusform>
+            <numerusform>wiersz ma %n komórek; oczekiwano tylu komórek co w nagłówku: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the aircraft is not named; expected a line &quot;# aircraft: REGISTRATION&quot;, or its registration beside the file</source>
+        <translation>nie podano statku powietrznego; oczekiwano wiersza „# aircraft: ZNAKI” albo znaków rejestracyjnych obok pliku</translation>
+    </message>
+    <message>
+        <source>a Bench JSON (parts and wires round a sensor)</source>
+        <translation>plik Bench JSON (części i przewody wokół czujnika)</translation>
+    </message>
+    <message>
+        <source>[x, y, z]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>box, cylinder, ellipsoid or sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is “%1”; expected box, cylinder, ellipsoid or sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>[[x, y, z], [x, y, z], …]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true lub false</translation>
+    </message>
+    <message>
+        <source>loop or wire</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is “%1”; expected loop or wire</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are more than 360; expected the headings of an electrical swing</source>
+        <translation>jest ich więcej niż 360; oczekiwano kursów pomiaru elektrycznego</translation>
+    </message>
+    <message>
+        <source>holds a selected heading other than 0, 90, 180 and 270</source>
+        <translation>zawiera wybrany kurs inny niż 0, 90, 180 i 270</translation>
+    </message>
+    <message>
+        <source>holds a selected heading twice; expected each once</source>
+        <translation>zawiera wybrany kurs dwa razy; każdego oczekiwano raz</translation>
+    </message>
+    <message>
+        <source>an electrical swing</source>
+        <translation>pomiar elektryczny</translation>
+    </message>
+    <message>
+        <source>%1 is there twice; expected each group once</source>
+        <translation>%1 występuje dwa razy; każdej grupy oczekiwano raz</translation>
+    </message>
+    <message>
+        <source>a day of the calendar as YYYY-MM-DD</source>
+        <translation>dzień kalendarza jak RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>is empty; expected a day of the calendar as YYYY-MM-DD</source>
+        <translation>jest puste; oczekiwano dnia kalendarza jak RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>a sensor model as in a Model JSON, without its field</source>
+        <translation>model czujnika jak w pliku Model JSON, bez pola</translation>
+    </message>
+    <message>
+        <source>is not &quot;lubberline&quot;; expected an exchange file (.lubberline.json)</source>
+        <translation>to nie „lubberline”; oczekiwano pliku wymiany (.lubberline.json)</translation>
+    </message>
+    <message>
+        <source>%1 is the identity of another record, too; expected one of its own</source>
+        <translation>%1 to także identyfikator innego zapisu; oczekiwano własnego</translation>
+    </message>
+    <message>
+        <source>refers to a record that is not there; expected %1 of this file</source>
+        <translation>wskazuje zapis, którego nie ma; oczekiwano: %1 z tego pliku</translation>
+    </message>
+    <message>
+        <source>the file is of exchange version %1, written by a newer Lubberline; expected versions up to %2, which this one reads</source>
+        <translation>plik ma wersję wymiany %1 i pochodzi z nowszego programu Lubberline; ten czyta wersje do %2</translation>
+    </message>
+    <message>
+        <source>the record id of a type of this file</source>
+        <translation>identyfikator typu z tego pliku</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>typ</translation>
+    </message>
+    <message>
+        <source>a site</source>
+        <translation>miejsce</translation>
+    </message>
+    <message>
+        <source>a limits profile</source>
+        <translation>zestaw wartości dopuszczalnych</translation>
+    </message>
+    <message>
+        <source>a record id</source>
+        <translation>identyfikator zapisu</translation>
+    </message>
+    <message>
+        <source>%1 is the name of another sensor model of this compass; expected one of its own</source>
+        <translation>%1 to nazwa innego modelu czujnika tej busoli; oczekiwano własnej</translation>
+    </message>
+    <message>
+        <source>are more than %1; expected a compass swing</source>
+        <translation>jest ich więcej niż %1; oczekiwano pomiaru dewiacji busoli</translation>
+    </message>
+    <message>
+        <source>the instrument&apos;s name</source>
+        <translation>nazwa przyrządu</translation>
+    </message>
+    <message>
+        <source>refers to a record that is not there; expected a type of this file</source>
+        <translation>wskazuje zapis, którego nie ma; oczekiwano typu z tego pliku</translation>
+    </message>
+    <message>
+        <source>%1 is not known; expected a cause such as lightning, engine_change or parts_replaced</source>
+        <translation>%1 jest nieznane; oczekiwano przyczyny, na przykład lightning, engine_change lub parts_replaced</translation>
+    </message>
+    <message>
+        <source>an exchange file (.lubberline.json)</source>
+        <translation>plik wymiany (.lubberline.json)</translation>
+    </message>
+    <message>
+        <source>a guided swing</source>
+        <translation>pomiar prowadzony</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;; expected one of %2</source>
+        <translation>ma wartość „%1”; oczekiwano jednej z: %2</translation>
+    </message>
+    <message>
+        <source>holds what is no text</source>
+        <translation>zawiera coś, co nie jest tekstem</translation>
+    </message>
+    <message>
+        <source>is %1; expected 8, 12 or 24</source>
+        <translation>wynosi %1; oczekiwano 8, 12 lub 24</translation>
+    </message>
+    <message>
+        <source>a reading</source>
+        <translation>odczyt</translation>
+    </message>
+    <message>
+        <source>a line of the recovery file</source>
+        <translation>wiersz pliku odzyskiwania</translation>
+    </message>
+    <message>
+        <source>a Model JSON (a sensor on an aircraft)</source>
+        <translation>plik Model JSON (czujnik na statku powietrznym)</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>tekst</translation>
+    </message>
+    <message>
+        <source>[S, T, V]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>liczba</translation>
+    </message>
+    <message>
+        <source>a date as YYYY-MM-DD, or a decimal year as text</source>
+        <translation>data jak RRRR-MM-DD albo rok dziesiętny jako tekst</translation>
+    </message>
+    <message>
+        <source>says again what Z_nT says; expected one of them</source>
+        <translation>powtarza to, co podaje Z_nT; oczekiwano jednego z nich</translation>
+    </message>
+    <message>
+        <source>is that of a magnetic pole, where H is 0 and the dip does not tell the field; expected H_nT with Z_nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{H_nT, dip_deg} or {lat_deg, lon_deg, alt_m, date}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not allowed; expected %2</source>
+        <translation>%1 jest niedozwolone; oczekiwano: %2</translation>
+    </message>
+    <message>
+        <source>what is stored does not read; expected %1</source>
+        <translation>zapisana treść nie daje się odczytać; oczekiwano: %1</translation>
+    </message>
+    <message>
+        <source>pairs of texts</source>
+        <translation>pary tekstów</translation>
+    </message>
+    <message>
+        <source>three lists of figures</source>
+        <translation>trzy listy liczb</translation>
+    </message>
+    <message>
+        <source>an object of texts</source>
+        <translation>obiekt z tekstami</translation>
+    </message>
+    <message>
+        <source>the survey of a compass base</source>
+        <translation>pomiar kręgu dewiacyjnego</translation>
+    </message>
+    <message>
+        <source>holds what is no heading; expected numbers from -360 to 360</source>
+        <translation>zawiera coś, co nie jest kursem; oczekiwano liczb od -360 do 360</translation>
+    </message>
+    <message>
+        <source>is no SHA-256; expected 64 hexadecimal digits</source>
+        <translation>to nie SHA-256; oczekiwano 64 cyfr szesnastkowych</translation>
+    </message>
+    <message>
+        <source>are more than 64; expected a signed swing</source>
+        <translation>jest ich więcej niż 64; oczekiwano podpisanego pomiaru</translation>
+    </message>
+    <message>
+        <source>%1: is nested too deeply; expected %2</source>
+        <translation>%1: zbyt głębokie zagnieżdżenie; oczekiwano: %2</translation>
+    </message>
+    <message>
+        <source>%1: is there twice; expected each key once</source>
+        <translation>%1: występuje dwa razy; każdego klucza oczekiwano raz</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>plik</translation>
+    </message>
+    <message>
+        <source>is not well-formed JSON at column %1; expected %2, whole</source>
+        <translation>to niepoprawny JSON w kolumnie %1; oczekiwano całości: %2</translation>
+    </message>
+    <message>
+        <source>is empty; expected %1</source>
+        <translation>jest puste; oczekiwano: %1</translation>
+    </message>
+    <message>
+        <source>%1: is out of range; expected a number that can be held</source>
+        <translation>%1: poza zakresem; oczekiwano liczby, którą da się przechować</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>liczba od %1 do %2</translation>
+    </message>
+    <message>
+        <source>a number from %1 up</source>
+        <translation>liczba od %1 wzwyż</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>has a value of the wrong kind; expected %1</source>
+        <translation>ma wartość niewłaściwego rodzaju; oczekiwano: %1</translation>
+    </message>
+    <message>
+        <source>%1 is out of range; expected %2</source>
+        <translation>%1 wykracza poza zakres; oczekiwano: %2</translation>
+    </message>
+    <message>
+        <source>is not an array of %1; expected %2 numbers in brackets</source>
+        <translation>nie jest tablicą o długości %1; oczekiwano %2 liczb w nawiasach</translation>
+    </message>
+    <message>
+        <source>is not an object; expected {…}</source>
+        <translation>nie jest obiektem; oczekiwano {…}</translation>
+    </message>
+    <message>
+        <source>%1 is not a date; expected a day of the calendar as YYYY-MM-DD</source>
+        <translation>%1 nie jest datą; oczekiwano dnia kalendarza jak RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>%1 is not a record id; expected a UUID in lower case with hyphens</source>
+        <translation>%1 nie jest identyfikatorem zapisu; oczekiwano UUID małymi literami z łącznikami</translation>
+    </message>
+    <message>
+        <source>%1 is not whole; expected a whole number</source>
+        <translation>%1 nie jest liczbą całkowitą; takiej oczekiwano</translation>
+    </message>
+    <message>
+        <source>is not an array of %1 rows; expected %2 rows of %3 numbers in brackets</source>
+        <translation>nie jest tablicą %1 wierszy; oczekiwano %2 wierszy po %3 liczb w nawiasach</translation>
+    </message>
+    <message>
+        <source>is not known; did you mean &quot;%1&quot;?</source>
+        <translation>jest nieznane; czy chodziło o „%1”?</translation>
+    </message>
+    <message>
+        <source>is not known; expected only %1</source>
+        <translation>jest nieznane; oczekiwano tylko: %1</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>tablica</translation>
+    </message>
+    <message>
+        <source>is missing; expected %1</source>
+        <translation>brakuje; oczekiwano: %1</translation>
+    </message>
+    <message>
+        <source>has no group; expected one placement without a state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its centre must be within 1000 m of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its roll, pitch and yaw must be finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each placement in the group “%1” names its state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the state “%1” is there twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the loop&apos;s centre must be within 1000 m of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the loop&apos;s normal has no direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the loop&apos;s diameter must be above 0 m and at most 1000 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a loop has one turn or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wire goes through two points or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of a wire must be within 1000 m of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>state %1=%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such group; expected %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>there is no such state; expected %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no name</source>
+        <translation>nie ma nazwy</translation>
+    </message>
+    <message>
+        <source>its sizes must be above 0 m and at most 1000 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is more than 10,000 times as long as it is thick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its susceptibility must be 0 or more (SI)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its remanence must be at most 10 T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is nowhere; expected a placement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circuit “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a circuit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no loop and no wire</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its current must be at most 1,000,000 A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>czujnik</translation>
+    </message>
+    <message>
+        <source>it must be within 1000 m of the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the group “%1” has the states %2; expected a placement for each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the iron bench was cancelled</source>
+        <translation>obliczenie na stole żelaza anulowano</translation>
+    </message>
+    <message>
+        <source>circuit “%1”: the sensor stands on its wire; expected 1 mm or more between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parts are magnetised by the Earth&apos;s field only, not by one another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part “%1” is so near the sensor that its field there is uncertain by 10 % and more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part “%1”: the sensor is inside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a body and the cells of its grid must have sizes above 0 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a grid of %1 cells a side is too coarse; expected %2 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a grid of %1 cells a side takes %2 MiB of memory; expected no more than %3 MiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the body is larger than its grid of %1 cells a side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the demagnetisation tensor was cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the talker %1 sends no HDG or HDM; these do: %2</source>
+        <translation>nadawca %1 nie wysyła HDG ani HDM; wysyłają je: %2</translation>
+    </message>
+    <message>
+        <source>several talkers send headings: %1; HC is taken as the compass</source>
+        <translation>kilku nadawców wysyła kursy: %1; za busolę przyjęto HC</translation>
+    </message>
+    <message>
+        <source>several talkers send headings: %1; say which is the compass</source>
+        <translation>kilku nadawców wysyła kursy: %1; wskaż, który jest busolą</translation>
+    </message>
+    <message>
+        <source>HDM differs from HDG of the same talker, so it is corrected already; HDG alone is used</source>
+        <translation>HDM różni się od HDG tego samego nadawcy, więc jest już poprawiony; użyto tylko HDG</translation>
+    </message>
+    <message>
+        <source>the log tells no position with a date (RMC), so no model can give the variation; expected it stated in degrees</source>
+        <translation>zapis nie podaje położenia z datą (RMC), więc żaden model nie da deklinacji; oczekiwano jej podania w stopniach</translation>
+    </message>
+    <message>
+        <source>neither RMC nor HDG of the log tells the variation; expected it stated in degrees, or taken from a model</source>
+        <translation>ani RMC, ani HDG w zapisie nie podaje deklinacji; oczekiwano jej podania w stopniach albo wzięcia z modelu</translation>
+    </message>
+    <message>
+        <source>some headings have no time near them: their turn rate is not known and not limited</source>
+        <translation>niektóre kursy nie mają czasu w pobliżu: ich prędkość zakrętu nie jest znana ani ograniczona</translation>
+    </message>
+    <message>
+        <source>a valid track (RMC or VTG)</source>
+        <translation>ważny kąt drogi (RMC lub VTG)</translation>
+    </message>
+    <message>
+        <source>a second magnetic heading (another talker&apos;s HDG or HDM)</source>
+        <translation>drugi kurs magnetyczny (HDG lub HDM innego nadawcy)</translation>
+    </message>
+    <message>
+        <source>holds no NMEA 0183 sentence ($ talker, type, fields): every checksum is wrong</source>
+        <translation>nie zawiera komunikatu NMEA 0183 ($ nadawca, typ, pola): wszystkie sumy kontrolne są błędne</translation>
+    </message>
+    <message>
+        <source>holds no NMEA 0183 sentence ($ talker, type, fields)</source>
+        <translation>nie zawiera komunikatu NMEA 0183 ($ nadawca, typ, pola)</translation>
+    </message>
+    <message>
+        <source>holds no compass heading; expected HDG or HDM sentences</source>
+        <translation>nie zawiera kursu kompasowego; oczekiwano komunikatów HDG lub HDM</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentence(s) with a wrong checksum left out</source>
+        <translation>
+            <numerusform>pominięto %n komunikat z błędną sumą kontrolną</numerusform>
+            <numerusform>pominięto %n komunikaty z błędną sumą kontrolną</numerusform>
+            <numerusform>pominięto %n komunikatów z błędną sumą kontrolną</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentence(s) without a checksum: what was damaged on the way cannot be told</source>
+        <translation>
+            <numerusform>%n komunikat bez sumy kontrolnej: nie wiadomo, co uszkodziło się po drodze</numerusform>
+            <numerusform>%n komunikaty bez sumy kontrolnej: nie wiadomo, co uszkodziło się po drodze</numerusform>
+            <numerusform>%n komunikatów bez sumy kontrolnej: nie wiadomo, co uszkodziło się po drodze</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>there are more than %1 headings; expected the log of one swing</source>
+        <translation>kursów jest więcej niż %1; oczekiwano zapisu jednego pomiaru</translation>
+    </message>
+    <message>
+        <source>no figure of the datum instrument; expected one to three</source>
+        <translation>brak odczytu wzorca; oczekiwano od jednego do trzech</translation>
+    </message>
+    <message>
+        <source>%1 gives true headings, and the variation is not stated; expected it (degrees, east positive)</source>
+        <translation>%1 podaje kursy rzeczywiste, a deklinacji nie podano; oczekiwano jej (stopnie, wschodnia dodatnia)</translation>
+    </message>
+    <message>
+        <source>the datum&apos;s figures %1 lie more than 10° apart; expected readings of one heading</source>
+        <translation>odczyty wzorca %1 różnią się o więcej niż 10°; oczekiwano odczytów jednego kursu</translation>
+    </message>
+    <message>
+        <source>the figures from astern %1 lie more than 10° apart; expected readings of one heading</source>
+        <translation>odczyty od tyłu %1 różnią się o więcej niż 10°; oczekiwano odczytów jednego kursu</translation>
+    </message>
+    <message>
+        <source>ahead and astern differ by %1° after turning; one of them was read the other way round, or is not of this heading</source>
+        <translation>odczyty z przodu i od tyłu po odwróceniu różnią się o %1°; jeden odczytano odwrotnie albo nie dotyczy tego kursu</translation>
+    </message>
+    <message>
+        <source>no figure of the compass; expected one to three</source>
+        <translation>brak odczytu busoli; oczekiwano od jednego do trzech</translation>
+    </message>
+    <message>
+        <source>the compass&apos;s figures %1 lie more than 10° apart; expected readings of one heading</source>
+        <translation>odczyty busoli %1 różnią się o więcej niż 10°; oczekiwano odczytów jednego kursu</translation>
+    </message>
+    <message>
+        <source>nothing is indicated with %1° selected; expected all four points</source>
+        <translation>brak wskazania przy wybranych %1°; oczekiwano wszystkich czterech punktów</translation>
+    </message>
+    <message>
+        <source>with %1° selected the figure is more than 30° off; expected what is indicated there</source>
+        <translation>przy wybranych %1° wartość odbiega o ponad 30°; oczekiwano tamtejszego wskazania</translation>
+    </message>
+    <message>
+        <source>the self-check needs all 24 headings both electrically and by the turntable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two tables of the self-check are of different headings; expected the same in the same order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the north–south line is not named</source>
+        <translation>nie podano linii północ–południe</translation>
+    </message>
+    <message>
+        <source>E1 and E2 are not both nulled in NORM and REV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>table F1 after the adjustment: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the pairs 0/180 and 90/270 do not agree within 0.2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not all of the 24 headings are read</source>
+        <translation>nie odczytano wszystkich 24 kursów</translation>
+    </message>
+    <message>
+        <source>the job was abandoned before</source>
+        <translation>pomiar już wcześniej przerwano</translation>
+    </message>
+    <message>
+        <source>step %1 of the guided swing cannot have happened there: %2</source>
+        <translation>krok %1 pomiaru prowadzonego nie mógł się tam zdarzyć: %2</translation>
+    </message>
+    <message>
+        <source>the preparation is not finished</source>
+        <translation>przygotowanie nie jest zakończone</translation>
+    </message>
+    <message>
+        <source>the fault is not mended</source>
+        <translation>usterki nie usunięto</translation>
+    </message>
+    <message>
+        <source>there is no station %1</source>
+        <translation>nie ma stanowiska %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not on the checklist</source>
+        <translation>„%1” nie ma na liście kontrolnej</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not ticked</source>
+        <translation>„%1” nie odhaczono</translation>
+    </message>
+    <message>
+        <source>the station has a reading that was not put aside</source>
+        <translation>stanowisko ma odczyt, którego nie odrzucono</translation>
+    </message>
+    <message>
+        <source>the station has no reading</source>
+        <translation>stanowisko nie ma odczytu</translation>
+    </message>
+    <message>
+        <source>a control was turned on this reading</source>
+        <translation>na tym odczycie obrócono regulację</translation>
+    </message>
+    <message>
+        <source>a station is skipped only with a reason</source>
+        <translation>stanowisko można pominąć tylko z podaniem powodu</translation>
+    </message>
+    <message>
+        <source>the station has a reading</source>
+        <translation>stanowisko ma odczyt</translation>
+    </message>
+    <message numerus="yes">
+        <source>the N–S control was turned after %n reading(s) of the check swing: void, and to be read again</source>
+        <translation>
+            <numerusform>regulację N–S obrócono po %n odczycie pomiaru kontrolnego: traci on ważność i trzeba go powtórzyć</numerusform>
+            <numerusform>regulację N–S obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
+            <numerusform>regulację N–S obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the E–W control was turned after %n reading(s) of the check swing: void, and to be read again</source>
+        <translation>
+            <numerusform>regulację E–W obrócono po %n odczycie pomiaru kontrolnego: traci on ważność i trzeba go powtórzyć</numerusform>
+            <numerusform>regulację E–W obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
+            <numerusform>regulację E–W obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the index control was turned after %n reading(s) of the check swing: void, and to be read again</source>
+        <translation>
+            <numerusform>nastawienie obrócono po %n odczycie pomiaru kontrolnego: traci on ważność i trzeba go powtórzyć</numerusform>
+            <numerusform>nastawienie obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
+            <numerusform>nastawienie obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a control is turned only on a station that was read</source>
+        <translation>regulację obraca się tylko na odczytanym stanowisku</translation>
+    </message>
+    <message>
+        <source>a correction is left out only with a reason</source>
+        <translation>kompensację pomija się tylko z podaniem powodu</translation>
+    </message>
+    <message>
+        <source>this correction does not stand here</source>
+        <translation>ta kompensacja nie przypada tutaj</translation>
+    </message>
+    <message>
+        <source>the check swing is not complete</source>
+        <translation>pomiar kontrolny nie jest kompletny</translation>
+    </message>
+    <message>
+        <source>the index is left in only with a reason</source>
+        <translation>nastawienie pozostawia się tylko z podaniem powodu</translation>
+    </message>
+    <message>
+        <source>the swing is not complete</source>
+        <translation>pomiar nie jest kompletny</translation>
+    </message>
+    <message>
+        <source>a fault has a cause</source>
+        <translation>usterka ma przyczynę</translation>
+    </message>
+    <message>
+        <source>there is no fault</source>
+        <translation>nie ma usterki</translation>
+    </message>
+    <message>
+        <source>the check swing has too few readings to tell A</source>
+        <translation>pomiar kontrolny ma za mało odczytów, by określić A</translation>
+    </message>
+    <message>
+        <source>a cardinal heading was skipped, so that the coefficient cannot be told by the classical rule</source>
+        <translation>pominięto kurs główny, więc klasyczna reguła nie określi współczynnika</translation>
+    </message>
+    <message>
+        <source>its date is not stated</source>
+        <translation>nie podano daty</translation>
+    </message>
+    <message>
+        <source>reading %1 has no compass heading; fill it in or exclude it with a reason</source>
+        <translation>odczyt %1 nie ma kursu kompasowego; uzupełnij go albo pomiń z podaniem powodu</translation>
+    </message>
+    <message>
+        <source>reading %1 has no magnetic heading; fill it in or exclude it with a reason</source>
+        <translation>odczyt %1 nie ma kursu magnetycznego; uzupełnij go albo pomiń z podaniem powodu</translation>
+    </message>
+    <message numerus="yes">
+        <source>it has %n reading(s) that count; expected at least %1</source>
+        <translation>
+            <numerusform>ma %n liczący się odczyt; oczekiwano co najmniej %1</numerusform>
+            <numerusform>ma %n liczące się odczyty; oczekiwano co najmniej %1</numerusform>
+            <numerusform>ma %n liczących się odczytów; oczekiwano co najmniej %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>check swing</source>
+        <translation>pomiar kontrolny</translation>
+    </message>
+    <message>
+        <source>correction swing</source>
+        <translation>pomiar kompensacyjny</translation>
+    </message>
+    <message>
+        <source>calibration swing</source>
+        <translation>pomiar wzorcujący</translation>
+    </message>
+    <message>
+        <source>air swing</source>
+        <translation>pomiar w locie</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>stan zastany</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>stan końcowy</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>szkic</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>zakończony</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>podpisany</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nie podano</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>włączone</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>wyłączone</translation>
+    </message>
+    <message>
+        <source>direct reading</source>
+        <translation>o odczycie bezpośrednim</translation>
+    </message>
+    <message>
+        <source>remote, not stabilised</source>
+        <translation>zdalna, niestabilizowana</translation>
+    </message>
+    <message>
+        <source>remote, gyro-stabilised</source>
+        <translation>zdalna, stabilizowana żyroskopowo</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nieznany</translation>
+    </message>
+    <message>
+        <source>screws</source>
+        <translation>śruby</translation>
+    </message>
+    <message>
+        <source>magnets</source>
+        <translation>magnesy</translation>
+    </message>
+    <message>
+        <source>electronic</source>
+        <translation>elektroniczny</translation>
+    </message>
+    <message>
+        <source>entered by hand</source>
+        <translation>wpisany ręcznie</translation>
+    </message>
+    <message>
+        <source>loaded from a file</source>
+        <translation>wczytany z pliku</translation>
+    </message>
+    <message>
+        <source>estimated from swings</source>
+        <translation>oszacowany z pomiarów</translation>
+    </message>
+    <message>
+        <source>computed on the iron bench</source>
+        <translation>obliczony na stole żelaza</translation>
+    </message>
+    <message>
+        <source>swung and adjusted by</source>
+        <translation>zmierzył i skompensował</translation>
+    </message>
+    <message>
+        <source>inspected by</source>
+        <translation>sprawdził</translation>
+    </message>
+    <message>
+        <source>released by</source>
+        <translation>dopuścił</translation>
+    </message>
+    <message>
+        <source>painted rose line</source>
+        <translation>namalowana linia kręgu</translation>
+    </message>
+    <message>
+        <source>sighting compass</source>
+        <translation>busola celownicza</translation>
+    </message>
+    <message>
+        <source>theodolite</source>
+        <translation>teodolit</translation>
+    </message>
+    <message>
+        <source>digital compass on the aircraft</source>
+        <translation>busola cyfrowa na statku powietrznym</translation>
+    </message>
+    <message>
+        <source>transfer gyro</source>
+        <translation>żyroskop przenośny</translation>
+    </message>
+    <message>
+        <source>astrocompass</source>
+        <translation>astrokompas</translation>
+    </message>
+    <message>
+        <source>runway direction</source>
+        <translation>kierunek drogi startowej</translation>
+    </message>
+    <message>
+        <source>INS or GPS</source>
+        <translation>INS lub GPS</translation>
+    </message>
+    <message>
+        <source>electrical calibrator</source>
+        <translation>kalibrator elektryczny</translation>
+    </message>
+    <message>
+        <source>the aircraft&apos;s heading</source>
+        <translation>kurs statku powietrznego</translation>
+    </message>
+    <message>
+        <source>its reciprocal</source>
+        <translation>kurs przeciwny</translation>
+    </message>
+    <message>
+        <source>no class</source>
+        <translation>bez klasy</translation>
+    </message>
+    <message>
+        <source>class 1</source>
+        <translation>klasa 1</translation>
+    </message>
+    <message>
+        <source>class 2</source>
+        <translation>klasa 2</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>coś innego</translation>
+    </message>
+    <message>
+        <source>ferrous parts or compass replaced</source>
+        <translation>wymiana części stalowych lub busoli</translation>
+    </message>
+    <message>
+        <source>engine change</source>
+        <translation>wymiana silnika</translation>
+    </message>
+    <message>
+        <source>cockpit or avionics modified</source>
+        <translation>modyfikacja kabiny lub awioniki</translation>
+    </message>
+    <message>
+        <source>electrical system changed</source>
+        <translation>zmiana instalacji elektrycznej</translation>
+    </message>
+    <message>
+        <source>lightning strike</source>
+        <translation>uderzenie pioruna</translation>
+    </message>
+    <message>
+        <source>severe electrical storm</source>
+        <translation>silna burza z wyładowaniami</translation>
+    </message>
+    <message>
+        <source>hard landing or shock</source>
+        <translation>twarde lądowanie lub wstrząs</translation>
+    </message>
+    <message>
+        <source>magnetic cargo</source>
+        <translation>ładunek magnetyczny</translation>
+    </message>
+    <message>
+        <source>moved to a very different field</source>
+        <translation>przebazowanie w bardzo odmienne pole</translation>
+    </message>
+    <message>
+        <source>parked on one heading over a year</source>
+        <translation>postój na jednym kursie ponad rok</translation>
+    </message>
+    <message>
+        <source>accuracy suspected</source>
+        <translation>wątpliwa dokładność</translation>
+    </message>
+    <message>
+        <source>Coefficient method</source>
+        <translation>Metoda współczynników</translation>
+    </message>
+    <message>
+        <source>Half-error method</source>
+        <translation>Metoda połowy błędu</translation>
+    </message>
+    <message>
+        <source>Index first</source>
+        <translation>Najpierw nastawienie</translation>
+    </message>
+    <message>
+        <source>Flux valve</source>
+        <translation>Czujnik indukcyjny</translation>
+    </message>
+    <message>
+        <source>Check only</source>
+        <translation>Tylko kontrola</translation>
+    </message>
+    <message>
+        <source>N–S screw</source>
+        <translation>śruba N–S</translation>
+    </message>
+    <message>
+        <source>E–W screw</source>
+        <translation>śruba E–W</translation>
+    </message>
+    <message>
+        <source>compass in its mount</source>
+        <translation>busola w obsadzie</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>data</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>rodzaj</translation>
+    </message>
+    <message>
+        <source>stage</source>
+        <translation>etap</translation>
+    </message>
+    <message>
+        <source>site</source>
+        <translation>miejsce</translation>
+    </message>
+    <message>
+        <source>another</source>
+        <translation>inne</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>zmieniono</translation>
+    </message>
+    <message>
+        <source>radio</source>
+        <translation>radio</translation>
+    </message>
+    <message>
+        <source>engines</source>
+        <translation>silniki</translation>
+    </message>
+    <message>
+        <source>electrics</source>
+        <translation>odbiorniki elektryczne</translation>
+    </message>
+    <message>
+        <source>configuration</source>
+        <translation>konfiguracja</translation>
+    </message>
+    <message>
+        <source>datum</source>
+        <translation>wzorzec</translation>
+    </message>
+    <message>
+        <source>datum serial number</source>
+        <translation>numer seryjny wzorca</translation>
+    </message>
+    <message>
+        <source>datum calibration due</source>
+        <translation>wzorcowanie wzorca do</translation>
+    </message>
+    <message>
+        <source>datum read-out</source>
+        <translation>sposób odczytu wzorca</translation>
+    </message>
+    <message>
+        <source>datum reader</source>
+        <translation>odczytujący wzorzec</translation>
+    </message>
+    <message>
+        <source>cockpit reader</source>
+        <translation>odczytujący w kabinie</translation>
+    </message>
+    <message>
+        <source>adjuster</source>
+        <translation>kompensujący</translation>
+    </message>
+    <message>
+        <source>inspector</source>
+        <translation>kontroler</translation>
+    </message>
+    <message>
+        <source>variation</source>
+        <translation>deklinacja</translation>
+    </message>
+    <message>
+        <source>index removed</source>
+        <translation>usunięte nastawienie</translation>
+    </message>
+    <message>
+        <source>procedure</source>
+        <translation>metoda</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>początek</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>koniec</translation>
+    </message>
+    <message>
+        <source>site override</source>
+        <translation>uzasadnienie miejsca</translation>
+    </message>
+    <message>
+        <source>weather</source>
+        <translation>pogoda</translation>
+    </message>
+    <message>
+        <source>work order</source>
+        <translation>zlecenie</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>powód</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>uwaga</translation>
+    </message>
+    <message>
+        <source>field model</source>
+        <translation>model pola</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>pole</translation>
+    </message>
+    <message>
+        <source>another place, day or value</source>
+        <translation>inne miejsce, dzień lub wartość</translation>
+    </message>
+    <message>
+        <source>reading %1, nominal</source>
+        <translation>odczyt %1, nominalny</translation>
+    </message>
+    <message>
+        <source>reading %1, magnetic</source>
+        <translation>odczyt %1, magnetyczny</translation>
+    </message>
+    <message>
+        <source>reading %1, compass</source>
+        <translation>odczyt %1, kompasowy</translation>
+    </message>
+    <message>
+        <source>reading %1, true</source>
+        <translation>odczyt %1, rzeczywisty</translation>
+    </message>
+    <message>
+        <source>reading %1, time</source>
+        <translation>odczyt %1, czas</translation>
+    </message>
+    <message>
+        <source>reading %1, pitch</source>
+        <translation>odczyt %1, pochylenie</translation>
+    </message>
+    <message>
+        <source>reading %1, roll</source>
+        <translation>odczyt %1, przechylenie</translation>
+    </message>
+    <message>
+        <source>reading %1, datum figures</source>
+        <translation>odczyt %1, wartości wzorca</translation>
+    </message>
+    <message>
+        <source>reading %1, astern figures</source>
+        <translation>odczyt %1, wartości od tyłu</translation>
+    </message>
+    <message>
+        <source>reading %1, compass figures</source>
+        <translation>odczyt %1, wartości busoli</translation>
+    </message>
+    <message>
+        <source>reading %1, excluded</source>
+        <translation>odczyt %1, pominięcie</translation>
+    </message>
+    <message>
+        <source>reading %1, note</source>
+        <translation>odczyt %1, uwaga</translation>
+    </message>
+    <message>
+        <source>both axes of the map are the same; expected two of heading, pitch and roll</source>
+        <translation>obie osie mapy są takie same; oczekiwano dwóch spośród kursu, pochylenia i przechylenia</translation>
+    </message>
+    <message>
+        <source>a map has at least 2 x 2 points; asked for %1 x %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a map of %1 x %2 has %3 points and takes %4 MiB; expected at most %5 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soft iron %1 (dip)</source>
+        <translation>żelazo miękkie %1 (inklinacja)</translation>
+    </message>
+    <message>
+        <source>soft iron %1</source>
+        <translation>żelazo miękkie %1</translation>
+    </message>
+    <message>
+        <source>hard iron %1</source>
+        <translation>żelazo twarde %1</translation>
+    </message>
+    <message>
+        <source>soft constant %1</source>
+        <translation>stała składowa miękka %1</translation>
+    </message>
+    <message>
+        <source>circuit %1</source>
+        <translation>obwód %1</translation>
+    </message>
+    <message>
+        <source>misalignment</source>
+        <translation>niewspółosiowość</translation>
+    </message>
+    <message>
+        <source>the horizontal field H is 0: a level compass has nothing to point by there; expected H &gt; 0</source>
+        <translation>pole poziome H wynosi 0: pozioma busola nie ma się tam czym kierować; oczekiwano H &gt; 0</translation>
+    </message>
+    <message>
+        <source>λ = %1: the iron (or the mount) turns the compass round, and no coefficients describe it; expected λ &gt; 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coefficients are beyond all numbers: H = %1 nT and λ = %2 are too small for the iron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a survey point is not a number; expected metres, degrees and nT</source>
+        <translation>punkt pomiaru kręgu nie jest liczbą; oczekiwano metrów, stopni i nT</translation>
+    </message>
+    <message>
+        <source>no point of the survey has a declination or a total field; expected at least one</source>
+        <translation>żaden punkt pomiaru kręgu nie ma deklinacji ani pola całkowitego; oczekiwano co najmniej jednego</translation>
+    </message>
+    <message>
+        <source>the base&apos;s certificate ended on %1</source>
+        <translation>świadectwo kręgu dewiacyjnego wygasło %1</translation>
+    </message>
+    <message>
+        <source>the base is of %1, and the procedure wants %2</source>
+        <translation>krąg dewiacyjny: %1, a metoda wymaga: %2</translation>
+    </message>
+    <message>
+        <source>no reading between %1 and %2 (compass)</source>
+        <translation>brak odczytu między %1 a %2 (kursy kompasowe)</translation>
+    </message>
+    <message>
+        <source>%1 coefficients lean on few headings: %2</source>
+        <translation>współczynniki (%1) opierają się na niewielu kursach: %2</translation>
+    </message>
+    <message>
+        <source>approximate</source>
+        <translation>przybliżone</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>dokładne</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told from these headings; expected readings all around the compass</source>
+        <translation>na tych kursach nie da się określić: %1; oczekiwano odczytów dookoła róży</translation>
+    </message>
+    <message>
+        <source>coefficient %1</source>
+        <translation>współczynnik %1</translation>
+    </message>
+    <message>
+        <source>the deviation curve</source>
+        <translation>krzywa dewiacji</translation>
+    </message>
+    <message>
+        <source>a card has steps of 30° or 45°, not %1°</source>
+        <translation>tablica dewiacji ma krok 30° lub 45°, nie %1°</translation>
+    </message>
+    <message>
+        <source>the dip is 0 at every place (%1): vertical soft iron shows nowhere and cannot be told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field is the same at all places (%1): hard iron and vertical soft iron cannot be told apart; expected swings where H and dip differ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fields at %1 are too alike: hard iron and vertical soft iron are told apart only roughly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swings&apos; own errors are not known, and two swings have no scatter: no errors can be stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swings contradict each other beyond their errors: something was changed between them, or a swing is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one swing cannot tell hard iron from vertical soft iron; expected swings of the compass at two places at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field of %1 is not known; expected H above 0 and the dip</source>
+        <translation>pole dla %1 nie jest znane; oczekiwano H powyżej 0 i inklinacji</translation>
+    </message>
+    <message>
+        <source>(d − b)/2λ = A = %1 (with the turn of the mount)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(a − e)/2λ = D = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(d + b)/2λ = E = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(c tan I + P/H)/λ = B = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(f tan I + Q/H)/λ = C = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical soft iron: c/λ = %1, f/λ = %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hard iron: P/λ = %1 nT, Q/λ = %2 nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c apart from P, f apart from Q: one place gives their sum; a swing where H and dip differ tells them apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>λ, the directive force: a compass shows directions, not sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a and e each, b and d each: on a level heading only a − e, d + b and d − b act</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>g, h, k and R: they act in pitch and roll only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the turn of the mount apart from (d − b)/2λ, and its tilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soft-iron constants and currents apart from hard iron: both are constant in body axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the dip is 0 there: vertical soft iron cannot have made B and C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the position of %1 is not stated; expected latitude and longitude</source>
+        <translation>nie podano położenia %1; oczekiwano szerokości i długości geograficznej</translation>
+    </message>
+    <message>
+        <source>based at %1: %2</source>
+        <translation>baza %1: %2</translation>
+    </message>
+    <message>
+        <source>H there is %1 nT, below 2000 nT (blackout zone): a compass tells nothing there</source>
+        <translation>H wynosi tam %1 nT, poniżej 2000 nT (strefa zakazana): busola niczego tam nie wskazuje</translation>
+    </message>
+    <message>
+        <source>caution zone: H there is below 6000 nT, compasses are unreliable</source>
+        <translation>strefa ostrożności: H wynosi tam poniżej 6000 nT, busole są niepewne</translation>
+    </message>
+    <message>
+        <source>a sensor model</source>
+        <translation>model czujnika</translation>
+    </message>
+    <message>
+        <source>H differs by more than a factor of two between the places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swings at several places</source>
+        <translation>pomiary w kilku miejscach</translation>
+    </message>
+    <message>
+        <source>up to %1 is expected there, beyond the limit</source>
+        <translation>oczekuje się tam do %1, ponad wartość dopuszczalną</translation>
+    </message>
+    <message>
+        <source>coefficient %1 cannot be removed: these headings do not tell it</source>
+        <translation>współczynnika %1 nie da się usunąć: te kursy go nie określają</translation>
+    </message>
+    <message>
+        <source>the Earth&apos;s field of the swing of %1 is not known; expected a site with latitude and longitude, and a date within the magnetic models</source>
+        <translation>pole Ziemi dla pomiaru %1 nie jest znane; oczekiwano miejsca z szerokością i długością geograficzną oraz daty objętej modelami magnetycznymi</translation>
+    </message>
+    <message>
+        <source>the readings of the swing of %1 do not tell all five coefficients; expected five headings at least, round the compass</source>
+        <translation>odczyty pomiaru %1 nie określają wszystkich pięciu współczynników; oczekiwano co najmniej pięciu kursów dookoła róży</translation>
+    </message>
+    <message>
+        <source>%1 is %2; expected %3</source>
+        <translation>%1 – %2; oczekiwano %3</translation>
+    </message>
+    <message>
+        <source>not clear: an O is east in German and west in French</source>
+        <translation>niejasne: O to wschód po niemiecku, a zachód po francusku</translation>
+    </message>
+    <message>
+        <source>a sign or %1 or %2, not both</source>
+        <translation>znak albo %1 lub %2, nie oba naraz</translation>
+    </message>
+    <message>
+        <source>a true heading</source>
+        <translation>kurs rzeczywisty</translation>
+    </message>
+    <message>
+        <source>a magnetic heading</source>
+        <translation>kurs magnetyczny</translation>
+    </message>
+    <message>
+        <source>a compass heading</source>
+        <translation>kurs kompasowy</translation>
+    </message>
+    <message>
+        <source>degrees from 0 to 360, such as 47.5 or 47°30&apos;, or a point such as NE</source>
+        <translation>stopni od 0 do 360, na przykład 47.5 lub 47°30&apos;, albo punktu róży, jak NE</translation>
+    </message>
+    <message>
+        <source>not a bearing from north or south</source>
+        <translation>to nie namiar od północy ani południa</translation>
+    </message>
+    <message>
+        <source>0 to 90 degrees, such as N 45 E</source>
+        <translation>od 0 do 90 stopni, na przykład N 45 E</translation>
+    </message>
+    <message>
+        <source>degrees from -%1 to %1, such as 3.25 or -3°15&apos;</source>
+        <translation>stopni od -%1 do %1, na przykład 3.25 lub -3°15&apos;</translation>
+    </message>
+    <message>
+        <source>degrees from -90 to 90, north positive, such as 51.55, 51°33&apos;N or 33.9 S</source>
+        <translation>stopni od -90 do 90, północne dodatnie, na przykład 51.55, 51°33&apos;N lub 33.9 S</translation>
+    </message>
+    <message>
+        <source>out of range</source>
+        <translation>poza zakresem</translation>
+    </message>
+    <message>
+        <source>is %1; expected UTF-8: save it with the character set UTF-8 (in Excel: &quot;CSV UTF-8&quot;)</source>
+        <translation>jest w kodowaniu %1; oczekiwano UTF-8: zapisz plik w zestawie znaków UTF-8 (w Excelu: „CSV UTF-8”)</translation>
+    </message>
+    <message>
+        <source>UTF-16 without its byte order mark</source>
+        <translation>UTF-16 bez znacznika kolejności bajtów</translation>
+    </message>
+    <message>
+        <source>the byte %1 behind %2 is not UTF-8 (the file is in a code page such as Windows-1252); expected UTF-8: save it with the character set UTF-8 (in Excel: &quot;CSV UTF-8&quot;)</source>
+        <translation>bajt %1 po %2 nie jest UTF-8 (plik jest w stronie kodowej, na przykład Windows-1252); oczekiwano UTF-8: zapisz plik w zestawie znaków UTF-8 (w Excelu: „CSV UTF-8”)</translation>
+    </message>
+    <message>
+        <source>standard output takes no more; expected one that is read to its end</source>
+        <translation>standardowe wyjście nie przyjmuje więcej danych; oczekiwano czytanego do końca</translation>
+    </message>
+    <message>
+        <source>a file of magnetic coefficients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends without its line of nines behind degree %1: whether more degrees are missing cannot be told; expected a line of 48 nines at its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends without its line of nines within degree %1, before order %2: it is cut short</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has one epoch and no column of the yearly change (as &quot;2025-30&quot;), so it says nothing of any other year; expected both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>anulowano</translation>
+    </message>
+    <message>
+        <source>A alone: the compass or detector was turned in its mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B and C: permanent magnetism, of the aircraft or of the compensating magnets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D and E of a remote compass: the transmission of its signal (two-cycle error), or soft iron near the detector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D and E: soft iron, the correctors or parts near the compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several coefficients at once: iron near the compass was changed, or the compass itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 aircraft types are in one selection: their mean is that of no aircraft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 compass systems are in one selection: choose one for a pattern that an aircraft has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swings with the radio on and off are in one selection: choose one state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swing(s) left out: %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>one aircraft is no population: no spread between aircraft can be told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) not held against a limit: their compass has none</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no pair of a swing as left and the next as found: how often limits are exceeded between inspections cannot be told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the compasses have different limits: an expected share is told for one limit only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n compass(es) not ranked: no limit is known</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swing(s) not compared through the years: the other radio state</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>few swings of a kind: their scatter is estimated in each series, and only large jumps are found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a grid of %1 headings; expected 3 to 360</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no swing is in the selection; expected at least one that is complete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2: %3 jumped by %4° ± %5° between %6 and %7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crew %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>east of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>west of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its sum (CUSUM)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its average (EWMA)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: A lies %3 what is usual by %4; the average stood at %5°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fell by %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rose by %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean |A| %1, from %2° in %3 swings to %4° in %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compared at %1, as was asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the change lies between the swings of %1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the %1 compasses that were swung on both sides alone, the mean |A| changed by %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no compass was swung on both sides: the change cannot be told from one of the aircraft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what else changed at that date (crews, datum instrument, base) cannot be told from training by these figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1° by its last swing, beyond its limit of %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 drifts by %2° a year</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 jumped by %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1° expected, near its limit of %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swing(s) known: mostly its type&apos;s scatter</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 years since its last swing by then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1° expected of a limit of %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crew: most swings name none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base: most swings name none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aircraft: each has one swing, so that it cannot be told from a reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aircraft: there is one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base: there is one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crew: there is one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crew: each made one swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base: each had one swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crew: each had one aircraft, and each aircraft one crew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base: each had one aircraft, and each aircraft one base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crew and base: each base has one crew, so that what is told as the base&apos;s may be the crew&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crew: there are more of them than are told apart here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base: there are more of them than are told apart here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fewer than two swings: no variance can be told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all swings are equal: there is no variance to be divided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is what a spreadsheet writes where it cannot compute; expected a heading</source>
+        <translation>%1 to zapis arkusza, który nie mógł czegoś obliczyć; oczekiwano kursu</translation>
+    </message>
+    <message>
+        <source>lines %1 and %2 list one heading, 000 and 360, with different readings, %3 and %4: both count, so look which is right</source>
+        <translation>wiersze %1 i %2 podają ten sam kurs, 000 i 360, z różnymi odczytami, %3 i %4: liczą się oba, więc sprawdź, który jest właściwy</translation>
+    </message>
+    <message>
+        <source>lines %1 and %2 list one heading, 000 and 360, with the same reading: it counts once</source>
+        <translation>wiersze %1 i %2 podają ten sam kurs, 000 i 360, z tym samym odczytem: liczy się raz</translation>
+    </message>
+    <message>
+        <source>a Swing CSV</source>
+        <translation>plik CSV pomiaru</translation>
+    </message>
+    <message>
+        <source>%1: the cell is empty; expected degrees, such as 47.5</source>
+        <translation>%1: komórka jest pusta; oczekiwano stopni, na przykład 47.5</translation>
+    </message>
+    <message>
+        <source>a true heading (HDT or THS)</source>
+        <translation>kurs rzeczywisty (HDT lub THS)</translation>
+    </message>
+    <message numerus="yes">
+        <source>no fix: the receiver says so in all %n of its RMC and VTG (status V, mode N), so there is no track to hold the compass against</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the RMC and VTG of the log hold no track with a speed; expected an aircraft that moves</source>
+        <translation>RMC i VTG w zapisie nie zawierają kąta drogi z prędkością; oczekiwano poruszającego się statku powietrznego</translation>
+    </message>
+    <message>
+        <source>no compass heading stands beside %1; expected a log that holds both</source>
+        <translation>obok %1 nie ma kursu kompasowego; oczekiwano zapisu, który zawiera oba</translation>
+    </message>
+    <message>
+        <source>the true heading is a speed log&apos;s (VHW), which mostly is the compass&apos;s own with the variation added: such a reference shows no deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the true heading %1 is sent by a magnetic compass: it is no reference for one</source>
+        <translation>kurs rzeczywisty %1 wysyła busola magnetyczna: nie może być dla niej odniesieniem</translation>
+    </message>
+    <message>
+        <source>holds no compass heading: all are negative or beyond 360</source>
+        <translation>nie zawiera kursu kompasowego: wszystkie są ujemne lub większe niż 360</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n heading(s) that are none (negative, or beyond 360) left out</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s) the receiver had no fix (status V, mode N)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s) or heading(s) are estimated (mode E, dead reckoning): perhaps from the very compass that is swung</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s) or heading(s) were typed in (mode M)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s) or heading(s) come from a simulator (mode S)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n HDG sentence(s) with a deviation of their own (up to %1°, east +), which is not applied: the heading beside it is the sensor&apos;s before it; an instrument that has applied it already must be swung with it cleared</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>wind from %1° true at %2 ± %3 kt, airspeed %4 kt, is taken out of the tracks</source>
+        <translation>wiatr z %1° rzeczywistych, %2 ± %3 w, prędkość powietrzna %4 w, został odjęty od kątów drogi</translation>
+    </message>
+    <message>
+        <source>the ground speed varies with the track, as if wind or current of %1 kt carried it: on wheels that is the driver; otherwise B and C are out by up to %2° (--wind takes it out)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference is %1 ± %2 s older than the heading beside it; that is taken out</source>
+        <translation>odniesienie jest starsze od sąsiedniego kursu o %1 ± %2 s; uwzględniono to</translation>
+    </message>
+    <message>
+        <source>most of the turn is faster than %1°/s: a card in its liquid lags; %2 to %1°/s tells more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clockwise A is %1°, counter-clockwise %2°; the two curves differ by up to %3°</source>
+        <translation>w prawo A wynosi %1°, w lewo %2°; obie krzywe różnią się do %3°</translation>
+    </message>
+    <message>
+        <source>no compass heading of %1 has a reference (%2) near its time</source>
+        <translation>żaden kurs kompasowy %1 nie ma odniesienia (%2) o zbliżonym czasie</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text (a Windows editor&apos;s or shell&apos;s &quot;Unicode&quot;); expected plain text: save it once more as UTF-8 or ASCII</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an NMEA log</source>
+        <translation>zapis NMEA</translation>
+    </message>
+    <message>
+        <source>%1 dates the log %2, and not %3</source>
+        <translation>%1 datuje zapis na %2, a nie %3</translation>
+    </message>
+    <message>
+        <source>the log tells different variations: %1 (east +); that of %2 is taken</source>
+        <translation>zapis podaje różne deklinacje: %1 (wschodnia +); przyjęto deklinację %2</translation>
+    </message>
+    <message>
+        <source>the variation of the log is %1° (east +), that of %2 is %3°: they are %4° apart, and A with them; take the model&apos;s (--variation model) unless you know the log&apos;s to be right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the variation stated is %1° (east +), that of %2 is %3°: they are %4° apart</source>
+        <translation>podana deklinacja wynosi %1° (wschodnia +), według %2 %3°: różnią się o %4°</translation>
+    </message>
+    <message>
+        <source>the log is dated %1, a day on which the GPS week count began: the receiver did not know the date; state it (--date)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log is dated %1: a receiver that missed the turn of the GPS week count (1024 weeks) writes so for %2; state the date (--date)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its date %1 is still to come (today is %2); expected the day on which it was swung</source>
+        <translation>data %1 jeszcze nie nadeszła (dziś jest %2); oczekiwano dnia pomiaru</translation>
+    </message>
+    <message>
+        <source>E or W, or a number with its sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the survey of %1 has the declination %2° (east +), the model %3°: what lies in the ground there is in no model; state the variation of the survey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log is dated %1, and today is %2: one of the clocks is wrong (--date states it)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tracks do not tell the wind (three directions at one airspeed would): each knot of it across turns the track from the heading by %1°, into A, B and C; their errors allow for %2 kt of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log tells no time: its turn is taken as one of 1°/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the turn goes one way at about one rate: A and a delay between heading and reference cannot be told apart, each second of delay is %1° of A; A is sure to ± %2° only (a turn the other way would tell)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the headings are too uneven to tell the delay between heading and reference: each second of it is %1° of A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>there are readings on %n heading(s), and five coefficients need five</source>
+        <translation>
+            <numerusform>odczyty są na %n kursie, a pięć współczynników wymaga pięciu</numerusform>
+            <numerusform>odczyty są na %n kursach, a pięć współczynników wymaga pięciu</numerusform>
+            <numerusform>odczyty są na %n kursach, a pięć współczynników wymaga pięciu</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the headings stand on one side: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 A, B, C, D and E cannot be told: %2</source>
+        <translation>nie da się określić A, B, C, D i E (%1): %2</translation>
+    </message>
+    <message>
+        <source>%1 D and E cannot be told: %2; whatever there is of them is hidden in A, B and C</source>
+        <translation>nie da się określić D i E (%1): %2; ich udział kryje się w A, B i C</translation>
+    </message>
+    <message>
+        <source>%1 D cannot be told: on the cardinal headings it does nothing</source>
+        <translation>nie da się określić D (%1): na kursach głównych nie działa</translation>
+    </message>
+    <message>
+        <source>%1 E cannot be told: on the intercardinal headings it does nothing</source>
+        <translation>nie da się określić E (%1): na kursach pośrednich nie działa</translation>
+    </message>
+    <message>
+        <source>%1 coefficients go through every reading: their standard errors are those of the reading alone, and no scatter can be seen</source>
+        <translation>współczynniki (%1) przechodzą przez każdy odczyt: ich błędy standardowe wynikają z samego odczytu, a rozrzutu nie widać</translation>
+    </message>
+    <message>
+        <source>%1 residuals of neighbouring readings are alike (correlation %2): the standard errors count that many readings tell little more than a few; something drifted slowly, or five coefficients do not describe the curve</source>
+        <translation>reszty (%1) sąsiednich odczytów są podobne (korelacja %2): błędy standardowe uwzględniają, że wiele odczytów mówi niewiele więcej niż kilka; coś powoli dryfowało albo pięć współczynników nie opisuje krzywej</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) cannot be checked against each other: a misread figure would not be seen</source>
+        <translation>
+            <numerusform>%n odczytu nie da się sprawdzić z innymi: błędnej wartości nie byłoby widać</numerusform>
+            <numerusform>%n odczytów nie da się sprawdzić ze sobą: błędnej wartości nie byłoby widać</numerusform>
+            <numerusform>%n odczytów nie da się sprawdzić ze sobą: błędnej wartości nie byłoby widać</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) hold little against each other: a figure misread by less than about %1° could pass unseen</source>
+        <translation>
+            <numerusform>%n odczyt słabo się sprawdza: pomyłka mniejsza niż około %1° mogłaby przejść niezauważona</numerusform>
+            <numerusform>%n odczyty słabo sprawdzają się nawzajem: pomyłka mniejsza niż około %1° mogłaby przejść niezauważona</numerusform>
+            <numerusform>%n odczytów słabo sprawdza się nawzajem: pomyłka mniejsza niż około %1° mogłaby przejść niezauważona</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the compass reads %1 on all headings: it is stuck, or one figure was written down for all; no deviation can be told</source>
+        <translation>busola wskazuje %1 na wszystkich kursach: zacięła się albo zapisano jedną wartość dla wszystkich; dewiacji nie da się określić</translation>
+    </message>
+    <message>
+        <source>the compass runs backwards: it reads less as the aircraft turns right (a mirrored card, or headings and readings of opposite senses); no deviation can be told</source>
+        <translation>busola obraca się wstecz: wskazuje mniej przy zakręcie w prawo (odwrócona róża albo kursy i odczyty o przeciwnych zwrotach); dewiacji nie da się określić</translation>
+    </message>
+    <message>
+        <source>the compass reads the reciprocal: %1°%2 was taken out as its index before B, C, D and E; look whether it was read from the other side or is mounted back to front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the compass is %1°%2 out as a whole: this was taken out as its index before B, C, D and E; look at its mount and its lubber line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical soft iron (c, f) of about %1, hard iron (P, Q) of about %2 nT, compensating magnets of about %3 nT and a one-cycle error of the compass itself of about %4° (standard deviations)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>five coefficients do not describe this curve: a third harmonic of %1° is in the readings, more than chance, and the card leaves it out (largest residual %2°)</source>
+        <translation>pięć współczynników nie opisuje tej krzywej: odczyty zawierają trzecią harmoniczną %1°, więcej niż przypadek, a tablica dewiacji jej nie obejmuje (największa reszta %2°)</translation>
+    </message>
+    <message>
+        <source>five coefficients leave a scatter of %1° where reading the compass explains %2°: the readings are poor, or more than five coefficients are in them</source>
+        <translation>pięć współczynników pozostawia rozrzut %1°, a odczyt busoli tłumaczy %2°: odczyty są słabe albo zawierają więcej niż pięć współczynników</translation>
+    </message>
+    <message>
+        <source>the dip is small at %1: vertical soft iron hardly showed, and what it does elsewhere is its assumed size only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings of %1 leave nothing over to tell their errors by: an error of %2° a reading is assumed</source>
+        <translation>odczyty pomiaru %1 nie pozostawiają nic do oceny błędów: przyjęto błąd %2° na odczyt</translation>
+    </message>
+    <message>
+        <source>by the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with a probability of %1 %, assuming %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one swing (%1), which cannot tell hard iron from vertical soft iron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to %1 is possible there, beyond the limit, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the card of here may not be right there: the deviation changes by up to %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the deviation changes by no more than %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>db</name>
+    <message>
+        <source>this is a folder; expected a database file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is empty; expected a Lubberline database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such database; expected an existing file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder %1 is not there; expected an existing one for the new database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder %1 may not be written; expected one that may</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this SQLite file was not made by Lubberline; expected a fleet database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the database has schema %1, made by a newer Lubberline; this one knows schemas up to %2: update the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the step to schema %1 (%2) failed, nothing was changed: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the database has the old schema %1 and may only be read; expected one that may be written once, to bring it up to date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the database was not closed properly, and its folder may not be written; expected one that may, so that what was stored last can be recovered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is an aircraft type of this name already; expected another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is an aircraft of this registration already; expected another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a compass of this name on this aircraft already; expected another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a site of this name already; expected another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a limits profile of this name already; expected another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a record of this identity already; expected another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swing is signed and frozen; expected a new revision instead of a change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; expected no change of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value is outside its range; expected one that fits %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record refers to another that is not in the database, or is still referred to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something that is needed is not stated (%1); expected a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record contradicts another in the database (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program is writing to the database; expected it to be free: close the other program or try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the database may only be read; expected a file and folder that may be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the drive failed while the database was read or written (%1); expected a drive that is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the database is damaged (%1); expected a whole one: restore a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the drive is full; expected room for the database: free some space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the database cannot be opened; expected a file in a folder that is there and may be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is not a Lubberline database; expected an SQLite file made by this program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the database refused (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number is not finite; expected a real figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is stored where a day should be; expected YYYY-MM-DD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such %1 in the database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a part of the change failed; nothing was stored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waiver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of the rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of who waives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reason of the waiver is empty; expected why no swing is needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the waiver is on record already; a waiver is not changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>electrical swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the electrical swing %1 does not read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aircraft type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aircraft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>busola</translation>
+    </message>
+    <message>
+        <source>fleet</source>
+        <translation>flota</translation>
+    </message>
+    <message>
+        <source>aircraft as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of the aircraft type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the registration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of the compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guided swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guided swing %1 does not read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guided swing is finished; nothing is added to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this guided swing has gone on in another window (%1 steps there, %2 known here); nothing was overwritten: take it up again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this %1 (%2) has been changed elsewhere; nothing was overwritten, look at it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is empty; expected a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sensor model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of the sensor model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a figure of the sensor model %1 is not a real number; expected finite ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the states of its moving parts do not read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swing is %1 already; expected a draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swing is not complete: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swing is signed and frozen; expected an amendment instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swing is a draft already; expected a complete one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reason is empty; expected why a complete swing is opened again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swing is a draft; expected a complete one: it is completed before it is signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name is empty; expected who signs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swing is not signed; expected a signed one: anything else can be changed as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reason is empty; expected why the signed swing is amended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swing is amended already by the record %1; expected that one to be changed or amended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the signed swing of %1 (record %2) is not what was signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>site</source>
+        <translation>miejsce</translation>
+    </message>
+    <message>
+        <source>limits profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the survey of the site %1 does not read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>datum instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of the site</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of the limits profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of the instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swing</source>
+        <translation>pensacyjny</translation>
+    </message>
+    <message>
+        <source>reading of the swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no record id; expected one, or its beginning, as `lubberline swings` lists them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no swing whose record id begins with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several swings have record ids that begin with %1; expected more of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the state of a swing is no particular; expected it to be completed, opened again with a reason, or signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>somebody has signed this swing; it stays on record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only a draft can be removed; this swing is complete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this reading has been changed elsewhere to: %1; nothing was overwritten, look at it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cancelled; nothing was exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the guided swing of %1, %2, %3 has gone on here and elsewhere in different ways (record %4); nothing was stored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swing of %1, %2, %3 is in the database already with other contents (record %4); nothing was stored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cancelled; nothing was stored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>integrity: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>foreign key: a row of %1 refers to a missing row of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>order: two readings of the swing %1 are in one place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>figure: %1 of the record %2 is not a real number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sensor model: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signature: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>results: the state kept for %1, %2 is not that of its latest swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>results: those kept for the swing of %1 (record %2) are not what its readings give</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>anulowano</translation>
+    </message>
+    <message>
+        <source>there is a file of this name already; expected a new name for the backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the backup could not be written to its place; expected a folder that may be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::AircraftPage</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>&amp;Aircraft</source>
+        <translation>S&amp;tatek powietrzny</translation>
+    </message>
+    <message>
+        <source>&amp;Compass and limits</source>
+        <translation>&amp;Busola i wartości dopuszczalne</translation>
+    </message>
+    <message>
+        <source>E&amp;vents</source>
+        <translation>&amp;Zdarzenia</translation>
+    </message>
+    <message>
+        <source>Registration:</source>
+        <translation>Znaki rejestracyjne:</translation>
+    </message>
+    <message>
+        <source>an aircraft must have a registration or tail number</source>
+        <translation>statek powietrzny musi mieć znaki rejestracyjne lub numer boczny</translation>
+    </message>
+    <message>
+        <source>Serial number:</source>
+        <translation>Numer seryjny:</translation>
+    </message>
+    <message>
+        <source>Operator:</source>
+        <translation>Użytkownik:</translation>
+    </message>
+    <message>
+        <source>Built:</source>
+        <translation>Rok budowy:</translation>
+    </message>
+    <message>
+        <source>Based at:</source>
+        <translation>Miejsce bazowania:</translation>
+    </message>
+    <message>
+        <source>A compass base of this database: where another is, the swing is due when the compass is predicted to leave its limits there</source>
+        <translation>Krąg dewiacyjny z tej bazy danych: po zmianie miejsca bazowania pomiar dewiacji jest wymagany, gdy według prognozy busola przekroczy tam wartości dopuszczalne</translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Uwaga:</translation>
+    </message>
+    <message>
+        <source>Show:</source>
+        <translation>Pokaż:</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nazwa:</translation>
+    </message>
+    <message>
+        <source>a compass must have a name, as “standby compass”</source>
+        <translation>busola musi mieć nazwę, na przykład „busola zapasowa”</translation>
+    </message>
+    <message>
+        <source>Kind:</source>
+        <translation>Rodzaj:</translation>
+    </message>
+    <message>
+        <source>Compensator:</source>
+        <translation>Kompensator:</translation>
+    </message>
+    <message>
+        <source>Limits:</source>
+        <translation>Dopuszczalne:</translation>
+    </message>
+    <message>
+        <source>none set</source>
+        <translation>nie ustalono</translation>
+    </message>
+    <message>
+        <source>Resolution (°):</source>
+        <translation>Działka odczytu (°):</translation>
+    </message>
+    <message>
+        <source>Maker:</source>
+        <translation>Producent:</translation>
+    </message>
+    <message>
+        <source>Part number:</source>
+        <translation>Numer części:</translation>
+    </message>
+    <message>
+        <source>Installed on:</source>
+        <translation>Zabudowana dnia:</translation>
+    </message>
+    <message>
+        <source>Location:</source>
+        <translation>Położenie:</translation>
+    </message>
+    <message>
+        <source>Swings</source>
+        <translation>Pomiary dewiacji</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Rodzaj</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Etap</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest (°)</source>
+        <translation>Największa (°)</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Ocena</translation>
+    </message>
+    <message>
+        <source>Swings of this compass, newest first. Enter or double click opens one.</source>
+        <translation>Pomiary dewiacji tej busoli, od najnowszego. Enter lub dwukrotne kliknięcie otwiera pomiar.</translation>
+    </message>
+    <message>
+        <source>%1 · </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · DEMONSTRATION</source>
+        <translation> · DANE POKAZOWE</translation>
+    </message>
+    <message>
+        <source>%1 (swings: %2)</source>
+        <translation>%1 (pomiary: %2)</translation>
+    </message>
+    <message>
+        <source>there is no compass base %1; expected one of: %2</source>
+        <translation>nie ma kręgu dewiacyjnego %1; oczekiwano jednego z: %2</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Badge</name>
+    <message>
+        <source>in limits</source>
+        <translation>w granicach</translation>
+    </message>
+    <message>
+        <source>out of limits</source>
+        <translation>poza granicami</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nieznany</translation>
+    </message>
+    <message>
+        <source>In limits: the newest swing of every compass keeps the limits set for it</source>
+        <translation>W granicach: najnowszy pomiar każdej busoli mieści się w wartościach dopuszczalnych</translation>
+    </message>
+    <message>
+        <source>Out of limits: the newest swing of a compass exceeds the limits set for it</source>
+        <translation>Poza granicami: najnowszy pomiar którejś busoli przekracza wartości dopuszczalne</translation>
+    </message>
+    <message>
+        <source>Not known: no limits are set, or no swing with a result is on record</source>
+        <translation>Nieznany: nie ustalono wartości dopuszczalnych albo nie ma pomiaru z wynikiem</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::BenchDrawing</name>
+    <message>
+        <source>The bench from above and from the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from above (nose left, starboard up)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the port side (nose left)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>czujnik</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 m forward, %3 m starboard, %4 m down</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::BenchResults</name>
+    <message>
+        <source>hard iron P %1, Q %2, R %3 nT
+soft iron S:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+%1, %2 A, %3: S %4, T %5, V %6 nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>włączone</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>wyłączone</translation>
+    </message>
+    <message>
+        <source>&amp;Parts&apos; shares</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Coefficients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P (nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Q (nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R (nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>f</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each part&apos;s share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dipole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::BenchRows</name>
+    <message>
+        <source>row %1: %2</source>
+        <translation type="unfinished">wiersz %1, %2 {1:?}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 numbers; expected %3 apart by spaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no shape; expected box, cylinder, ellipsoid or sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a loop has 8 numbers: centre x y z; normal x y z; diameter; turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a loop has a whole number of turns, 1 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no conductor; expected loop or wire</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wire has points x y z; x y z; … two at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first row has no name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first conductor has no circuit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no state of a circuit; expected on or off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>size (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>χ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remanence (T)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centre x y z (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roll pitch yaw (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circuit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current (A)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on/off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>rodzaj</translation>
+    </message>
+    <message>
+        <source>geometry (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new circuit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sensor: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(circuits) %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::BenchTables</name>
+    <message>
+        <source>Ferrous parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loops and wires</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sens&amp;or x y z (m, forward, starboard, down):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add conductor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ChartHistoryPlot</name>
+    <message>
+        <source>Coefficients over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ChartPlot</name>
+    <message>
+        <source>Components</source>
+        <translation>Składowe</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Krzywa</translation>
+    </message>
+    <message>
+        <source>Polar</source>
+        <translation>Biegunowy</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Widmo</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::CircuitForm</name>
+    <message>
+        <source>on</source>
+        <translation>włączone</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>Name of the circuit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this circuit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 switched on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 switched off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a circuit must have a name, as “landing light”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name of a circuit</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Clipboard</name>
+    <message>
+        <source>row %1 of what is pasted has text behind a closing quote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 rows are to be pasted; expected a table of readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a quote that begins in row %1 of what is pasted is not closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::CoefficientsPanel</name>
+    <message>
+        <source>Coefficients</source>
+        <translation>Współczynniki</translation>
+    </message>
+    <message>
+        <source>Approx. (°)</source>
+        <translation>Przybl. (°)</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Dokładne</translation>
+    </message>
+    <message>
+        <source>Rule (°)</source>
+        <translation>Reguła (°)</translation>
+    </message>
+    <message>
+        <source>Least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ on compass headings</source>
+        <translation>Najmniejsze kwadraty δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ na kursach kompasowych</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>Błąd standardowy</translation>
+    </message>
+    <message>
+        <source>Exact Smith coefficients, dimensionless, on magnetic headings</source>
+        <translation>Dokładne współczynniki Smitha, bezwymiarowe, na kursach magnetycznych</translation>
+    </message>
+    <message>
+        <source>The classical rule for 8 or 4 points</source>
+        <translation>Klasyczna reguła dla 8 lub 4 punktów</translation>
+    </message>
+    <message>
+        <source>%1-point (°)</source>
+        <translation>%1-punktowa (°)</translation>
+    </message>
+    <message>
+        <source>Four points cannot tell D</source>
+        <translation>Cztery punkty nie określają D</translation>
+    </message>
+    <message>
+        <source>The rule needs readings near N, E, S and W</source>
+        <translation>Reguła wymaga odczytów w pobliżu N, E, S i W</translation>
+    </message>
+    <message>
+        <source>These headings cannot tell it</source>
+        <translation>Na tych kursach nie da się go określić</translation>
+    </message>
+    <message>
+        <source>N = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms residual %1° (exact %2°)</source>
+        <translation>średnia kwadratowa reszt %1° (dokładna %2°)</translation>
+    </message>
+    <message>
+        <source>degrees of freedom %1</source>
+        <translation>stopnie swobody %1</translation>
+    </message>
+    <message>
+        <source>condition %1</source>
+        <translation>uwarunkowanie %1</translation>
+    </message>
+    <message>
+        <source>95 % ±</source>
+        <translation>95 % ±</translation>
+    </message>
+    <message>
+        <source>No interval: there are no more readings than coefficients</source>
+        <translation>Brak przedziału: odczytów nie jest więcej niż współczynników</translation>
+    </message>
+    <message>
+        <source>95 % interval (Student): %1 standard errors of %2</source>
+        <translation>Przedział 95 % (Student): %1 błędów standardowych %2</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ComponentsChart</name>
+    <message>
+        <source>sum</source>
+        <translation>suma</translation>
+    </message>
+    <message>
+        <source>compass heading (°)</source>
+        <translation>kurs kompasowy (°)</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>odczyty</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::CrewDisplay</name>
+    <message>
+        <source>Crew display</source>
+        <translation>Ekran dla załogi</translation>
+    </message>
+    <message>
+        <source>Turn the compass in its mount until it reads</source>
+        <translation>Obracaj busolę w obsadzie, aż wskaże</translation>
+    </message>
+    <message>
+        <source>Turn the %1 until the compass reads</source>
+        <translation>Obracaj (%1), aż busola wskaże</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>na kursie %1</translation>
+    </message>
+    <message>
+        <source>Turn to</source>
+        <translation>Obróć na</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::CurveChart</name>
+    <message>
+        <source>95 % band</source>
+        <translation>pas 95 %</translation>
+    </message>
+    <message>
+        <source>previous swing</source>
+        <translation>poprzedni pomiar</translation>
+    </message>
+    <message>
+        <source>approximate fit</source>
+        <translation>dopasowanie przybliżone</translation>
+    </message>
+    <message>
+        <source>exact fit</source>
+        <translation>dopasowanie dokładne</translation>
+    </message>
+    <message>
+        <source>residual (°)</source>
+        <translation>reszta (°)</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>odczyty</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>dopuszczalne</translation>
+    </message>
+    <message>
+        <source>δ (°, east +)</source>
+        <translation>δ (°, wsch. +)</translation>
+    </message>
+    <message>
+        <source>δ (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>res. (°)</source>
+        <translation>reszta (°)</translation>
+    </message>
+    <message>
+        <source>res.</source>
+        <translation>reszta</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Documents</name>
+    <message>
+        <source>a card has %1 STEER columns here; expected one or two</source>
+        <translation>tablica ma tu %1 kolumn STERUJ; oczekiwano jednej lub dwóch</translation>
+    </message>
+    <message>
+        <source>the card has no headings; expected one every 30° or 45°</source>
+        <translation>tablica nie ma kursów; oczekiwano ich co 30° lub 45°</translation>
+    </message>
+    <message>
+        <source>the two STEER columns are for different headings; expected the same step in both</source>
+        <translation>dwie kolumny STERUJ dotyczą różnych kursów; oczekiwano w obu tego samego kroku</translation>
+    </message>
+    <message>
+        <source>; %1 taken out mechanically after the swing and not in these figures</source>
+        <translation>; %1 usunięto mechanicznie po pomiarze, nie ma go w tych liczbach</translation>
+    </message>
+    <message>
+        <source>deviation by the exact fit at each heading</source>
+        <translation>dewiacja z dokładnego dopasowania na każdym kursie</translation>
+    </message>
+    <message>
+        <source>deviation of the reading nearest to each heading</source>
+        <translation>dewiacja odczytu najbliższego każdemu kursowi</translation>
+    </message>
+    <message>
+        <source>STEER = FOR − deviation, to whole degrees; %1%2</source>
+        <translation>STERUJ = NA KURS − dewiacja, do pełnych stopni; %1%2</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Liczby</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Po</translation>
+    </message>
+    <message>
+        <source>adjustment: the figures are what remains</source>
+        <translation>kompensacji: liczby są tym, co pozostało</translation>
+    </message>
+    <message>
+        <source>a check only: nothing was adjusted</source>
+        <translation>samej kontroli: niczego nie regulowano</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Odbiorniki</translation>
+    </message>
+    <message>
+        <source>push the deviation past 10° while they are on: %1</source>
+        <translation>po włączeniu zwiększają dewiację ponad 10°: %1</translation>
+    </message>
+    <message>
+        <source>Next swing</source>
+        <translation>Następny pomiar</translation>
+    </message>
+    <message>
+        <source>due on %1 by the calendar; earlier after an event that makes one due</source>
+        <translation>według kalendarza %1; wcześniej po zdarzeniu, które go wymaga</translation>
+    </message>
+    <message>
+        <source>Reprint</source>
+        <translation>Ponowny wydruk</translation>
+    </message>
+    <message>
+        <source>of the card of %1, from the record</source>
+        <translation>tablicy z %1, z zapisu</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Użycie</translation>
+    </message>
+    <message>
+        <source>Print at 100 %, check the line of 50 mm, cut along the marks, fix it on or near the compass and take the old card away. It holds for level flight in the configuration that it names. Between two headings, interpolate.</source>
+        <translation>Wydrukuj w skali 100 %, sprawdź odcinek 50 mm, wytnij wzdłuż znaków, umieść na busoli lub obok niej i usuń starą tablicę. Obowiązuje w locie poziomym w podanej konfiguracji. Między dwoma kursami interpoluj.</translation>
+    </message>
+    <message>
+        <source>The figures before rounding</source>
+        <translation>Liczby przed zaokrągleniem</translation>
+    </message>
+    <message>
+        <source>FOR</source>
+        <translation>NA KURS</translation>
+    </message>
+    <message>
+        <source>magnetic</source>
+        <translation>magnetyczny</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>busola</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Dewiacja</translation>
+    </message>
+    <message>
+        <source>corrected for</source>
+        <translation>poprawione dla</translation>
+    </message>
+    <message>
+        <source>50 mm when printed at 100 %</source>
+        <translation>50 mm przy wydruku w skali 100 %</translation>
+    </message>
+    <message>
+        <source>Compass correction card</source>
+        <translation>Tablica dewiacji busoli</translation>
+    </message>
+    <message>
+        <source>S/N</source>
+        <translation>Nr ser.</translation>
+    </message>
+    <message>
+        <source>CONFIGURATION NOT STATED</source>
+        <translation>NIE PODANO KONFIGURACJI</translation>
+    </message>
+    <message>
+        <source>OVER 10° WITH</source>
+        <translation>PONAD 10° PRZY</translation>
+    </message>
+    <message>
+        <source>Signed</source>
+        <translation>Podpisano</translation>
+    </message>
+    <message>
+        <source>Signed %1</source>
+        <translation>Podpisano %1</translation>
+    </message>
+    <message>
+        <source>Largest residual %1° on %2</source>
+        <translation>Największa reszta %1° na kursie %2</translation>
+    </message>
+    <message>
+        <source>Swung at %1</source>
+        <translation>Pomiar: %1</translation>
+    </message>
+    <message>
+        <source>a site not stated</source>
+        <translation>miejsce niepodane</translation>
+    </message>
+    <message>
+        <source> rev. %1</source>
+        <translation> wyd. %1</translation>
+    </message>
+    <message>
+        <source>Record %1%2 · data %3</source>
+        <translation>Zapis %1%2 · dane %3</translation>
+    </message>
+    <message>
+        <source>Reprint of %1</source>
+        <translation>Ponowny wydruk z %1</translation>
+    </message>
+    <message>
+        <source>Steer this by compass to make good FOR (magnetic).</source>
+        <translation>Steruj tym kursem kompasowym, aby utrzymać NA KURS (magnetyczny).</translation>
+    </message>
+    <message>
+        <source>Deviation = magnetic − compass, E +</source>
+        <translation>Dewiacja = kurs magnetyczny − kompasowy, E +</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>stan zastany</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>kompensacja</translation>
+    </message>
+    <message>
+        <source>check</source>
+        <translation>kontrola</translation>
+    </message>
+    <message>
+        <source>take out all: make compass read = compass + d</source>
+        <translation>usuń całość: ustaw wskazanie busoli = busola + d</translation>
+    </message>
+    <message>
+        <source>take out half: make compass read = compass + d/2</source>
+        <translation>usuń połowę: ustaw wskazanie busoli = busola + d/2</translation>
+    </message>
+    <message>
+        <source>A = (dN + dE + dS + dW)/4 = ____ ; make compass read = compass + A = ____</source>
+        <translation>A = (dN + dE + dS + dW)/4 = ____ ; ustaw wskazanie busoli = busola + A = ____</translation>
+    </message>
+    <message>
+        <source>C = (dN − dS)/2 = ____ ; N–S screw: make compass read = compass %1 C = ____</source>
+        <translation>C = (dN − dS)/2 = ____ ; śruba N–S: ustaw wskazanie busoli = busola %1 C = ____</translation>
+    </message>
+    <message>
+        <source>B = (dE − dW)/2 = ____ ; E–W screw: make compass read = compass %1 B = ____</source>
+        <translation>B = (dE − dW)/2 = ____ ; śruba E–W: ustaw wskazanie busoli = busola %1 B = ____</translation>
+    </message>
+    <message>
+        <source>Signs</source>
+        <translation>Znaki</translation>
+    </message>
+    <message>
+        <source>d = magnetic − compass, easterly positive. Datum: %1</source>
+        <translation>d = kurs magnetyczny − kompasowy, wschodnia dodatnia. Wzorzec: %1</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Osoby</translation>
+    </message>
+    <message>
+        <source>%1 ; it read after: ____</source>
+        <translation>%1 ; potem wskazała: ____</translation>
+    </message>
+    <message>
+        <source>To be filled in</source>
+        <translation>Do wypełnienia</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>co</translation>
+    </message>
+    <message>
+        <source>Before the first reading</source>
+        <translation>Przed pierwszym odczytem</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>wykonano</translation>
+    </message>
+    <message>
+        <source>Interference: compass with engines and electrics off and on</source>
+        <translation>Zakłócenia: busola przy wyłączonych i włączonych silnikach i odbiornikach</translation>
+    </message>
+    <message>
+        <source>heading °</source>
+        <translation>kurs °</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>odbiornik</translation>
+    </message>
+    <message>
+        <source>off °</source>
+        <translation>wył. °</translation>
+    </message>
+    <message>
+        <source>on °</source>
+        <translation>wł. °</translation>
+    </message>
+    <message>
+        <source>change °</source>
+        <translation>zmiana °</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>Stanowiska</translation>
+    </message>
+    <message>
+        <source>no.</source>
+        <translation>nr</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>faza</translation>
+    </message>
+    <message>
+        <source>to °</source>
+        <translation>na °</translation>
+    </message>
+    <message>
+        <source>datum 1</source>
+        <translation>wzorzec 1</translation>
+    </message>
+    <message>
+        <source>2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comp. 1</source>
+        <translation>bus. 1</translation>
+    </message>
+    <message>
+        <source>d °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>do here, and what it read after</source>
+        <translation>czynność tutaj i wskazanie po niej</translation>
+    </message>
+    <message>
+        <source>After the check swing</source>
+        <translation>Po pomiarze kontrolnym</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>nastawienie</translation>
+    </message>
+    <message>
+        <source>A = (dN + dE + dS + dW)/4 of the check swing = ____ ; turn the compass in its mount until it reads compass + A = ____ ; it read ____</source>
+        <translation>A = (dN + dE + dS + dW)/4 z pomiaru kontrolnego = ____ ; obróć busolę w obsadzie, aż wskaże busola + A = ____ ; wskazała ____</translation>
+    </message>
+    <message>
+        <source>datum read by</source>
+        <translation>wzorzec odczytał</translation>
+    </message>
+    <message>
+        <source>compass read by</source>
+        <translation>busolę odczytał</translation>
+    </message>
+    <message>
+        <source>adjusted by</source>
+        <translation>kompensował</translation>
+    </message>
+    <message>
+        <source>date and times (UTC)</source>
+        <translation>data i czas (UTC)</translation>
+    </message>
+    <message>
+        <source>Compass swing: job card</source>
+        <translation>Pomiar dewiacji busoli: karta pracy</translation>
+    </message>
+    <message>
+        <source>TO FLY (M)</source>
+        <translation>LEĆ (M)</translation>
+    </message>
+    <message>
+        <source>STEER (C)</source>
+        <translation>STERUJ (K)</translation>
+    </message>
+    <message>
+        <source>cut here: the lower part stays with the compass, the upper part goes to the logbook</source>
+        <translation>tu ciąć: dolna część pozostaje przy busoli, górna trafia do książki</translation>
+    </message>
+    <message>
+        <source>on this sheet, as on the form: DEV = compass − magnetic, positive where the compass reads more. The deviation of all other documents is magnetic − compass, easterly positive.</source>
+        <translation>na tym arkuszu, jak na formularzu: DEV = kurs kompasowy − magnetyczny, dodatnia, gdy busola wskazuje więcej. Dewiacja we wszystkich innych dokumentach to kurs magnetyczny − kompasowy, wschodnia dodatnia.</translation>
+    </message>
+    <message>
+        <source>%1 · swung %2 · signed ____________</source>
+        <translation>%1 · pomiar %2 · podpis ____________</translation>
+    </message>
+    <message>
+        <source>Pilot&apos;s compass correction card (DD 1613 style)</source>
+        <translation>Tablica dewiacji dla pilota (w układzie DD 1613)</translation>
+    </message>
+    <message>
+        <source>On this sheet DEV = compass heading − magnetic heading; positive where the compass reads more.</source>
+        <translation>Na tym arkuszu DEV = kurs kompasowy − kurs magnetyczny; dodatnia, gdy busola wskazuje więcej.</translation>
+    </message>
+    <message>
+        <source>Compensating swing, residual swing, computation</source>
+        <translation>Pomiar kompensacyjny, pomiar resztkowy, obliczenie</translation>
+    </message>
+    <message>
+        <source>Rose</source>
+        <translation>Krąg</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>kurs</translation>
+    </message>
+    <message>
+        <source>Compensating</source>
+        <translation>Pomiar kom-</translation>
+    </message>
+    <message>
+        <source>(1) actual M</source>
+        <translation>(1) rzecz. M</translation>
+    </message>
+    <message>
+        <source>swing</source>
+        <translation>pensacyjny</translation>
+    </message>
+    <message>
+        <source>(2) comp C</source>
+        <translation>(2) bus. K</translation>
+    </message>
+    <message>
+        <source>DEV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(2) − (1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Reszta</translation>
+    </message>
+    <message>
+        <source>(3) actual M</source>
+        <translation>(3) rzecz. M</translation>
+    </message>
+    <message>
+        <source>(4) comp C</source>
+        <translation>(4) bus. K</translation>
+    </message>
+    <message>
+        <source>C to M</source>
+        <translation>K na M</translation>
+    </message>
+    <message>
+        <source>(3) − (4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M to C</source>
+        <translation>M na K</translation>
+    </message>
+    <message>
+        <source>(4) − (3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no font is installed, and a document without one would be blank; install the package fonts-dejavu-core</source>
+        <translation>nie zainstalowano czcionki, a bez niej dokument byłby pusty; zainstaluj pakiet fonts-dejavu-core</translation>
+    </message>
+    <message>
+        <source>the printer takes no pages; expected one that is switched on and connected</source>
+        <translation>drukarka nie przyjmuje stron; oczekiwano włączonej i podłączonej</translation>
+    </message>
+    <message>
+        <source>the printer stopped before page %1 of %2</source>
+        <translation>drukarka zatrzymała się przed stroną %1 z %2</translation>
+    </message>
+    <message>
+        <source>made by %1</source>
+        <translation>wykonano w %1</translation>
+    </message>
+    <message>
+        <source>made %1 by %2</source>
+        <translation>wykonano %1 w %2</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>strona %1 z %2</translation>
+    </message>
+    <message>
+        <source>Record %1</source>
+        <translation>Zapis %1</translation>
+    </message>
+    <message>
+        <source>Data SHA-256 %1</source>
+        <translation>SHA-256 danych %1</translation>
+    </message>
+    <message>
+        <source>Deviation = magnetic heading − compass heading; easterly is positive.</source>
+        <translation>Dewiacja = kurs magnetyczny − kurs kompasowy; wschodnia dodatnia.</translation>
+    </message>
+    <message>
+        <source>a QR code cannot hold &apos;%1&apos;; expected some text, up to about 2,000 characters</source>
+        <translation>kod QR nie pomieści „%1”; oczekiwano tekstu do około 2000 znaków</translation>
+    </message>
+    <message>
+        <source>this document cannot be written under this name; expected one that ends in .pdf</source>
+        <translation>tego dokumentu nie da się zapisać pod tą nazwą; oczekiwano kończącej się na .pdf</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION DATA</source>
+        <translation>DANE POKAZOWE</translation>
+    </message>
+    <message>
+        <source>DRAFT — NOT SIGNED</source>
+        <translation>SZKIC — NIEPODPISANY</translation>
+    </message>
+    <message>
+        <source>radio</source>
+        <translation>radio</translation>
+    </message>
+    <message>
+        <source>engines</source>
+        <translation>silniki</translation>
+    </message>
+    <message>
+        <source>electrics</source>
+        <translation>odbiorniki elektryczne</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nie podano</translation>
+    </message>
+    <message>
+        <source>Deviation over heading and roll, modelled</source>
+        <translation>Dewiacja w funkcji kursu i przechylenia, modelowana</translation>
+    </message>
+    <message>
+        <source>Earth&apos;s field and sensor model</source>
+        <translation>Pole Ziemi i model czujnika</translation>
+    </message>
+    <message>
+        <source>What it cannot tell</source>
+        <translation>Czego nie określa</translation>
+    </message>
+    <message>
+        <source>Sensor model of the compass</source>
+        <translation>Model czujnika busoli</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m above the ellipsoid</source>
+        <translation>%1 m nad elipsoidą</translation>
+    </message>
+    <message>
+        <source>%1° (east +)</source>
+        <translation>%1° (wschodnia +)</translation>
+    </message>
+    <message>
+        <source>the swing states %1°</source>
+        <translation>w pomiarze podano %1°</translation>
+    </message>
+    <message>
+        <source>they differ by more than %1°: to be looked at</source>
+        <translation>różnią się o więcej niż %1°: do sprawdzenia</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>%1 for %2</source>
+        <translation>%1 dla %2</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Położenie</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Pole</translation>
+    </message>
+    <message>
+        <source>north %1, east %2, down %3 nT; horizontal H %4 nT, total F %5 nT</source>
+        <translation>północ %1, wschód %2, w dół %3 nT; poziome H %4 nT, całkowite F %5 nT</translation>
+    </message>
+    <message>
+        <source>Dip</source>
+        <translation>Inklinacja</translation>
+    </message>
+    <message>
+        <source>%1° (down +)</source>
+        <translation>%1° (w dół +)</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Deklinacja</translation>
+    </message>
+    <message>
+        <source>What this swing tells of the iron: exact coefficients as Poisson&apos;s combinations</source>
+        <translation>Co ten pomiar mówi o żelazie: dokładne współczynniki jako kombinacje Poissona</translation>
+    </message>
+    <message>
+        <source>Coefficient</source>
+        <translation>Współczynnik</translation>
+    </message>
+    <message>
+        <source>Combination</source>
+        <translation>Kombinacja</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Wyznaczono</translation>
+    </message>
+    <message>
+        <source>no unit</source>
+        <translation>bez jednostki</translation>
+    </message>
+    <message>
+        <source>± std. error</source>
+        <translation>± błąd std.</translation>
+    </message>
+    <message>
+        <source>the headings of this swing do not tell all five coefficients, so nothing is said of Poisson&apos;s parameters</source>
+        <translation>kursy tego pomiaru nie określają wszystkich pięciu współczynników, więc o parametrach Poissona nic nie wiadomo</translation>
+    </message>
+    <message>
+        <source>N–S (C)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E–W (B)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>index (A)</source>
+        <translation>nastawienie (A)</translation>
+    </message>
+    <message>
+        <source>As found, before a control was turned on it, and what was left there</source>
+        <translation>Stan zastany, przed obrotem regulacji, i co tam pozostało</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>nominalny</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>dewiacja</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>stan końcowy</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>uwaga</translation>
+    </message>
+    <message>
+        <source>Adjustments: what the compass read, was to read, and read after</source>
+        <translation>Regulacje: co busola wskazywała, co miała wskazać i co wskazała potem</translation>
+    </message>
+    <message>
+        <source>time (UTC)</source>
+        <translation>czas (UTC)</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>włączone</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>regulacja</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>wskazanie</translation>
+    </message>
+    <message>
+        <source>to read</source>
+        <translation>wymagane</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>po</translation>
+    </message>
+    <message>
+        <source>left as it is: %1</source>
+        <translation>pozostawiono: %1</translation>
+    </message>
+    <message>
+        <source>after the check swing</source>
+        <translation>po pomiarze kontrolnym</translation>
+    </message>
+    <message>
+        <source>left in: %1</source>
+        <translation>pozostawiono: %1</translation>
+    </message>
+    <message>
+        <source>done (UTC)</source>
+        <translation>wykonano (UTC)</translation>
+    </message>
+    <message>
+        <source>Interference: the compass with a load off and on</source>
+        <translation>Zakłócenia: busola przy wyłączonym i włączonym odbiorniku</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>wyłączone</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>zmiana</translation>
+    </message>
+    <message>
+        <source>Put aside, skipped, faults and review</source>
+        <translation>Odrzucone, pominięte, usterki i przegląd</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translation>dlaczego</translation>
+    </message>
+    <message>
+        <source>put aside</source>
+        <translation>odrzucono</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>pominięto</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>usterka</translation>
+    </message>
+    <message>
+        <source>mended</source>
+        <translation>usunięto</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>przyjęto</translation>
+    </message>
+    <message>
+        <source>Figures as they were read</source>
+        <translation>Wartości, jak odczytano</translation>
+    </message>
+    <message>
+        <source>datum (°)</source>
+        <translation>wzorzec (°)</translation>
+    </message>
+    <message>
+        <source>datum from astern (°)</source>
+        <translation>wzorzec od tyłu (°)</translation>
+    </message>
+    <message>
+        <source>compass (°)</source>
+        <translation>busola (°)</translation>
+    </message>
+    <message>
+        <source>What this revision changes: %1</source>
+        <translation>Co zmienia to wydanie: %1</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>przedtem</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>teraz</translation>
+    </message>
+    <message>
+        <source>a report cannot be written under this name; expected one that ends in .pdf, .html, .csv or .json</source>
+        <translation>sprawozdania nie da się zapisać pod tą nazwą; oczekiwano kończącej się na .pdf, .html, .csv lub .json</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>to folder</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1; expected a report PDF</source>
+        <translation>nie daje się odczytać: %1; oczekiwano sprawozdania PDF</translation>
+    </message>
+    <message>
+        <source>this is not a PDF; expected a report PDF of this program</source>
+        <translation>to nie PDF; oczekiwano sprawozdania PDF tego programu</translation>
+    </message>
+    <message>
+        <source>this PDF cannot be read (%1); expected a report PDF of this program</source>
+        <translation>tego pliku PDF nie da się odczytać (%1); oczekiwano sprawozdania PDF tego programu</translation>
+    </message>
+    <message>
+        <source>this PDF carries no exchange data (%1); expected a report PDF of this program that is not an archive (PDF/A) copy</source>
+        <translation>ten PDF nie zawiera danych wymiany (%1); oczekiwano sprawozdania PDF tego programu, które nie jest kopią archiwalną (PDF/A)</translation>
+    </message>
+    <message>
+        <source>What the readings cannot tell</source>
+        <translation>Czego odczyty nie określają</translation>
+    </message>
+    <message>
+        <source>Deviation, polar</source>
+        <translation>Dewiacja, wykres biegunowy</translation>
+    </message>
+    <message>
+        <source>Spectrum of deviation</source>
+        <translation>Widmo dewiacji</translation>
+    </message>
+    <message>
+        <source>Deviation and residuals against heading</source>
+        <translation>Dewiacja i reszty w funkcji kursu</translation>
+    </message>
+    <message>
+        <source>Signatures</source>
+        <translation>Podpisy</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nazwisko</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>data</translation>
+    </message>
+    <message>
+        <source>signature</source>
+        <translation>podpis</translation>
+    </message>
+    <message>
+        <source>Signs and methods</source>
+        <translation>Znaki i metody</translation>
+    </message>
+    <message>
+        <source>PASS</source>
+        <translation>W NORMIE</translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation>POZA NORMĄ</translation>
+    </message>
+    <message>
+        <source>NO LIMIT SET</source>
+        <translation>NORMY NIE USTALONO</translation>
+    </message>
+    <message>
+        <source>Largest deviation %1 at %2 magnetic; spread (maximum − minimum) %3°.</source>
+        <translation>Największa dewiacja %1 na kursie magnetycznym %2; rozpiętość (maksimum − minimum) %3°.</translation>
+    </message>
+    <message>
+        <source>%1 No limit is set for this compass.</source>
+        <translation>%1 Dla tej busoli nie ustalono wartości dopuszczalnej.</translation>
+    </message>
+    <message>
+        <source>%1 Limit: %2</source>
+        <translation>%1 Dopuszczalne: %2</translation>
+    </message>
+    <message>
+        <source>Since %1</source>
+        <translation>Od %1</translation>
+    </message>
+    <message>
+        <source>the deviation has changed by (°) %1; coefficients by (°) %2</source>
+        <translation>dewiacja zmieniła się o (°) %1; współczynniki o (°) %2</translation>
+    </message>
+    <message>
+        <source>Performed</source>
+        <translation>Wykonał</translation>
+    </message>
+    <message>
+        <source>Inspected</source>
+        <translation>Sprawdził</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Dopuścił</translation>
+    </message>
+    <message>
+        <source>signed %1 · hash %2</source>
+        <translation>podpisano %1 · skrót %2</translation>
+    </message>
+    <message>
+        <source>no longer holds: changed after it</source>
+        <translation>już nie obowiązuje: później zmieniono</translation>
+    </message>
+    <message>
+        <source>Datum reader</source>
+        <translation>Odczytujący wzorzec</translation>
+    </message>
+    <message>
+        <source>Cockpit reader</source>
+        <translation>Odczytujący w kabinie</translation>
+    </message>
+    <message>
+        <source>Adjuster</source>
+        <translation>Kompensujący</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Kontroler</translation>
+    </message>
+    <message>
+        <source>|deviation| ≤&#xa0;%1</source>
+        <translation>|dewiacja| ≤&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>spread ≤&#xa0;%1</source>
+        <translation>rozpiętość ≤&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>issue</source>
+        <translation>wydanie</translation>
+    </message>
+    <message>
+        <source>%1, no document named</source>
+        <translation>%1, nie podano dokumentu</translation>
+    </message>
+    <message>
+        <source>Compass swing report</source>
+        <translation>Sprawozdanie z pomiaru dewiacji busoli</translation>
+    </message>
+    <message>
+        <source>The plots are based in part on the work of the Qwt project (http://qwt.sf.net).</source>
+        <translation>Wykresy oparto częściowo na pracy projektu Qwt (http://qwt.sf.net).</translation>
+    </message>
+    <message>
+        <source>built %1</source>
+        <translation>rok budowy %1</translation>
+    </message>
+    <message>
+        <source>serial no.</source>
+        <translation>nr seryjny</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>użytkownik</translation>
+    </message>
+    <message>
+        <source>compensator:</source>
+        <translation>kompensator:</translation>
+    </message>
+    <message>
+        <source>part no.</source>
+        <translation>nr części</translation>
+    </message>
+    <message>
+        <source>read to %1°</source>
+        <translation>odczyt co %1°</translation>
+    </message>
+    <message>
+        <source>date not stated</source>
+        <translation>nie podano daty</translation>
+    </message>
+    <message>
+        <source>%1 (UTC)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2 UTC</source>
+        <translation>%1 do %2 UTC</translation>
+    </message>
+    <message>
+        <source>%1, not yet signed</source>
+        <translation>%1, jeszcze niepodpisany</translation>
+    </message>
+    <message>
+        <source>revision %1</source>
+        <translation>wydanie %1</translation>
+    </message>
+    <message>
+        <source>procedure</source>
+        <translation>metoda</translation>
+    </message>
+    <message>
+        <source>work order</source>
+        <translation>zlecenie</translation>
+    </message>
+    <message>
+        <source>reason:</source>
+        <translation>powód:</translation>
+    </message>
+    <message>
+        <source>variation %1° (east +)</source>
+        <translation>deklinacja %1° (wschodnia +)</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 według %2</translation>
+    </message>
+    <message>
+        <source>class 1 (0.1°)</source>
+        <translation>klasa 1 (0,1°)</translation>
+    </message>
+    <message>
+        <source>class 2 (0.25°)</source>
+        <translation>klasa 2 (0,25°)</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>świadectwo</translation>
+    </message>
+    <message>
+        <source>valid to</source>
+        <translation>ważne do</translation>
+    </message>
+    <message>
+        <source>lines painted</source>
+        <translation>linie namalowano</translation>
+    </message>
+    <message>
+        <source>lines painted %1</source>
+        <translation>linie namalowano %1</translation>
+    </message>
+    <message>
+        <source>%1 with variation %2°: add %3° to their figures</source>
+        <translation>%1 przy deklinacji %2°: do ich wartości dodaj %3°</translation>
+    </message>
+    <message>
+        <source>magnetic headings made from true ones with variation %1° (east +)</source>
+        <translation>kursy magnetyczne z rzeczywistych przy deklinacji %1° (wschodnia +)</translation>
+    </message>
+    <message>
+        <source>elevation %1 m</source>
+        <translation>wzniesienie %1 m</translation>
+    </message>
+    <message>
+        <source>calibration due</source>
+        <translation>wzorcowanie do</translation>
+    </message>
+    <message>
+        <source>datum</source>
+        <translation>wzorzec</translation>
+    </message>
+    <message>
+        <source>cockpit</source>
+        <translation>kabina</translation>
+    </message>
+    <message>
+        <source>adjuster</source>
+        <translation>kompensujący</translation>
+    </message>
+    <message>
+        <source>inspector</source>
+        <translation>kontroler</translation>
+    </message>
+    <message>
+        <source>none set</source>
+        <translation>nie ustalono</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Statek powietrzny</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <translation>Kompasowy</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Pomiar</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Miejsce</translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation>Konfiguracja</translation>
+    </message>
+    <message>
+        <source>Datum</source>
+        <translation>Wzorzec</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Dopuszczalne</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>Nastawienie</translation>
+    </message>
+    <message>
+        <source>after these readings A = %1° was taken out by turning the compass; the deviations of the table are as read, results, plots and card as it stands since</source>
+        <translation>po tych odczytach A = %1° usunięto przez obrót busoli; dewiacje w tabeli są jak odczytano, a wyniki, wykresy i tablica dotyczą jej obecnego ustawienia</translation>
+    </message>
+    <message>
+        <source>In spite of</source>
+        <translation>Mimo</translation>
+    </message>
+    <message>
+        <source>Amends</source>
+        <translation>Zmienia</translation>
+    </message>
+    <message>
+        <source>record</source>
+        <translation>zapis</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>none: a cardinal point has no reading near enough.</source>
+        <translation>brak: któryś punkt główny nie ma dość bliskiego odczytu.</translation>
+    </message>
+    <message>
+        <source>from the readings nearest to N, E, S, W by %1 heading: A mean of the four, B = (E − W)/2, C = (N − S)/2, E = ((N + S) − (E + W))/4; D cannot be told.</source>
+        <translation>z odczytów najbliższych N, E, S, W według kursu (%1): A to średnia z czterech, B = (E − W)/2, C = (N − S)/2, E = ((N + S) − (E + W))/4; D nie da się określić.</translation>
+    </message>
+    <message>
+        <source>from the readings nearest to the eight points by %1 heading: A mean of the eight, B = (E − W)/2, C = (N − S)/2, D = ((NE + SW) − (SE + NW))/4, E = ((N + S) − (E + W))/4.</source>
+        <translation>z odczytów najbliższych ośmiu punktom według kursu (%1): A to średnia z ośmiu, B = (E − W)/2, C = (N − S)/2, D = ((NE + SW) − (SE + NW))/4, E = ((N + S) − (E + W))/4.</translation>
+    </message>
+    <message>
+        <source>fast Fourier transform of equally spaced headings</source>
+        <translation>szybkie przekształcenie Fouriera równoodległych kursów</translation>
+    </message>
+    <message>
+        <source>least squares on headings that are not equally spaced</source>
+        <translation>najmniejsze kwadraty na kursach nierównoodległych</translation>
+    </message>
+    <message>
+        <source>harmonics of deviation against magnetic heading by %1, up to order %2, which is what these headings resolve.</source>
+        <translation>harmoniczne dewiacji względem kursu magnetycznego; metoda: %1, do rzędu %2, który te kursy rozróżniają.</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Znak</translation>
+    </message>
+    <message>
+        <source>Deviation = magnetic heading − compass heading; easterly is positive: the compass reads low, and deviation is added to what it reads to get magnetic heading.</source>
+        <translation>Dewiacja = kurs magnetyczny − kurs kompasowy; wschodnia dodatnia: busola wskazuje za mało, a dewiację dodaje się do jej wskazania, aby otrzymać kurs magnetyczny.</translation>
+    </message>
+    <message>
+        <source>Approximate</source>
+        <translation>Przybliżone</translation>
+    </message>
+    <message>
+        <source>least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; ψ′ is the compass heading, A to E are angles. Residual = deviation read − deviation fitted.</source>
+        <translation>najmniejsze kwadraty δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; ψ′ to kurs kompasowy, A do E to kąty. Reszta = dewiacja odczytana − dewiacja dopasowana.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Dokładne</translation>
+    </message>
+    <message>
+        <source>tan δ = (A + B sin ψ + C cos ψ + D sin 2ψ + E cos 2ψ) / (1 + B cos ψ − C sin ψ + D cos 2ψ − E sin 2ψ), multiplied out and fitted by linear least squares; ψ is the magnetic heading, A to E have no unit.</source>
+        <translation>tan δ = (A + B sin ψ + C cos ψ + D sin 2ψ + E cos 2ψ) / (1 + B cos ψ − C sin ψ + D cos 2ψ − E sin 2ψ), wymnożone i dopasowane liniową metodą najmniejszych kwadratów; ψ to kurs magnetyczny, A do E nie mają jednostki.</translation>
+    </message>
+    <message>
+        <source>Point rules</source>
+        <translation>Reguły punktowe</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Błędy</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Widmo</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Nominalny</translation>
+    </message>
+    <message>
+        <source>Magnetic</source>
+        <translation>Magnetyczny</translation>
+    </message>
+    <message>
+        <source>east +</source>
+        <translation>wsch. +</translation>
+    </message>
+    <message>
+        <source>approximate</source>
+        <translation>przybliżone</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>dokładne</translation>
+    </message>
+    <message>
+        <source>t</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>studentised</source>
+        <translation>studentyzowana</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>EXCLUDED: %1</source>
+        <translation>POMINIĘTY: %1</translation>
+    </message>
+    <message>
+        <source>not complete, not used</source>
+        <translation>niepełny, nie liczy się</translation>
+    </message>
+    <message>
+        <source>SUSPECT, used</source>
+        <translation>WĄTPLIWY, liczy się</translation>
+    </message>
+    <message>
+        <source>A  constant</source>
+        <translation>A  stały</translation>
+    </message>
+    <message>
+        <source>B  sin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C  cos</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D  sin 2×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E  cos 2×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points, %2</source>
+        <translation>%1 punktów, %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>compass heading</source>
+        <translation>kurs kompasowy</translation>
+    </message>
+    <message>
+        <source>magnetic heading</source>
+        <translation>kurs magnetyczny</translation>
+    </message>
+    <message>
+        <source>as an angle</source>
+        <translation>jako kąt</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Odczyty</translation>
+    </message>
+    <message>
+        <source>Coefficients</source>
+        <translation>Współczynniki</translation>
+    </message>
+    <message>
+        <source>Quality of the fits</source>
+        <translation>Jakość dopasowań</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Dopasowanie</translation>
+    </message>
+    <message>
+        <source>Argument</source>
+        <translation>Argument</translation>
+    </message>
+    <message>
+        <source>Fitted</source>
+        <translation>Dopasowane</translation>
+    </message>
+    <message>
+        <source>coefficients</source>
+        <translation>współczynniki</translation>
+    </message>
+    <message>
+        <source>Degrees of</source>
+        <translation>Stopnie</translation>
+    </message>
+    <message>
+        <source>freedom</source>
+        <translation>swobody</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>śr. kw.</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>reszta</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Największa</translation>
+    </message>
+    <message>
+        <source>Sigma of a</source>
+        <translation>Sigma</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>odczytu</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Uwarun-</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>kowanie</translation>
+    </message>
+    <message>
+        <source>Parameters of the sensor model</source>
+        <translation>Parametry modelu czujnika</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parametr</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>do przodu</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>starboard</source>
+        <translation>na prawą burtę</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>w dół</translation>
+    </message>
+    <message>
+        <source>Soft iron a, b, c</source>
+        <translation>Żelazo miękkie a, b, c</translation>
+    </message>
+    <message>
+        <source>Soft iron d, e, f</source>
+        <translation>Żelazo miękkie d, e, f</translation>
+    </message>
+    <message>
+        <source>Soft iron g, h, k</source>
+        <translation>Żelazo miękkie g, h, k</translation>
+    </message>
+    <message>
+        <source>Hard iron P, Q, R</source>
+        <translation>Żelazo twarde P, Q, R</translation>
+    </message>
+    <message>
+        <source>Soft constants</source>
+        <translation>Stałe składowe miękkie</translation>
+    </message>
+    <message>
+        <source>%1, %2 A, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Misalignment: roll, pitch, yaw</source>
+        <translation>Niewspółosiowość: przechylenie, pochylenie, odchylenie</translation>
+    </message>
+    <message>
+        <source>Its coefficients in the field of this swing</source>
+        <translation>Jego współczynniki w polu tego pomiaru</translation>
+    </message>
+    <message>
+        <source>As an angle</source>
+        <translation>Jako kąt</translation>
+    </message>
+    <message>
+        <source>Comes from</source>
+        <translation>Pochodzi z</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>W użyciu</translation>
+    </message>
+    <message>
+        <source>the swing keeps no field of the Earth&apos;s; without H and dip the model has neither coefficients nor a map</source>
+        <translation>pomiar nie ma zapisanego pola Ziemi; bez H i inklinacji model nie ma ani współczynników, ani mapy</translation>
+    </message>
+    <message>
+        <source>Directive force</source>
+        <translation>Siła kierująca</translation>
+    </message>
+    <message>
+        <source>λ = %1: mean horizontal field at the sensor as a part of H</source>
+        <translation>λ = %1: średnie pole poziome przy czujniku jako część H</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Kąty</translation>
+    </message>
+    <message>
+        <source>there is no fit, and no errors of it.</source>
+        <translation>nie ma dopasowania ani jego błędów.</translation>
+    </message>
+    <message>
+        <source>Suspect: a slip of reading or writing is likely, by Bayes&apos; rule over the usual slips; a suspect reading stays in use until somebody excludes it with a reason. t is the externally studentised residual.</source>
+        <translation>Wątpliwy: według reguły Bayesa zastosowanej do zwykłych pomyłek prawdopodobny jest błąd odczytu lub zapisu; wątpliwy odczyt liczy się, dopóki ktoś nie pominie go z podaniem powodu. t to zewnętrznie studentyzowana reszta.</translation>
+    </message>
+    <message>
+        <source>the standard errors are those of the smallest division alone: there are no more readings than coefficients, and no interval can be given.</source>
+        <translation>błędy standardowe wynikają z samej działki odczytu: odczytów nie jest więcej niż współczynników i przedziału nie da się podać.</translation>
+    </message>
+    <message>
+        <source>standard errors are of the scatter about the fit, and never less than the smallest division leaves. 95 % ± is the half width of the interval that holds the true value 95 times in 100: %1 standard errors (Student).</source>
+        <translation>błędy standardowe wynikają z rozrzutu wokół dopasowania i nigdy nie są mniejsze, niż pozostawia działka odczytu. 95 % ± to połowa szerokości przedziału, który obejmuje wartość prawdziwą 95 razy na 100: %1 błędów standardowych (Student).</translation>
+    </message>
+    <message>
+        <source>std. error</source>
+        <translation>błąd std.</translation>
+    </message>
+    <message>
+        <source>95 % ±</source>
+        <translation>95 % ±</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::DueBadge</name>
+    <message>
+        <source>overdue</source>
+        <translation>po terminie</translation>
+    </message>
+    <message>
+        <source>due</source>
+        <translation>wymagany</translation>
+    </message>
+    <message>
+        <source>due soon</source>
+        <translation>wkrótce wymagany</translation>
+    </message>
+    <message>
+        <source>not due</source>
+        <translation>niewymagany</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::DuePage</name>
+    <message>
+        <source>&amp;Waive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open the compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is due</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calendar rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>due now or soon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aircraft, compass or reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a &amp;calendar (.ics)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Statek powietrzny</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <translation>Kompasowy</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By calendar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>why no swing is needed, as: two headings 90° apart show no change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>who answers for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A waiver is kept for ever and answers this one event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its page, where swings are begun and events recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all types</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>%1 of %2 compasses, on %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>. No calendar rule is set: see the second tab.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>. Not predicted after a move: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only an event is waived; a calendar rule or a move is answered by a swing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A waiver is kept for ever: state why no swing is needed, and who answers for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a calendar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calendar (*.ics)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n dates</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is &amp;due</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::DueRulesTable</name>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not allowed for %2; expected a whole number from %3 on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove the rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take over &amp;known rules</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Months</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grace (days)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn (days)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Issue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aircraft type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>24 months (CASA) and 12 months (South Africa): the only calendar rules whose source could be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a type without compasses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a name to make a new rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>months</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>days of grace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>days of warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no aircraft type %1; expected one of the fleet, or all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the rule %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>removal of the rule %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::EarthFieldPage</name>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>51.55 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>21.89 E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>year-month-day, or 2026.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ma&amp;p of:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WMM in its years, else IGRF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From a file …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coefficient files: WMM and WMMHR (.COF), tables of the IGRF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Site:</source>
+        <translation>M&amp;iejsce:</translation>
+    </message>
+    <message>
+        <source>&amp;Latitude:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L&amp;ongitude:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Height (m):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Date (UTC):</source>
+        <translation>D&amp;ata (UTC):</translation>
+    </message>
+    <message>
+        <source>&amp;Model:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above the WGS84 ellipsoid; a height above the sea will do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Earth&apos;s field</source>
+        <translation>pole Ziemi</translation>
+    </message>
+    <message>
+        <source>as typed below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coefficients of the Earth&apos;s field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coefficients (*.COF *.cof *.txt);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a site, or type latitude and longitude.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Earth&apos;s field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ElectricalPage</name>
+    <message>
+        <source>&apos;%1&apos; is not allowed; expected a number from −%2 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;New electrical swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As a &amp;swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>przedtem</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>po</translation>
+    </message>
+    <message>
+        <source>indicated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by turntable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date:</source>
+        <translation>Data:</translation>
+    </message>
+    <message>
+        <source>North–south line:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrator:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its serial number:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensor sheet:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E1 normal (V):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E1 reversed (V):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E2 normal (V):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E2 reversed (V):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MISAL (°):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>δ180 (°):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>δ270 (°):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Uwaga:</translation>
+    </message>
+    <message>
+        <source>Table F1 (error = indicated − selected; deviation is its negative):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electrical swings · %1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Po</translation>
+    </message>
+    <message>
+        <source>%1: N–S %2°, E–W %3°, index %4°; pairs 0/180 %5°, 90/270 %6°: %7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>agree within 0.2° (TM 11-4920-292-15)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>do NOT agree within 0.2° (TM 11-4920-292-15)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E1 mean %1 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E2 mean %1 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set self-check: largest %1′, mean %2′: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>electrical swing of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new electrical swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Electrical swings of this compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>select %1, turn %2: %3 → %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half of the error out with N–S</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all of it out with E–W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half of it out with E–W</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::EventsPanel</name>
+    <message>
+        <source>Add event</source>
+        <translation>Dodaj zdarzenie</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Zdarzenia</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Zdarzenie</translation>
+    </message>
+    <message>
+        <source>Makes a swing due</source>
+        <translation>Wymaga pomiaru dewiacji</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>year-month-day</source>
+        <translation>rok-miesiąc-dzień</translation>
+    </message>
+    <message>
+        <source>lightning strike, engine change, hard landing …</source>
+        <translation>uderzenie pioruna, wymiana silnika, twarde lądowanie …</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>Date:</source>
+        <translation>Data:</translation>
+    </message>
+    <message>
+        <source>Event:</source>
+        <translation>Zdarzenie:</translation>
+    </message>
+    <message>
+        <source>Makes due:</source>
+        <translation>Wymaga pomiaru:</translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Uwaga:</translation>
+    </message>
+    <message>
+        <source>Say what happened, as “lightning strike”.</source>
+        <translation>Podaj, co się stało, na przykład „uderzenie pioruna”.</translation>
+    </message>
+    <message>
+        <source>event of %1</source>
+        <translation>zdarzenie z %1</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ExclusionPanel</name>
+    <message>
+        <source>E&amp;xclude</source>
+        <translation>&amp;Pomiń</translation>
+    </message>
+    <message>
+        <source>the reason stays on the record</source>
+        <translation>powód pozostaje w zapisie</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Why is the reading on %1 left out?</source>
+        <translation>Dlaczego odczyt na kursie %1 jest pominięty?</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::FieldStampPanel</name>
+    <message>
+        <source>Earth&apos;s field: H %1 nT · dip %2 · variation %3 · %4 for %5</source>
+        <translation>Pole Ziemi: H %1 nT · inklinacja %2 · deklinacja %3 · %4 dla %5</translation>
+    </message>
+    <message>
+        <source>Earth&apos;s field: not kept with this swing.</source>
+        <translation>Pole Ziemi: nie zapisano przy tym pomiarze.</translation>
+    </message>
+    <message>
+        <source>X %1, Y %2, Z %3 nT at %4, %5, %6 m</source>
+        <translation>X %1, Y %2, Z %3 nT w punkcie %4, %5, %6 m</translation>
+    </message>
+    <message>
+        <source>&amp;Take the new values</source>
+        <translation>&amp;Przyjmij nowe wartości</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the field of site and date</source>
+        <translation>&amp;Zapisz pole miejsca i daty</translation>
+    </message>
+    <message>
+        <source>H %1 nT · dip %2 · variation %3</source>
+        <translation>H %1 nT · inklinacja %2 · deklinacja %3</translation>
+    </message>
+    <message>
+        <source>Site or date have changed since: there it is %1.</source>
+        <translation>Od tego czasu zmieniono miejsce lub datę: tam wynosi ono %1.</translation>
+    </message>
+    <message>
+        <source>By %1 it is now %2.</source>
+        <translation>Według %1 wynosi ono teraz %2.</translation>
+    </message>
+    <message>
+        <source>The variation stated, %1, differs by %2 from the field&apos;s: look at variation, site and date again.</source>
+        <translation>Podana deklinacja, %1, różni się o %2 od deklinacji pola: sprawdź ponownie deklinację, miejsce i datę.</translation>
+    </message>
+    <message>
+        <source>Earth&apos;s field</source>
+        <translation>pole Ziemi</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::FieldText</name>
+    <message>
+        <source>“%1” is no date; expected year-month-day, as 2026-11-20</source>
+        <translation>„%1” nie jest datą; oczekiwano rok-miesiąc-dzień, na przykład 2026-11-20</translation>
+    </message>
+    <message>
+        <source>“%1” is no size of a division; expected degrees above 0 and up to 90, as 0.5</source>
+        <translation>„%1” nie jest wielkością działki; oczekiwano stopni powyżej 0, najwyżej 90, na przykład 0.5</translation>
+    </message>
+    <message>
+        <source>“%1” is no year; expected four digits, as 1984</source>
+        <translation>„%1” nie jest rokiem; oczekiwano czterech cyfr, na przykład 1984</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::FieldValues</name>
+    <message>
+        <source>Elements of the Earth&apos;s field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a year</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± 1 σ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X north (nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y east (nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z down (nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>H horizontal (nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F total (nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D east + (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I down + (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This model states no uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::FleetModel</name>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, rev. %1</source>
+        <translation>, wyd. %1</translation>
+    </message>
+    <message>
+        <source>, amended</source>
+        <translation>, zmieniony</translation>
+    </message>
+    <message>
+        <source>, guided, in work</source>
+        <translation>, prowadzony, w toku</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 · readings: %4</source>
+        <translation>%1, %2, %3 · odczyty: %4</translation>
+    </message>
+    <message>
+        <source> · largest deviation %1°</source>
+        <translation> · największa dewiacja %1°</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aircraft: %1</source>
+        <translation>statki powietrzne: %1</translation>
+    </message>
+    <message>
+        <source>demonstration data: invented</source>
+        <translation>dane pokazowe: zmyślone</translation>
+    </message>
+    <message>
+        <source>swings: %1</source>
+        <translation>pomiary: %1</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>szkic</translation>
+    </message>
+    <message>
+        <source>Fleet</source>
+        <translation>Flota</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stan</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::FleetPanel</name>
+    <message>
+        <source>Due</source>
+        <translation>Terminy</translation>
+    </message>
+    <message>
+        <source>Due (%1)</source>
+        <translation>Terminy (%1)</translation>
+    </message>
+    <message>
+        <source>Fleet</source>
+        <translation>Flota</translation>
+    </message>
+    <message>
+        <source>Search everything (Ctrl+F)</source>
+        <translation>Szukaj wszędzie (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Wyznaczono</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nic nie znaleziono</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::GuidedJob</name>
+    <message>
+        <source>%1 figures; expected one to three of the same heading</source>
+        <translation>wartości: %1; oczekiwano od jednej do trzech na tym samym kursie</translation>
+    </message>
+    <message>
+        <source>the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)</source>
+        <translation>wzorzec wskazuje %1°, co nie jest odczytem na kursie %2°; obróć na ten kurs albo pomiń go z podaniem powodu (F4)</translation>
+    </message>
+    <message>
+        <source>the aircraft stands %1° from %2; within 5° is wanted</source>
+        <translation>statek powietrzny stoi %1° od %2; wymagane jest najwyżej 5°</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::GuidedPage</name>
+    <message>
+        <source>Crew display (F11)</source>
+        <translation>Ekran dla załogi (F11)</translation>
+    </message>
+    <message>
+        <source>Fault… (F8)</source>
+        <translation>Usterka… (F8)</translation>
+    </message>
+    <message>
+        <source>Live (F12)</source>
+        <translation>Na żywo (F12)</translation>
+    </message>
+    <message>
+        <source>Go on (Enter)</source>
+        <translation>Dalej (Enter)</translation>
+    </message>
+    <message>
+        <source>Abandon this swing</source>
+        <translation>Przerwij ten pomiar</translation>
+    </message>
+    <message>
+        <source>What was done about the fault? Some words are expected.</source>
+        <translation>Co zrobiono z usterką? Oczekiwano kilku słów.</translation>
+    </message>
+    <message>
+        <source>What is the fault? Some words are expected.</source>
+        <translation>Jaka to usterka? Oczekiwano kilku słów.</translation>
+    </message>
+    <message>
+        <source>this swing is not a guided one</source>
+        <translation>ten pomiar nie jest prowadzony</translation>
+    </message>
+    <message>
+        <source>Fault: %1. What was done about it?</source>
+        <translation>Usterka: %1. Co z nią zrobiono?</translation>
+    </message>
+    <message>
+        <source>This swing was abandoned.</source>
+        <translation>Ten pomiar przerwano.</translation>
+    </message>
+    <message>
+        <source>What is the fault? F8 goes back.</source>
+        <translation>Jaka to usterka? F8 wraca.</translation>
+    </message>
+    <message>
+        <source>Why is the swing abandoned? Some words are expected; its readings stay on record.</source>
+        <translation>Dlaczego pomiar jest przerwany? Oczekiwano kilku słów; odczyty pozostają w zapisie.</translation>
+    </message>
+    <message>
+        <source>The datum of this swing is sighted by a person: a live heading is none of its figures. Begin the swing with an instrument that sends headings.</source>
+        <translation>Wzorzec tego pomiaru odczytuje człowiek: kurs na żywo nie jest jego odczytem. Zacznij pomiar z przyrządem, który wysyła kursy.</translation>
+    </message>
+    <message>
+        <source>The live heading is true and the datum magnetic, or the other way round: a variation is expected, of the site or in the sentences.</source>
+        <translation>Kurs na żywo jest rzeczywisty, a wzorzec magnetyczny, albo odwrotnie: oczekiwano deklinacji miejsca lub podanej w komunikatach.</translation>
+    </message>
+    <message>
+        <source>A guided swing is of one compass: choose it, or a swing of it, in the tree.</source>
+        <translation>Pomiar prowadzony dotyczy jednej busoli: wybierz ją albo jej pomiar w drzewie.</translation>
+    </message>
+    <message>
+        <source>&amp;Guided swing on the ramp</source>
+        <translation>Pomiar &amp;prowadzony na płycie</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::GuidedPrepare</name>
+    <message>
+        <source>engines and electrics</source>
+        <translation>silniki i odbiorniki elektryczne</translation>
+    </message>
+    <message>
+        <source>Prepared: to the first heading (Enter)</source>
+        <translation>Przygotowano: na pierwszy kurs (Enter)</translation>
+    </message>
+    <message>
+        <source>compass, off</source>
+        <translation>busola, wyłączone</translation>
+    </message>
+    <message>
+        <source>compass, on</source>
+        <translation>busola, włączone</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>zmiana</translation>
+    </message>
+    <message>
+        <source>Interference check, with</source>
+        <translation>Próba zakłóceń, włączone:</translation>
+    </message>
+    <message>
+        <source>Every point of the checklist is ticked first</source>
+        <translation>Najpierw odhacz każdy punkt listy kontrolnej</translation>
+    </message>
+    <message>
+        <source>The compass changes by up to %1° with %2: a significant difference is cured first. No limit is sourced; you decide.</source>
+        <translation>Wskazanie busoli zmienia się do %1° po włączeniu: %2. Znaczącą różnicę usuwa się najpierw. Źródła nie podają granicy; decyzja należy do ciebie.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::GuidedReview</name>
+    <message>
+        <source>Accept and make the record</source>
+        <translation>Przyjmij i utwórz zapis</translation>
+    </message>
+    <message>
+        <source>Read this one again</source>
+        <translation>Odczytaj ten ponownie</translation>
+    </message>
+    <message>
+        <source>A control was turned again</source>
+        <translation>Regulację obrócono ponownie</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>dla kursu</translation>
+    </message>
+    <message>
+        <source>magnetic</source>
+        <translation>magnetyczny</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>busola</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>dewiacja</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>reszta</translation>
+    </message>
+    <message>
+        <source>steer</source>
+        <translation>steruj</translation>
+    </message>
+    <message>
+        <source>with</source>
+        <translation>konfiguracja</translation>
+    </message>
+    <message>
+        <source>who accepts the swing</source>
+        <translation>kto przyjmuje pomiar</translation>
+    </message>
+    <message>
+        <source>the compass now reads</source>
+        <translation>busola wskazuje teraz</translation>
+    </message>
+    <message>
+        <source>On the heading of the row that is chosen, where the aircraft stands now. Every reading of the check swing is void then.</source>
+        <translation>Na kursie wybranego wiersza, na którym stoi teraz statek powietrzny. Wszystkie odczyty pomiaru kontrolnego tracą wtedy ważność.</translation>
+    </message>
+    <message>
+        <source>A = %1° was taken out by turning the compass; residual = deviation − A.</source>
+        <translation>A = %1° usunięto przez obrót busoli; reszta = dewiacja − A.</translation>
+    </message>
+    <message>
+        <source>A = %1° was left in: %2.</source>
+        <translation>A = %1° pozostawiono: %2.</translation>
+    </message>
+    <message>
+        <source>Make the record</source>
+        <translation>Utwórz zapis</translation>
+    </message>
+    <message>
+        <source>Largest residual %1° on %2</source>
+        <translation>Największa reszta %1° na kursie %2</translation>
+    </message>
+    <message>
+        <source>. No limit is set for this compass.</source>
+        <translation>. Dla tej busoli nie ustalono wartości dopuszczalnej.</translation>
+    </message>
+    <message>
+        <source>: within %1.</source>
+        <translation>: w granicach %1.</translation>
+    </message>
+    <message>
+        <source>: OUT OF LIMITS, %1 is allowed.</source>
+        <translation>: POZA GRANICAMI, dopuszczalne %1.</translation>
+    </message>
+    <message>
+        <source>Who accepts the swing? A name is expected.</source>
+        <translation>Kto przyjmuje pomiar? Oczekiwano nazwiska.</translation>
+    </message>
+    <message>
+        <source>What does the compass read after the control was turned, on the heading of the row that is chosen? One figure is expected.</source>
+        <translation>Co wskazuje busola po obrocie regulacji na kursie wybranego wiersza? Oczekiwano jednej wartości.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::GuidedStart</name>
+    <message>
+        <source>Begin (Ctrl+Enter)</source>
+        <translation>Zacznij (Ctrl+Enter)</translation>
+    </message>
+    <message>
+        <source>&amp;Procedure:</source>
+        <translation>&amp;Metoda:</translation>
+    </message>
+    <message>
+        <source>&amp;Check swing:</source>
+        <translation>Pomiar &amp;kontrolny:</translation>
+    </message>
+    <message>
+        <source>8 headings</source>
+        <translation>8 kursów</translation>
+    </message>
+    <message>
+        <source>12 headings</source>
+        <translation>12 kursów</translation>
+    </message>
+    <message>
+        <source>24 headings</source>
+        <translation>24 kursy</translation>
+    </message>
+    <message>
+        <source>&amp;Datum:</source>
+        <translation>&amp;Wzorzec:</translation>
+    </message>
+    <message>
+        <source>&amp;Site:</source>
+        <translation>M&amp;iejsce:</translation>
+    </message>
+    <message>
+        <source>Da&amp;te (UTC):</source>
+        <translation>Da&amp;ta (UTC):</translation>
+    </message>
+    <message>
+        <source>&amp;Radio:</source>
+        <translation>&amp;Radio:</translation>
+    </message>
+    <message>
+        <source>&amp;Engines:</source>
+        <translation>&amp;Silniki:</translation>
+    </message>
+    <message>
+        <source>as running, 1500 rpm</source>
+        <translation>na przykład pracują, 1500 obr/min</translation>
+    </message>
+    <message>
+        <source>E&amp;lectrics:</source>
+        <translation>Odbiorniki &amp;el.:</translation>
+    </message>
+    <message>
+        <source>loads on and off</source>
+        <translation>odbiorniki włączone i wyłączone</translation>
+    </message>
+    <message>
+        <source>&amp;Further configurations:</source>
+        <translation>Dalsze kon&amp;figuracje:</translation>
+    </message>
+    <message>
+        <source>each read once more, as radio on; pitot heat on</source>
+        <translation>każda odczytana jeszcze raz, na przykład radio włączone; ogrzewanie rurki Pitota włączone</translation>
+    </message>
+    <message>
+        <source>Datum read &amp;by:</source>
+        <translation>W&amp;zorzec odczytał:</translation>
+    </message>
+    <message>
+        <source>Compass read b&amp;y:</source>
+        <translation>&amp;Busolę odczytał:</translation>
+    </message>
+    <message>
+        <source>&amp;Adjusted by:</source>
+        <translation>K&amp;ompensował:</translation>
+    </message>
+    <message>
+        <source>Reaso&amp;n:</source>
+        <translation>Powó&amp;d:</translation>
+    </message>
+    <message>
+        <source>as yearly, compass replaced</source>
+        <translation>na przykład coroczny, wymiana busoli</translation>
+    </message>
+    <message>
+        <source>&amp;Work order:</source>
+        <translation>Z&amp;lecenie:</translation>
+    </message>
+    <message>
+        <source>Chec&amp;klist, a line each:</source>
+        <translation>Lista kontrolna, po &amp;wierszu:</translation>
+    </message>
+    <message>
+        <source>&amp;In spite of that, because:</source>
+        <translation>Mimo to, &amp;ponieważ:</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Guided swing · %1 · %2</source>
+        <translation>Pomiar prowadzony · %1 · %2</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nie podano</translation>
+    </message>
+    <message>
+        <source>Not to be used on that day: %1</source>
+        <translation>Nie używać tego dnia: %1</translation>
+    </message>
+    <message>
+        <source>The painted lines are out by %1° since they were laid out; this is added to every figure.</source>
+        <translation>Namalowane linie odbiegają o %1° od czasu wytyczenia; wartość ta jest dodawana do każdego odczytu.</translation>
+    </message>
+    <message>
+        <source>%1 gives true headings; expected a site with its variation or its position</source>
+        <translation>%1 podaje kursy rzeczywiste; oczekiwano miejsca z deklinacją albo położeniem</translation>
+    </message>
+    <message>
+        <source>Not to be used on that day: %1. A reason is expected to swing in spite of that.</source>
+        <translation>Nie używać tego dnia: %1. Aby mimo to wykonać pomiar, oczekiwano powodu.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::GuidedStation</name>
+    <message>
+        <source>Next (Enter)</source>
+        <translation>Dalej (Enter)</translation>
+    </message>
+    <message>
+        <source>Read again (F2)</source>
+        <translation>Odczytaj ponownie (F2)</translation>
+    </message>
+    <message>
+        <source>Skip (F4)</source>
+        <translation>Pomiń (F4)</translation>
+    </message>
+    <message>
+        <source>Leave as it is (F5)</source>
+        <translation>Pozostaw (F5)</translation>
+    </message>
+    <message>
+        <source>datum reads</source>
+        <translation>wzorzec wskazuje</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>busola</translation>
+    </message>
+    <message>
+        <source>from astern</source>
+        <translation>od tyłu</translation>
+    </message>
+    <message>
+        <source>As the instrument shows it; up to three figures with spaces between, as 178 178.5 178</source>
+        <translation>Jak wskazuje przyrząd; do trzech wartości oddzielonych spacją, na przykład 178 178.5 178</translation>
+    </message>
+    <message>
+        <source>As the compass shows it; up to three figures with spaces between</source>
+        <translation>Jak wskazuje busola; do trzech wartości oddzielonych spacją</translation>
+    </message>
+    <message>
+        <source>it now reads</source>
+        <translation>wskazuje teraz</translation>
+    </message>
+    <message>
+        <source>turns of the screw, magnets (may stay empty)</source>
+        <translation>obroty śruby, magnesy (może pozostać puste)</translation>
+    </message>
+    <message>
+        <source>On %1</source>
+        <translation>Na kursie %1</translation>
+    </message>
+    <message>
+        <source>Turn to %1</source>
+        <translation>Obróć na kurs %1</translation>
+    </message>
+    <message>
+        <source>The reading of before is void: a control was turned since. Read it again.</source>
+        <translation>Wcześniejszy odczyt stracił ważność: od tego czasu obrócono regulację. Odczytaj ponownie.</translation>
+    </message>
+    <message>
+        <source>Index: the aircraft stays where it is</source>
+        <translation>Nastawienie: statek powietrzny pozostaje na miejscu</translation>
+    </message>
+    <message>
+        <source>More than %1°: find magnetised parts and demagnetise them before anything is corrected (Tecnam P2002-JF MM 34-20). F8 reports the fault.</source>
+        <translation>Ponad %1°: przed kompensacją odszukaj i rozmagnesuj namagnesowane części (Tecnam P2002-JF MM 34-20). F8 zgłasza usterkę.</translation>
+    </message>
+    <message>
+        <source>Nothing can be turned here: %1. F5 leaves it as it is, with a reason.</source>
+        <translation>Niczego nie da się tu obrócić: %1. F5 pozostawia stan z podaniem powodu.</translation>
+    </message>
+    <message>
+        <source>. Enter keeps it as it is read.</source>
+        <translation>. Enter zapisuje, jak odczytano.</translation>
+    </message>
+    <message>
+        <source>kept as read: %1</source>
+        <translation>zapisano, jak odczytano: %1</translation>
+    </message>
+    <message>
+        <source>What does the compass read now? One figure is expected.</source>
+        <translation>Co wskazuje teraz busola? Oczekiwano jednej wartości.</translation>
+    </message>
+    <message>
+        <source>%1° is wanted, it reads %2°: turn again and type what it reads, or Enter keeps it.</source>
+        <translation>Wymagane %1°, wskazuje %2°: obróć ponownie i wpisz wskazanie albo zapisz klawiszem Enter.</translation>
+    </message>
+    <message>
+        <source>There is no reading that can be read again: a control was turned on it.</source>
+        <translation>Nie ma odczytu, który można powtórzyć: obrócono na nim regulację.</translation>
+    </message>
+    <message>
+        <source>Why can this heading not be read?</source>
+        <translation>Dlaczego nie można odczytać tego kursu?</translation>
+    </message>
+    <message>
+        <source>Why is it left as it is?</source>
+        <translation>Dlaczego pozostaje bez zmian?</translation>
+    </message>
+    <message>
+        <source>A reason is expected; Escape goes back.</source>
+        <translation>Oczekiwano powodu; Escape wraca.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::GuidedWords</name>
+    <message>
+        <source>Preparation</source>
+        <translation>Przygotowanie</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>Nastawienie</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Przegląd</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Zakończono</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Usterka</translation>
+    </message>
+    <message>
+        <source>Abandoned</source>
+        <translation>Przerwano</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>Stan zastany</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Kompensacja</translation>
+    </message>
+    <message>
+        <source>Check swing</source>
+        <translation>Pomiar kontrolny</translation>
+    </message>
+    <message>
+        <source>Read N, E, S and W; on S the N–S screw takes out C, on W the E–W screw takes out B; check swing; A by turning the compass in its mount (worksheet to CAP 562).</source>
+        <translation>Odczytaj N, E, S i W; na S śruba N–S usuwa C, na W śruba E–W usuwa B; pomiar kontrolny; A przez obrót busoli w obsadzie (arkusz do CAP 562).</translation>
+    </message>
+    <message>
+        <source>On N and E all of the error is taken out, on S and W half of what is left; check swing; A by turning the compass in its mount (Barfield 56-101-01200).</source>
+        <translation>Na N i E usuwa się cały błąd, na S i W połowę pozostałego; pomiar kontrolny; A przez obrót busoli w obsadzie (Barfield 56-101-01200).</translation>
+    </message>
+    <message>
+        <source>Read N, E, S and W; the mount is turned by their mean, then B on W and C on N; check swing.</source>
+        <translation>Odczytaj N, E, S i W; obsadę obraca się o ich średnią, potem B na W i C na N; pomiar kontrolny.</translation>
+    </message>
+    <message>
+        <source>Read N, E, S and W untouched; the flux valve is turned by their mean, then C on N and B on E; check swing (Duncan Aviation, after MIL-STD-765A practice).</source>
+        <translation>Odczytaj N, E, S i W bez regulacji; czujnik indukcyjny obraca się o ich średnią, potem C na N i B na E; pomiar kontrolny (Duncan Aviation, według praktyki MIL-STD-765A).</translation>
+    </message>
+    <message>
+        <source>Nothing is touched: the check swing alone.</source>
+        <translation>Niczego się nie rusza: sam pomiar kontrolny.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SW</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NW</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error %1°: turn the %2 until all of it is gone, and the compass reads</source>
+        <translation>Błąd %1°: obracaj (%2), aż zniknie cały, a busola wskaże</translation>
+    </message>
+    <message>
+        <source>Half of the error is %1°: turn the %2 until the compass reads</source>
+        <translation>Połowa błędu to %1°: obracaj (%2), aż busola wskaże</translation>
+    </message>
+    <message>
+        <source>%1 = %2°: turn the %3 until the compass reads</source>
+        <translation>%1 = %2°: obracaj (%3), aż busola wskaże</translation>
+    </message>
+    <message>
+        <source>%1 · step %2 of %3</source>
+        <translation>%1 · krok %2 z %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Skipped: %1. </source>
+        <translation>Pominięto: %1. </translation>
+    </message>
+    <message>
+        <source>What was read does not tell a curve.</source>
+        <translation>Odczyty nie wyznaczają krzywej.</translation>
+    </message>
+    <message>
+        <source>The curve is known to ±%1 of a reading&apos;s error at %2 instead of ±%3.</source>
+        <translation>Krzywa jest znana z dokładnością ±%1 błędu odczytu na kursie %2 zamiast ±%3.</translation>
+    </message>
+    <message>
+        <source> D and E are not told any more.</source>
+        <translation> Nie można już określić D i E.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::HistoryChart</name>
+    <message>
+        <source>largest |deviation|</source>
+        <translation>największa |dewiacja|</translation>
+    </message>
+    <message>
+        <source>date of the swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coefficient, deviation (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>dopuszczalne</translation>
+    </message>
+    <message>
+        <source>limit ±%1°</source>
+        <translation>dopuszczalne ±%1°</translation>
+    </message>
+    <message>
+        <source>No swings with results yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::InstrumentsPage</name>
+    <message>
+        <source>Where it shows %1, the aircraft heads %2° magnetic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> at a variation of %1° east</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>&amp;New instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nazwa:</translation>
+    </message>
+    <message>
+        <source>Kind:</source>
+        <translation>Rodzaj:</translation>
+    </message>
+    <message>
+        <source>Maker:</source>
+        <translation>Producent:</translation>
+    </message>
+    <message>
+        <source>Serial number:</source>
+        <translation>Numer seryjny:</translation>
+    </message>
+    <message>
+        <source>Calibration due:</source>
+        <translation>Wzorcowanie do:</translation>
+    </message>
+    <message>
+        <source>From ahead it reads:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its figures are from:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnetic north</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>true north</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added to every figure (°):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read to (°):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Uwaga:</translation>
+    </message>
+    <message>
+        <source>No instrument yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ its calibration was due on %1: a swing with it needs a reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New instrument %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>removal of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Datum instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::IronBenchPage</name>
+    <message>
+        <source>&amp;Iron bench of this compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iron bench · %1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The computation was cancelled; nothing was stored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>iron bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make an iron bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load a bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✗ Not stored: %1</source>
+        <translation>✗ Nie zapisano: %1</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::LiveInput</name>
+    <message>
+        <source>closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the serial port has vanished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>listening on %1 at %2 baud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UDP port %1 cannot be used: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>listening on UDP port %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>replaying %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; trying again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::LivePanel</name>
+    <message>
+        <source>Take as datum (F6)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take as compass (F7)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>serial port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UDP port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>replay of a log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A serial port with its baud rate, as /dev/ttyUSB0 4800; a UDP port, as 10110; or the path of a log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where does it come from? A port or the path of a log is expected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no UDP port; expected a number from 1 to 65535</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no baud rate; expected one as 4800 or 38400</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dis&amp;connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silent for %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n wrong checksums</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1° %2</source>
+        <translation type="unfinished">%1: %2 {1°?}</translation>
+    </message>
+    <message>
+        <source>✓</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>±%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is heard: a heading is expected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The heading has not settled yet: it moves by %1° within the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steady</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns %1 at %2°/s: too fast, slow down to %3 … %4°/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns %1 at %2°/s: within %3 … %4°/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n headings are negative or beyond 360 and left out.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::MainWindow</name>
+    <message>
+        <source>%1 – Lubberline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fleet</source>
+        <translation>Flota</translation>
+    </message>
+    <message>
+        <source>read only</source>
+        <translation>tylko do odczytu</translation>
+    </message>
+    <message>
+        <source>all changes saved</source>
+        <translation>wszystkie zmiany zapisane</translation>
+    </message>
+    <message>
+        <source>THE LAST CHANGE WAS NOT SAVED</source>
+        <translation>OSTATNIEJ ZMIANY NIE ZAPISANO</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · deviation = magnetic − compass, E +</source>
+        <translation>%1 · %2 · dewiacja = kurs magnetyczny − kompasowy, E +</translation>
+    </message>
+    <message>
+        <source>This database can only be read: nothing can be changed here.</source>
+        <translation>Tę bazę danych można tylko czytać: niczego nie da się tu zmienić.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n figures or steps could not be stored last time and were kept: %1.</source>
+        <translation>
+            <numerusform>Ostatnio nie udało się zapisać %n wartości lub kroku; zachowano: %1.</numerusform>
+            <numerusform>Ostatnio nie udało się zapisać %n wartości lub kroków; zachowano: %1.</numerusform>
+            <numerusform>Ostatnio nie udało się zapisać %n wartości lub kroków; zachowano: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put them in</source>
+        <translation>Wprowadź je</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n were put in.</source>
+        <translation>
+            <numerusform>Wprowadzono %n.</numerusform>
+            <numerusform>Wprowadzono %n.</numerusform>
+            <numerusform>Wprowadzono %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What could not be stored is kept and offered at the next start.</source>
+        <translation>To, czego nie udało się zapisać, jest przechowane i zostanie zaproponowane przy następnym uruchomieniu.</translation>
+    </message>
+    <message>
+        <source>new swing</source>
+        <translation>nowy pomiar dewiacji</translation>
+    </message>
+    <message>
+        <source>%1 files were dropped; the first is imported.</source>
+        <translation>Upuszczono plików: %1; wczytywany jest pierwszy.</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Plik</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Edycja</translation>
+    </message>
+    <message>
+        <source>&amp;Swing</source>
+        <translation>Po&amp;miar</translation>
+    </message>
+    <message>
+        <source>F&amp;leet</source>
+        <translation>F&amp;lota</translation>
+    </message>
+    <message>
+        <source>&amp;Model</source>
+        <translation>Mo&amp;del</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Widok</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Pomo&amp;c</translation>
+    </message>
+    <message>
+        <source>&amp;Export exchange file</source>
+        <translation>&amp;Eksportuj plik wymiany</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importuj…</translation>
+    </message>
+    <message>
+        <source>Ctrl+I</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This &amp;aircraft…</source>
+        <translation>&amp;Ten statek powietrzny…</translation>
+    </message>
+    <message>
+        <source>The whole &amp;fleet…</source>
+        <translation>Cała &amp;flota…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Za&amp;kończ</translation>
+    </message>
+    <message>
+        <source>&amp;Search everything</source>
+        <translation>&amp;Szukaj wszędzie</translation>
+    </message>
+    <message>
+        <source>Go to the &amp;tree</source>
+        <translation>Przejdź do &amp;drzewa</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back up the database…</source>
+        <translation>Kopia zapasowa &amp;bazy danych…</translation>
+    </message>
+    <message>
+        <source>&amp;Entering readings by keyboard</source>
+        <translation>&amp;Wpisywanie odczytów z klawiatury</translation>
+    </message>
+    <message>
+        <source>&amp;About Lubberline</source>
+        <translation>&amp;O programie Lubberline</translation>
+    </message>
+    <message>
+        <source>Lubberline %1: aircraft magnetic deviation. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
+        <translation>Lubberline %1: dewiacja magnetyczna statków powietrznych. Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net).</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Cofnij</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Ponów</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Cofnij: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Ponów: %1</translation>
+    </message>
+    <message>
+        <source>Degrees and &amp;minutes</source>
+        <translation>Stopnie i &amp;minuty</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Ciemny</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Main tools</source>
+        <translation>Główne narzędzia</translation>
+    </message>
+    <message>
+        <source>New swing</source>
+        <translation>Nowy pomiar</translation>
+    </message>
+    <message>
+        <source>Guided swing</source>
+        <translation>Pomiar prowadzony</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importuj</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Sprawozdanie</translation>
+    </message>
+    <message>
+        <source>Card</source>
+        <translation>Tablica dewiacji</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Cofnij</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Ponów</translation>
+    </message>
+    <message>
+        <source>Swings, exchange files, reports (*.csv *.txt *.tsv *.json *.pdf);;All files (*)</source>
+        <translation>Pomiary, pliki wymiany, sprawozdania (*.csv *.txt *.tsv *.json *.pdf);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>Another file is being read or written. Wait for it, or cancel it.</source>
+        <translation>Trwa odczyt lub zapis innego pliku. Poczekaj na jego koniec albo go anuluj.</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>Wczytywanie %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was changed.</source>
+        <translation>Anulowano: niczego nie zmieniono.</translation>
+    </message>
+    <message>
+        <source>Name the aircraft…</source>
+        <translation>Podaj statek powietrzny…</translation>
+    </message>
+    <message>
+        <source>fleet</source>
+        <translation>flota</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksport</translation>
+    </message>
+    <message>
+        <source>Exchange files (*.lubberline.json)</source>
+        <translation>Pliki wymiany (*.lubberline.json)</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>Eksportowanie</translation>
+    </message>
+    <message>
+        <source>Back up the database</source>
+        <translation>Kopia zapasowa bazy danych</translation>
+    </message>
+    <message>
+        <source>Lubberline databases (*.lubberline)</source>
+        <translation>Bazy danych Lubberline (*.lubberline)</translation>
+    </message>
+    <message>
+        <source>Backup written: %1</source>
+        <translation>Zapisano kopię zapasową: %1</translation>
+    </message>
+    <message>
+        <source>Type the magnetic heading, Enter, the compass reading, Enter: the next row follows. Angles as 3.25, 3.25W, 3°15&apos;W, 3 15 W; decimal point or comma.
+In the deviation column, W and E (or a sign) give the compass heading. = or Ctrl+D takes the nominal heading as read. Delete empties a cell.
+Cells and blocks are copied, cut and pasted as in a spreadsheet (Ctrl+C, X, V), with or without a first row of headings.
+Ctrl+Z undoes everything, across swings. Ctrl+E leaves a reading out, with a reason that stays on the record.</source>
+        <translation>Wpisz kurs magnetyczny, Enter, odczyt busoli, Enter: następuje kolejny wiersz. Kąty jako 3.25, 3.25W, 3°15&apos;W, 3 15 W; kropka lub przecinek dziesiętny.
+W kolumnie dewiacji litery W i E (albo znak) wyznaczają kurs kompasowy. = lub Ctrl+D przyjmuje kurs nominalny jako odczytany. Delete opróżnia komórkę.
+Komórki i bloki kopiuje się, wycina i wkleja jak w arkuszu (Ctrl+C, X, V), z pierwszym wierszem nagłówków lub bez niego.
+Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem, który pozostaje w zapisie.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::MapChart</name>
+    <message>
+        <source>contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>dopuszczalne</translation>
+    </message>
+    <message>
+        <source>extremes ▲▼</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no map yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit ±%1°</source>
+        <translation>dopuszczalne ±%1°</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::MapControls</name>
+    <message>
+        <source>the angle that is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heading × pitch, roll held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heading × roll, pitch held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pitch × roll, heading held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of the two is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished">%1: %2 {1,?}</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::MapPlot</name>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::MapText</name>
+    <message>
+        <source>heading</source>
+        <translation>kurs</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnetic heading (°)</source>
+        <translation>kurs magnetyczny (°)</translation>
+    </message>
+    <message>
+        <source>pitch (°, nose up +)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roll (°, starboard down +)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MEASURED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MODELLED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference of deviations (°, east +)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deviation (°, east +)</source>
+        <translation>dewiacja (°, wschodnia +)</translation>
+    </message>
+    <message>
+        <source>horizontal field vanishes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>difference %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deviation %1</source>
+        <translation>dewiacja %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::MessagePanel</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Dismiss this message</source>
+        <translation>Zamknij ten komunikat</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::NamingStrip</name>
+    <message>
+        <source>registration</source>
+        <translation>znaki rejestracyjne</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>typ</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>busola</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importuj</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Whose swing is %1?</source>
+        <translation>Czyj jest pomiar %1?</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::NewSwingPage</name>
+    <message>
+        <source>&amp;New swing</source>
+        <translation>&amp;Nowy pomiar dewiacji</translation>
+    </message>
+    <message>
+        <source>pick or type, as Su-22</source>
+        <translation>wybierz lub wpisz, na przykład Su-22</translation>
+    </message>
+    <message>
+        <source>registration or tail number</source>
+        <translation>znaki rejestracyjne lub numer boczny</translation>
+    </message>
+    <message>
+        <source>as standby compass</source>
+        <translation>na przykład busola zapasowa</translation>
+    </message>
+    <message>
+        <source>compass base; may stay empty</source>
+        <translation>krąg dewiacyjny; może pozostać puste</translation>
+    </message>
+    <message>
+        <source>&amp;Start entering readings</source>
+        <translation>&amp;Zacznij wpisywać odczyty</translation>
+    </message>
+    <message>
+        <source>What a new compass is held against. A known compass keeps its own: see the aircraft&apos;s page</source>
+        <translation>Względem czego oceniana jest nowa busola. Znana busola zachowuje swoje wartości: zob. stronę statku powietrznego</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>New swing</source>
+        <translation>Nowy pomiar</translation>
+    </message>
+    <message>
+        <source>&amp;Type:</source>
+        <translation>&amp;Typ:</translation>
+    </message>
+    <message>
+        <source>&amp;Aircraft:</source>
+        <translation>&amp;Statek powietrzny:</translation>
+    </message>
+    <message>
+        <source>&amp;Compass:</source>
+        <translation>&amp;Busola:</translation>
+    </message>
+    <message>
+        <source>&amp;Limits:</source>
+        <translation>&amp;Dopuszczalne:</translation>
+    </message>
+    <message>
+        <source>S&amp;ite:</source>
+        <translation>&amp;Miejsce:</translation>
+    </message>
+    <message>
+        <source>&amp;Date (UTC):</source>
+        <translation>D&amp;ata (UTC):</translation>
+    </message>
+    <message>
+        <source>&amp;Kind:</source>
+        <translation>&amp;Rodzaj:</translation>
+    </message>
+    <message>
+        <source>Sta&amp;ge:</source>
+        <translation>&amp;Etap:</translation>
+    </message>
+    <message>
+        <source>none set</source>
+        <translation>nie ustalono</translation>
+    </message>
+    <message>
+        <source>Name the type of the aircraft.</source>
+        <translation>Podaj typ statku powietrznego.</translation>
+    </message>
+    <message>
+        <source>Name the aircraft by its registration or tail number.</source>
+        <translation>Podaj znaki rejestracyjne lub numer boczny statku powietrznego.</translation>
+    </message>
+    <message>
+        <source>Name the compass that is swung.</source>
+        <translation>Podaj busolę, której dewiacja jest mierzona.</translation>
+    </message>
+    <message>
+        <source>new swing</source>
+        <translation>nowy pomiar dewiacji</translation>
+    </message>
+    <message>
+        <source>The swing was not stored.</source>
+        <translation>Pomiaru nie zapisano.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::NmeaImportPage</name>
+    <message>
+        <source>Swing from an &amp;NMEA log…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+I</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not allowed for %2; expected a number from 0 on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 pairs of headings, %2 used; %3 slower than %4 kt, %5 in a turn faster than %6°/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 left out for another cause (see below)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open a log…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>&amp;Make a swing of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>empty: the log&apos;s, else the model&apos;s; log; model; or degrees, E +</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as HC; empty: the only one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reference:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Variation:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Slowest used (kt):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fastest turn used (°/s):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compass &amp;talker:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Kind of swing:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A log of a slow turn as a swing of %1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NMEA 0183 logs (*.nmea *.log *.txt);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the slowest speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fastest turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 sentences, %3 with a wrong checksum, %4 lines that are none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variation %1° (E +): %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken out in flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken out always (afloat)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none (on wheels)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard error, where you know of one: survey, magnetic storm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>YYYY-MM-DD, where the log&apos;s own is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Wind on a track:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variation sure to (°):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Date of the log:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how sure the variation is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no date; expected YYYY-MM-DD</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::OverviewPage</name>
+    <message>
+        <source>&amp;Overview</source>
+        <translation>&amp;Przegląd</translation>
+    </message>
+    <message>
+        <source>Alt+Home</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Statek powietrzny</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>Start a new swing</source>
+        <translation>Zacznij nowy pomiar dewiacji</translation>
+    </message>
+    <message>
+        <source>Import a file</source>
+        <translation>Wczytaj plik</translation>
+    </message>
+    <message>
+        <source>Choose an aircraft in the tree at the left, open its compass, and pick a swing. The state of an aircraft is that of the newest swing of its compasses, held against the limits set for each.</source>
+        <translation>Wybierz statek powietrzny w drzewie po lewej, rozwiń jego busolę i wskaż pomiar. Stan statku powietrznego wynika z najnowszych pomiarów jego busol, odniesionych do ustalonych dla nich wartości dopuszczalnych.</translation>
+    </message>
+    <message>
+        <source>Fleet</source>
+        <translation>Flota</translation>
+    </message>
+    <message>
+        <source>types: %1 · aircraft: %2 · compasses: %3 · swings: %4</source>
+        <translation>typy: %1 · statki powietrzne: %2 · busole: %3 · pomiary: %4</translation>
+    </message>
+    <message>
+        <source>No aircraft is out of limits.</source>
+        <translation>Żaden statek powietrzny nie przekracza wartości dopuszczalnych.</translation>
+    </message>
+    <message>
+        <source>Out of limits: %1 aircraft</source>
+        <translation>Poza granicami, statki powietrzne: %1</translation>
+    </message>
+    <message>
+        <source>aircraft: %1</source>
+        <translation>statki powietrzne: %1</translation>
+    </message>
+    <message>
+        <source>All aircraft of this type</source>
+        <translation>Wszystkie statki powietrzne tego typu</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::PlaceText</name>
+    <message>
+        <source>“%1” is no latitude; expected 90 S to 90 N, as 51.55 N, 51°33&apos;N or -33.9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no longitude; expected degrees, east positive, as 21.89 E, 21°53&apos;E or -70.67</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is no height; expected metres, as 118</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Plot</name>
+    <message>
+        <source>Export the plot</source>
+        <translation>Eksportuj wykres</translation>
+    </message>
+    <message>
+        <source>Image (*.png);;Drawing (*.svg);;PDF (*.pdf)</source>
+        <translation>Obraz (*.png);;Rysunek (*.svg);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset zoom</source>
+        <translation>P&amp;rzywróć skalę</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiuj</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Eksportuj…</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::PlotFile</name>
+    <message>
+        <source>a plot can be written as .png, .svg or .pdf, not as &quot;%1&quot;</source>
+        <translation>wykres można zapisać jako .png, .svg lub .pdf, nie jako „%1”</translation>
+    </message>
+    <message>
+        <source>a plot needs a width and a height of at least 1 pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no font is installed, so the plot would have no text; install one (fonts-dejavu-core)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::PlotLegend</name>
+    <message>
+        <source>Click to hide</source>
+        <translation>Kliknij, aby ukryć</translation>
+    </message>
+    <message>
+        <source>Click to show</source>
+        <translation>Kliknij, aby pokazać</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::PlotTabs</name>
+    <message>
+        <source>&amp;Polar</source>
+        <translation>&amp;Biegunowy</translation>
+    </message>
+    <message>
+        <source>C&amp;urve</source>
+        <translation>&amp;Krzywa</translation>
+    </message>
+    <message>
+        <source>Spectru&amp;m</source>
+        <translation>&amp;Widmo</translation>
+    </message>
+    <message>
+        <source>C&amp;omponents</source>
+        <translation>&amp;Składowe</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Plots</name>
+    <message>
+        <source>%1 t = %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnetic %1</source>
+        <translation>magnetyczny %1</translation>
+    </message>
+    <message>
+        <source>compass %1</source>
+        <translation>kompasowy %1</translation>
+    </message>
+    <message>
+        <source>deviation %1</source>
+        <translation>dewiacja %1</translation>
+    </message>
+    <message>
+        <source>residual %1</source>
+        <translation>reszta %1</translation>
+    </message>
+    <message>
+        <source>t = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>suspect</source>
+        <translation>wątpliwy</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>pominięty</translation>
+    </message>
+    <message>
+        <source>exact fit %1</source>
+        <translation>dopasowanie dokładne %1</translation>
+    </message>
+    <message>
+        <source>sum %1</source>
+        <translation>suma %1</translation>
+    </message>
+    <message>
+        <source>order %1</source>
+        <translation>rząd %1</translation>
+    </message>
+    <message>
+        <source>order %1 (%2)</source>
+        <translation>rząd %1 (%2)</translation>
+    </message>
+    <message>
+        <source>not resolved by these headings (highest order: %1)</source>
+        <translation>te kursy go nie rozróżniają (najwyższy rząd: %1)</translation>
+    </message>
+    <message>
+        <source>amplitude %1°</source>
+        <translation>amplituda %1°</translation>
+    </message>
+    <message>
+        <source>only its cosine can be told (order = half the number of headings)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase %1</source>
+        <translation>faza %1</translation>
+    </message>
+    <message>
+        <source>Enter readings: a magnetic and a compass heading in each row.
+Three headings give a first result.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deviation (°)
+outward = east (+)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnetic
+heading (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deviation (°, east +)</source>
+        <translation>dewiacja (°, wschodnia +)</translation>
+    </message>
+    <message>
+        <source>magnetic heading (°)</source>
+        <translation>kurs magnetyczny (°)</translation>
+    </message>
+    <message>
+        <source>previous swing</source>
+        <translation>poprzedni pomiar</translation>
+    </message>
+    <message>
+        <source>previous swing (%1)</source>
+        <translation>poprzedni pomiar (%1)</translation>
+    </message>
+    <message>
+        <source>limit ±%1°</source>
+        <translation>dopuszczalne ±%1°</translation>
+    </message>
+    <message>
+        <source>, beyond this scale</source>
+        <translation>, poza tą skalą</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::PolarChart</name>
+    <message>
+        <source>previous swing</source>
+        <translation>poprzedni pomiar</translation>
+    </message>
+    <message>
+        <source>approximate fit</source>
+        <translation>dopasowanie przybliżone</translation>
+    </message>
+    <message>
+        <source>exact fit</source>
+        <translation>dopasowanie dokładne</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>odczyty</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>dopuszczalne</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::PredictionChart</name>
+    <message>
+        <source>possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnetic heading (°)</source>
+        <translation>kurs magnetyczny (°)</translation>
+    </message>
+    <message>
+        <source>deviation (°, east +)</source>
+        <translation>dewiacja (°, wschodnia +)</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>possible there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>dopuszczalne</translation>
+    </message>
+    <message>
+        <source>limit ±%1°</source>
+        <translation>dopuszczalne ±%1°</translation>
+    </message>
+    <message>
+        <source>magnetic %1</source>
+        <translation>magnetyczny %1</translation>
+    </message>
+    <message>
+        <source> · the horizontal field vanishes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · there %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (%1 … %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · here %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>possible there: %1 % if c, f ~ %2; P, Q ~ %3 nT; magnets ~ %4 nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::PredictionPage</name>
+    <message>
+        <source>What it will read at another &amp;base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to %1° expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● In limits. %1; allowed %2°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ May leave its limits. %1; allowed %2°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ OUT OF LIMITS. %1; allowed %2°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ %1; no limits are set for this compass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a swing, then the base that the aircraft moves to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all swings of this compass at different places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;From:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Base:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Latitude:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L&amp;ongitude:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Date:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Field there:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the swings tell (✓) and what they cannot (–):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(typed below)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it will read elsewhere: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a swing first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the base, or type its latitude and longitude.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>H %1 nT, dip %2° (down +)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swing again after the move: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No new swing is needed for the move: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mind: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, up to %1° possible (95 %)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this swing alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The band holds the whole curve with a probability of %1 %, assuming %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::PredictionPlot</name>
+    <message>
+        <source>Prediction</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ProgressStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ReadingBlock</name>
+    <message>
+        <source>%1 is no column of this table; expected one of Nominal, Magnetic, Compass, Deviation and Note</source>
+        <translation>%1 nie jest kolumną tej tabeli; oczekiwano jednej z: Nominalny, Magnetyczny, Kompasowy, Dewiacja i Uwaga</translation>
+    </message>
+    <message>
+        <source>the column %1 is pasted twice; expected it once</source>
+        <translation>kolumna %1 jest wklejana dwa razy; oczekiwano jej raz</translation>
+    </message>
+    <message>
+        <source>the block has %1 columns, and from %2 on the table has %3; expected a narrower one, or a first row of headings</source>
+        <translation>blok ma kolumn: %1, a od kolumny %2 tabela ma ich %3; oczekiwano węższego albo pierwszego wiersza nagłówków</translation>
+    </message>
+    <message>
+        <source>this column is computed, and %1 is no residual; expected a first row of headings that says which column is which</source>
+        <translation>ta kolumna jest obliczana, a %1 nie jest resztą; oczekiwano pierwszego wiersza nagłówków, który nazywa kolumny</translation>
+    </message>
+    <message>
+        <source>there is no magnetic heading beside it</source>
+        <translation>obok nie ma kursu magnetycznego</translation>
+    </message>
+    <message>
+        <source>%1 contradicts magnetic − compass, which is %2</source>
+        <translation>%1 jest sprzeczne z różnicą kurs magnetyczny − kompasowy, która wynosi %2</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Nominalny</translation>
+    </message>
+    <message>
+        <source>Magnetic</source>
+        <translation>Magnetyczny</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <translation>Kompasowy</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Dewiacja</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Reszta</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>there is no text to paste; expected cells of a spreadsheet</source>
+        <translation>nie ma tekstu do wklejenia; oczekiwano komórek arkusza</translation>
+    </message>
+    <message>
+        <source>row %1, %2</source>
+        <translation>wiersz %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Readings</name>
+    <message>
+        <source>a true heading needs the variation: state it in the particulars of the swing first</source>
+        <translation>kurs rzeczywisty wymaga deklinacji: najpierw podaj ją w danych pomiaru</translation>
+    </message>
+    <message>
+        <source>this row has no nominal heading to accept; type the magnetic heading</source>
+        <translation>ten wiersz nie ma kursu nominalnego do przyjęcia; wpisz kurs magnetyczny</translation>
+    </message>
+    <message>
+        <source>type the magnetic heading first: compass = magnetic − deviation</source>
+        <translation>najpierw wpisz kurs magnetyczny: kurs kompasowy = magnetyczny − dewiacja</translation>
+    </message>
+    <message>
+        <source>this column is computed; type into magnetic, compass or deviation</source>
+        <translation>ta kolumna jest obliczana; wpisuj w kolumny: magnetyczny, kompasowy lub dewiacja</translation>
+    </message>
+    <message>
+        <source>nominal heading</source>
+        <translation>kurs nominalny</translation>
+    </message>
+    <message>
+        <source>magnetic heading</source>
+        <translation>kurs magnetyczny</translation>
+    </message>
+    <message>
+        <source>compass reading</source>
+        <translation>odczyt busoli</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>dewiacja</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>uwaga</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ReadingsModel</name>
+    <message>
+        <source>The heading that the aircraft was turned to, magnetic</source>
+        <translation>Kurs magnetyczny, na który obrócono statek powietrzny</translation>
+    </message>
+    <message>
+        <source>The magnetic heading that the datum gave</source>
+        <translation>Kurs magnetyczny wskazany przez wzorzec</translation>
+    </message>
+    <message>
+        <source>What the compass read</source>
+        <translation>Wskazanie busoli</translation>
+    </message>
+    <message>
+        <source>Magnetic − compass, east positive. Type it, and the compass heading follows</source>
+        <translation>Kurs magnetyczny − kompasowy, wschodnia dodatnia. Po wpisaniu kurs kompasowy wynika z niej</translation>
+    </message>
+    <message>
+        <source>Deviation read − deviation of the approximate fit</source>
+        <translation>Dewiacja odczytana − dewiacja z przybliżonego dopasowania</translation>
+    </message>
+    <message>
+        <source>Whether the reading counts</source>
+        <translation>Czy odczyt się liczy</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Uwagi</translation>
+    </message>
+    <message>
+        <source>t = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>excluded: %1</source>
+        <translation>pominięty: %1</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation>niepełny</translation>
+    </message>
+    <message>
+        <source>suspect, %1</source>
+        <translation>wątpliwy, %1</translation>
+    </message>
+    <message>
+        <source>Not stored: %1</source>
+        <translation>Nie zapisano: %1</translation>
+    </message>
+    <message>
+        <source>The nominal heading: nobody has read it yet. Enter or = accepts it, typing replaces it</source>
+        <translation>Kurs nominalny: nikt go jeszcze nie odczytał. Enter lub = przyjmuje go, wpisanie zastępuje</translation>
+    </message>
+    <message>
+        <source>%1 in a new row</source>
+        <translation>%1 w nowym wierszu</translation>
+    </message>
+    <message numerus="yes">
+        <source>pasting of %n row(s)</source>
+        <translation>
+            <numerusform>wklejenie %n wiersza</numerusform>
+            <numerusform>wklejenie %n wierszy</numerusform>
+            <numerusform>wklejenie %n wierszy</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) pasted.</source>
+        <translation>
+            <numerusform>Wklejono %n wiersz.</numerusform>
+            <numerusform>Wklejono %n wiersze.</numerusform>
+            <numerusform>Wklejono %n wierszy.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Residual and State are computed: they were passed over.</source>
+        <translation>Reszta i Stan są obliczane: pominięto je.</translation>
+    </message>
+    <message>
+        <source>000 and 360 are one heading: the second is left out.</source>
+        <translation>000 i 360 to ten sam kurs: drugi pominięto.</translation>
+    </message>
+    <message>
+        <source>000 and 360 are one heading, with different readings: look which is right.</source>
+        <translation>000 i 360 to ten sam kurs z różnymi odczytami: sprawdź, który jest właściwy.</translation>
+    </message>
+    <message>
+        <source>emptying of cells</source>
+        <translation>opróżnienie komórek</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ReadingsTable</name>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Wy&amp;tnij</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiuj</translation>
+    </message>
+    <message>
+        <source>Copy with &amp;headings</source>
+        <translation>Kopiuj z &amp;nagłówkami</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Wklej</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: %1</source>
+        <translation>Niczego nie wklejono: %1</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::RecordDocuments</name>
+    <message>
+        <source>RADIO ON</source>
+        <translation>RADIO WŁ.</translation>
+    </message>
+    <message>
+        <source>RADIO OFF</source>
+        <translation>RADIO WYŁ.</translation>
+    </message>
+    <message>
+        <source>STEER</source>
+        <translation>STERUJ</translation>
+    </message>
+    <message>
+        <source>%1 (%2° on %3)</source>
+        <translation>%1 (%2° na kursie %3)</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorActions</name>
+    <message>
+        <source>Sensor model (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Es&amp;timate from swings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Iron bench…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loa&amp;d model…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;model…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Newest swing, B and C as &amp;hard iron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Newest swing, B and C as &amp;vertical soft iron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swings at several &amp;places, separated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>estimate from swings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load a sensor model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>load %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model was loaded; its field was not: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the sensor model</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorChooser</name>
+    <message>
+        <source>Sensor models of this compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A new model, all zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new sensor model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A copy of this model, to be compared with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>duplicate of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this model (can be undone)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a model must have a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another model of this compass has this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N&amp;ote:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The database can only be read: sliders play, nothing is stored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This compass has no model yet. The first figure that you set makes one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorEditor</name>
+    <message>
+        <source>new model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new sensor model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorEstimate</name>
+    <message>
+        <source>swings %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no swing of this compass tells all five exact coefficients; expected one with five or more headings all round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hard iron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical soft iron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swing %1: B and C taken as all %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; the swing states no field: H %1 nT, dip %2° as set on this page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished">%1: %2 {1,?}</translation>
+    </message>
+    <message numerus="yes">
+        <source>swings at %n place(s) with a known field; expected two or more where H and dip differ (sites need latitude and longitude)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>separated, %1 places</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorFieldForm</name>
+    <message>
+        <source>Site of the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>typed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date of the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>horizontal field H</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dip, positive down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical field Z, positive down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No field: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: F %2 nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · H below %1 nT: a compass is unreliable here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorForm</name>
+    <message>
+        <source>&amp;Add a circuit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hard iron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Soft iron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electrical circuits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Misalignment of the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Soft constants (act as hard iron does)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as si&amp;ze and direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circuit %1</source>
+        <translation>obwód %1</translation>
+    </message>
+    <message>
+        <source>new circuit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorMaps</name>
+    <message>
+        <source>Ma&amp;p</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;urface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level swin&amp;g</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorPage</name>
+    <message>
+        <source>Earth&apos;s field</source>
+        <translation>pole Ziemi</translation>
+    </message>
+    <message>
+        <source>Sensor model · %1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> · DEMONSTRATION</source>
+        <translation> · DANE POKAZOWE</translation>
+    </message>
+    <message>
+        <source>No field: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the plot</source>
+        <translation>Eksportuj wykres</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png);;SVG drawing (*.svg);;PDF document (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Sensor model of this compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorParameters</name>
+    <message>
+        <source>forward</source>
+        <translation>do przodu</translation>
+    </message>
+    <message>
+        <source>to starboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>w dół</translation>
+    </message>
+    <message>
+        <source>soft iron %1: field %2 for each nT %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hard iron P, forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hard iron Q, to starboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hard iron R, down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>size of the hard iron</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elevation γ of the hard iron, upward from the body&apos;s xy plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>azimuth δ of the hard iron, from forward towards starboard (not the deviation)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soft constant D1, forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soft constant D2, to starboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soft constant D3, down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor rolled in its mount, starboard side down +</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor pitched in its mount, front up +</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor turned in its mount, clockwise from above +</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>field %1 for each ampere, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorPictures</name>
+    <message>
+        <source>%1 − %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MODELLED · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MODELLED: %1, level</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SigningPanel</name>
+    <message>
+        <source>role</source>
+        <translation>rola</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nazwisko</translation>
+    </message>
+    <message>
+        <source>licence</source>
+        <translation>licencja</translation>
+    </message>
+    <message>
+        <source>time (UTC)</source>
+        <translation>czas (UTC)</translation>
+    </message>
+    <message>
+        <source>stands for</source>
+        <translation>poświadcza</translation>
+    </message>
+    <message>
+        <source>&amp;Sign</source>
+        <translation>&amp;Podpisz</translation>
+    </message>
+    <message>
+        <source>Amend in a new &amp;revision</source>
+        <translation>Zmień w nowym &amp;wydaniu</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>co</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>przedtem</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>teraz</translation>
+    </message>
+    <message>
+        <source>what was done</source>
+        <translation>co zrobiono</translation>
+    </message>
+    <message>
+        <source>detail</source>
+        <translation>szczegóły</translation>
+    </message>
+    <message>
+        <source>licence, stamp or service number</source>
+        <translation>numer licencji, stempla lub legitymacji</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>powód</translation>
+    </message>
+    <message>
+        <source>All that was &amp;done to it</source>
+        <translation>&amp;Wszystko, co z nim zrobiono</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2 · %3: %n readings that count. </source>
+        <translation>
+            <numerusform>%1 · %2 · %3: %n liczący się odczyt. </numerusform>
+            <numerusform>%1 · %2 · %3: %n liczące się odczyty. </numerusform>
+            <numerusform>%1 · %2 · %3: %n liczących się odczytów. </numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> · revision %1, because: %2</source>
+        <translation> · wydanie %1, ponieważ: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Complete</source>
+        <translation>&amp;Zakończ</translation>
+    </message>
+    <message>
+        <source>Open a&amp;gain</source>
+        <translation>&amp;Otwórz ponownie</translation>
+    </message>
+    <message>
+        <source>✓ what the swing says now (%1…)</source>
+        <translation>✓ obecną treść pomiaru (%1…)</translation>
+    </message>
+    <message>
+        <source>✗ no longer: the swing was changed after it</source>
+        <translation>✗ już nie: pomiar później zmieniono</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SitesPage</name>
+    <message>
+        <source>&amp;New base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variation from the &amp;model, today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nazwa:</translation>
+    </message>
+    <message>
+        <source>a base must have a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Owner:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latitude:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longitude:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation (m):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variation (°, E +):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variation by:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>class %1: within %2° (%3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valid to:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines painted with (°, E +):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Painted on:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surveyed on:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surveyed by:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surveyed with:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Uwaga:</translation>
+    </message>
+    <message>
+        <source>● may be used today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ not to be used today: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Painted lines: the variation is %1° today, so that %2° is to be added to what a line says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>New base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New base %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>variation</source>
+        <translation>deklinacja</translation>
+    </message>
+    <message>
+        <source>Compass &amp;bases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no number; expected metres, degrees or nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a point of a survey has a declination or a total field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>east (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>north (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>declination (°, E +)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>total field (nT)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the centre of the base. Paste (Ctrl+V) takes columns from a spreadsheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Declination %1° to %2°, mean %3°, range %4′ of %5 points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Total field %1 to %2 nT, mean %3, range %4 nT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half of that range turns a needle by %1° at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meets no class.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meets class %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range within 12′ (MIL-STD-765A, per CNATRAINST 11130.1D).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range beyond 12′ (MIL-STD-765A, per CNATRAINST 11130.1D).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Row %1 is not stored yet: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>survey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1 of what is pasted: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SlipWords</name>
+    <message>
+        <source>swapped digits</source>
+        <translation>zamienione cyfry</translation>
+    </message>
+    <message>
+        <source>the reciprocal</source>
+        <translation>kurs przeciwny</translation>
+    </message>
+    <message>
+        <source>a 10° slip</source>
+        <translation>pomyłka o 10°</translation>
+    </message>
+    <message>
+        <source>a 100° slip</source>
+        <translation>pomyłka o 100°</translation>
+    </message>
+    <message>
+        <source>a deviation applied with the wrong sign</source>
+        <translation>dewiacja uwzględniona z niewłaściwym znakiem</translation>
+    </message>
+    <message>
+        <source>the wrong row</source>
+        <translation>niewłaściwy wiersz</translation>
+    </message>
+    <message>
+        <source>Look again: most likely the wrong row, as it fits %1 (%2)</source>
+        <translation>Sprawdź ponownie: najpewniej niewłaściwy wiersz, bo pasuje do %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 in the magnetic heading</source>
+        <translation>%1 w kursie magnetycznym</translation>
+    </message>
+    <message>
+        <source>Look again: most likely %1, %2 meant (%3)</source>
+        <translation>Sprawdź ponownie: najpewniej %1, miało być %2 (%3)</translation>
+    </message>
+    <message>
+        <source>on %1 the compass reads %2; %3 ± %4° is expected.</source>
+        <translation>na kursie %1 busola wskazuje %2; oczekiwano %3 ± %4°.</translation>
+    </message>
+    <message>
+        <source>Look again: no usual slip explains it</source>
+        <translation>Sprawdź ponownie: nie tłumaczy tego żadna zwykła pomyłka</translation>
+    </message>
+    <message>
+        <source>a 5° slip</source>
+        <translation>pomyłka o 5°</translation>
+    </message>
+    <message>
+        <source>no usual slip</source>
+        <translation>żadna zwykła pomyłka</translation>
+    </message>
+    <message>
+        <source>on %1 the compass reads %2.</source>
+        <translation>na kursie %1 busola wskazuje %2.</translation>
+    </message>
+    <message>
+        <source>one of the readings on %1 was probably misread (%2); these readings cannot tell which: look at them again</source>
+        <translation>jeden z odczytów na kursach %1 jest prawdopodobnie błędny (%2); te odczyty nie mówią, który: sprawdź je ponownie</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SmithTermsPanel</name>
+    <message>
+        <source>Coefficients and the terms that they come from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>dokładne</translation>
+    </message>
+    <message>
+        <source>approximate</source>
+        <translation>przybliżone</translation>
+    </message>
+    <message>
+        <source>comes from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a level swing can tell and what it cannot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a level swing here can tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No coefficients: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>λ = %1: a level compass is held by %2 % of H on the mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SpectrumChart</name>
+    <message>
+        <source>noise floor (95 %)</source>
+        <translation>poziom szumu (95 %)</translation>
+    </message>
+    <message>
+        <source>order of the harmonic (per turn)</source>
+        <translation>rząd harmonicznej (na obrót)</translation>
+    </message>
+    <message>
+        <source>amplitude (°)</source>
+        <translation>amplituda (°)</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplituda</translation>
+    </message>
+    <message>
+        <source>cosine only</source>
+        <translation>tylko cosinus</translation>
+    </message>
+    <message>
+        <source>not resolved by these headings</source>
+        <translation>te kursy nie rozróżniają</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::StartPage</name>
+    <message>
+        <source>Compass swings, from the readings to the correction card</source>
+        <translation>Pomiary dewiacji busol: od odczytów do tablicy dewiacji</translation>
+    </message>
+    <message>
+        <source>This database is empty. How do you want to begin?</source>
+        <translation>Ta baza danych jest pusta. Jak chcesz zacząć?</translation>
+    </message>
+    <message>
+        <source>&amp;Open the demonstration fleet</source>
+        <translation>&amp;Otwórz flotę pokazową</translation>
+    </message>
+    <message>
+        <source>Invented aircraft with several years of swings, to look around in. Marked as demonstration data everywhere.</source>
+        <translation>Zmyślone statki powietrzne z pomiarami z kilku lat, do obejrzenia. Wszędzie oznaczone jako dane pokazowe.</translation>
+    </message>
+    <message>
+        <source>&amp;Import a swing</source>
+        <translation>&amp;Wczytaj pomiar dewiacji</translation>
+    </message>
+    <message>
+        <source>A CSV of readings, an exchange file (.lubberline.json), or a report PDF of Lubberline. You can also drop it on the window.</source>
+        <translation>Plik CSV z odczytami, plik wymiany (.lubberline.json) albo sprawozdanie PDF programu Lubberline. Można też upuścić go na okno.</translation>
+    </message>
+    <message>
+        <source>Start a &amp;new swing</source>
+        <translation>Zacznij &amp;nowy pomiar dewiacji</translation>
+    </message>
+    <message>
+        <source>Name the aircraft and its compass, then type the readings: curve and coefficients follow every key.</source>
+        <translation>Podaj statek powietrzny i jego busolę, potem wpisuj odczyty: krzywa i współczynniki nadążają za każdym klawiszem.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::StationStrip</name>
+    <message>
+        <source>%1: skipped, %2</source>
+        <translation>%1: pominięto, %2</translation>
+    </message>
+    <message>
+        <source>%1: void, to be read again</source>
+        <translation>%1: nieważny, do ponownego odczytu</translation>
+    </message>
+    <message>
+        <source>%1: compass read %2</source>
+        <translation>%1: busola wskazała %2</translation>
+    </message>
+    <message>
+        <source>%1: now</source>
+        <translation>%1: teraz</translation>
+    </message>
+    <message>
+        <source>%1: to come</source>
+        <translation>%1: przed nami</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SurfaceChart</name>
+    <message>
+        <source>There is no map yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SurfacePlot</name>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SurveyDrawing</name>
+    <message>
+        <source>%1′</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No survey yet: type or paste its points into the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>declination − mean (′), east +; true north up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>total field − mean (nT); true north up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m east, %2 m north</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+declination %1° (E +)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+total field %1 nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SwingEditor</name>
+    <message>
+        <source>a new row</source>
+        <translation>nowy wiersz</translation>
+    </message>
+    <message>
+        <source>This database can only be read.</source>
+        <translation>Tę bazę danych można tylko czytać.</translation>
+    </message>
+    <message>
+        <source>This swing is signed: it is frozen.</source>
+        <translation>Ten pomiar jest podpisany: nie można go zmienić.</translation>
+    </message>
+    <message>
+        <source>This swing is complete. To change a reading, set it back to draft.</source>
+        <translation>Ten pomiar jest zakończony. Aby zmienić odczyt, przywróć go do szkicu.</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 na kursie %2</translation>
+    </message>
+    <message>
+        <source>removal of the row on %1</source>
+        <translation>usunięcie wiersza na kursie %1</translation>
+    </message>
+    <message>
+        <source>removal of %1 rows</source>
+        <translation>usunięcie wierszy: %1</translation>
+    </message>
+    <message>
+        <source>layout of %1 headings</source>
+        <translation>rozłożenie kursów: %1</translation>
+    </message>
+    <message>
+        <source>completion</source>
+        <translation>zakończenie</translation>
+    </message>
+    <message>
+        <source>exclusion</source>
+        <translation>pominięcie</translation>
+    </message>
+    <message>
+        <source>inclusion</source>
+        <translation>przywrócenie</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SwingFiles</name>
+    <message>
+        <source>No report: %1</source>
+        <translation>Brak sprawozdania: %1</translation>
+    </message>
+    <message>
+        <source>Write report</source>
+        <translation>Zapisz sprawozdanie</translation>
+    </message>
+    <message>
+        <source>PDF with the data attached (*.pdf);;HTML (*.html);;Readings (*.csv);;Results (*.json)</source>
+        <translation>PDF z dołączonymi danymi (*.pdf);;HTML (*.html);;Odczyty (*.csv);;Wyniki (*.json)</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>Zapisano sprawozdanie: %1</translation>
+    </message>
+    <message>
+        <source>No card: %1</source>
+        <translation>Brak tablicy dewiacji: %1</translation>
+    </message>
+    <message>
+        <source>Write correction card</source>
+        <translation>Zapisz tablicę dewiacji</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Card written: %1</source>
+        <translation>Zapisano tablicę dewiacji: %1</translation>
+    </message>
+    <message>
+        <source>Write a blank job card</source>
+        <translation>Zapisz czystą kartę pracy</translation>
+    </message>
+    <message>
+        <source>Job card written: %1</source>
+        <translation>Zapisano kartę pracy: %1</translation>
+    </message>
+    <message>
+        <source>Write a sheet in DD 1613 style</source>
+        <translation>Zapisz arkusz w układzie DD 1613</translation>
+    </message>
+    <message>
+        <source>Sheet written: %1</source>
+        <translation>Zapisano arkusz: %1</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SwingPage</name>
+    <message>
+        <source>P&amp;articulars</source>
+        <translation>&amp;Dane pomiaru</translation>
+    </message>
+    <message>
+        <source>Si&amp;gn</source>
+        <translation>Pod&amp;pis</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Odczyty</translation>
+    </message>
+    <message>
+        <source>What it means</source>
+        <translation>Co to znaczy</translation>
+    </message>
+    <message>
+        <source> · DEMONSTRATION</source>
+        <translation> · DANE POKAZOWE</translation>
+    </message>
+    <message>
+        <source>Mark &amp;complete</source>
+        <translation>&amp;Zakończ pomiar</translation>
+    </message>
+    <message>
+        <source>Open &amp;again…</source>
+        <translation>Otwórz &amp;ponownie…</translation>
+    </message>
+    <message>
+        <source>After these readings A = %1° was taken out by turning the compass: plots, coefficients and card are as it stands since. </source>
+        <translation>Po tych odczytach A = %1° usunięto przez obrót busoli: wykresy, współczynniki i tablica dotyczą jej obecnego ustawienia. </translation>
+    </message>
+    <message>
+        <source>No result yet: %1.</source>
+        <translation>Nie ma jeszcze wyniku: %1.</translation>
+    </message>
+    <message>
+        <source>✗ Not stored: %1</source>
+        <translation>✗ Nie zapisano: %1</translation>
+    </message>
+    <message>
+        <source>◉ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter: next cell · = accepts the nominal heading · deviation may be typed as 3.5W</source>
+        <translation>Enter: następna komórka · = przyjmuje kurs nominalny · dewiację można wpisać jako 3.5W</translation>
+    </message>
+    <message>
+        <source>new row</source>
+        <translation>nowy wiersz</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>wiersz %1</translation>
+    </message>
+    <message>
+        <source>removal of the swing of %1</source>
+        <translation>usunięcie pomiaru z %1</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Sprawozdanie…</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Print preview of the report…</source>
+        <translation>Podgląd &amp;wydruku sprawozdania…</translation>
+    </message>
+    <message>
+        <source>Correction &amp;card, every 30°…</source>
+        <translation>&amp;Tablica dewiacji co 30°…</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction card, every &amp;45°…</source>
+        <translation>Tablica dewiacji co &amp;45°…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print preview of the car&amp;d…</source>
+        <translation>Podgląd wydruku ta&amp;blicy…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Job card to carry out…</source>
+        <translation>&amp;Karta pracy do wypełnienia…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+J</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet in DD &amp;1613 style…</source>
+        <translation>Arkusz w układzie DD &amp;1613…</translation>
+    </message>
+    <message>
+        <source>%1 points, every %2°</source>
+        <translation>%1 punktów, co %2°</translation>
+    </message>
+    <message>
+        <source>&amp;Lay out nominal headings</source>
+        <translation>&amp;Rozłóż kursy nominalne</translation>
+    </message>
+    <message>
+        <source>&amp;Accept the nominal heading</source>
+        <translation>Przyjmij kurs &amp;nominalny</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Insert a row above</source>
+        <translation>Wstaw w&amp;iersz powyżej</translation>
+    </message>
+    <message>
+        <source>Ctrl+Ins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete the selected rows</source>
+        <translation>&amp;Usuń zaznaczone wiersze</translation>
+    </message>
+    <message>
+        <source>Ctrl+Del</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Exclude the reading…</source>
+        <translation>Pomiń &amp;odczyt…</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark &amp;complete, or open again</source>
+        <translation>&amp;Zakończ albo otwórz ponownie</translation>
+    </message>
+    <message>
+        <source>Ctrl+Return</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Sign or amend</source>
+        <translation>Po&amp;dpisz albo zmień</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove this draft swing</source>
+        <translation>Usuń ten szkic po&amp;miaru</translation>
+    </message>
+    <message>
+        <source>Go to the &amp;readings</source>
+        <translation>Przejdź do od&amp;czytów</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the &amp;aircraft of this swing</source>
+        <translation>Przejdź do statku powietrzne&amp;go</translation>
+    </message>
+    <message>
+        <source>Ctrl+U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Polar plot</source>
+        <translation>Wykres &amp;biegunowy</translation>
+    </message>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Krzywa</translation>
+    </message>
+    <message>
+        <source>&amp;Spectrum</source>
+        <translation>&amp;Widmo</translation>
+    </message>
+    <message>
+        <source>C&amp;omponents</source>
+        <translation>&amp;Składowe</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the zoom</source>
+        <translation>P&amp;rzywróć skalę</translation>
+    </message>
+    <message>
+        <source>Ctrl+0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cop&amp;y the plot</source>
+        <translation>Kop&amp;iuj wykres</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xport the plot…</source>
+        <translation>&amp;Eksportuj wykres…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SwingParticulars</name>
+    <message>
+        <source>Date:</source>
+        <translation>Data:</translation>
+    </message>
+    <message>
+        <source>year-month-day, UTC</source>
+        <translation>rok-miesiąc-dzień, UTC</translation>
+    </message>
+    <message>
+        <source>Kind:</source>
+        <translation>Rodzaj:</translation>
+    </message>
+    <message>
+        <source>Stage:</source>
+        <translation>Etap:</translation>
+    </message>
+    <message>
+        <source>Site:</source>
+        <translation>Miejsce:</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nie podano</translation>
+    </message>
+    <message>
+        <source>Variation:</source>
+        <translation>Deklinacja:</translation>
+    </message>
+    <message>
+        <source>3.5E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radio:</source>
+        <translation>Radio:</translation>
+    </message>
+    <message>
+        <source>Engines:</source>
+        <translation>Silniki:</translation>
+    </message>
+    <message>
+        <source>Electrics:</source>
+        <translation>Odbiorniki el.:</translation>
+    </message>
+    <message>
+        <source>Other:</source>
+        <translation>Inne:</translation>
+    </message>
+    <message>
+        <source>Reason:</source>
+        <translation>Powód:</translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Uwaga:</translation>
+    </message>
+    <message>
+        <source>Datum:</source>
+        <translation>Wzorzec:</translation>
+    </message>
+    <message>
+        <source>Datum s/n:</source>
+        <translation>Nr seryjny wzorca:</translation>
+    </message>
+    <message>
+        <source>Calibration due:</source>
+        <translation>Wzorcowanie do:</translation>
+    </message>
+    <message>
+        <source>Datum read by:</source>
+        <translation>Wzorzec odczytał:</translation>
+    </message>
+    <message>
+        <source>Compass read by:</source>
+        <translation>Busolę odczytał:</translation>
+    </message>
+    <message>
+        <source>Adjuster:</source>
+        <translation>Kompensował:</translation>
+    </message>
+    <message>
+        <source>Inspector:</source>
+        <translation>Kontroler:</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SwingWords</name>
+    <message>
+        <source>%1 within %2°</source>
+        <translation>%1 w granicach %2°</translation>
+    </message>
+    <message>
+        <source>%1 %2° exceeds the %3° allowed</source>
+        <translation>%1 %2° przekracza dopuszczalne %3°</translation>
+    </message>
+    <message>
+        <source>No limits are set for this compass: choose them on the aircraft&apos;s page (Ctrl+U).</source>
+        <translation>Dla tej busoli nie ustalono wartości dopuszczalnych: wybierz je na stronie statku powietrznego (Ctrl+U).</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>dewiacja</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>rozpiętość</translation>
+    </message>
+    <message>
+        <source>In limits</source>
+        <translation>W granicach</translation>
+    </message>
+    <message>
+        <source>OUT OF LIMITS</source>
+        <translation>POZA GRANICAMI</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> A reading is suspect: look again before these figures are used.</source>
+        <translation> Jeden z odczytów jest wątpliwy: sprawdź go, zanim użyjesz tych wartości.</translation>
+    </message>
+    <message>
+        <source>Largest deviation %1 at %2. </source>
+        <translation>Największa dewiacja %1 na kursie %2. </translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Transfers</name>
+    <message>
+        <source>%1: swings imported: %2</source>
+        <translation>%1: wczytano pomiarów: %2</translation>
+    </message>
+    <message>
+        <source>, already there: %1</source>
+        <translation>, były już wcześniej: %1</translation>
+    </message>
+    <message>
+        <source>%1: swings exported: %2.</source>
+        <translation>%1: zapisano pomiarów: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Words</name>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished">%1: %2 {1,?}</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::WorldFieldChart</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The field is being computed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::WorldFieldPlot</name>
+    <message>
+        <source>World map</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::WorldFieldText</name>
+    <message>
+        <source>declination</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inclination</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>horizontal field H</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical field Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>total field F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>°, east +</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>°, down +</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nT, down +</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui</name>
+    <message>
+        <source>cancelled</source>
+        <translation>anulowano</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the calibration of %1 was due on %2</source>
+        <translation>wzorcowanie przyrządu %1 było ważne do %2</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1; expected an exchange file</source>
+        <translation>nie daje się odczytać: %1; oczekiwano pliku wymiany</translation>
+    </message>
+    <message>
+        <source>cannot be imported: expected a name that ends in .csv (swing), .json (exchange) or .pdf (report)</source>
+        <translation>nie daje się wczytać: oczekiwano nazwy kończącej się na .csv (pomiar), .json (wymiana) lub .pdf (sprawozdanie)</translation>
+    </message>
+    <message>
+        <source>no place was found to keep it until the database can be written again</source>
+        <translation>nie znaleziono miejsca, by to przechować do czasu, aż baza danych znów da się zapisywać</translation>
+    </message>
+    <message>
+        <source>the swing is no longer there</source>
+        <translation>tego pomiaru już nie ma</translation>
+    </message>
+    <message>
+        <source>there is no sensor model &quot;%1&quot; any more</source>
+        <translation>modelu czujnika „%1” już nie ma</translation>
+    </message>
+    <message>
+        <source>there is no base %1 any more</source>
+        <translation>kręgu dewiacyjnego %1 już nie ma</translation>
+    </message>
+    <message>
+        <source>a swing (CSV), an exchange file (JSON) or a report (PDF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from ahead: direct</source>
+        <translation>z przodu: wprost</translation>
+    </message>
+    <message>
+        <source>from ahead: reciprocal</source>
+        <translation>z przodu: odwrotnie</translation>
+    </message>
+    <message>
+        <source>zero %1°</source>
+        <translation>zero %1°</translation>
+    </message>
+    <message>
+        <source>true, less variation</source>
+        <translation>rzeczywisty, pomniejszony o deklinację</translation>
+    </message>
+    <message>
+        <source>track over ground (RMC, VTG)</source>
+        <translation>kąt drogi nad ziemią (RMC, VTG)</translation>
+    </message>
+    <message>
+        <source>true heading (HDT, THS)</source>
+        <translation>kurs rzeczywisty (HDT, THS)</translation>
+    </message>
+    <message>
+        <source>another magnetic heading (HDM, HDG)</source>
+        <translation>inny kurs magnetyczny (HDM, HDG)</translation>
+    </message>
+</context>
+</TS>
