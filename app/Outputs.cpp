@@ -56,7 +56,8 @@ CLI::Option* addOutputOption(CLI::App& command, Invocation& invocation, const st
         },
         help + ": " + listed(endings) + "; - is standard output");
     option->check([endings](const std::string& path) {
-        return isStandardStream(path) || std::find(endings.begin(), endings.end(), endingOf(path)) != endings.end()
+        const bool known = isStandardStream(path) || std::find(endings.begin(), endings.end(), endingOf(path)) != endings.end();
+        return known || !checkOutput(path) // a device, a folder …: checkOutputs() says so
             ? std::string()
             : inQuotes(path) + " has another ending; expected " + listed(endings);
     });

@@ -113,6 +113,8 @@ TEST_F(Outputs, areNeverAFolderAPipeOrADevice)
         expectRefused(writer, full, "this is a device");
         for (const auto& name : {folder, pipe, full})
             fs::remove(sandbox.path(name));
+        expectRefused(writer, "/dev/null", "this is a device"); // whatever it is called
+        expectRefused(writer, ".", "this is a folder");
         expectRefused(writer, "no/out" + writer.ending, "the folder no does not exist");
         expectRefused(writer, writer.input + "/out" + writer.ending, writer.input + " is not a folder");
     }

@@ -301,7 +301,8 @@ Result<QString> ReadingsModel::paste(const QModelIndex& at, const QString& text)
         m_editor.record().swing.variation_deg);
     if (!pasted)
         return pasted.error();
-    if (const auto stored = put(pasted->readings, tr("pasting of %n row(s)", nullptr, pasted->rows)); !stored)
+    if (const auto stored = put(pasted->readings, pasted->rows == 1 ? tr("pasting of a row") : tr("pasting of %1 rows").arg(pasted->rows));
+        !stored)
         return stored.error();
     // What was refused in the rows before is not there any more.
     for (int row = at.row(); row < std::min(at.row() + pasted->rows, rowCount()); ++row)
@@ -309,7 +310,7 @@ Result<QString> ReadingsModel::paste(const QModelIndex& at, const QString& text)
             m_rejected.erase(cellAt(index(row, column)));
     std::erase_if(m_rejected, [](const auto& rejected) { return !rejected.first.first.valid(); });
     emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-    QString done = tr("%n row(s) pasted.", nullptr, pasted->rows);
+    QString done = pasted->rows == 1 ? tr("One row pasted.") : tr("%1 rows pasted.").arg(pasted->rows);
     if (pasted->passedOver)
         done += ' ' + tr("Residual and State are computed: they were passed over.");
     if (pasted->north == NorthTwice::CountsOnce)
