@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "app/Console.h"
+#include "core/swing/CardRemarks.h"
+#include "ui/report/card/CardWords.h"
 
 namespace lubberline::app {
 
@@ -150,21 +152,37 @@ std::string tableOf(const Correction& correction)
     return out + "Correct C on one of N and S, then B on one of E and W.\n";
 }
 
-std::string tableOf(const std::vector<Card>& cards, const std::vector<std::string>& labels)
+std::string tableOf(const ui::CardInput& input)
 {
-    std::string out = "  FOR";
-    for (const auto& label : labels)
-        out += text("  %12s", label.c_str());
+    const auto& columns = input.columns;
+    const bool byCompass = columns.front().card.options.by == CardBy::Compass;
+    const auto figureOf = [byCompass](const CardRow& row) { return byCompass ? row.magneticRounded_deg() : row.steerRounded_deg(); };
+    std::string out = byCompass ? "COMPASS" : "    FOR";
+    for (const auto& column : columns)
+        out += text("  %12s  +-95%%", byCompass && columns.size() == 1 ? "MAGNETIC" : column.heading.toStdString().c_str());
     out += "\n";
-    for (std::size_t row = 0; row < cards.front().rows.size(); ++row) {
-        out += text("  %03.0f", cards.front().rows[row].magnetic.degrees());
-        for (const auto& card : cards)
-            out += text("  %12s", text("%03d", card.rows[row].steerRounded_deg()).c_str());
+    for (std::size_t row = 0; row < columns.front().card.rows.size(); ++row) {
+        const CardRow& first = columns.front().card.rows[row];
+        out += text("    %03d", byCompass ? first.steerRounded_deg() : first.magneticRounded_deg());
+        for (const auto& column : columns) {
+            const CardRow& here = column.card.rows[row];
+            out += text("  %9s%-3s", text("%03d", figureOf(here)).c_str(), ui::markOf(here, column).toStdString().c_str());
+            out += here.band_rad ? text("  %5.1f", toDegrees(*here.band_rad)) : text("  %5s", "-");
+        }
         out += "\n";
     }
-    for (const auto& card : cards)
-        out += text("largest residual deviation %.1f deg\n", toDegrees(card.residualMaxAbs_rad));
-    return out + "FOR: magnetic heading to make good; STEER: compass heading (degrees)\n";
+    for (const auto& column : columns) {
+        const std::string of = columns.size() > 1 ? column.heading.toStdString() + ": " : "";
+        out += of + ui::recordLine(column).toStdString() + "\n";
+        out += of + ui::qualityLine(column).toStdString() + "\n" + of + ui::largestLine(column).toStdString() + "\n";
+        for (const auto& remark : inEnglish(remarksOn(column.card, column.record)))
+            out += of + remark + "\n";
+    }
+    const std::string marks = "* nobody read near this row; ! over the limit";
+    return out
+        + (byCompass ? "MAGNETIC: the magnetic heading when the compass reads COMPASS (degrees)\n"
+                     : "FOR: magnetic heading to make good; STEER: compass heading (degrees)\n")
+        + marks + "\n";
 }
 
 } // namespace lubberline::app

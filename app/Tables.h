@@ -5,8 +5,8 @@
 
 #include "core/deviation/Correction.h"
 #include "core/swing/Analysis.h"
-#include "core/swing/Card.h"
 #include "core/swing/Removal.h"
+#include "ui/report/card/CardDocument.h"
 
 namespace lubberline::app {
 
@@ -14,7 +14,7 @@ namespace lubberline::app {
 /// What would remain without the removed components, reading by reading and order by order.
 [[nodiscard]] std::string tableOf(const Analysis& analysis, const Removal& removal, CoefficientSet removed);
 [[nodiscard]] std::string tableOf(const Correction& correction);
-/// `labels`: the heads of the STEER columns, one for each card; all cards have the same FOR headings.
-[[nodiscard]] std::string tableOf(const std::vector<Card>& cards, const std::vector<std::string>& labels);
+/// The rows of all columns, with their marks and how sure they are, and what has to be said of each.
+[[nodiscard]] std::string tableOf(const ui::CardInput& input);
 
 } // namespace lubberline::app

@@ -11,6 +11,8 @@
 #include "app/Tables.h"
 #include "app/commands/Command.h"
 #include "core/format/results/AnalysisJson.h"
+#include "core/record/RecordWords.h"
+#include "ui/report/page/DataHash.h"
 #include "ui/swing/RecordDocuments.h"
 
 namespace lubberline::app {
@@ -18,22 +20,56 @@ namespace lubberline::app {
 namespace {
 
 struct CardArguments {
-    std::string file, second, swing, from = "fit", form = "placard";
+    std::string file, second, swing, from = "fit", by = "magnetic", form = "placard";
     Output output;
+    std::optional<double> at_deg;
     CardOptions card;
     bool json = false;
 };
 
-/// The contract's object; a second card stands in it under "second_column".
-std::string jsonOf(const std::vector<Card>& cards, const std::vector<std::string>& labels)
+/// Whose figures a column has, and whether a signature stands for them.
+nlohmann::ordered_json jsonOf(const ui::CardColumn& column)
 {
-    auto object = nlohmann::ordered_json::parse(toJson(cards.front()));
-    if (cards.size() > 1) {
-        object["heading"] = labels[0];
-        object["second_column"] = nlohmann::ordered_json::parse(toJson(cards[1]));
-        object["second_column"]["heading"] = labels[1];
+    auto object = nlohmann::ordered_json::parse(toJson(column.card, column.record));
+    object["record"] = column.record.swing.record;
+    object["data_sha256"] = ui::dataHash(column.record).toStdString();
+    object["state"] = std::string(fileWord(column.record.swing.state));
+    object["signed"] = column.isSigned();
+    return object;
+}
+
+/// What is between the rows, where it was asked for.
+nlohmann::ordered_json jsonOf(double at_deg, const BetweenRows& between)
+{
+    return {{"heading_deg", at_deg}, {"interpolated_deg", between.interpolated_deg},
+        {"curve_deg", between.curve_deg ? nlohmann::ordered_json(*between.curve_deg) : nlohmann::ordered_json()}};
+}
+
+/// The contract's object; a second card stands in it under "second_column".
+std::string jsonOf(const ui::CardInput& input, const std::vector<BetweenRows>& between, std::optional<double> at_deg)
+{
+    auto object = jsonOf(input.columns.front());
+    if (at_deg)
+        object["at"] = jsonOf(*at_deg, between.front());
+    if (input.columns.size() > 1) {
+        object["heading"] = input.columns[0].heading.toStdString();
+        object["second_column"] = jsonOf(input.columns[1]);
+        object["second_column"]["heading"] = input.columns[1].heading.toStdString();
+        if (at_deg)
+            object["second_column"]["at"] = jsonOf(*at_deg, between[1]);
     }
     return object.dump(2);
+}
+
+std::string textOf(const ui::CardInput& input, const std::vector<BetweenRows>& between, double at_deg)
+{
+    std::string out;
+    for (std::size_t i = 0; i < between.size(); ++i) {
+        out += text(
+            "%s %05.1f: %05.1f between the rows", input.columns[i].heading.toStdString().c_str(), at_deg, between[i].interpolated_deg);
+        out += between[i].curve_deg ? text(", %05.1f by the curve\n", *between[i].curve_deg) : "\n";
+    }
+    return out;
 }
 
 int writeCardFile(const CardArguments& options, ui::CardInput input)
@@ -63,10 +99,30 @@ int writeForm(const CardArguments& options, db::Stores& stores, SwingId swing)
     return kDone;
 }
 
+Result<CardSheet> cardFromDatabase(db::Stores& stores, SwingId swing, const CardOptions& options)
+{
+    auto input = ui::cardOf(stores, swing, options, nowUtc(), true);
+    if (!input)
+        return input.error();
+    CardSheet sheet{std::move(input.value()), {}, {}};
+    for (const auto& column : sheet.input.columns) {
+        auto analysis = stores.jobs.resultOf(column.record);
+        if (!analysis)
+            return analysis.error();
+        sheet.analyses.push_back(std::move(analysis.value()));
+    }
+    return sheet;
+}
+
 int cardCommand(CardArguments options, const std::string& database)
 {
     options.card.source = options.from == "fit" ? CardSource::Fit : CardSource::Readings;
+    options.card.by = options.by == "magnetic" ? CardBy::Magnetic : CardBy::Compass;
     const bool placard = options.form == "placard" || options.form == "card";
+    if (!options.second.empty() && options.file.empty()) {
+        say("card: --second expects a Swing CSV before it; a swing of the database finds its other radio state by itself");
+        return kUsage;
+    }
     if (options.file.empty() == options.swing.empty() || (!placard && (options.swing.empty() || options.output.empty()))) {
         say(placard ? "card: expected a Swing CSV or --swing ID, and not both"
                     : "card: --form " + options.form + " expects --swing ID and --output FILE.pdf");
@@ -89,24 +145,24 @@ int cardCommand(CardArguments options, const std::string& database)
             return fail(id.error());
         if (!placard)
             return writeForm(options, **stores, *id);
-        auto input = ui::cardOf(**stores, *id, options.card, nowUtc(), true);
-        sheet = input ? Result<CardSheet>(CardSheet{std::move(input.value()), {}}) : Result<CardSheet>(input.error());
+        sheet = cardFromDatabase(**stores, *id, options.card);
     }
     if (!sheet)
         return fail(sheet.error());
     warn(sheet->warnings);
-    std::vector<Card> cards;
-    std::vector<std::string> labels;
-    for (const auto& column : sheet->input.columns) {
-        cards.push_back(column.card);
-        labels.push_back(column.heading.toStdString());
+    std::vector<BetweenRows> between;
+    for (std::size_t i = 0; options.at_deg && i < sheet->input.columns.size(); ++i) {
+        const auto one = betweenRows(sheet->analyses[i], sheet->input.columns[i].card, *options.at_deg);
+        if (!one)
+            return fail(one.error());
+        between.push_back(*one);
     }
     if (options.output.toStandardOutput())
         return writeCardFile(options, sheet->input);
     if (options.json)
-        std::printf("%s\n", jsonOf(cards, labels).c_str());
+        std::printf("%s\n", jsonOf(sheet->input, between, options.at_deg).c_str());
     else if (options.output.empty())
-        std::fputs(tableOf(cards, labels).c_str(), stdout);
+        std::fputs((tableOf(sheet->input) + (options.at_deg ? textOf(sheet->input, between, *options.at_deg) : "")).c_str(), stdout);
     return options.output.empty() ? kDone : writeCardFile(options, sheet->input);
 }
 
@@ -127,9 +183,14 @@ void addCard(CLI::App& app, Invocation& invocation)
     addDatabaseOption(*command, invocation);
     addInputOption(
         *command, invocation, "--second", options->second, "a second swing of the same compass for a second STEER column (radio off)");
-    command->add_option("--step", options->card.step_deg, "degrees between headings: 30 or 45")
-        ->check(CLI::IsMember({30, 45}))
+    command->add_option("--step", options->card.step_deg, "degrees between headings: 10, 15, 30 or 45")
+        ->check(CLI::IsMember(std::vector<int>(kCardSteps_deg.begin(), kCardSteps_deg.end())))
         ->capture_default_str();
+    command->add_option("--by", options->by, "magnetic: what to steer for it; compass: the magnetic heading when the compass reads so much")
+        ->check(CLI::IsMember({"magnetic", "compass"}))
+        ->capture_default_str();
+    command->add_option("--at", options->at_deg, "also the value at this heading between the rows: interpolated, and by the curve")
+        ->check(CLI::Range(0.0, 360.0));
     command->add_option("--from", options->from, "fit: the exact fit; readings: the deviation read nearest to each heading")
         ->check(CLI::IsMember({"fit", "readings"}))
         ->capture_default_str();

@@ -13,8 +13,8 @@
 #include "core/base/WholeFile.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
-#include "ui/report/card/CardDocument.h"
 #include "ui/report/swing/Report.h"
+#include "ui/swing/RecordDocuments.h"
 
 namespace lubberline::app {
 
@@ -88,14 +88,10 @@ Result<void> writeDocuments(db::Stores& stores, SwingId id, const QDir& folder)
     report.madeAtUtc = nowUtc();
     if (const auto written = ui::writeReport(report, folder.filePath("swing-report.pdf")); !written)
         return written;
-    const auto card = makeCard(*analysis, {});
+    const auto card = ui::cardOf(stores, id, {}, nowUtc());
     if (!card)
         return card.error();
-    ui::CardInput sheet;
-    sheet.record = *record;
-    sheet.columns = {{"STEER", *card}};
-    sheet.madeAtUtc = nowUtc();
-    if (const auto written = ui::writeCard(sheet, folder.filePath("correction-card.pdf")); !written)
+    if (const auto written = ui::writeCard(*card, folder.filePath("correction-card.pdf")); !written)
         return written;
     return writePlots(*record, analysis, *previous, folder);
 }

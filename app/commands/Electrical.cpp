@@ -3,10 +3,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/Console.h"
+#include "app/Outputs.h"
+#include "app/Paths.h"
+#include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/base/WholeFile.h"
 #include "core/format/exchange/ElectricalJson.h"
 #include "core/procedure/ElectricalChecks.h"
+#include "ui/report/forms/ElectricalSheet.h"
 
 namespace lubberline::app {
 
@@ -14,6 +18,7 @@ namespace {
 
 struct ElectricalArguments {
     std::string file;
+    Output output;
     bool json = false;
 };
 
@@ -39,6 +44,15 @@ int electricalCommand(const ElectricalArguments& options)
     const auto swing = readElectricalJson(*text, nameOfInput(options.file));
     if (!swing)
         return fail(swing.error());
+    if (!options.output.empty()) {
+        const auto session = makeDrawingSession();
+        const ui::ElectricalSheet sheet{*swing, {}, {}, nowUtc()};
+        if (const auto written = ui::writeElectricalSheet(sheet, QString::fromStdString(options.output.path)); !written)
+            return fail(written.error());
+        sayWritten(options.output);
+        if (options.output.toStandardOutput())
+            return kDone;
+    }
     nlohmann::ordered_json object;
     object["sign"] = "indicated - selected";
     for (const auto& [name, table] : {std::pair{"before", &swing->before}, {"after", &swing->after}})
@@ -71,6 +85,7 @@ void addElectrical(CLI::App& app, Invocation& invocation)
     addInputOption(
         *command, invocation, "SHEET.json", options->file, "an Electrical JSON: table F1 before and after, 24 headings, self-check")
         ->required();
+    addOutputOption(*command, invocation, "-o,--output", options->output, "write the record of the swing", {".pdf"});
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &invocation] { invocation.action = [options] { return electricalCommand(*options); }; });
 }

@@ -6,6 +6,8 @@
 #include "app/PlacedSwings.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
 #include "core/base/OutputFile.h"
 #include "core/earth/FieldModel.h"
 #include "core/format/exchange/ModelJson.h"
@@ -127,6 +129,23 @@ int predictCommand(const PredictArguments& options, const std::string& database)
     return answer ? tell(options, *answer) : fail(answer.error());
 }
 
+void addAssumed(CLI::App& command, AssumedIron& assumed)
+{
+    const auto add = [&](const char* name, double& size, double most, const char* what) {
+        command.add_option(name, size, what)->capture_default_str()->check([most](const std::string& text) {
+            const FileNumber number = readNumber(text);
+            return number.fault == NumberFault::None && number.value > 0 && number.value <= most
+                ? std::string()
+                : inQuotes(text) + "; expected a number above 0, " + shortestNumber(most) + " at most";
+        });
+    };
+    add("--assume-soft", assumed.verticalSoft, 10,
+        "plausible size of the vertical soft iron c and f; this and the next: standard deviations");
+    add("--assume-hard-nT", assumed.hardIron_nT, 1e6, "plausible size of the hard iron P and Q [nT]");
+    add("--assume-magnets-nT", assumed.compensator_nT, 1e6, "plausible size of the compensating magnets [nT]");
+    add("--assume-one-cycle-deg", assumed.compassOneCycle_deg, 90, "plausible one-cycle error of the compass itself [deg]");
+}
+
 } // namespace
 
 void addPredict(CLI::App& app, Invocation& invocation)
@@ -141,14 +160,7 @@ void addPredict(CLI::App& app, Invocation& invocation)
     command->add_option("--lon", options->longitude_deg, "longitude there [deg, east positive]")->required();
     command->add_option("--alt", options->altitude_m, "height above the WGS84 ellipsoid [m]")->capture_default_str();
     command->add_option("--date", options->date, "YYYY-MM-DD, or a year as 2026.5")->required();
-    const auto assume = [&](const char* name, double& size, const char* what) {
-        command->add_option(name, size, what)->capture_default_str()->check(CLI::PositiveNumber);
-    };
-    assume("--assume-soft", options->assumed.verticalSoft,
-        "plausible size of the vertical soft iron c and f; this and the next: standard deviations");
-    assume("--assume-hard-nT", options->assumed.hardIron_nT, "plausible size of the hard iron P and Q [nT]");
-    assume("--assume-magnets-nT", options->assumed.compensator_nT, "plausible size of the compensating magnets [nT]");
-    assume("--assume-one-cycle-deg", options->assumed.compassOneCycle_deg, "plausible one-cycle error of the compass itself [deg]");
+    addAssumed(*command, options->assumed);
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
     addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".csv", ".json"})->excludes(json);
     addDatabaseOption(*command, invocation);

@@ -87,6 +87,7 @@ SwingRecord swingOf(const std::vector<SensorReading>& points, const SensorSetup&
     SwingRecord record;
     Swing& swing = record.swing;
     swing.kind = SwingKind::Calibration;
+    swing.stage = SwingStage::NotStated;
     swing.datum.instrument = "simulation";
     swing.note = "simulated from " + std::filesystem::path(nameOfInput(options.model)).filename().string();
     if (const auto* place = std::get_if<PlaceAndDate>(&setup.field))

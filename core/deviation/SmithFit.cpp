@@ -304,4 +304,10 @@ std::vector<std::optional<double>> studentisedResiduals(const SmithFitReport& fi
     return studentised;
 }
 
+double deletedResidual_rad(const SmithFitReport& fit, std::size_t reading)
+{
+    LUBBERLINE_EXPECT(reading < fit.residual_rad.size() && fit.leverage[reading] < 1.0, "the others fit a curve without this reading");
+    return fit.residual_rad[reading] / (1.0 - fit.leverage[reading]);
+}
+
 } // namespace lubberline

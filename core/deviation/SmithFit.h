@@ -79,5 +79,8 @@ Result<ExactFit> fitExact(std::span<const Observation> readings);
 
 /// Externally studentised residuals, none for a reading where two degrees of freedom are missing.
 [[nodiscard]] std::vector<std::optional<double>> studentisedResiduals(const SmithFitReport& fit);
+/// How far a reading lies from the curve fitted to the others: e/(1 − h) with its residual e and leverage h [rad].
+/// The fit must be fitted() and the leverage below 1.
+[[nodiscard]] double deletedResidual_rad(const SmithFitReport& fit, std::size_t reading);
 
 } // namespace lubberline

@@ -67,6 +67,15 @@ double logNormal(double off, double variance) { return -0.5 * (off * off / varia
 /// The middle of the deviations on the circle: the one that is nearest to all others.
 double middle_deg(std::span<const Observation> readings)
 {
+    if (readings.size() > kLookedAt) { // of a log: the mean direction, as every pair would be held against each other
+        double x = 0, y = 0;
+        for (const auto& reading : readings) {
+            const double deviation = deviationOf(reading.magnetic, reading.compass).radians();
+            x += std::cos(deviation);
+            y += std::sin(deviation);
+        }
+        return toDegrees(std::atan2(y, x));
+    }
     double best = 0, bestSum = std::numeric_limits<double>::max();
     for (const auto& candidate : readings) {
         const double at = deviationOf(candidate.magnetic, candidate.compass).degrees();

@@ -75,6 +75,7 @@ Swing toSwing(const NmeaSwing& nmea)
     Swing swing;
     swing.date = nmea.date;
     swing.kind = SwingKind::Calibration;
+    swing.stage = SwingStage::NotStated;
     swing.datum.instrument = "NMEA 0183 log";
     if (nmea.variation)
         swing.variation_deg = nmea.variation->degrees();

@@ -33,7 +33,7 @@ struct Aircraft {
 };
 
 /// Direct reading, or remote indicating (not stabilised, or gyro-stabilised).
-enum class CompassKind { DirectReading, RemoteUnstabilised, RemoteStabilised };
+enum class CompassKind { DirectReading, RemoteUnstabilised, RemoteStabilised, NotStated };
 enum class Compensator { Unknown, None, Screws, Magnets, Electronic };
 
 /// A compass system as installed on one aircraft.
@@ -48,9 +48,10 @@ struct CompassSystem {
     std::string partNumber;
     std::string serialNumber;
     std::string location;
-    double resolution_deg = 1.0; ///< smallest division that is read [deg]; drawn as the readings' bars
-    LimitsProfileId limits;      ///< not valid: no limits are set
-    Date installed = {};         ///< since when it is on this aircraft; empty: not stated
+    double resolution_deg = 1.0;  ///< smallest division that is read [deg]; drawn as the readings' bars
+    LimitsProfileId limits;       ///< not valid: no limits are set
+    Date installed = {};          ///< since when it is on this aircraft; empty: not stated
+    bool resolutionStated = true; ///< false: nobody did, and resolution_deg is what the figures of its first file speak of
     friend bool operator==(const CompassSystem&, const CompassSystem&) = default;
 };
 

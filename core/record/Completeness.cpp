@@ -16,6 +16,8 @@ Message missingIn(const Swing& swing, Date today)
     if (swing.date > addDays(today, 1)) // dates are UTC: east of it, the crew is a day ahead
         return Message{
             MARKED("core", "its date %1 is still to come (today is %2); expected the day on which it was swung"), swing.date, today};
+    if (samePerson(swing.people.adjuster, swing.people.inspector))
+        return {MARKED("core", "adjuster and inspector are both %1; expected another person who checks the work"), swing.people.inspector};
     for (std::size_t i = 0; i < swing.readings.size(); ++i) {
         const auto& reading = swing.readings[i];
         if (reading.exclusion || reading.magnetic.has_value() == reading.compass.has_value())

@@ -75,7 +75,10 @@ RecordId recordIdOfSensor(std::string_view registration, std::string_view compas
 RecordId recordIdOfSwing(const Swing& swing, std::string_view registration, std::string_view compass, std::string_view site)
 {
     Content content;
-    content << "swing" << registration << compass << site << swing.date.text() << swing.kind << swing.stage << swing.configuration.radio
+    // What is not stated has the identity that it had when it was taken for the usual.
+    const SwingKind kind = swing.kind == SwingKind::NotStated ? SwingKind::Check : swing.kind;
+    const SwingStage stage = swing.stage == SwingStage::NotStated ? SwingStage::AsFound : swing.stage;
+    content << "swing" << registration << compass << site << swing.date.text() << kind << stage << swing.configuration.radio
             << swing.configuration.engines << swing.configuration.electrics << swing.configuration.other << swing.datum.instrument
             << swing.datum.serialNumber << swing.datum.calibrationDue.text() << swing.people.datumReader << swing.people.cockpitReader
             << swing.people.adjuster << swing.people.inspector << swing.variation_deg << swing.procedure << swing.workOrder << swing.reason

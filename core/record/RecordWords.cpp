@@ -12,15 +12,15 @@ template <class Choice>
 struct Words;
 template <>
 struct Words<SwingKind> {
-    static constexpr std::array<std::string_view, 4> list{"check", "correction", "calibration", "air"};
+    static constexpr std::array<std::string_view, 5> list{"check", "correction", "calibration", "air", "not_stated"};
     static constexpr std::array shown{MARKED("core", "check swing"), MARKED("core", "correction swing"),
-        MARKED("core", "calibration swing"), MARKED("core", "air swing")};
+        MARKED("core", "calibration swing"), MARKED("core", "air swing"), MARKED("core", "not stated")};
     static_assert(shown.size() == list.size());
 };
 template <>
 struct Words<SwingStage> {
-    static constexpr std::array<std::string_view, 2> list{"as_found", "as_left"};
-    static constexpr std::array shown{MARKED("core", "as found"), MARKED("core", "as left")};
+    static constexpr std::array<std::string_view, 3> list{"as_found", "as_left", "not_stated"};
+    static constexpr std::array shown{MARKED("core", "as found"), MARKED("core", "as left"), MARKED("core", "not stated")};
     static_assert(shown.size() == list.size());
 };
 template <>
@@ -37,9 +37,9 @@ struct Words<RadioState> {
 };
 template <>
 struct Words<CompassKind> {
-    static constexpr std::array<std::string_view, 3> list{"direct_reading", "remote_unstabilised", "remote_stabilised"};
-    static constexpr std::array shown{
-        MARKED("core", "direct reading"), MARKED("core", "remote, not stabilised"), MARKED("core", "remote, gyro-stabilised")};
+    static constexpr std::array<std::string_view, 4> list{"direct_reading", "remote_unstabilised", "remote_stabilised", "not_stated"};
+    static constexpr std::array shown{MARKED("core", "direct reading"), MARKED("core", "remote, not stabilised"),
+        MARKED("core", "remote, gyro-stabilised"), MARKED("core", "not stated")};
     static_assert(shown.size() == list.size());
 };
 template <>

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/Message.h"
+
 namespace lubberline {
 
 enum class SignatureRole {
@@ -25,5 +27,14 @@ struct Signature {
 /// Whether these signatures freeze a swing, of which those hold that `hold` says (in their order): two people stand over the same contents, one who did it and one
 /// who answers for it having been checked (an inspector or the authority).
 [[nodiscard]] bool freezes(const std::vector<Signature>& signatures, const std::vector<bool>& hold);
+
+/// Whether two names are one person's: the same letters and figures, whatever their case, spaces and points.
+[[nodiscard]] bool samePerson(const std::string& one, const std::string& other);
+
+/// Why this one may not be given beside those that hold: nobody answers for work that he did himself. The performer is another
+/// person than the inspector and the authority, by name and by licence, and so are the adjuster and the inspector whom the swing
+/// names. Empty: it may.
+[[nodiscard]] Message whyNotSign(const Signature& signature, const std::vector<Signature>& signatures, const std::vector<bool>& hold,
+    const std::string& adjuster, const std::string& inspector);
 
 } // namespace lubberline

@@ -15,8 +15,8 @@
 
 namespace lubberline {
 
-enum class SwingKind { Check, Correction, Calibration, Air };
-enum class SwingStage { AsFound, AsLeft };
+enum class SwingKind { Check, Correction, Calibration, Air, NotStated };
+enum class SwingStage { AsFound, AsLeft, NotStated };
 /// draft → complete → signed; what is signed is frozen.
 enum class SwingState { Draft, Complete, Signed };
 

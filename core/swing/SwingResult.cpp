@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/swing/Gaps.h"
 #include "core/swing/Observations.h"
 #include "core/swing/ReadingError.h"
 
@@ -13,7 +14,11 @@ Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job, const 
     AnalysisOptions own = options;
     own.resolution_deg = record.compass.resolution_deg;
     own.readingError_rad = readingError_rad(record.compass.resolution_deg, job ? job->datum.resolution_deg : 0.0);
-    return analyse(observationsOf(record.swing), own);
+    auto analysis = analyse(observationsOf(record.swing), own);
+    if (analysis)
+        for (const auto& gap : gapsOf(*analysis)) // with the band that the reading error leaves
+            analysis->warnings.push_back(wordsOf(gap));
+    return analysis;
 }
 
 double divisionOf_deg(const Swing& swing)

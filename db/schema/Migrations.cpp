@@ -171,11 +171,22 @@ const Migration kFifth{5, "signatures name the version of what they stand for",
         "ALTER TABLE signature ADD COLUMN contents INTEGER NOT NULL DEFAULT 1 CHECK (contents >= 1)",
     }};
 
+/// The checks of the first step know no "not stated": it is kept beside, and what stands there then is the usual (0).
+const Migration kSixth{6, "kind and stage of a swing, kind and resolution of a compass may be not stated",
+    {
+        "ALTER TABLE swing ADD COLUMN kind_stated INTEGER NOT NULL DEFAULT 1 CHECK (kind_stated IN (0, 1))",
+        "ALTER TABLE swing ADD COLUMN stage_stated INTEGER NOT NULL DEFAULT 1 CHECK (stage_stated IN (0, 1))",
+        "ALTER TABLE compass ADD COLUMN kind_stated INTEGER NOT NULL DEFAULT 1 CHECK (kind_stated IN (0, 1))",
+        "ALTER TABLE compass ADD COLUMN resolution_stated INTEGER NOT NULL DEFAULT 1 CHECK (resolution_stated IN (0, 1))",
+        "CREATE TRIGGER signed_swing_stated_is_frozen BEFORE UPDATE OF kind_stated, stage_stated ON swing WHEN OLD.state = 2"
+        " BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
+    }};
+
 } // namespace
 
 const std::vector<Migration>& migrations()
 {
-    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth};
+    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth, kSixth};
     return steps;
 }
 

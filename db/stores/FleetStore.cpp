@@ -24,7 +24,7 @@ const Table& compassTable()
 {
     static const Table table{MARKED("db", "compass"), "compass",
         {"aircraft_id", "name", "kind", "compensator", "maker", "part_number", "serial_number", "location", "resolution_deg", "limits_id",
-            "installed"}};
+            "installed", "kind_stated", "resolution_stated"}};
     return table;
 }
 
@@ -46,9 +46,10 @@ void bindAircraft(Statement& statement, const Aircraft& aircraft)
 
 void bindCompass(Statement& statement, const CompassSystem& compass)
 {
-    statement << compass.aircraft << compass.name << static_cast<int>(compass.kind) << static_cast<int>(compass.compensator)
-              << compass.maker << compass.partNumber << compass.serialNumber << compass.location << compass.resolution_deg << compass.limits
-              << compass.installed;
+    const bool kindStated = compass.kind != CompassKind::NotStated;
+    statement << compass.aircraft << compass.name << (kindStated ? static_cast<int>(compass.kind) : 0)
+              << static_cast<int>(compass.compensator) << compass.maker << compass.partNumber << compass.serialNumber << compass.location
+              << compass.resolution_deg << compass.limits << compass.installed << kindStated << compass.resolutionStated;
 }
 
 void bindEvent(Statement& statement, const Event& event)
@@ -127,9 +128,10 @@ Result<CompassSystem> FleetStore::compass(CompassId id)
     Statement statement(m_database, select(compassTable()) + "WHERE id = ?");
     statement << id;
     return oneOf<CompassSystem>(statement, m_database, MARKED("db", "compass"), [](Statement& row) {
-        return CompassSystem{row.id<CompassId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), row.as<CompassKind>(4),
-            row.as<Compensator>(5), row.text(6), row.text(7), row.text(8), row.text(9), row.real(10), row.id<LimitsProfileId>(11),
-            row.day(12)};
+        const auto kind = row.integer(13) != 0 ? row.as<CompassKind>(4) : CompassKind::NotStated;
+        return CompassSystem{row.id<CompassId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), kind, row.as<Compensator>(5),
+            row.text(6), row.text(7), row.text(8), row.text(9), row.real(10), row.id<LimitsProfileId>(11), row.day(12),
+            row.integer(14) != 0};
     });
 }
 

@@ -106,6 +106,11 @@ Result<void> SigningStore::sign(SwingId id, Signature signature)
             ErrorCode::InvalidInput, MARKED("db", "the swing is a draft; expected a complete one: it is completed before it is signed")};
     if (signature.name.find_first_not_of(' ') == std::string::npos)
         return Error{ErrorCode::InvalidInput, MARKED("db", "the name is empty; expected who signs")};
+    const auto held = hold(id);
+    if (!held)
+        return held.error();
+    if (const auto why = whyNotSign(signature, swing->signatures, *held, swing->people.adjuster, swing->people.inspector); !why.empty())
+        return Error{ErrorCode::InvalidInput, why};
     signature.contents = kSignedContents;
     const auto hash = hashOf(id, signature.contents);
     if (!hash)

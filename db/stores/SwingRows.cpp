@@ -66,7 +66,8 @@ QStringList swingFields()
         "datum_instrument", "datum_serial_number", "datum_calibration_due", "datum_reader", "cockpit_reader", "adjuster", "inspector",
         "variation_deg", "procedure_name", "work_order", "reason", "note", "field_model", "field_latitude_deg", "field_longitude_deg",
         "field_height_m", "field_date", "field_north_nT", "field_east_nT", "field_down_nT", "index_removed_deg", "datum_read_out",
-        "start_utc", "end_utc", "site_override", "weather", "job_record", "supersedes", "amendment", "revision"};
+        "start_utc", "end_utc", "site_override", "weather", "job_record", "supersedes", "amendment", "revision", "kind_stated",
+        "stage_stated"};
 }
 
 QString swingColumns() { return "s.id, s.record, s." + swingFields().join(", s."); }
@@ -107,13 +108,18 @@ Swing swingFrom(const Statement& row, int first)
     for (std::string* field : {&swing.datum.readOut, &swing.startUtc, &swing.endUtc, &swing.siteOverride, &swing.weather, &swing.job,
              &swing.supersedes, &swing.amendment})
         *field = row.text(column++);
-    swing.revision = static_cast<int>(row.integer(column));
+    swing.revision = static_cast<int>(row.integer(column++));
+    if (row.integer(column++) == 0)
+        swing.kind = SwingKind::NotStated;
+    if (row.integer(column) == 0)
+        swing.stage = SwingStage::NotStated;
     return swing;
 }
 
 QString swingRowColumns()
 {
-    return "id, compass_id, date, kind, stage, state, reading_count, max_abs_deviation_deg, a_deg, b_deg, c_deg, d_deg, e_deg, status, revision,"
+    return "id, compass_id, date, CASE kind_stated WHEN 1 THEN kind ELSE 4 END, CASE stage_stated WHEN 1 THEN stage ELSE 2 END, state,"
+           " reading_count, max_abs_deviation_deg, a_deg, b_deg, c_deg, d_deg, e_deg, status, revision,"
            " EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = swing.record), EXISTS (SELECT 1 FROM swing_job j WHERE j.swing_id = swing.id AND j.state = 0)";
 }
 
@@ -127,14 +133,16 @@ SwingRow swingRowFrom(const Statement& row)
 
 void bindParticulars(Statement& statement, const Swing& swing)
 {
-    statement << swing.compass << swing.site << swing.date << static_cast<int>(swing.kind) << static_cast<int>(swing.stage)
-              << static_cast<int>(swing.state) << static_cast<int>(swing.configuration.radio) << swing.configuration.engines
-              << swing.configuration.electrics << swing.configuration.other << swing.datum.instrument << swing.datum.serialNumber
-              << swing.datum.calibrationDue << swing.people.datumReader << swing.people.cockpitReader << swing.people.adjuster
-              << swing.people.inspector << swing.variation_deg << swing.procedure << swing.workOrder << swing.reason << swing.note;
+    const bool kindStated = swing.kind != SwingKind::NotStated, stageStated = swing.stage != SwingStage::NotStated;
+    statement << swing.compass << swing.site << swing.date << (kindStated ? static_cast<int>(swing.kind) : 0)
+              << (stageStated ? static_cast<int>(swing.stage) : 0) << static_cast<int>(swing.state)
+              << static_cast<int>(swing.configuration.radio) << swing.configuration.engines << swing.configuration.electrics
+              << swing.configuration.other << swing.datum.instrument << swing.datum.serialNumber << swing.datum.calibrationDue
+              << swing.people.datumReader << swing.people.cockpitReader << swing.people.adjuster << swing.people.inspector
+              << swing.variation_deg << swing.procedure << swing.workOrder << swing.reason << swing.note;
     bindStamp(statement, swing.field);
     statement << swing.indexRemoved_deg << swing.datum.readOut << swing.startUtc << swing.endUtc << swing.siteOverride << swing.weather
-              << swing.job << swing.supersedes << swing.amendment << swing.revision;
+              << swing.job << swing.supersedes << swing.amendment << swing.revision << kindStated << stageStated;
 }
 
 Reading readingFrom(const Statement& row, int first)

@@ -276,6 +276,10 @@ const JobRecord* Importer::jobOf(SwingId id) const
 bool sameContents(Swing incoming, const Swing& stored)
 {
     incoming.id = stored.id;
+    if (incoming.kind == SwingKind::NotStated) // a file that says nothing contradicts nobody
+        incoming.kind = stored.kind;
+    if (incoming.stage == SwingStage::NotStated)
+        incoming.stage = stored.stage;
     if (!incoming.field || (stored.field && incoming.field->place == stored.field->place && incoming.field->date == stored.field->date))
         incoming.field = stored.field;
     if (incoming.readings.size() == stored.readings.size())

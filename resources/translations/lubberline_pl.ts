@@ -122,6 +122,26 @@
         <source>a database is no stream; expected the name of an SQLite file</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>this is the swing of %1 once more; expected another swing of the same compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this swing is %1, that of %2 %3; expected two swings with the same adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two columns could not be told apart (both %1); expected one swing with the radio on and one with it off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this file is %1 once more; expected another swing of the same compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither file names its aircraft: whether both swings are of one compass is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -1754,10 +1774,6 @@
         <translation>krzywa dewiacji</translation>
     </message>
     <message>
-        <source>a card has steps of 30° or 45°, not %1°</source>
-        <translation>tablica dewiacji ma krok 30° lub 45°, nie %1°</translation>
-    </message>
-    <message>
         <source>the dip is 0 at every place (%1): vertical soft iron shows nowhere and cannot be told</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2511,6 +2527,90 @@
     </message>
     <message>
         <source>the deviation changes by no more than %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>adjuster and inspector are both %1; expected another person who checks the work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has signed as inspector or authority; expected another person as performer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has signed as performer; expected another person who checks the work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 adjusted this compass, as the swing says; expected another person who checks the work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 inspects this swing, as it says; expected another person as performer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no card: STEER does not rise with FOR: it is %2 for %1 and %4 for %3, so that one reading stands for more than one heading; expected a compass that rises all the way around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no card: the magnetic heading does not rise with the compass&apos;s: it is %2 for %1 and %4 for %3; expected a compass that rises all the way around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a card has steps of 10°, 15°, 30° or 45°, not %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no card: while the aircraft turns from %1 to %2 (magnetic) the compass goes back from %3 to %4, so that one reading stands for more than one heading; expected a compass that rises all the way around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OVER THE LIMIT of %1 (%2): the deviation on %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OVER THE LIMIT of %1 (%2): the spread of the deviation, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OVER THE LIMIT of %1 (%2): the deviation that was read on %3, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT LEVEL: swung at pitch %1, roll %2; these are not the figures of level flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SUSPECT reading used: on %1, %2 off the curve of the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody read near these rows: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interpolating between rows is off by up to %1 (at %2): a card every %3 leaves %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interpolating between rows is off by up to %1 (at %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest reading to a row is up to %1 away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how sure these figures are is not known: there are too few readings to tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reading between %1 and %2 (compass), an arc of %3: how far the curve is off there is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reading between %1 and %2 (compass), an arc of %3: the curve there is known to ±%4 only (95 %)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3366,6 +3466,105 @@ soft iron S:</source>
     </message>
 </context>
 <context>
+    <name>lubberline::ui::CardPanel</name>
+    <message>
+        <source>&amp;Write this card…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnetic heading: what to steer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compass heading: which magnetic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact fit</source>
+        <translation>dopasowanie dokładne</translation>
+    </message>
+    <message>
+        <source>nearest reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken out mechanically after the swing: the card is then no longer what was signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between rows:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COMPASS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAGNETIC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deviation (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± 95 % (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FOR</source>
+        <translation>NA KURS</translation>
+    </message>
+    <message>
+        <source>STEER</source>
+        <translation>STERUJ</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation type="unfinished">%1: %2 {1,?} {1.?} {2.?}</translation>
+    </message>
+    <message>
+        <source>* nobody read near this row, ! over the limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STEER %1 between the rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAGNETIC %1 between the rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, %1 by the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>lubberline::ui::ChartHistoryPlot</name>
     <message>
         <source>Coefficients over time</source>
@@ -3612,14 +3811,6 @@ soft iron S:</source>
         <translation>tablica ma tu %1 kolumn STERUJ; oczekiwano jednej lub dwóch</translation>
     </message>
     <message>
-        <source>the card has no headings; expected one every 30° or 45°</source>
-        <translation>tablica nie ma kursów; oczekiwano ich co 30° lub 45°</translation>
-    </message>
-    <message>
-        <source>the two STEER columns are for different headings; expected the same step in both</source>
-        <translation>dwie kolumny STERUJ dotyczą różnych kursów; oczekiwano w obu tego samego kroku</translation>
-    </message>
-    <message>
         <source>; %1 taken out mechanically after the swing and not in these figures</source>
         <translation>; %1 usunięto mechanicznie po pomiarze, nie ma go w tych liczbach</translation>
     </message>
@@ -3648,10 +3839,6 @@ soft iron S:</source>
         <translation>kompensacji: liczby są tym, co pozostało</translation>
     </message>
     <message>
-        <source>a check only: nothing was adjusted</source>
-        <translation>samej kontroli: niczego nie regulowano</translation>
-    </message>
-    <message>
         <source>Loads</source>
         <translation>Odbiorniki</translation>
     </message>
@@ -3678,14 +3865,6 @@ soft iron S:</source>
     <message>
         <source>Use</source>
         <translation>Użycie</translation>
-    </message>
-    <message>
-        <source>Print at 100 %, check the line of 50 mm, cut along the marks, fix it on or near the compass and take the old card away. It holds for level flight in the configuration that it names. Between two headings, interpolate.</source>
-        <translation>Wydrukuj w skali 100 %, sprawdź odcinek 50 mm, wytnij wzdłuż znaków, umieść na busoli lub obok niej i usuń starą tablicę. Obowiązuje w locie poziomym w podanej konfiguracji. Między dwoma kursami interpoluj.</translation>
-    </message>
-    <message>
-        <source>The figures before rounding</source>
-        <translation>Liczby przed zaokrągleniem</translation>
     </message>
     <message>
         <source>FOR</source>
@@ -3732,14 +3911,6 @@ soft iron S:</source>
         <translation>Podpisano</translation>
     </message>
     <message>
-        <source>Signed %1</source>
-        <translation>Podpisano %1</translation>
-    </message>
-    <message>
-        <source>Largest residual %1° on %2</source>
-        <translation>Największa reszta %1° na kursie %2</translation>
-    </message>
-    <message>
         <source>Swung at %1</source>
         <translation>Pomiar: %1</translation>
     </message>
@@ -3750,10 +3921,6 @@ soft iron S:</source>
     <message>
         <source> rev. %1</source>
         <translation> wyd. %1</translation>
-    </message>
-    <message>
-        <source>Record %1%2 · data %3</source>
-        <translation>Zapis %1%2 · dane %3</translation>
     </message>
     <message>
         <source>Reprint of %1</source>
@@ -3916,10 +4083,6 @@ soft iron S:</source>
         <translation>busolę odczytał</translation>
     </message>
     <message>
-        <source>adjusted by</source>
-        <translation>kompensował</translation>
-    </message>
-    <message>
         <source>date and times (UTC)</source>
         <translation>data i czas (UTC)</translation>
     </message>
@@ -3938,14 +4101,6 @@ soft iron S:</source>
     <message>
         <source>cut here: the lower part stays with the compass, the upper part goes to the logbook</source>
         <translation>tu ciąć: dolna część pozostaje przy busoli, górna trafia do książki</translation>
-    </message>
-    <message>
-        <source>on this sheet, as on the form: DEV = compass − magnetic, positive where the compass reads more. The deviation of all other documents is magnetic − compass, easterly positive.</source>
-        <translation>na tym arkuszu, jak na formularzu: DEV = kurs kompasowy − magnetyczny, dodatnia, gdy busola wskazuje więcej. Dewiacja we wszystkich innych dokumentach to kurs magnetyczny − kompasowy, wschodnia dodatnia.</translation>
-    </message>
-    <message>
-        <source>%1 · swung %2 · signed ____________</source>
-        <translation>%1 · pomiar %2 · podpis ____________</translation>
     </message>
     <message>
         <source>Pilot&apos;s compass correction card (DD 1613 style)</source>
@@ -5007,6 +5162,478 @@ soft iron S:</source>
         <source>95 % ±</source>
         <translation>95 % ±</translation>
     </message>
+    <message>
+        <source>the card has no headings; expected one every 10°, 15°, 30° or 45°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two STEER columns are made in different ways; expected the same headings and the same method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two STEER columns are of different compasses; expected two swings of one compass of one aircraft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two STEER columns are both “%1”; expected columns that can be told apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It holds in the attitude in which it was swung, which was not level, and in the configuration that it names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It holds for level flight in the configuration that it names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It holds in the configuration that it names; the attitude in which it was swung is not stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print at 100 %, check the line of 50 mm, cut along the marks, fix it on or near the compass and take the old card away. %1 Between two headings, interpolate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record %1, data SHA-256 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Uwagi</translation>
+    </message>
+    <message>
+        <source>nothing: as found, before any adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The figures before rounding, and half-way to the next row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COMPASS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAGNETIC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % band</source>
+        <translation>pas 95 %</translation>
+    </message>
+    <message>
+        <source>±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half-way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interpolated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is off by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next swing due %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When the compass reads COMPASS, the magnetic heading is MAGNETIC.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DRAFT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STEER</source>
+        <translation>STERUJ</translation>
+    </message>
+    <message>
+        <source>Performed %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inspected %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Released %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: DRAFT — NOT SIGNED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AMENDED SINCE: NOT VALID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: AMENDED SINCE, NOT VALID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record %1%2 · data %3 · %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>podpisany</translation>
+    </message>
+    <message>
+        <source>Not signed: figures without %1, which was taken out after what was signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not signed: the record is not what was signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not signed: a draft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not signed: complete, signatures are wanting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signed before signatures were kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the exact fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the nearest reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, 95 % band ±%2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, band not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1° on %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest residual %1; largest reading %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>! OVER THE LIMIT of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>* nobody read between (compass) %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SUSPECT reading used, on %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT LEVEL: pitch %1, roll %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between rows up to %1° off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: better every %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without %1, taken out after the swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAGNETIC = COMPASS + deviation, to whole degrees; %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>normal %1, reversed %2, mean %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N–S %1°, E–W %2°, index %3°; pairs 0/180 %4°, 90/270 %5°: %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>agree within 0.2° (TM 11-4920-292-15)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DO NOT AGREE within 0.2° (TM 11-4920-292-15)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest %1′, mean %2′: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT PASSED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>North–south line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensor sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MISAL %1, δ180 %2, δ270 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Self-check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table F1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>indicated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The headings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electrical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signed by hand; performer and inspector are two people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>role</source>
+        <translation type="unfinished">rola</translation>
+    </message>
+    <message>
+        <source>name, licence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>date (UTC)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Performer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Electrical swing: record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT FINISHED: OPEN POINTS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On this sheet error = indicated − selected; deviation (magnetic − compass, easterly positive) is its negative.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read as found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>then zero the compensator: dots on the screws in line with those on the case; from here on nothing is as found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done ____</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only where the compensator is to be zeroed: after the readings as found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>datum °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compass °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>adjusted by (performer)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inspector: another person than who adjusted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inspected by</source>
+        <translation>sprawdził</translation>
+    </message>
+    <message>
+        <source>licence, stamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1° (from %2° to %3°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, over %1 of 8 headings only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before compensation %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>BEYOND</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>residual swing %1: %2 the %3° that are allowed (TM 1-1500-204-23-4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signed before signatures were kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signed %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none is known: columns (1) and (2) are empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the guided swing of this record read it, before any control was turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>record %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>data %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every figure is of the reading nearest to its heading, within 22.5°; a placard by the fit may differ by how far that reading lies off the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on this sheet, as on the form: DEV = compass − magnetic, positive where the compass reads more. The deviation of all other documents, and of the remarks, is magnetic − compass, easterly positive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swung %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the nearest reading</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::DueBadge</name>
@@ -5522,6 +6149,26 @@ soft iron S:</source>
         <source>half of it out with E–W</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Write the &amp;record…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 electrical swing %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the record of the electrical swing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record written: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::EventsPanel</name>
@@ -5733,10 +6380,6 @@ soft iron S:</source>
         <translation>, prowadzony, w toku</translation>
     </message>
     <message>
-        <source>%1, %2, %3 · readings: %4</source>
-        <translation>%1, %2, %3 · odczyty: %4</translation>
-    </message>
-    <message>
         <source> · largest deviation %1°</source>
         <translation> · największa dewiacja %1°</translation>
     </message>
@@ -5767,6 +6410,10 @@ soft iron S:</source>
     <message>
         <source>State</source>
         <translation>Stan</translation>
+    </message>
+    <message>
+        <source>%1 · readings: %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8032,22 +8679,6 @@ heading (°)</source>
         <source>%1 in a new row</source>
         <translation>%1 w nowym wierszu</translation>
     </message>
-    <message numerus="yes">
-        <source>pasting of %n row(s)</source>
-        <translation>
-            <numerusform>wklejenie %n wiersza</numerusform>
-            <numerusform>wklejenie %n wierszy</numerusform>
-            <numerusform>wklejenie %n wierszy</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n row(s) pasted.</source>
-        <translation>
-            <numerusform>Wklejono %n wiersz.</numerusform>
-            <numerusform>Wklejono %n wiersze.</numerusform>
-            <numerusform>Wklejono %n wierszy.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Residual and State are computed: they were passed over.</source>
         <translation>Reszta i Stan są obliczane: pominięto je.</translation>
@@ -8063,6 +8694,22 @@ heading (°)</source>
     <message>
         <source>emptying of cells</source>
         <translation>opróżnienie komórek</translation>
+    </message>
+    <message>
+        <source>pasting of a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pasting of %1 rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One row pasted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rows pasted.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8109,6 +8756,10 @@ heading (°)</source>
     <message>
         <source>%1 (%2° on %3)</source>
         <translation>%1 (%2° na kursie %3)</translation>
+    </message>
+    <message>
+        <source>the swing with the radio in the other state (record %1): %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9405,6 +10056,18 @@ total field %1 nT</source>
         <source>Ctrl+Shift+E</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Ca&amp;rd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction card on the page, in &amp;other steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+K</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::SwingParticulars</name>
@@ -9539,6 +10202,10 @@ total field %1 nT</source>
         <source>Largest deviation %1 at %2. </source>
         <translation>Największa dewiacja %1 na kursie %2. </translation>
     </message>
+    <message>
+        <source> Not read: %1 (compass).</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::Transfers</name>
@@ -9553,13 +10220,6 @@ total field %1 nT</source>
     <message>
         <source>%1: swings exported: %2.</source>
         <translation>%1: zapisano pomiarów: %2.</translation>
-    </message>
-</context>
-<context>
-    <name>lubberline::ui::Words</name>
-    <message>
-        <source>%1, %2</source>
-        <translation type="unfinished">%1: %2 {1,?}</translation>
     </message>
 </context>
 <context>

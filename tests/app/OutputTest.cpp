@@ -178,8 +178,7 @@ TEST_F(Outputs, ofEveryCommandGoToStandardOutput)
 TEST_F(Outputs, inputsAreTakenFromStandardInput)
 {
     const std::vector<std::pair<std::vector<std::string>, std::string>> readers{{{"analyse", "-", "--json"}, "swing.csv"},
-        {{"correct", "-", "--json"}, "swing.csv"}, {{"card", "-", "--json"}, "swing.csv"},
-        {{"card", "swing.csv", "--second", "-", "--json"}, "swing.csv"}, {{"smith", "-", "--json"}, "model.json"},
+        {{"correct", "-", "--json"}, "swing.csv"}, {{"card", "-", "--json"}, "swing.csv"}, {{"smith", "-", "--json"}, "model.json"},
         {{"simulate", "-", "--json"}, "model.json"}, {{"map", "model.json", "--minus", "-", "--size", "5x5"}, "model.json"},
         {{"predict", "-", "--lat", "50", "--lon", "20", "--date", "2026-01-01", "--json"}, "model.json"},
         {{"iron", "-", "--json"}, "bench.json"}, {{"nmea", "-", "--json"}, "log.nmea"}};

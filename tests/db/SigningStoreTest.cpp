@@ -33,6 +33,37 @@ TEST_F(SigningStore, twoPeopleFreezeASwing)
     EXPECT_EQ((*m_signing.hold(id))[0], true);
 }
 
+TEST_F(SigningStore, performerAndInspectorAreTwoPeople)
+{
+    const SwingId id = completed();
+    ASSERT_TRUE(m_signing.sign(id, {SignatureRole::Performer, "Ada", "PL 12", "", ""}));
+    for (const auto role : {SignatureRole::Inspector, SignatureRole::Authority})
+        EXPECT_EQ(m_signing.sign(id, {role, " ada", "", "", ""}).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(m_swings.swing(id)->signatures.size(), 1u);
+    EXPECT_EQ(m_swings.swing(id)->state, SwingState::Complete);
+    ASSERT_TRUE(m_signing.sign(id, {SignatureRole::Inspector, "Ben", "PL 7", "", ""}));
+    EXPECT_EQ(m_signing.sign(id, {SignatureRole::Performer, "Ben", "", "", ""}).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(m_swings.swing(id)->state, SwingState::Signed);
+}
+
+TEST_F(SigningStore, whatNobodyStatedStaysSo)
+{
+    Swing swing = *m_swings.swing(draft());
+    swing.kind = SwingKind::NotStated;
+    swing.stage = SwingStage::NotStated;
+    ASSERT_TRUE(save(m_swings, swing));
+    EXPECT_EQ(m_swings.swing(swing.id)->kind, SwingKind::NotStated);
+    EXPECT_EQ(m_swings.swing(swing.id)->stage, SwingStage::NotStated);
+    const auto rows = *m_swings.swingsOf(swing.compass);
+    EXPECT_TRUE(std::any_of(
+        rows.begin(), rows.end(), [&](const SwingRow& row) { return row.id == swing.id && row.stage == SwingStage::NotStated; }));
+    CompassSystem compass = *m_fleet.compass(swing.compass);
+    compass.kind = CompassKind::NotStated;
+    compass.resolutionStated = false;
+    ASSERT_TRUE(save(m_fleet, compass));
+    EXPECT_EQ(*m_fleet.compass(compass.id), compass);
+}
+
 TEST_F(SigningStore, timesAreThoseOfTheClockThatTheDatabaseWasGiven)
 {
     using namespace std::chrono;

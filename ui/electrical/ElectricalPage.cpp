@@ -83,6 +83,7 @@ ElectricalPage::ElectricalPage(EditContext& context, QUndoStack& undo, std::func
     , m_chooser(new QComboBox)
     , m_add(new QPushButton(tr("&New electrical swing")))
     , m_make(new QPushButton(tr("As a &swing")))
+    , m_write(new QPushButton(tr("Write the &record…")))
     , m_fourPoints(new QTableWidget(kPoints, kFourColumns))
     , m_headings(new QTableWidget(24, kHeadingColumns))
     , m_turn(new QLabel)
@@ -98,6 +99,7 @@ void ElectricalPage::build()
     m_chooser->setObjectName(QStringLiteral("electricalChooser"));
     m_add->setObjectName(QStringLiteral("newElectrical"));
     m_make->setObjectName(QStringLiteral("electricalAsSwing"));
+    m_write->setObjectName(QStringLiteral("electricalRecord"));
     m_turn->setObjectName(QStringLiteral("electricalTurn"));
     m_verdict->setObjectName(QStringLiteral("electricalVerdict"));
     m_turn->setWordWrap(true);
@@ -114,6 +116,7 @@ void ElectricalPage::build()
     head->addWidget(m_chooser);
     head->addWidget(m_add);
     head->addWidget(m_make);
+    head->addWidget(m_write);
     auto* right = new QWidget;
     auto* column = new QVBoxLayout(right);
     column->addWidget(m_headings, 3);
@@ -131,6 +134,7 @@ void ElectricalPage::build()
     });
     connect(m_add, &QPushButton::clicked, this, &ElectricalPage::add);
     connect(m_make, &QPushButton::clicked, this, &ElectricalPage::make);
+    connect(m_write, &QPushButton::clicked, this, [this] { emit writeRecord(current(), m_compass); });
     // Queued: storing shows the table anew, which would delete the item that is just being changed.
     connect(m_fourPoints, &QTableWidget::cellChanged, this, &ElectricalPage::takeFourPoints, Qt::QueuedConnection);
     connect(m_headings, &QTableWidget::cellChanged, this, &ElectricalPage::takeHeading, Qt::QueuedConnection);
@@ -244,6 +248,7 @@ void ElectricalPage::showSwing()
 {
     const bool there = m_current >= 0, editable = there && !m_stores.readOnly();
     m_fields.show(there ? current() : ElectricalSwing(), editable);
+    m_write->setEnabled(there);
     m_add->setEnabled(!m_stores.readOnly());
     for (QTableWidget* table : {m_fourPoints, m_headings})
         table->setEnabled(editable);
@@ -284,8 +289,8 @@ void ElectricalPage::showHeadings()
     }
     SwingRecord record;
     record.swing = swingFrom(swing);
-    record.compass.resolution_deg = divisionOf_deg(record.swing);
     record.compass = m_compass;
+    record.compass.resolution_deg = divisionOf_deg(record.swing); // the calibrator's figures are finer than the compass's
     auto made = resultOf(record);
     const QString why = made ? QString() : toText(made.error().message);
     m_plot->setPicture(pictureOf(

@@ -32,6 +32,8 @@ public:
 
 signals:
     void makeSwing(const lubberline::Swing& swing);
+    /// Its record on paper is wanted.
+    void writeRecord(const lubberline::ElectricalSwing& swing, const lubberline::CompassSystem& compass);
 
 private:
     void build();
@@ -58,7 +60,7 @@ private:
     FormFields<ElectricalSwing> m_fields;
     QLabel* m_title;
     QComboBox* m_chooser;
-    QPushButton *m_add, *m_make;
+    QPushButton *m_add, *m_make, *m_write;
     QTableWidget *m_fourPoints, *m_headings;
     QLabel *m_turn, *m_verdict;
     SwingPlot* m_plot;

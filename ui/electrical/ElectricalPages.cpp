@@ -2,8 +2,32 @@
 
 #include "ui/electrical/ElectricalPage.h"
 #include "ui/kit/PageDescription.h"
+#include "ui/kit/Words.h"
+#include "ui/report/forms/ElectricalSheet.h"
 
 namespace lubberline::ui {
+
+namespace {
+
+void writeRecordFile(PageContext& context, const ElectricalSwing& swing, const CompassSystem& compass)
+{
+    const auto aircraft = context.stores.fleet.aircraft(compass.aircraft);
+    if (!aircraft) {
+        context.fail(messageOf(aircraft.error()));
+        return;
+    }
+    const QString stem = ElectricalPage::tr("%1 electrical swing %2").arg(toText(aircraft->registration), toText(swing.date));
+    const QString path = context.files.save(
+        ElectricalPage::tr("Write the record of the electrical swing"), stem + ".pdf", ElectricalPage::tr("PDF (*.pdf)"));
+    if (path.isEmpty())
+        return;
+    if (const auto written = writeElectricalSheet({swing, *aircraft, compass, toText(context.stores.clock().nowUtc())}, path); !written)
+        context.fail(messageOf(written.error()));
+    else
+        context.say(ElectricalPage::tr("Record written: %1").arg(path));
+}
+
+} // namespace
 
 PageDescription ElectricalPage::description(PageContext& context)
 {
@@ -11,6 +35,8 @@ PageDescription ElectricalPage::description(PageContext& context)
         QStringLiteral("electrical"), [&context] {
             auto* electrical = new ElectricalPage(context.edits, context.undo, context.today());
             connect(electrical, &ElectricalPage::makeSwing, &context.window, [&context](const Swing& swing) { context.makeSwing(swing); });
+            connect(electrical, &ElectricalPage::writeRecord, &context.window,
+                [&context](const ElectricalSwing& swing, const CompassSystem& compass) { writeRecordFile(context, swing, compass); });
             return electrical;
         }};
     page.commands = {{MenuId::Swing, 210, tr("&Electrical swings of this compass"), tr("Ctrl+Shift+L"), "electricalSwings",

@@ -39,6 +39,7 @@ Result<void> takeResolution(CompassSystem& compass, const QString& text)
     if (!resolution_deg)
         return resolution_deg.error();
     compass.resolution_deg = *resolution_deg;
+    compass.resolutionStated = true;
     return {};
 }
 
@@ -333,8 +334,8 @@ void AircraftPage::showSwings(const std::vector<SwingRow>& swings, const Compass
             m_swingTable->setItem(row, column, item);
         };
         set(SwungOn, toText(swing.date), false);
-        set(Kind, wordFor(swing.kind), false);
-        set(Stage, wordFor(swing.stage), false);
+        set(Kind, statedWord(swing.kind), false);
+        set(Stage, statedWord(swing.stage), false);
         set(State, wordFor(swing.state), false);
         set(Readings, QString::number(swing.readings), true);
         set(Largest, swing.maxAbsDeviation_deg ? QString::number(*swing.maxAbsDeviation_deg, 'f', 2) : QStringLiteral("—"), true);

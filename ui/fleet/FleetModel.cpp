@@ -26,7 +26,7 @@ namespace {
 
 QString swingName(const SwingRow& row)
 {
-    QString name = FleetModel::tr("%1 %2").arg(toText(row.date), wordFor(row.stage));
+    QString name = FleetModel::tr("%1 %2").arg(toText(row.date), statedWord(row.stage)).trimmed();
     if (row.revision > 1)
         name += FleetModel::tr(", rev. %1").arg(row.revision);
     if (row.superseded)
@@ -36,8 +36,9 @@ QString swingName(const SwingRow& row)
 
 QString swingDetail(const SwingRow& row)
 {
-    const QString what
-        = FleetModel::tr("%1, %2, %3 · readings: %4").arg(wordFor(row.kind), wordFor(row.stage), wordFor(row.state)).arg(row.readings);
+    QStringList stated{statedWord(row.kind), statedWord(row.stage), wordFor(row.state)};
+    stated.removeAll(QString());
+    const QString what = FleetModel::tr("%1 · readings: %2").arg(stated.join(QStringLiteral(", "))).arg(row.readings);
     if (!row.maxAbsDeviation_deg)
         return what;
     return what + FleetModel::tr(" · largest deviation %1°").arg(*row.maxAbsDeviation_deg, 0, 'f', 1);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/swing/Card.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
 #include "ui/kit/Words.h"
@@ -24,6 +25,24 @@ QTableWidgetItem* cell(const QString& text)
     item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
     item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     return item;
+}
+
+/// Why the readings make no card: STEER does not rise with FOR. Empty: it does.
+QString foldWords(const GuidedJob& job)
+{
+    for (int configuration = 0; configuration <= static_cast<int>(job.job().plan.configurations.size()); ++configuration) {
+        std::vector<CardRow> rows;
+        for (const auto& row : residualsOf(job.state(), configuration)) {
+            CardRow made;
+            made.magnetic = MagneticHeading::fromDegrees(row.nominal_deg);
+            made.steer = CompassHeading::fromDegrees(row.steer_deg);
+            rows.push_back(made);
+        }
+        std::sort(rows.begin(), rows.end(), [](const CardRow& a, const CardRow& b) { return a.magnetic.degrees() < b.magnetic.degrees(); });
+        if (const auto rising = checkRising(rows, CardBy::Magnetic); rows.size() > 2 && !rising)
+            return toText(rising.error().message);
+    }
+    return {};
 }
 
 } // namespace
@@ -136,7 +155,7 @@ void GuidedReview::fillTable()
             m_table->setItem(at, Compass, cell(figureText(station->reading->compass.degrees())));
             m_table->setItem(at, DeviationRead, cell(signedNumber(row.deviation_deg, 1)));
             m_table->setItem(at, Residual, cell(signedNumber(row.residual_deg, 1)));
-            m_table->setItem(at, Steer, cell(figureText(std::round(row.steer_deg))));
+            m_table->setItem(at, Steer, cell(figureText(std::fmod(std::round(row.steer_deg), 360.0))));
             m_table->setItem(at, Where,
                 cell(
                     configuration == 0 ? QString() : toText(m_job.job().plan.configurations[static_cast<std::size_t>(configuration - 1)])));
@@ -154,6 +173,8 @@ QString GuidedReview::verdict() const
             if (std::abs(row.residual_deg) > std::abs(largest))
                 largest = row.residual_deg, at = row.nominal_deg;
     const QString worst = tr("Largest residual %1° on %2").arg(signedNumber(largest, 1), stationHeading(at));
+    if (const QString folds = foldWords(m_job); !folds.isEmpty())
+        return QStringLiteral("%1. %2").arg(worst, folds);
     const auto& limits = m_job.record().limits;
     if (!limits || !limits->maxDeviation_deg)
         return worst + tr(". No limit is set for this compass.");

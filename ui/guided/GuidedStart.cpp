@@ -164,12 +164,13 @@ Result<void> GuidedStart::begin(CompassId compass, Date today)
         m_datum->addItem(toText(one.name));
     m_datum->addItem(toText(plainDatum().name));
     m_procedure->setCurrentIndex(static_cast<int>(system->compensator == Compensator::None ? ProcedureKind::CheckOnly
-            : system->kind == CompassKind::DirectReading                                   ? ProcedureKind::Coefficient
-                                                                                           : ProcedureKind::FluxValve));
+            : system->kind == CompassKind::RemoteUnstabilised || system->kind == CompassKind::RemoteStabilised
+            ? ProcedureKind::FluxValve
+            : ProcedureKind::Coefficient));
     m_meaning->setText(procedureMeaning(static_cast<ProcedureKind>(m_procedure->currentIndex())));
     m_date->setText(toText(today));
     QStringList items;
-    for (const auto& item : usualChecklist())
+    for (const auto& item : usualChecklist(*system))
         items += toText(item);
     m_checklist->setPlainText(items.join('\n'));
     m_override->clear();

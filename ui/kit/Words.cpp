@@ -20,8 +20,9 @@ QString titleOf(const SwingRecord& record)
     for (const std::string& part : {record.type.name, record.aircraft.registration, record.compass.name})
         if (!part.empty())
             parts += toText(part);
-    const QString swing = CommonWords::tr("%1, %2").arg(wordFor(record.swing.kind), wordFor(record.swing.stage));
-    parts += toText(record.swing.date) + " " + swing;
+    QStringList swing{statedWord(record.swing.kind), statedWord(record.swing.stage)};
+    swing.removeAll(QString());
+    parts += QString(toText(record.swing.date) + " " + swing.join(QStringLiteral(", "))).trimmed();
     return parts.join(QStringLiteral(" · "));
 }
 

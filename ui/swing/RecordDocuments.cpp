@@ -1,14 +1,17 @@
 #include "ui/swing/RecordDocuments.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cstdlib>
 
 #include "core/due/DueRules.h"
 #include "core/procedure/Checklist.h"
 #include "core/procedure/JobState.h"
 #include "core/procedure/LoadNotes.h"
-#include "core/swing/Observations.h"
+#include "core/record/Signature.h"
+#include "core/swing/CardRemarks.h"
 #include "ui/report/page/Figures.h"
+#include "ui/text/Translated.h"
 
 namespace lubberline::ui {
 
@@ -18,7 +21,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(lubberline::ui::RecordDocuments)
 };
 
-constexpr qint64 kDaysOfOneJob = 7;
+constexpr int kDaysOfOneJob = 7;
 
 QString columnHeading(RadioState radio)
 {
@@ -30,33 +33,76 @@ QString columnHeading(RadioState radio)
     return Words::tr("STEER");
 }
 
+/// Without a date: farther than any job.
+int daysApart(const Swing& one, const Swing& other)
+{
+    return one.date.empty() || other.date.empty() ? kDaysOfOneJob + 1 : std::abs(daysBetween(one.date, other.date));
+}
+
 /// Two swings stand on one card when they differ in the radio and were made in the same days.
 bool belongTogether(const Swing& swing, const Swing& other)
 {
     const bool opposite = (swing.configuration.radio == RadioState::On && other.configuration.radio == RadioState::Off)
         || (swing.configuration.radio == RadioState::Off && other.configuration.radio == RadioState::On);
-    return opposite && swing.stage == other.stage && !swing.date.empty() && !other.date.empty()
-        && std::abs(daysBetween(swing.date, other.date)) <= kDaysOfOneJob;
+    return opposite && swing.stage == other.stage && daysApart(swing, other) <= kDaysOfOneJob;
 }
 
-/// The nearest by the list's order (newest first), which is one job in practice.
-Result<std::optional<SwingRecord>> radioPartner(db::Stores& stores, const SwingRecord& record)
+/// By a revision that is signed: one that is in work leaves the signed one in force.
+Result<bool> isSuperseded(db::Stores& stores, const SwingRecord& record)
 {
-    if (record.swing.configuration.radio == RadioState::NotStated)
-        return std::optional<SwingRecord>();
     const auto rows = stores.swings.swingsOf(record.compass.id);
     if (!rows)
         return rows.error();
     for (const auto& row : *rows) {
-        if (row.id == record.swing.id || row.superseded)
+        if (row.state != SwingState::Signed || row.revision <= record.swing.revision)
+            continue;
+        const auto later = stores.swings.record(row.id);
+        if (!later)
+            return later.error();
+        if (later->swing.supersedes == record.swing.record)
+            return true;
+    }
+    return false;
+}
+
+/// The nearest in days; of these a signed one, and the newest.
+Result<std::optional<SwingRecord>> radioPartner(db::Stores& stores, const SwingRecord& record)
+{
+    std::optional<SwingRecord> best;
+    if (record.swing.configuration.radio == RadioState::NotStated)
+        return best;
+    const auto rows = stores.swings.swingsOf(record.compass.id);
+    if (!rows)
+        return rows.error();
+    const auto weight = [&record](const SwingRecord& one) {
+        return std::pair(daysApart(one.swing, record.swing), one.swing.state != SwingState::Signed);
+    };
+    for (const auto& row : *rows) {
+        if (row.id == record.swing.id)
             continue;
         auto other = stores.swings.record(row.id);
         if (!other)
             return other.error();
-        if (belongTogether(record.swing, other->swing))
-            return std::optional(std::move(*other));
+        if (!belongTogether(record.swing, other->swing) || (best && !(weight(*other) < weight(*best))))
+            continue;
+        const auto superseded = isSuperseded(stores, *other);
+        if (!superseded)
+            return superseded.error();
+        if (!*superseded)
+            best = std::move(*other);
     }
-    return std::optional<SwingRecord>();
+    return best;
+}
+
+/// Whether the signatures of a swing freeze what it says now.
+Result<bool> signaturesHold(db::Stores& stores, const SwingRecord& record)
+{
+    if (record.swing.signatures.empty()) // signed before signatures were kept: the state is all there is
+        return record.swing.state == SwingState::Signed;
+    const auto hold = stores.signing.hold(record.swing.id);
+    if (!hold)
+        return hold.error();
+    return hold->size() == record.swing.signatures.size() && freezes(record.swing.signatures, *hold);
 }
 
 Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const CardOptions& options)
@@ -65,7 +111,11 @@ Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const
     auto card = analysis ? makeCard(*analysis, options) : Result<Card>(analysis.error());
     if (!card)
         return card.error();
-    return CardColumn{columnHeading(record.swing.configuration.radio), std::move(card.value())};
+    const auto holds = signaturesHold(stores, record);
+    const auto superseded = isSuperseded(stores, record);
+    if (!holds || !superseded)
+        return holds ? superseded.error() : holds.error();
+    return CardColumn{columnHeading(record.swing.configuration.radio), std::move(card.value()), record, *holds, *superseded};
 }
 
 QString nextDue(db::Stores& stores, const SwingRecord& record)
@@ -84,13 +134,43 @@ Result<QStringList> loadsToName(db::Stores& stores, const SwingRecord& record)
     if (!job)
         return job.error();
     QStringList loads;
-    const auto analysis = analyse(observationsOf(record.swing));
+    const auto analysis = stores.jobs.resultOf(record);
     if (!*job || !analysis)
         return loads;
     for (const auto& note : loadsPast((*job)->job, *analysis))
         loads += Words::tr("%1 (%2° on %3)")
                      .arg(QString::fromStdString(note.load), signedFigure(note.deviation_deg, 0), figure(note.heading_deg, 0));
     return loads;
+}
+
+/// The swing by which the compass was compensated: the nearest before this one, in the days of one job, that is a correction swing, or
+/// as found where this one is as left.
+Result<std::optional<SwingRecord>> compensatingSwing(db::Stores& stores, const SwingRecord& record)
+{
+    if (record.swing.kind == SwingKind::Correction)
+        return std::optional<SwingRecord>();
+    const auto rows = stores.swings.swingsOf(record.compass.id);
+    if (!rows)
+        return rows.error();
+    std::optional<SwingRecord> best;
+    for (const auto& row : *rows) { // newest first
+        const bool compensates
+            = row.kind == SwingKind::Correction || (row.stage == SwingStage::AsFound && record.swing.stage == SwingStage::AsLeft);
+        if (row.id == record.swing.id || !compensates || row.superseded || row.date.empty() || record.swing.date.empty()
+            || row.date > record.swing.date || daysBetween(row.date, record.swing.date) > kDaysOfOneJob)
+            continue;
+        auto other = stores.swings.record(row.id);
+        if (!other)
+            return other.error();
+        // A correction swing before a check, and the same radio before another.
+        const auto weight = [&](const SwingRecord& one) {
+            return (one.swing.kind == SwingKind::Correction ? 2 : 0)
+                + (one.swing.configuration.radio == record.swing.configuration.radio ? 1 : 0);
+        };
+        if (!best || (row.date == best->swing.date && weight(*other) > weight(*best)))
+            best = std::move(*other);
+    }
+    return best;
 }
 
 Result<std::optional<Swing>> withRecord(db::Stores& stores, CompassId compass, const RecordId& wanted)
@@ -145,13 +225,13 @@ Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& opti
     const auto column = columnOf(stores, *record, options);
     if (!column)
         return column.error();
-    CardInput input{*record, {*column}, madeAtUtc, options};
+    CardInput input{{*column}, madeAtUtc};
     input.nextDue = nextDue(stores, *record);
     const auto loads = loadsToName(stores, *record);
     if (!loads)
         return loads.error();
     input.loadsToName = *loads;
-    if (again && !record->swing.signatures.empty()) // before it is signed there was no card to lose
+    if (again && column->isSigned() && !record->swing.signatures.empty()) // before it is signed there was no card to lose
         input.reprintOf = QString::fromStdString(record->swing.signatures.back().timeUtc.substr(0, 10));
     const auto other = radioPartner(stores, *record);
     if (!other)
@@ -159,8 +239,18 @@ Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& opti
     if (!*other)
         return input;
     const auto second = columnOf(stores, **other, options);
-    if (!second)
-        return second.error();
+    if (!second && (*other)->swing.state == SwingState::Draft)
+        return input; // it is still being read: the card has one column
+    if (!second) {
+        Error error = second.error();
+        error.message = said(Words::tr("the swing with the radio in the other state (record %1): %2")
+                                 .arg(QString::fromStdString((*other)->swing.record), translated(error.message)));
+        return error;
+    }
+    if (const QString due = nextDue(stores, **other); !due.isEmpty() && (input.nextDue.isEmpty() || due < input.nextDue))
+        input.nextDue = due;
+    if (!second->isSigned())
+        input.reprintOf.clear(); // of a card that was never signed whole
     input.columns.insert((*other)->swing.configuration.radio == RadioState::On ? input.columns.begin() : input.columns.end(), *second);
     return input;
 }
@@ -175,9 +265,12 @@ Result<JobCardInput> jobCardOf(db::Stores& stores, SwingId id, const QString& ma
     if (*job) {
         input.job = (*job)->job;
     } else {
-        input.job.plan.kind
-            = input.record.compass.kind == CompassKind::DirectReading ? ProcedureKind::Coefficient : ProcedureKind::FluxValve;
-        input.job.checklist = usualChecklist();
+        const CompassSystem& compass = input.record.compass;
+        const bool remote = compass.kind == CompassKind::RemoteUnstabilised || compass.kind == CompassKind::RemoteStabilised;
+        input.job.plan.kind = compass.compensator == Compensator::None ? ProcedureKind::CheckOnly
+            : remote                                                   ? ProcedureKind::FluxValve
+                                                                       : ProcedureKind::Coefficient;
+        input.job.checklist = usualChecklist(compass);
         input.job.datum.name = input.record.swing.datum.instrument;
     }
     input.job.events.clear();
@@ -191,10 +284,34 @@ Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString
     auto job = stores.jobs.jobOf(id);
     if (!record || !job)
         return record ? job.error() : record.error();
-    StyleSheet1613 sheet{std::move(record.value()), {}, madeAtUtc};
-    if (*job)
-        if (const auto state = stateOf((*job)->job); state && (*job)->job.plan.kind != ProcedureKind::CheckOnly)
+    const auto holds = signaturesHold(stores, *record);
+    const auto superseded = isSuperseded(stores, *record);
+    if (!holds || !superseded)
+        return holds ? superseded.error() : holds.error();
+    StyleSheet1613 sheet;
+    sheet.record = std::move(record.value());
+    sheet.holds = *holds;
+    sheet.superseded = *superseded;
+    sheet.madeAtUtc = madeAtUtc;
+    if (const auto analysis = stores.jobs.resultOf(sheet.record))
+        if (const auto card = makeCard(*analysis, {45, CardSource::Readings, {}}))
+            sheet.remarks = remarksOn(*card, sheet.record);
+    if (*job && (*job)->swing == id && (*job)->job.plan.kind != ProcedureKind::CheckOnly)
+        if (const auto state = stateOf((*job)->job))
             sheet.asFound = asFoundSwing((*job)->job, *state);
+    if (sheet.asFound)
+        return sheet;
+    auto compensating = compensatingSwing(stores, sheet.record);
+    if (!compensating)
+        return compensating.error();
+    if (!*compensating)
+        return sheet;
+    const auto theirs = signaturesHold(stores, **compensating);
+    if (!theirs)
+        return theirs.error();
+    sheet.asFound = (*compensating)->swing;
+    sheet.compensating = std::move(**compensating);
+    sheet.compensatingHolds = *theirs;
     return sheet;
 }
 

@@ -13,10 +13,11 @@ namespace lubberline::ui {
 /// Errors: those of the stores; InvalidInput when the readings allow no result: it says why.
 Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& madeAtUtc);
 /// With a second STEER column where the compass was swung in the same week with the radio in the other state; with the day on
-/// which the next swing falls due; of a signed swing as a reprint when `again`.
+/// which the next swing falls due; of a signed swing as a reprint when `again`. Each column says whether its own swing is signed.
 Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& options, const QString& madeAtUtc, bool again = false);
 /// The blank form of the guided swing, or of the usual procedure where it is none.
 Result<JobCardInput> jobCardOf(db::Stores& stores, SwingId id, const QString& madeAtUtc);
+/// With the compensating swing: that of the guided swing, else the last as-found swing of the compass in the week before.
 Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString& madeAtUtc);
 
 } // namespace lubberline::ui

@@ -26,10 +26,8 @@ void tell(PageContext& context, const Result<void>& done, const QString& success
         context.fail(messageOf(done.error()));
 }
 
-Result<CardInput> cardShown(PageContext& context, SwingPage& page, int step_deg)
+Result<CardInput> cardShown(PageContext& context, SwingPage& page, const CardOptions& options)
 {
-    CardOptions options;
-    options.step_deg = step_deg;
     const bool again = page.editor().record().swing.state == SwingState::Signed;
     return cardOf(context.stores, page.editor().id(), options, toText(context.stores.clock().nowUtc()), again);
 }
@@ -64,22 +62,22 @@ void previewReport(PageContext& context, SwingPage& page)
     });
 }
 
-void writeCardFile(PageContext& context, SwingPage& page, int step_deg)
+void writeCardFile(PageContext& context, SwingPage& page, const CardOptions& options)
 {
-    const auto input = cardShown(context, page, step_deg);
+    const auto input = cardShown(context, page, options);
     if (!input) {
         context.fail(FileWords::tr("No card: %1").arg(messageOf(input.error())));
         return;
     }
-    const QString path
-        = context.files.save(FileWords::tr("Write correction card"), fileStem(input->record) + " card.pdf", FileWords::tr("PDF (*.pdf)"));
+    const QString path = context.files.save(
+        FileWords::tr("Write correction card"), fileStem(page.editor().record()) + " card.pdf", FileWords::tr("PDF (*.pdf)"));
     if (!path.isEmpty())
         tell(context, writeCard(*input, path), FileWords::tr("Card written: %1").arg(path));
 }
 
 void previewCard(PageContext& context, SwingPage& page)
 {
-    const auto input = cardShown(context, page, 30);
+    const auto input = cardShown(context, page, {});
     if (!input) {
         context.fail(FileWords::tr("No card: %1").arg(messageOf(input.error())));
         return;

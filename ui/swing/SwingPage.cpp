@@ -10,6 +10,7 @@
 
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
+#include "ui/swing/CardPanel.h"
 #include "ui/swing/CoefficientsPanel.h"
 #include "ui/swing/ExclusionPanel.h"
 #include "ui/swing/FieldStampPanel.h"
@@ -40,6 +41,7 @@ SwingPage::SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
     , m_readOnly(new QLabel)
     , m_showParticulars(new QToolButton)
     , m_showSigning(new QToolButton)
+    , m_showCard(new QToolButton)
     , m_complete(new QPushButton)
 {
     build();
@@ -63,7 +65,8 @@ void SwingPage::build()
     layout->addWidget(m_readOnly);
     layout->addWidget(new FieldStampPanel(*m_editor));
     layout->addWidget(splitter, 1);
-    setTabOrder(m_showParticulars, m_complete);
+    setTabOrder(m_showParticulars, m_showCard);
+    setTabOrder(m_showCard, m_complete);
     setTabOrder(m_complete, m_showSigning);
     setTabOrder(m_showSigning, m_table);
     setFocusProxy(m_table);
@@ -92,6 +95,12 @@ QWidget* SwingPage::buildHeader()
     m_showSigning->setArrowType(Qt::RightArrow);
     m_showSigning->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_showSigning->setFocusPolicy(Qt::StrongFocus);
+    m_showCard->setObjectName(QStringLiteral("showCard"));
+    m_showCard->setText(tr("Ca&rd"));
+    m_showCard->setCheckable(true);
+    m_showCard->setArrowType(Qt::RightArrow);
+    m_showCard->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_showCard->setFocusPolicy(Qt::StrongFocus);
     m_complete->setObjectName(QStringLiteral("completeButton"));
     m_readOnly->setObjectName(QStringLiteral("readOnlyReason"));
     m_readOnly->setWordWrap(true);
@@ -101,6 +110,7 @@ QWidget* SwingPage::buildHeader()
     layout->addWidget(m_title, 1);
     layout->addWidget(m_state);
     layout->addWidget(m_showParticulars);
+    layout->addWidget(m_showCard);
     layout->addWidget(m_complete);
     layout->addWidget(m_showSigning);
     return header;
@@ -167,6 +177,7 @@ void SwingPage::connectParts()
     connect(m_complete, &QPushButton::clicked, this, &SwingPage::toggleComplete);
     connect(m_showParticulars, &QToolButton::toggled, this, &SwingPage::showParticulars);
     connect(m_showSigning, &QToolButton::toggled, this, &SwingPage::showSigning);
+    connect(m_showCard, &QToolButton::toggled, this, &SwingPage::showCard);
 }
 
 Result<void> SwingPage::showSwing(SwingId id)
@@ -214,6 +225,23 @@ void SwingPage::showSigning(bool visible)
     m_signing->show(m_meaning->text());
 }
 
+void SwingPage::showCard(bool visible)
+{
+    m_table->leaveCell();
+    m_showCard->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
+    if (!m_card) {
+        m_card = new CardPanel;
+        static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_card);
+        setTabOrder(m_showCard, m_card);
+        connect(m_card, &CardPanel::writeCard, this, &SwingPage::writeCard);
+    }
+    m_card->setVisible(visible);
+    if (visible)
+        m_card->show(m_editor->record(), m_editor->analysis(), m_editor->whyNoAnalysis());
+}
+
+void SwingPage::openCard() { m_showCard->setChecked(true); }
+
 void SwingPage::openSigning()
 {
     m_showSigning->setChecked(true);
@@ -244,6 +272,8 @@ void SwingPage::showResults()
     m_plots->setPicture(
         pictureOf(m_editor->record(), analysis, m_editor->whyNoAnalysis(), m_editor->previousAnalysis(), previousLabel, m_style));
     m_coefficients->show(analysis, m_editor->whyNoAnalysis());
+    if (m_card && m_showCard->isChecked())
+        m_card->show(m_editor->record(), analysis, m_editor->whyNoAnalysis());
     QString after;
     if (const auto& index_deg = m_editor->record().swing.indexRemoved_deg)
         after

@@ -4,6 +4,7 @@
 #include <QByteArray>
 
 #include "core/angle/AngleText.h"
+#include "core/swing/Card.h"
 #include "ui/kit/EditContext.h"
 #include "ui/kit/Page.h"
 
@@ -17,6 +18,7 @@ namespace lubberline::ui {
 
 class CoefficientsPanel;
 class ExclusionPanel;
+class CardPanel;
 class PlotTabs;
 class ReadingsModel;
 class ReadingsTable;
@@ -62,11 +64,13 @@ public slots:
     void acceptNominal();
     void layOut(int points);
     void toggleComplete();
+    void openCard();    ///< the panel with the correction card
     void openSigning(); ///< the panel, with the cursor in it
 
 signals:
     void openSwing(lubberline::SwingId id); ///< another one is to be shown
-    void closed();                          ///< the swing that was shown is no more
+    void writeCard(const lubberline::CardOptions& options);
+    void closed(); ///< the swing that was shown is no more
 
 private:
     void build();
@@ -81,6 +85,7 @@ private:
     void onRowChanged();
     void showParticulars(bool visible);
     void showSigning(bool visible);
+    void showCard(bool visible);
     [[nodiscard]] int currentRow() const; ///< −1: none, or the empty row
 
     EditContext& m_context;
@@ -92,6 +97,7 @@ private:
     ExclusionPanel* m_exclusion;
     SwingParticulars* m_particulars = nullptr; ///< made when first opened
     SigningPanel* m_signing = nullptr;         ///< likewise
+    CardPanel* m_card = nullptr;               ///< likewise
     QLabel* m_title;
     QLabel* m_state;
     QLabel* m_message;
@@ -99,6 +105,7 @@ private:
     QLabel* m_readOnly;
     QToolButton* m_showParticulars;
     QToolButton* m_showSigning;
+    QToolButton* m_showCard;
     QPushButton* m_complete;
     AngleStyle m_style = AngleStyle::DecimalDegrees;
 };

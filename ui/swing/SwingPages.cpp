@@ -42,6 +42,8 @@ SwingPage* makePage(PageContext& context)
     QObject::connect(&page->editor(), &SwingEditor::notStored, &context.window, [&context, page](int row, const Reading& wanted) {
         context.keep(page->editor().record(), LostReading{row, wanted});
     });
+    QObject::connect(page, &SwingPage::writeCard, &context.window,
+        [&context, page](const CardOptions& options) { writeCardFile(context, *page, options); });
     QObject::connect(page, &SwingPage::openSwing, &context.window, [&context](SwingId id) { context.go({{}, id}); });
     QObject::connect(page, &SwingPage::closed, &context.window, [&context, page] {
         if (page->isVisibleTo(page->window()))
@@ -57,11 +59,13 @@ std::vector<Command> fileCommands(PageContext& context)
         {MenuId::File, 210, SwingPage::tr("&Print preview of the report…"), QKeySequence::Print, "printReport",
             onSwing(context, previewReport), needsSwing},
         {MenuId::File, 220, SwingPage::tr("Correction &card, every 30°…"), SwingPage::tr("Ctrl+K"), "card30",
-            [&context](Page& shown) { writeCardFile(context, swingPageOf(shown), 30); }, needsSwing},
+            [&context](Page& shown) { writeCardFile(context, swingPageOf(shown), {30}); }, needsSwing},
         {MenuId::File, 230, SwingPage::tr("Correction card, every &45°…"), SwingPage::tr("Ctrl+Shift+K"), "card45",
-            [&context](Page& shown) { writeCardFile(context, swingPageOf(shown), 45); }, needsSwing},
+            [&context](Page& shown) { writeCardFile(context, swingPageOf(shown), {45}); }, needsSwing},
         {MenuId::File, 240, SwingPage::tr("Print preview of the car&d…"), SwingPage::tr("Ctrl+Shift+P"), "printCard",
             onSwing(context, previewCard), needsSwing},
+        {MenuId::File, 235, SwingPage::tr("Correction card on the page, in &other steps"), SwingPage::tr("Ctrl+Alt+K"), "showCard",
+            onSwing(&SwingPage::openCard), needsSwing},
         {MenuId::File, 250, SwingPage::tr("&Job card to carry out…"), SwingPage::tr("Ctrl+Alt+J"), "jobCard",
             onSwing(context, writeJobCardFile), needsSwing},
         {MenuId::File, 260, SwingPage::tr("Sheet in DD &1613 style…"), {}, "sheet1613", onSwing(context, write1613File), needsSwing},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/swing/Gaps.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -64,6 +65,16 @@ QString suspicionSentence(const Analysis& analysis)
     return {};
 }
 
+/// In limits is what was read: of the rest nothing is known.
+QString unreadSentence(const Analysis& analysis)
+{
+    QStringList arcs;
+    for (const auto& gap : gapsOf(analysis))
+        arcs += QStringLiteral("%1–%2").arg(toText(formatHeading(gap.from.degrees(), AngleStyle::DecimalDegrees, 0)),
+            toText(formatHeading(gap.to.degrees(), AngleStyle::DecimalDegrees, 0)));
+    return arcs.isEmpty() ? QString() : SwingWordsTexts::tr(" Not read: %1 (compass).").arg(arcs.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
 QString meaningOf(const Analysis& analysis, const std::optional<LimitsProfile>& limits, AngleStyle style)
@@ -71,7 +82,7 @@ QString meaningOf(const Analysis& analysis, const std::optional<LimitsProfile>& 
     const Summary& summary = analysis.summary;
     return SwingWordsTexts::tr("Largest deviation %1 at %2. ")
                .arg(toText(formatSignedAngle(toDegrees(extreme_rad(summary)), style)), place(summary.maxAbsDeviationAt))
-        + judgementSentence(summary, limits) + suspicionSentence(analysis);
+        + judgementSentence(summary, limits) + suspicionSentence(analysis) + unreadSentence(analysis);
 }
 
 QString limitationsOf(const Analysis& analysis)

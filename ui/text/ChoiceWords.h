@@ -24,4 +24,11 @@ template <class Choice>
     return translated(shownWord(choice));
 }
 
+/// Empty where nobody stated it: paper and titles leave it out.
+template <class Choice>
+[[nodiscard]] QString statedWord(Choice choice)
+{
+    return choice == Choice::NotStated ? QString() : wordFor(choice);
+}
+
 } // namespace lubberline::ui

@@ -2,7 +2,7 @@
 /// Swing CSV: `# key: value` lines, a header of named columns in any order, one reading a row.
 /// Keys, each once: aircraft, type, compass, site, operator, engines, electrics, configuration, datum, datum_serial_number,
 /// datum_reader, cockpit_reader, adjuster, inspector, procedure, work_order, reason, note (text); date, datum_calibration_due
-/// (YYYY-MM-DD); kind (check, correction, calibration, air), stage (as_found, as_left), radio (on, off, not_stated);
+/// (YYYY-MM-DD); kind (check, correction, calibration, air, not_stated), stage (as_found, as_left, not_stated), radio (on, off, not_stated);
 /// variation_deg (east positive; above the header); latitude_deg, longitude_deg and height_m (above the ellipsoid) of the
 /// compass base, which with the date give the swing its field stamp (core/earth/FieldModel.h). Any other key is kept in the
 /// note; a # line without a key is a comment. Columns: two of magnetic_heading_deg, compass_heading_deg, deviation_deg (east

@@ -67,6 +67,8 @@ public:
         , m_name(name)
         , m_keys(m_file)
     {
+        m_file.swing.kind = SwingKind::NotStated;
+        m_file.swing.stage = SwingStage::NotStated;
     }
     Result<SwingFile> read();
 

@@ -31,7 +31,9 @@ SwingRecord recordOf(const SwingFile& file)
     record.aircraft.operatorName = file.operatorName;
     record.type.name = file.type;
     record.compass.name = file.compass;
+    record.compass.kind = CompassKind::NotStated;
     record.compass.resolution_deg = divisionOf_deg(file.swing);
+    record.compass.resolutionStated = false;
     record.site = siteOf(file);
     return record;
 }

@@ -231,6 +231,7 @@ void FleetReader::readCompass(const Json& value, const JsonPath& path, AircraftI
     compass.serialNumber = object.text("serial_number");
     compass.location = object.text("location");
     compass.resolution_deg = object.requiredNumber("resolution_deg", kPositive);
+    compass.resolutionStated = !object.boolean("resolution_not_stated");
     compass.limits = reference(object, "limits", m_limits, MARKED("core", "a limits profile"));
     if (m_version >= 3)
         compass.installed = object.date("installed");

@@ -204,6 +204,8 @@ void FleetWriter::write(const CompassSystem& compass)
     textIfAny(m_json, "serial_number", compass.serialNumber);
     textIfAny(m_json, "location", compass.location);
     m_json.number("resolution_deg", compass.resolution_deg);
+    if (!compass.resolutionStated)
+        m_json.boolean("resolution_not_stated", true);
     reference("limits", m_fleet.limits, compass.limits);
     textIfAny(m_json, "installed", compass.installed);
     if (m_sensors.contains(compass.id))

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/swing/CardRemarks.h"
+
 namespace lubberline {
 
 namespace {
@@ -160,13 +162,42 @@ std::string toJson(const Analysis& analysis, const Removal& removal)
     return json.dump(2);
 }
 
-std::string toJson(const Card& card)
+std::string toJson(const Card& card, const SwingRecord& record)
 {
+    const auto& options = card.options;
     Json json{{"rows", Json::array()}};
     for (const auto& row : card.rows)
-        json["rows"].push_back({{"for_deg", headingJson(row.magnetic)}, {"steer_deg", headingJson(row.steer)},
-            {"steer_rounded_deg", row.steerRounded_deg()}, {"residual_deg", clean(row.residual.degrees())}});
+        json["rows"].push_back(
+            {{"for_deg", headingJson(row.magnetic)}, {"steer_deg", headingJson(row.steer)}, {"steer_rounded_deg", row.steerRounded_deg()},
+                {"for_rounded_deg", row.magneticRounded_deg()}, {"residual_deg", clean(row.residual.degrees())},
+                {"band_95_deg", degrees(row.band_rad)}, {"unread", row.unread}, {"over_limit", overLimit(row, record.limits)},
+                {"halfway_deg", plain(row.halfway.curve_deg)}, {"halfway_interpolated_deg", clean(row.halfway.interpolated_deg)}});
     json["residual_max_abs_deg"] = degrees(card.residualMaxAbs_rad);
+    json["by"] = options.by == CardBy::Magnetic ? "magnetic" : "compass";
+    json["from"] = options.source == CardSource::Fit ? "fit" : "readings";
+    json["step_deg"] = options.step_deg;
+    json["removed"] = Json::array();
+    for (const Coefficient coefficient : kCoefficients)
+        if (options.removed.test(indexOf(coefficient)))
+            json["removed"].push_back(std::string(1, letterOf(coefficient)));
+    json["residual_max"] = {{"deviation_deg", clean(card.largestResidual.deviation.degrees())},
+        {"at_magnetic_heading_deg", headingJson(card.largestResidual.at)}};
+    json["reading_max"] = {{"deviation_deg", clean(card.largestReading.deviation.degrees())},
+        {"at_magnetic_heading_deg", headingJson(card.largestReading.at)}};
+    json["misfit_max_abs_deg"] = degrees(card.largestMisfit_rad);
+    json["band_95_max_deg"] = degrees(card.widestBand_rad);
+    json["between_rows_max_error_deg"] = degrees(card.betweenRows_rad);
+    json["between_rows_worst_at_deg"] = clean(card.betweenRowsAt_deg);
+    json["finer_step_deg"] = card.finerStep_deg > 0 ? Json(card.finerStep_deg) : Json();
+    json["gaps"] = Json::array();
+    for (const auto& gap : card.gaps)
+        json["gaps"].push_back({{"from_compass_heading_deg", headingJson(gap.from)}, {"to_compass_heading_deg", headingJson(gap.to)},
+            {"width_deg", clean(gap.width_deg)}, {"band_95_max_deg", degrees(gap.widestBand_rad)}});
+    json["suspect_readings"] = Json::array();
+    for (const auto& suspect : card.suspects)
+        json["suspect_readings"].push_back(
+            {{"magnetic_heading_deg", headingJson(suspect.at)}, {"off_deg", clean(suspect.deviation.degrees())}});
+    json["remarks"] = inEnglish(remarksOn(card, record));
     return json.dump(2);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/deviation/Correction.h"
+#include "core/record/Fleet.h"
 #include "core/swing/Analysis.h"
 #include "core/swing/Card.h"
 #include "core/swing/Removal.h"
@@ -14,7 +15,8 @@ namespace lubberline {
 [[nodiscard]] std::string toJson(const Analysis& analysis);
 /// The same with "removal": what would remain at each reading without the removed components, and its harmonics.
 [[nodiscard]] std::string toJson(const Analysis& analysis, const Removal& removal);
-[[nodiscard]] std::string toJson(const Card& card);
+/// With what has to be said beside it (core/swing/CardRemarks.h). @param record whose swing it is of: its limits and attitude.
+[[nodiscard]] std::string toJson(const Card& card, const SwingRecord& record);
 [[nodiscard]] std::string toJson(const Correction& correction);
 
 } // namespace lubberline

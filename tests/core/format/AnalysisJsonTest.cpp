@@ -103,7 +103,7 @@ TEST(AnalysisJson, cardFiguresAreExactWithTheRoundedOnesBeside)
 {
     const auto card = makeCard(analysisOf(kCheck), {45, CardSource::Readings, CoefficientSet(1)});
     ASSERT_TRUE(card) << card.error().message.english();
-    const auto json = nlohmann::json::parse(toJson(*card));
+    const auto json = nlohmann::json::parse(toJson(*card, {}));
     const std::array<double, 8> sheet{1, 43, 89, 137, 181, 223, 269, 317}; // worksheet question 1
     ASSERT_EQ(json["rows"].size(), 8u);
     for (std::size_t i = 0; i < 8; ++i) {

@@ -56,7 +56,7 @@ const std::vector<Damage> kDamages = {
     {"objectForArray", "\"events\": []", "\"events\": {}", kFormat, {"aircraft[0].events", "an array"}},
     {"numberForObject", "\"events\": []", "\"events\": [7]", kFormat, {"aircraft[0].events[0]", "not an object"}},
     {"noSuchKind", "\"kind\": \"calibration\"", "\"kind\": \"swinging\"", kInvalid,
-        {"swings[0].kind", "swinging", "check, correction, calibration or air"}},
+        {"swings[0].kind", "swinging", "check, correction, calibration, air or not_stated"}},
     {"noKind", "\"kind\": \"calibration\",", "", kFormat, {"swings[0].kind: is missing"}},
     {"noSuchState", "\"state\": \"signed\"", "\"state\": \"frozen\"", kInvalid, {"swings[0].state", "draft, complete or signed"}},
     {"noSuchCompensator", "\"compensator\": \"screws\"", "\"compensator\": \"glue\"", kInvalid, {"compasses[0].compensator", "glue"}},

@@ -108,4 +108,27 @@ TEST(Signatures, twoPeopleOverTheSameContentsFreezeASwing)
     EXPECT_TRUE(freezes({performer, inspector, authority}, {true, false, true}));
 }
 
+TEST(Signatures, nobodyChecksHisOwnWork)
+{
+    for (const auto& [one, other] : {std::pair{"Ada Nowak", "ada  nowak"}, {"A. Nowak", "A Nowak"}, {"Zielińska", "ZIELIŃSKA"},
+             {"Ćwik", "ćwik"}, {"Иванов", "ИВАНОВ"}, {"PL 12", "pl-12"}})
+        EXPECT_TRUE(samePerson(one, other)) << one;
+    EXPECT_FALSE(samePerson("Ada", "Adam"));
+    EXPECT_FALSE(samePerson("", "")); // nobody is no person
+    EXPECT_FALSE(samePerson(".", "-"));
+    const Signature ada{SignatureRole::Performer, "Ada", "PL 12", "", "h1"};
+    const auto why = [&](SignatureRole role, const char* name, const char* licence, bool holds = true) {
+        return whyNotSign({role, name, licence, "", ""}, {ada}, {holds}, "Cyd", "Dora").english();
+    };
+    EXPECT_NE(why(SignatureRole::Inspector, "ADA", "PL 7"), "");
+    EXPECT_NE(why(SignatureRole::Authority, "Ada", ""), "");
+    EXPECT_NE(why(SignatureRole::Inspector, "A. D. A.", ""), "");
+    EXPECT_NE(why(SignatureRole::Inspector, "Ben", "PL-12"), ""); // one licence is one person
+    EXPECT_NE(why(SignatureRole::Inspector, "Cyd", ""), "");      // the swing names him as its adjuster
+    EXPECT_NE(why(SignatureRole::Performer, "Dora", ""), "");     // and her as its inspector
+    EXPECT_EQ(why(SignatureRole::Inspector, "Ben", "PL 7"), "");
+    EXPECT_EQ(why(SignatureRole::Performer, "Ada", "PL 12"), "");        // once more, after a change
+    EXPECT_EQ(why(SignatureRole::Inspector, "Ada", "PL 12", false), ""); // what she did was changed by another since
+}
+
 } // namespace lubberline::test

@@ -143,7 +143,7 @@ TEST(Suspicion, fallsOnTheMisreadFigureOnly)
     }
 }
 
-TEST(Card, steersForBackThroughTheCompass)
+TEST(Knowledge, aCardSteersForBackThroughTheCompass)
 {
     const auto analysis = *analyse(around(24));
     for (const int step : {30, 45}) {

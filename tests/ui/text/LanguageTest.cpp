@@ -58,7 +58,7 @@ private slots:
         QCOMPARE(translated(countedReadings(12)), QString("12 odczytów z oboma kursami; oczekiwano co najmniej 3 na różnych kursach"));
         QCOMPARE(translated(countedReadings(22)), QString("22 odczyty z oboma kursami; oczekiwano co najmniej 3 na różnych kursach"));
         QCOMPARE(wordFor(SwingKind::Correction), QString("pomiar kompensacyjny"));
-        QCOMPARE(choiceWords<SwingStage>(), (QStringList{"stan zastany", "stan końcowy"}));
+        QCOMPARE(choiceWords<SwingStage>(), (QStringList{"stan zastany", "stan końcowy", "nie podano"}));
         // What is not translated yet is English, with its plural.
         QCOMPARE(translated(Message{MARKED_N("core", "%n thing(s) nobody translated"), 2}), QString("2 things nobody translated"));
         // Commands and files do not ask the language.

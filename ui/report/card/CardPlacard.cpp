@@ -6,72 +6,145 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/report/page/DataHash.h"
+#include "ui/report/card/CardWords.h"
 #include "ui/report/page/DocumentFont.h"
 #include "ui/report/page/Figures.h"
 #include "ui/report/page/Ink.h"
 #include "ui/report/page/Page.h"
 #include "ui/report/page/QrCode.h"
 #include "ui/report/page/Words.h"
-#include "ui/report/swing/Report.h"
 
 namespace lubberline::ui {
 
 namespace {
 
 constexpr double kPadding = mm(2);
-constexpr double kRowHeight = mm(6.6);
 constexpr double kHeadHeight = mm(4);
-constexpr double kTopHeight = mm(19); ///< whose card it is and what it holds for
-constexpr double kFootHeight = mm(19.4);
-constexpr double kQr = mm(11.4); ///< beside the first lines of the foot
+constexpr double kDraftHeight = mm(3.2); ///< the bar over and under the figures that nobody signed
+constexpr double kTopHeight = mm(19);    ///< whose card it is and what it holds for
+constexpr double kQr = mm(11.4);         ///< beside the first lines of the foot
 constexpr double kBannerHeight = mm(4.2);
-constexpr double kDigits_pt = 15;
+
+/// Rows and figures as large as the number of rows allows.
+struct RowSize {
+    double height = mm(6.6), digits_pt = 15;
+};
+RowSize rowSizeOf(const CardInput& input)
+{
+    const int step_deg = input.columns.front().card.options.step_deg;
+    if (step_deg <= 10)
+        return {mm(4.4), 10};
+    if (step_deg <= 15)
+        return {mm(5.4), 12.5};
+    return input.columns.size() > 1 ? RowSize{mm(6.6), 13} : RowSize{}; // with room for marks
+}
 
 std::size_t rowsInHalf(const CardInput& input) { return (input.columns.front().card.rows.size() + 1) / 2; }
 
-double bannerHeight(const CardInput& input) { return bannerFor(input.record).isEmpty() ? 0 : kBannerHeight; }
+double bannerHeight(const CardInput& input) { return cardBanner(input).isEmpty() ? 0 : kBannerHeight; }
+
+bool byCompass(const CardInput& input) { return input.columns.front().card.options.by == CardBy::Compass; }
+
+/// Two columns have a line over them that says what they are.
+double headHeight(const CardInput& input) { return kHeadHeight * (input.columns.size() > 1 ? 2 : 1); }
+
+double draftHeight(const CardInput& input)
+{
+    return std::all_of(input.columns.begin(), input.columns.end(), [](const CardColumn& column) { return column.isSigned(); })
+        ? 0
+        : kDraftHeight;
+}
+
+double tableHeight(const CardInput& input)
+{
+    return headHeight(input) + 2 * draftHeight(input) + rowSizeOf(input).height * static_cast<double>(rowsInHalf(input));
+}
 
 QString compassLine(const CompassSystem& compass)
 {
-    return joined({printable(compass.name).toUpper(), labelled(Words::tr("S/N"), printable(compass.serialNumber))});
+    const QString serial = printable(compass.serialNumber);
+    return joined({printable(compass.name).toUpper(), labelled(Words::tr("S/N"), serial.isEmpty() ? QStringLiteral("________") : serial)});
+}
+
+/// What all columns say, or each of them.
+template <class Say>
+QString ofColumns(const CardInput& input, const Say& say)
+{
+    QStringList all;
+    for (const CardColumn& column : input.columns)
+        if (const QString text = say(column.record); !all.contains(text))
+            all += text;
+    return all.join(QStringLiteral(" / "));
 }
 
 /// The state in which the card holds; the radio's is left to the columns where there are two.
 QString configurationLine(const CardInput& input)
 {
-    Configuration configuration = input.record.swing.configuration;
-    if (input.columns.size() > 1)
-        configuration.radio = RadioState::NotStated;
-    const QString words = configurationWords(configuration);
-    const QString state = words.isEmpty() ? Words::tr("CONFIGURATION NOT STATED") : words.toUpper();
+    const QString state = ofColumns(input, [&input](const SwingRecord& record) {
+        Configuration configuration = record.swing.configuration;
+        if (input.columns.size() > 1)
+            configuration.radio = RadioState::NotStated;
+        const QString words = configurationWords(configuration);
+        return words.isEmpty() ? Words::tr("CONFIGURATION NOT STATED") : words.toUpper();
+    });
     return joined({state, labelled(Words::tr("OVER 10° WITH"), input.loadsToName.join(QStringLiteral(", ")).toUpper())});
 }
 
-/// Who signed last, or a line to sign on.
-QString signedLine(const Swing& swing)
+/// A line of the foot.
+struct FootLine {
+    QString text;
+    bool bold = false;
+};
+
+std::vector<FootLine> footLines(const CardInput& input)
 {
-    if (swing.signatures.empty())
-        return Words::tr("Signed");
-    const auto& last = swing.signatures.back();
-    return Words::tr("Signed %1").arg(joined({printable(last.name), printable(last.licence), printable(last.timeUtc).left(10)}));
+    std::vector<FootLine> lines;
+    const bool several = input.columns.size() > 1;
+    for (const CardColumn& column : input.columns) {
+        const auto of = [&](const QString& text) { return several ? QStringLiteral("%1: %2").arg(column.heading, text) : text; };
+        lines.push_back({of(recordLine(column))});
+        for (const QString& signature : signatureLinesOf(column))
+            lines.push_back({signature, !column.isSigned()});
+        lines.push_back({qualityLine(column)});
+        lines.push_back({largestLine(column)});
+        for (const QString& remark : shortRemarks(column))
+            lines.push_back({remark, true});
+    }
+    lines.push_back({Words::tr("Next swing due %1").arg(input.nextDue.isEmpty() ? QStringLiteral("____________") : input.nextDue)});
+    if (!input.reprintOf.isEmpty())
+        lines.push_back({Words::tr("Reprint of %1").arg(input.reprintOf), true});
+    lines.push_back({byCompass(input) ? Words::tr("When the compass reads COMPASS, the magnetic heading is MAGNETIC.")
+                                      : Words::tr("Steer this by compass to make good FOR (magnetic).")});
+    lines.push_back({Words::tr("Deviation = magnetic − compass, E +")});
+    return lines;
 }
 
-QString residualLine(const CardInput& input)
+/// The lines of the foot where they stand, from its top; those beside the QR code are shorter.
+struct FootText {
+    QString text;
+    QFont font;
+    QRectF rect;
+};
+std::vector<FootText> footText(const CardInput& input, const QString& family, double width)
 {
-    const CardRow* largest = nullptr;
-    const CardColumn* in = nullptr;
-    for (const CardColumn& column : input.columns) {
-        for (const CardRow& row : column.card.rows) {
-            if (!largest || std::abs(row.residual.degrees()) > std::abs(largest->residual.degrees())) {
-                largest = &row;
-                in = &column;
-            }
-        }
+    constexpr double kSize_pt = 5.5, kGap = mm(0.35);
+    std::vector<FootText> placed;
+    double top = mm(0.8);
+    for (const FootLine& line : footLines(input)) {
+        const double room = top < kQr + mm(1) ? width - kQr - mm(1) : width;
+        const QFont font = documentFont(family, kSize_pt, line.bold);
+        const double height = wrappedHeight(font, room, line.text);
+        placed.push_back({line.text, font, QRectF(0, top, room, height)});
+        top += height + kGap;
     }
-    const QString line = Words::tr("Largest residual %1° on %2")
-                             .arg(signedFigure(largest->residual.degrees(), 1), threeDigits(qRound(largest->magnetic.degrees())));
-    return input.columns.size() > 1 ? QStringLiteral("%1, %2").arg(line, in->heading) : line;
+    return placed;
+}
+
+double placardWidth(const CardInput& input) { return input.columns.size() > 1 ? mm(84) : mm(60); }
+
+double footHeight(const CardInput& input, const QString& family)
+{
+    return std::max(footText(input, family, placardWidth(input) - 2 * kPadding).back().rect.bottom(), kQr) + mm(1.2);
 }
 
 /// Lines of small type under each other, each as large as fits.
@@ -113,8 +186,8 @@ void paintConfiguration(QPainter& painter, const QRectF& rect, QString text, con
 
 void paintTop(QPainter& painter, const QRectF& room, const CardInput& input, const QString& family)
 {
-    const SwingRecord& record = input.record;
-    const QString date = printable(record.swing.date);
+    const SwingRecord& record = input.record();
+    const QString date = ofColumns(input, [](const SwingRecord& one) { return printable(one.swing.date); });
     const QFont dateFont = documentFont(family, 7);
     const double dateWidth = QFontMetricsF(dateFont).horizontalAdvance(date) + mm(2);
     const QString registration = printable(record.aircraft.registration);
@@ -124,7 +197,9 @@ void paintTop(QPainter& painter, const QRectF& room, const CardInput& input, con
     lines.add(registration, 11, mm(4.2), true);
     SmallLines below(painter, QRectF(room.left(), lines.y(), room.width(), room.height()), family);
     below.add(compassLine(record.compass), 6.5, mm(3.4));
-    below.add(Words::tr("Swung at %1").arg(record.site ? printable(record.site->name) : Words::tr("a site not stated")), 6, mm(3));
+    const QString site
+        = ofColumns(input, [](const SwingRecord& one) { return one.site ? printable(one.site->name) : Words::tr("a site not stated"); });
+    below.add(Words::tr("Swung at %1").arg(site), 6, mm(3));
     const double top = below.y() + mm(1);
     paintConfiguration(painter, QRectF(QPointF(room.left(), top), QPointF(room.right(), room.top() + kTopHeight - mm(1.4))),
         configurationLine(input), family);
@@ -136,50 +211,89 @@ struct Half {
     std::size_t first = 0, count = 0;
 };
 
+/// What stands over a column of figures.
+QString headOf(const CardInput& input, const CardColumn& column)
+{
+    return input.columns.size() == 1 && byCompass(input) ? Words::tr("MAGNETIC") : column.heading;
+}
+
 /// One size for all headings: the one at which the longest fits.
 QFont headingFont(const CardInput& input, const QString& family, double width)
 {
-    QString longest;
+    QString longest = byCompass(input) ? Words::tr("COMPASS") : QString();
     for (const CardColumn& column : input.columns)
-        if (column.heading.size() > longest.size())
-            longest = column.heading;
+        if (const QString head = headOf(input, column); head.size() > longest.size())
+            longest = head;
     return fitted(family, 7, true, width, longest);
+}
+
+/// White on black: no copy loses it, and whoever cuts it off cuts the figures.
+void paintDraft(QPainter& painter, const QRectF& rect, const QString& family)
+{
+    painter.fillRect(rect.adjusted(mm(0.3), mm(0.15), -mm(0.3), -mm(0.15)), Qt::black);
+    painter.setPen(Qt::white);
+    const QString word = Words::tr("DRAFT");
+    const QFont font = fitted(family, 8, true, rect.width() - mm(1), word);
+    paintLine(painter, font, {rect.center().x(), rect.center().y() + QFontMetricsF(font).capHeight() / 2}, Qt::AlignHCenter, word);
+    painter.setPen(Ink::text());
 }
 
 void paintHalfHead(QPainter& painter, const Half& half, const CardInput& input, const QString& family)
 {
     const double column = half.rect.width() / static_cast<double>(input.columns.size() + 1);
-    const double baseline = half.rect.top() + kHeadHeight - mm(1.1);
+    const double baseline = half.rect.top() + headHeight(input) - mm(1.1);
     const QFont headings = headingFont(input, family, column - mm(0.8));
-    paintLine(painter, documentFont(family, 7, true), {half.rect.left() + column / 2, baseline}, Qt::AlignHCenter, Words::tr("FOR"));
-    for (std::size_t i = 0; i < input.columns.size(); ++i) {
+    paintLine(painter, byCompass(input) ? headings : documentFont(family, 7, true), {half.rect.left() + column / 2, baseline},
+        Qt::AlignHCenter, byCompass(input) ? Words::tr("COMPASS") : Words::tr("FOR"));
+    if (input.columns.size() > 1)
+        paintLine(painter, documentFont(family, 7, true), {half.rect.left() + column * 2, half.rect.top() + kHeadHeight - mm(1.1)},
+            Qt::AlignHCenter, byCompass(input) ? Words::tr("MAGNETIC") : Words::tr("STEER"));
+    for (std::size_t i = 0; i < input.columns.size(); ++i)
         paintLine(painter, headings, {half.rect.left() + column * (static_cast<double>(i) + 1.5), baseline}, Qt::AlignHCenter,
-            input.columns[i].heading);
+            headOf(input, input.columns[i]));
+}
+
+void paintRow(QPainter& painter, const QRectF& rect, const CardInput& input, std::size_t row, const QString& family)
+{
+    const RowSize size = rowSizeOf(input);
+    const double column = rect.width() / static_cast<double>(input.columns.size() + 1);
+    const QFont digits = documentFont(family, size.digits_pt, true), lighter = documentFont(family, size.digits_pt);
+    const double baseline = rect.top() + (size.height + QFontMetricsF(digits).capHeight()) / 2;
+    painter.setPen(QPen(Ink::strong(), mm(0.15)));
+    painter.drawLine(rect.topLeft(), rect.topRight());
+    painter.setPen(Ink::text());
+    const CardRow& first = input.columns.front().card.rows[row];
+    paintLine(painter, lighter, {rect.left() + column / 2, baseline}, Qt::AlignHCenter,
+        threeDigits(byCompass(input) ? first.steerRounded_deg() : first.magneticRounded_deg()));
+    for (std::size_t c = 0; c < input.columns.size(); ++c) {
+        const CardRow& here = input.columns[c].card.rows[row];
+        const QString figure = threeDigits(byCompass(input) ? here.magneticRounded_deg() : here.steerRounded_deg());
+        const double middle = rect.left() + column * (static_cast<double>(c) + 1.5);
+        paintLine(painter, digits, {middle, baseline}, Qt::AlignHCenter, figure);
+        if (const QString mark = markOf(here, input.columns[c]); !mark.isEmpty())
+            paintLine(painter, documentFont(family, size.digits_pt * 0.6, true),
+                {middle + QFontMetricsF(digits).horizontalAdvance(figure) / 2 + mm(0.2),
+                    baseline - QFontMetricsF(digits).capHeight() * 0.4},
+                Qt::AlignLeft, mark);
     }
 }
 
 void paintHalf(QPainter& painter, const Half& half, const CardInput& input, const QString& family)
 {
-    const double column = half.rect.width() / static_cast<double>(input.columns.size() + 1);
-    const QFont digits = documentFont(family, kDigits_pt, true), lighter = documentFont(family, kDigits_pt);
-    const double capHeight = QFontMetricsF(digits).capHeight();
-    painter.fillRect(
-        QRectF(half.rect.left(), half.rect.top(), column, kHeadHeight + kRowHeight * static_cast<double>(half.count)), Ink::shaded());
+    const double column = half.rect.width() / static_cast<double>(input.columns.size() + 1), row = rowSizeOf(input).height;
+    painter.fillRect(QRectF(half.rect.left(), half.rect.top(), column, half.rect.height()), Ink::shaded());
     painter.setPen(Ink::text());
     paintHalfHead(painter, half, input, family);
-    for (std::size_t i = 0; i < half.count; ++i) {
-        const double top = half.rect.top() + kHeadHeight + kRowHeight * static_cast<double>(i);
-        const double baseline = top + (kRowHeight + capHeight) / 2;
-        painter.setPen(QPen(Ink::strong(), mm(0.15)));
-        painter.drawLine(QPointF(half.rect.left(), top), QPointF(half.rect.right(), top));
-        painter.setPen(Ink::text());
-        const CardRow& row = input.columns.front().card.rows[half.first + i];
-        paintLine(
-            painter, lighter, {half.rect.left() + column / 2, baseline}, Qt::AlignHCenter, threeDigits(qRound(row.magnetic.degrees())));
-        for (std::size_t c = 0; c < input.columns.size(); ++c) {
-            paintLine(painter, digits, {half.rect.left() + column * (static_cast<double>(c) + 1.5), baseline}, Qt::AlignHCenter,
-                threeDigits(input.columns[c].card.rows[half.first + i].steerRounded_deg()));
-        }
+    const double top = half.rect.top() + headHeight(input) + draftHeight(input);
+    for (std::size_t i = 0; i < half.count; ++i)
+        paintRow(
+            painter, QRectF(half.rect.left(), top + row * static_cast<double>(i), half.rect.width(), row), input, half.first + i, family);
+    for (std::size_t c = 0; c < input.columns.size(); ++c) {
+        if (input.columns[c].isSigned())
+            continue;
+        const double left = half.rect.left() + column * static_cast<double>(c + 1);
+        paintDraft(painter, QRectF(left, top - kDraftHeight, column, kDraftHeight), family);
+        paintDraft(painter, QRectF(left, half.rect.bottom() - kDraftHeight, column, kDraftHeight), family);
     }
 }
 
@@ -198,42 +312,23 @@ void paintFigures(QPainter& painter, const QRectF& rect, const CardInput& input,
 void paintFoot(QPainter& painter, const QRectF& room, const CardInput& input, const QString& family)
 {
     painter.setPen(Ink::text());
-    const QString record = printable(input.record.swing.record).left(8), data = dataHash(input.record).left(8);
-    const auto code = qrOf(printable(input.record.swing.record)); // none where the swing has no record yet
-    if (code)
+    if (const auto code = qrOf(printable(input.record().swing.record))) // none where the swing has no record yet
         paintQr(painter, QRectF(room.right() - kQr, room.top() + mm(0.3), kQr, kQr), *code);
-    const QRectF beside = room.adjusted(0, 0, code ? -kQr - mm(1) : 0, 0);
-    SmallLines lines(painter, beside, family);
-    lines.add(residualLine(input), 6, mm(3.2));
-    const QString revision = input.record.swing.revision > 1 ? Words::tr(" rev. %1").arg(input.record.swing.revision) : QString();
-    lines.add(Words::tr("Record %1%2 · data %3").arg(record.isEmpty() ? dash() : record, revision, data), 6, mm(2.9));
-    lines.add(signedLine(input.record.swing), 6,
-        input.reprintOf.isEmpty() ? mm(5) : mm(2.7)); // room for a hand, where one is to sign
-    painter.setPen(QPen(Ink::strong(), mm(0.15)));
-    if (input.record.swing.signatures.empty())
-        painter.drawLine(QPointF(room.left() + mm(9), lines.y()), QPointF(beside.right(), lines.y()));
-    painter.setPen(Ink::text());
-    if (!input.reprintOf.isEmpty())
-        lines.add(Words::tr("Reprint of %1").arg(input.reprintOf), 6, mm(2.5), true);
-    SmallLines below(painter, QRectF(room.left(), room.top() + kQr, room.width(), room.height()), family);
-    below.add(Words::tr("Steer this by compass to make good FOR (magnetic)."), 5.5, mm(3.1));
-    below.add(Words::tr("Deviation = magnetic − compass, E +"), 5.5, mm(2.5));
+    for (const FootText& line : footText(input, family, room.width()))
+        paintWrapped(painter, line.font, line.rect.translated(room.topLeft()), line.text);
 }
 
 } // namespace
 
-QString threeDigits(int heading_deg) { return QStringLiteral("%1").arg(heading_deg % 360, 3, 10, QChar('0')); }
-
-QSizeF placardSize(const CardInput& input)
+QSizeF placardSize(const CardInput& input, const QString& family)
 {
-    const double width = input.columns.size() > 1 ? mm(84) : mm(60);
-    return {width, bannerHeight(input) + kTopHeight + kHeadHeight + kRowHeight * static_cast<double>(rowsInHalf(input)) + kFootHeight};
+    return {placardWidth(input), bannerHeight(input) + kTopHeight + tableHeight(input) + footHeight(input, family)};
 }
 
 void paintPlacard(QPainter& painter, const QRectF& rect, const CardInput& input, const QString& family)
 {
     const QRectF room = rect.adjusted(kPadding, 0, -kPadding, 0);
-    const QString banner = bannerFor(input.record);
+    const QString banner = cardBanner(input);
     double y = rect.top();
     if (!banner.isEmpty()) {
         painter.setPen(Ink::alarm());
@@ -242,9 +337,8 @@ void paintPlacard(QPainter& painter, const QRectF& rect, const CardInput& input,
     }
     paintTop(painter, QRectF(room.left(), y + mm(0.8), room.width(), kTopHeight), input, family);
     y += kTopHeight;
-    const double tableHeight = kHeadHeight + kRowHeight * static_cast<double>(rowsInHalf(input));
-    paintFigures(painter, QRectF(room.left(), y, room.width(), tableHeight), input, family);
-    paintFoot(painter, QRectF(room.left(), y + tableHeight, room.width(), kFootHeight), input, family);
+    paintFigures(painter, QRectF(room.left(), y, room.width(), tableHeight(input)), input, family);
+    paintFoot(painter, QRectF(room.left(), y + tableHeight(input), room.width(), footHeight(input, family)), input, family);
 }
 
 void paintCropMarks(QPainter& painter, const QRectF& rect)

@@ -9,14 +9,12 @@ class QPainter;
 
 namespace lubberline::ui {
 
-/// About 60 × 82 mm for 30° steps, 60 × 69 mm for 45°; wider with two STEER columns. [units of the page]
-[[nodiscard]] QSizeF placardSize(const CardInput& input);
+/// About 60 × 85 mm for 30° steps, 60 × 72 mm for 45°; wider with two STEER columns, higher with finer steps and with what has to be
+/// said beneath. [units of the page]
+[[nodiscard]] QSizeF placardSize(const CardInput& input, const QString& family);
 void paintPlacard(QPainter& painter, const QRectF& rect, const CardInput& input, const QString& family);
 
 /// Marks outside the corners, clear of the card itself.
 void paintCropMarks(QPainter& painter, const QRectF& rect);
-
-/// "030", "360" never: north is 000.
-[[nodiscard]] QString threeDigits(int heading_deg);
 
 } // namespace lubberline::ui

@@ -97,6 +97,30 @@ std::vector<QStringList> stationRows(const JobCardInput& input)
     return rows;
 }
 
+/// Checklists that were made before say two things that do not belong there: a compensator that is zeroed before it was read as found,
+/// and a variation setter that a compass in liquid has not.
+bool belongsBefore(const std::string& item, const CompassSystem& compass)
+{
+    const bool zero = item.starts_with("compensator at zero");
+    const bool setter = item.starts_with("variation setter") && compass.kind == CompassKind::DirectReading;
+    return !zero && !setter;
+}
+
+/// Zeroing loses what was found: it is read first, and what is read afterwards is not as found.
+std::vector<Block> zeroGrid(double width, const QString& family)
+{
+    std::vector<QStringList> rows;
+    for (const char* heading : {"000", "090", "180", "270"})
+        rows.push_back({Words::tr("read as found"), QString::fromLatin1(heading), {}, {}, {}});
+    rows.push_back(
+        {Words::tr("then zero the compensator: dots on the screws in line with those on the case; from here on nothing is as found"), {},
+            {}, {}, Words::tr("done ____")});
+    return formGrid(Words::tr("Only where the compensator is to be zeroed: after the readings as found"),
+        {{Words::tr("what"), 84}, {Words::tr("to °"), 14}, {Words::tr("datum °"), 26}, {Words::tr("compass °"), 26},
+            {Words::tr("d °"), 26}},
+        rows, width, family, mm(6));
+}
+
 std::vector<Block> jobCardBlocks(const JobCardInput& input, const QrMatrix& matrix, const QString& family, double width)
 {
     std::vector<Block> blocks{qrBlock(matrix, input, family, width)};
@@ -104,11 +128,14 @@ std::vector<Block> jobCardBlocks(const JobCardInput& input, const QrMatrix& matr
         append(blocks, formGrid(Words::tr("To be filled in"), {{Words::tr("what"), 30}, {{}, 150}}, open, width, family, mm(7)));
     std::vector<QStringList> checklist;
     for (const auto& item : input.job.checklist)
-        checklist.push_back({printable(item), {}});
+        if (belongsBefore(item, input.record.compass))
+            checklist.push_back({printable(item), {}});
     if (!checklist.empty())
         append(blocks,
             formGrid(Words::tr("Before the first reading"), {{Words::tr("check"), 150}, {Words::tr("done"), 20}}, checklist, width, family,
                 mm(6)));
+    if (input.record.compass.compensator != Compensator::None && input.job.plan.kind != ProcedureKind::CheckOnly)
+        append(blocks, zeroGrid(width, family));
     std::vector<QStringList> interference;
     for (const char* heading : {"000", "090", "180", "270"})
         interference.push_back({QString::fromLatin1(heading), {}, {}, {}, {}});
@@ -131,8 +158,13 @@ std::vector<Block> jobCardBlocks(const JobCardInput& input, const QrMatrix& matr
                 width, family, mm(9)));
     append(blocks,
         formGrid(Words::tr("People"),
-            {{Words::tr("datum read by"), 40}, {Words::tr("compass read by"), 40}, {Words::tr("adjusted by"), 40},
-                {Words::tr("date and times (UTC)"), 50}},
+            {{Words::tr("datum read by"), 36}, {Words::tr("compass read by"), 36}, {Words::tr("adjusted by (performer)"), 38},
+                {Words::tr("date and times (UTC)"), 60}},
+            {{{}, {}, {}, {}}}, width, family, mm(10)));
+    append(blocks,
+        formGrid(Words::tr("Inspector: another person than who adjusted"),
+            {{Words::tr("inspected by"), 50}, {Words::tr("licence, stamp"), 40}, {Words::tr("signature"), 50},
+                {Words::tr("date (UTC)"), 30}},
             {{{}, {}, {}, {}}}, width, family, mm(10)));
     return blocks;
 }

@@ -4,6 +4,9 @@
 
 #include <QString>
 
+#include <optional>
+#include <vector>
+
 #include "core/record/Fleet.h"
 #include "ui/report/page/Table.h"
 
@@ -15,13 +18,24 @@ struct StyleSheet1613 {
     SwingRecord record;           ///< the swing after compensation: the residual swing
     std::optional<Swing> asFound; ///< the compensating swing
     QString madeAtUtc;
+    bool holds = false;                      ///< the record's signatures stand over what it says now
+    bool superseded = false;                 ///< a later revision amends it
+    std::optional<SwingRecord> compensating; ///< the record that asFound is of; none: it is of the guided swing of `record`
+    bool compensatingHolds = false;
+    std::vector<Message> remarks; ///< on the residual swing (core/swing/CardRemarks.h)
+
+    [[nodiscard]] bool isSigned() const { return record.swing.state == SwingState::Signed && holds; }
 };
+
+/// Spread of the deviation after compensation that the manual allows [deg] (TM 1-1500-204-23-4, p. 4-29).
+inline constexpr double kSpread1613_deg = 5;
 
 /// Rows N, NE … NW: rose heading; compensating swing: magnetic (1), compass (2), deviation (2) − (1); residual swing: magnetic
 /// (3), compass (4), "C to M" (3) − (4); computation: "M to C" (4) − (3). Degrees; a dash where nothing was read within 22.5°.
 [[nodiscard]] Table table1613(const StyleSheet1613& sheet);
 
-/// Errors: InvalidInput (an ending other than .pdf), Io, Unsupported (no font).
+/// Errors: InvalidInput (an ending other than .pdf), Numeric (STEER does not rise with TO FLY: no card can be made), Io, Unsupported
+/// (no font).
 Result<void> write1613(const StyleSheet1613& sheet, const QString& path);
 Result<void> print1613(const StyleSheet1613& sheet, QPagedPaintDevice& device);
 

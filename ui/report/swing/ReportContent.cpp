@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "core/format/exchange/SignedContent.h"
+#include "core/swing/CardRemarks.h"
+#include "core/swing/Gaps.h"
 #include "core/swing/Observations.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/report/page/DataHash.h"
@@ -52,10 +54,14 @@ double largestSigned_deg(const Summary& summary)
 QString sentenceFor(const ReportInput& input)
 {
     const Summary& summary = input.analysis.summary;
-    const QString found
+    QString found
         = Words::tr("Largest deviation %1 at %2 magnetic; spread (maximum − minimum) %3°.")
               .arg(angleWords(largestSigned_deg(summary), input.angleStyle),
                   headingWords(summary.maxAbsDeviationAt.degrees(), input.angleStyle), figure(toDegrees(summary.spread_rad()), 1));
+    for (const auto& gap : gapsOf(input.analysis)) // the verdict is of what was read
+        found += QStringLiteral(" %1.").arg(printable(wordsOf(gap)));
+    if (const auto tilted = wordsOf(attitudeOf(input.record.swing)); !tilted.empty()) // limits are of level flight
+        found += QStringLiteral(" %1.").arg(printable(tilted));
     const QString limits = input.record.limits ? limitWords(*input.record.limits) : QString();
     return limits.isEmpty() ? Words::tr("%1 No limit is set for this compass.").arg(found) : Words::tr("%1 Limit: %2").arg(found, limits);
 }

@@ -25,9 +25,10 @@ QString compassWords(const CompassSystem& compass)
 {
     const QString compensator
         = compass.compensator == Compensator::Unknown ? QString() : labelled(Words::tr("compensator:"), wordFor(compass.compensator));
-    return joined({printable(compass.name), wordFor(compass.kind), printable(compass.maker),
+    return joined({printable(compass.name), statedWord(compass.kind), printable(compass.maker),
         labelled(Words::tr("part no."), printable(compass.partNumber)), labelled(Words::tr("serial no."), printable(compass.serialNumber)),
-        printable(compass.location), Words::tr("read to %1°").arg(compass.resolution_deg), compensator});
+        printable(compass.location), compass.resolutionStated ? Words::tr("read to %1°").arg(compass.resolution_deg) : QString(),
+        compensator});
 }
 
 QString swingWords(const Swing& swing)
@@ -39,7 +40,7 @@ QString swingWords(const Swing& swing)
     const QString state
         = swing.state == SwingState::Complete ? Words::tr("%1, not yet signed").arg(wordFor(swing.state)) : wordFor(swing.state);
     const QString revision = swing.revision > 1 ? Words::tr("revision %1").arg(swing.revision) : QString();
-    return joined({date, times, wordFor(swing.kind), wordFor(swing.stage), state, revision, printable(swing.weather)});
+    return joined({date, times, statedWord(swing.kind), statedWord(swing.stage), state, revision, printable(swing.weather)});
 }
 
 QString workWords(const Swing& swing)
@@ -125,7 +126,7 @@ std::vector<Fact> factsOf(const SwingRecord& record)
 {
     const Swing& swing = record.swing;
     std::vector<Fact> facts{{Words::tr("Aircraft"), orNotStated(aircraftWords(record.aircraft, record.type))},
-        {Words::tr("Compass"), compassWords(record.compass)}, {Words::tr("Swing"), swingWords(swing)},
+        {Words::tr("Compass"), orNotStated(compassWords(record.compass))}, {Words::tr("Swing"), swingWords(swing)},
         {Words::tr("Task"), orNotStated(workWords(swing))}, {Words::tr("Site"), siteWords(record.site, swing)},
         {Words::tr("Configuration"), orNotStated(configurationWords(swing.configuration))},
         {Words::tr("Datum"), orNotStated(datumWords(swing.datum))}, {Words::tr("People"), orNotStated(peopleWords(swing.people))},

@@ -8,7 +8,9 @@
 #include "tests/ui/report/page/PdfProbe.h"
 #include "tests/ui/report/swing/SampleSwings.h"
 #include "ui/report/card/CardPlacard.h"
+#include "ui/report/card/CardWords.h"
 #include "ui/report/page/DataHash.h"
+#include "ui/report/page/DocumentFont.h"
 #include "ui/report/page/Page.h"
 
 namespace lubberline::test {
@@ -20,13 +22,22 @@ std::vector<std::vector<int>> figuresOn(const QString& page)
 {
     std::vector<std::vector<int>> rows;
     const QRegularExpression row("^[ ]*((?:\\d{3}[ ]+)+\\d{3})[ ]*$", QRegularExpression::MultilineOption);
-    for (auto match = row.globalMatch(page); match.hasNext();) {
+    const QString bare = QString(page).remove(QRegularExpression("[*!]")); // the marks of rows
+    for (auto match = row.globalMatch(bare); match.hasNext();) {
         std::vector<int> figures;
         for (const QString& figure : match.next().captured(1).split(QRegularExpression("\\s+")))
             figures.push_back(figure.toInt());
         rows.push_back(figures);
     }
     return rows;
+}
+
+SwingRecord signedRecord(SwingRecord record)
+{
+    record.swing.state = SwingState::Signed;
+    record.swing.signatures = {{SignatureRole::Performer, "Ada", "PL 12", "2026-11-21T11:00:00Z", std::string(64, 'a'), 2},
+        {SignatureRole::Inspector, "Ben", "PL 7", "2026-11-22T11:00:00Z", std::string(64, 'a'), 2}};
+    return record;
 }
 
 CardOptions worksheetOptions()
@@ -59,13 +70,14 @@ INSTANTIATE_TEST_SUITE_P(Questions, WorksheetCard, testing::Range(0, 3));
 
 TEST(Card, tellsWhoseItIsAndHowToUseIt)
 {
-    const auto input = cardOf(simulatedRecord(12), {});
+    const auto input = cardOf(signedRecord(simulatedRecord(12)), {});
     const QString text = PdfProbe(input).flowingText();
     for (const char* words : {"SP-XYZ", "STANDBY COMPASS · S/N 20117", "2026-11-20", "Swung at Compass base 2, Dęblin",
              "ENGINES RUNNING, 1500 RPM · RADIO ON", "Steer this by compass to make good FOR (magnetic)",
-             "Deviation = magnetic − compass, E +", "Signed", "Record 0f3c1d52", "FOR", "STEER", "page 1 of 1", "exact fit"})
+             "Deviation = magnetic − compass, E +", "Performed Ada · PL 12 · 2026-11-21", "Inspected Ben", "Record 0f3c1d52", "FOR",
+             "STEER", "By the exact fit, 95 % band ±", "Next swing due ____"})
         EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words;
-    EXPECT_TRUE(text.contains("data " + ui::dataHash(input.record).left(8)));
+    EXPECT_TRUE(text.contains("data " + ui::dataHash(input.record()).left(8)));
     EXPECT_FALSE(text.contains("DRAFT"));
 }
 
@@ -77,7 +89,7 @@ TEST(Card, namesTheLargestResidualWithItsHeading)
         if (std::abs(row.residual.degrees()) > std::abs(largest->residual.degrees()))
             largest = &row;
     EXPECT_NEAR(toDegrees(input.columns[0].card.residualMaxAbs_rad), std::abs(largest->residual.degrees()), 1e-9);
-    const QString words = QString::fromUtf8("Largest residual %1%2° on %3")
+    const QString words = QString::fromUtf8("Largest residual %1%2° on %3; largest reading")
                               .arg(largest->residual.degrees() < 0 ? QString::fromUtf8("−") : QString("+"))
                               .arg(std::abs(largest->residual.degrees()), 0, 'f', 1)
                               .arg(qRound(largest->magnetic.degrees()), 3, 10, QChar('0'));
@@ -86,8 +98,8 @@ TEST(Card, namesTheLargestResidualWithItsHeading)
 
 TEST(Card, twoColumnsStandSideBySideAndTheRadioIsLeftToThem)
 {
-    auto input = cardOf(simulatedRecord(12), {}, "RADIO ON");
-    input.columns.push_back(cardOf(simulatedRecord(12, -3), {}, "RADIO OFF").columns.front());
+    auto input = cardOf(signedRecord(simulatedRecord(12)), {}, "RADIO ON");
+    input.columns.push_back(cardOf(signedRecord(simulatedRecord(12, -3)), {}, "RADIO OFF").columns.front());
     const QString page = PdfProbe(input).pages().first();
     const auto rows = figuresOn(page);
     ASSERT_EQ(rows.size(), 6u);
@@ -99,18 +111,94 @@ TEST(Card, twoColumnsStandSideBySideAndTheRadioIsLeftToThem)
     }
     EXPECT_FALSE(page.contains(QString::fromUtf8("1500 RPM · RADIO ON")));
     EXPECT_TRUE(page.contains("RADIO OFF"));
+    EXPECT_FALSE(page.contains("DRAFT"));
+    EXPECT_EQ(page.count("STEER"), 2 + 1); // over both columns of each half, and once in "STEER = FOR − deviation"
+}
+
+/// A signature never stands over figures that nobody signed: each column has its own record, hash and state.
+TEST(Card, aColumnThatNobodySignedIsADraftBesideOneThatIs)
+{
+    auto input = cardOf(signedRecord(simulatedRecord(12)), {}, "RADIO ON");
+    SwingRecord draft = simulatedRecord(12, -3);
+    draft.swing.record = "7b20cafe-77b1-5a90-8c55-6d2c6f2a9d10";
+    for (const SwingState state : {SwingState::Draft, SwingState::Complete}) {
+        draft.swing.state = state;
+        auto both = input;
+        both.columns.push_back(cardOf(draft, {}, "RADIO OFF").columns.front());
+        const QString text = PdfProbe(both).flowingText();
+        EXPECT_GE(text.count(QString::fromUtf8("RADIO OFF: DRAFT — NOT SIGNED")), 2); // on the card, and on the page
+        EXPECT_TRUE(text.contains(
+            "RADIO ON: Record 0f3c1d52 · data " + ui::dataHash(both.columns[0].record).left(8) + QString::fromUtf8(" · signed")));
+        EXPECT_TRUE(text.contains(
+            "RADIO OFF: Record 7b20cafe · data " + ui::dataHash(both.columns[1].record).left(8) + QString::fromUtf8(" · DRAFT")));
+        for (const auto& column : both.columns)
+            EXPECT_TRUE(text.contains(ui::dataHash(column.record))); // whole, on the page
+        EXPECT_GE(text.count("DRAFT"), 2 + 1 + 4);                   // the bars over and under its figures in both halves
+    }
+}
+
+TEST(Card, whatIsNotWhatWasSignedIsADraft)
+{
+    const SwingRecord record = signedRecord(simulatedRecord(12));
+    auto changed = cardOf(record, {});
+    changed.columns[0].holds = false;
+    auto without = cardOf(record, {30, CardSource::Fit, CoefficientSet(1)});
+    auto amended = cardOf(record, {});
+    amended.columns[0].superseded = true;
+    const QString changedText = PdfProbe(changed).flowingText(), withoutText = PdfProbe(without).flowingText();
+    EXPECT_TRUE(changedText.contains("the record is not what was signed") && changedText.contains("DRAFT"));
+    EXPECT_TRUE(withoutText.contains("figures without A, which was taken out after what was signed") && withoutText.contains("DRAFT"));
+    for (const QString& text : {changedText, withoutText})
+        EXPECT_FALSE(text.contains("Performed Ada"));
+    EXPECT_TRUE(PdfProbe(amended).flowingText().contains("AMENDED SINCE: NOT VALID"));
+}
+
+TEST(Card, saysHowItsRowsAreToBeTaken)
+{
+    SwingRecord record = signedRecord(simulatedRecord(12));
+    record.limits->maxDeviation_deg = 1;
+    record.swing.readings.resize(8); // 000 to 210
+    for (auto& reading : record.swing.readings)
+        reading.pitch_deg = 9, reading.roll_deg = 0;
+    const QString text = PdfProbe(cardOf(record, {})).flowingText();
+    for (const char* words : {"! OVER THE LIMIT of 1°", "* nobody read between (compass) 2", "NOT LEVEL: pitch +9°",
+             "nobody read near these rows: 240°, 270°, 300°, 330°"})
+        EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << text.toStdString();
+    EXPECT_FALSE(text.contains("level flight in"));
+    EXPECT_TRUE(QRegularExpression("\\d{3} ?\\*").match(text).hasMatch());
+}
+
+TEST(Card, byCompassAndInFineStepsItStaysOnItsPage)
+{
+    for (const int step : {10, 15}) {
+        CardOptions options;
+        options.step_deg = step;
+        options.by = CardBy::Compass;
+        const auto input = cardOf(signedRecord(simulatedRecord(24)), options);
+        const QString page = PdfProbe(input).pages().first();
+        const auto rows = figuresOn(page);
+        ASSERT_EQ(rows.size(), static_cast<std::size_t>(180 / step));
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            EXPECT_EQ(rows[i],
+                (std::vector<int>{step * static_cast<int>(i), input.columns[0].card.rows[i].magneticRounded_deg(),
+                    step * static_cast<int>(i) + 180, input.columns[0].card.rows[i + rows.size()].magneticRounded_deg()}));
+        EXPECT_TRUE(page.contains("COMPASS") && page.contains("MAGNETIC"));
+    }
 }
 
 TEST(Card, isThePlacardsSizeAndInsideThePage)
 {
     const auto thirty = cardOf(simulatedRecord(12), {});
-    const QSizeF size = ui::placardSize(thirty);
+    const QString family = ui::documentFamily().value();
+    const QSizeF size = ui::placardSize(thirty, family);
     EXPECT_DOUBLE_EQ(size.width(), ui::mm(60));
-    EXPECT_NEAR(size.height(), ui::mm(82), ui::mm(1));
+    EXPECT_NEAR(size.height(), ui::mm(92), ui::mm(8));
     auto two = thirty;
     two.columns.push_back(two.columns.front());
-    EXPECT_GT(ui::placardSize(two).width(), size.width());
-    EXPECT_LT(ui::placardSize(cardOf(worksheetRecord(kWorksheet[0]), worksheetOptions())).height(), size.height());
+    EXPECT_GT(ui::placardSize(two, family).width(), size.width());
+    CardOptions fine;
+    fine.step_deg = 10;
+    EXPECT_GT(ui::placardSize(cardOf(simulatedRecord(24), fine), family).height(), size.height());
 }
 
 TEST(Card, northIsThreeNoughts)
@@ -148,9 +236,6 @@ TEST(Card, saysWhatWasTakenOut)
     const QString text = PdfProbe(cardOf(worksheetRecord(kWorksheet[0]), worksheetOptions())).flowingText();
     EXPECT_TRUE(text.contains("A taken out mechanically"));
     EXPECT_TRUE(text.contains("reading nearest to each heading"));
-    auto unsaid = cardOf(simulatedRecord(12), {});
-    unsaid.options.reset();
-    EXPECT_FALSE(PdfProbe(unsaid).text().contains("exact fit"));
 }
 
 TEST(Card, refusesColumnsThatDoNotMatch)
@@ -161,6 +246,15 @@ TEST(Card, refusesColumnsThatDoNotMatch)
     auto mixed = input;
     mixed.columns.push_back(cardOf(worksheetRecord(kWorksheet[0]), worksheetOptions()).columns.front()); // 30° beside 45°
     EXPECT_EQ(codeFor(mixed), ErrorCode::InvalidInput);
+    auto other = input;
+    other.columns.push_back(cardOf(worksheetRecord(kWorksheet[0]), {}, "RADIO OFF").columns.front());
+    EXPECT_TRUE(ui::writeCard(other, folder.filePath("both.pdf")));
+    QFile::remove(folder.filePath("both.pdf"));
+    other.columns[1].record.compass.name = "No. 2";
+    EXPECT_EQ(codeFor(other), ErrorCode::InvalidInput);
+    auto twice = input;
+    twice.columns.push_back(input.columns.front());
+    EXPECT_EQ(codeFor(twice), ErrorCode::InvalidInput); // two columns of one name
     auto none = input;
     none.columns.clear();
     EXPECT_EQ(codeFor(none), ErrorCode::InvalidInput);

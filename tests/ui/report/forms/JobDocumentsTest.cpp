@@ -66,6 +66,15 @@ Done worksheetJob()
     return done;
 }
 
+ui::StyleSheet1613 sheetOf(const Done& done)
+{
+    ui::StyleSheet1613 sheet;
+    sheet.record = done.input.record;
+    sheet.asFound = done.asFound;
+    sheet.madeAtUtc = "2026-11-23T10:00:00Z";
+    return sheet;
+}
+
 QStringList titles(const std::vector<ui::Table>& tables)
 {
     QStringList all;
@@ -91,16 +100,16 @@ TEST(JobDocuments, theCardOfAGuidedSwingHasTheWorksheetsFigures)
 /// What stands on the placard must not depend on when it is printed, but for the mark of the reprint.
 TEST(JobDocuments, aLostCardIsPrintedAgainWithTheSameFigures)
 {
-    const Done done = worksheetJob();
-    ui::CardInput input{
-        done.input.record, {{"STEER", makeCard(done.input.analysis, {45, CardSource::Fit, {}}).value()}}, {}, CardOptions{}};
+    Done done = worksheetJob();
+    done.input.record.swing.state = SwingState::Signed;
+    ui::CardInput input{{{"STEER", makeCard(done.input.analysis, {45, CardSource::Fit, {}}).value(), done.input.record, true, false}}, {}};
     input.loadsToName = QStringList{"pitot heat (+15° on 90)"};
     const QString first = PdfProbe(input).flowingText();
     input.reprintOf = "2026-11-23";
     const QString again = PdfProbe(input).flowingText();
     EXPECT_TRUE(again.contains("Reprint of 2026-11-23")) << again.toStdString();
     EXPECT_FALSE(first.contains("Reprint"));
-    EXPECT_TRUE(first.contains("Signed Ada · PL 12 · 2026-11-23"));
+    EXPECT_TRUE(first.contains("Performed Ada · PL 12 · 2026-11-23"));
     EXPECT_TRUE(first.contains(QString("OVER 10° WITH PITOT HEAT"))) << first.toStdString();
     const auto without = [](QString text) {
         return text.remove("Reprint of 2026-11-23").remove("Reprint of the card of 2026-11-23, from the record").simplified();
@@ -113,8 +122,7 @@ TEST(JobDocuments, aCardOfTwelveHeadingsIsOnePage)
     Done done = worksheetJob();
     done.input.record.swing.state = SwingState::Draft; // with a banner
     done.input.record.swing.note = "on the second day, after rain";
-    ui::CardInput input{
-        done.input.record, {{"STEER", makeCard(done.input.analysis, {30, CardSource::Fit, {}}).value()}}, {}, CardOptions{}};
+    ui::CardInput input{{{"STEER", makeCard(done.input.analysis, {30, CardSource::Fit, {}}).value(), done.input.record, false, false}}, {}};
     input.nextDue = "2028-11-23";
     input.loadsToName = QStringList{"pitot heat (+15° on 90)"};
     EXPECT_EQ(PdfProbe(input).pages().size(), 1);
@@ -183,6 +191,56 @@ TEST(StyleSheet1613, hasTheFormsOwnSign)
     EXPECT_EQ(table.rows[1].cells[1], "—"); // nothing was read there
 }
 
+TEST(StyleSheet1613, saysWhatItIsWorthAndWhoSigned)
+{
+    const QTemporaryDir folder;
+    const Done done = worksheetJob();
+    auto sheet = sheetOf(done);
+    ASSERT_TRUE(ui::write1613(sheet, folder.filePath("draft.pdf")));
+    const QString draft = PdfProbe(folder.filePath("draft.pdf")).flowingText();
+    EXPECT_TRUE(draft.contains(QString("DRAFT — NOT SIGNED")) && !draft.contains("signed Ada"));
+    EXPECT_TRUE(draft.contains(QString("within the 5° that are allowed"))) << draft.toStdString();
+    EXPECT_TRUE(draft.contains("by the nearest reading"));
+    EXPECT_TRUE(draft.contains(QString("+4.0"))); // the compensating swing's N: 003 read on 359
+    sheet.record.swing.state = SwingState::Signed;
+    sheet.holds = true;
+    ASSERT_TRUE(ui::write1613(sheet, folder.filePath("signed.pdf")));
+    const QString text = PdfProbe(folder.filePath("signed.pdf")).flowingText();
+    EXPECT_TRUE(text.contains(QString("signed Ada · PL 12")) && !text.contains("DRAFT"));
+    sheet.compensating = sheet.record; // another record, which nobody signed
+    sheet.compensating->swing.state = SwingState::Draft;
+    ASSERT_TRUE(ui::write1613(sheet, folder.filePath("other.pdf")));
+    EXPECT_TRUE(PdfProbe(folder.filePath("other.pdf")).flowingText().contains(QString("DRAFT — NOT SIGNED")));
+    for (auto& reading : sheet.record.swing.readings)
+        if (reading.magnetic->degrees() == 93)
+            reading.compass = CompassHeading::fromDegrees(30); // STEER falls from 043 to 027
+    EXPECT_EQ(ui::write1613(sheet, folder.filePath("folded.pdf")).error().code, ErrorCode::Numeric);
+}
+
+TEST(JobCard, readsAsFoundBeforeItZeroesAndHasOnlyWhatTheCompassHas)
+{
+    const QTemporaryDir folder;
+    const Done done = worksheetJob();
+    ui::JobCardInput card{done.input.record, done.input.job->job, "2026-11-23T10:00:00Z"};
+    card.job.checklist = usualChecklist(card.record.compass);
+    card.job.checklist.push_back("compensator at zero: dots on the screws in line with those on the case"); // as an earlier job has it
+    card.job.checklist.push_back("variation setter at 000.0");
+    ASSERT_TRUE(ui::writeJobCard(card, folder.filePath("job.pdf")));
+    const QString text = PdfProbe(folder.filePath("job.pdf")).flowingText();
+    EXPECT_FALSE(text.contains("variation setter"));
+    EXPECT_FALSE(text.contains("compensator at zero"));
+    EXPECT_LT(text.indexOf("read as found"), text.indexOf("then zero the compensator"));
+    EXPECT_LT(text.indexOf("Before the first reading"), text.indexOf("then zero the compensator"));
+    EXPECT_TRUE(text.contains("inspected by"));
+    card.record.compass.kind = CompassKind::RemoteStabilised;
+    card.record.compass.compensator = Compensator::None;
+    card.job.checklist = usualChecklist(card.record.compass);
+    ASSERT_TRUE(ui::writeJobCard(card, folder.filePath("remote.pdf")));
+    const QString remote = PdfProbe(folder.filePath("remote.pdf")).flowingText();
+    EXPECT_TRUE(remote.contains("variation setter at 000.0"));
+    EXPECT_FALSE(remote.contains("zero the compensator"));
+}
+
 TEST(JobCard, tellsWhatToDoWhere)
 {
     SwingJob job;
@@ -202,9 +260,9 @@ TEST(JobDocuments, areWrittenAsPages)
     const QTemporaryDir folder;
     const Done done = worksheetJob();
     ui::JobCardInput card{done.input.record, done.input.job->job, "2026-11-23T10:00:00Z"};
-    card.job.checklist = usualChecklist();
+    card.job.checklist = usualChecklist({});
     ASSERT_TRUE(ui::writeJobCard(card, folder.filePath("job.pdf")));
-    ASSERT_TRUE(ui::write1613({done.input.record, done.asFound, "2026-11-23T10:00:00Z"}, folder.filePath("dd.pdf")));
+    ASSERT_TRUE(ui::write1613(sheetOf(done), folder.filePath("dd.pdf")));
     ASSERT_TRUE(ui::writeReport(done.input, folder.filePath("report.html")));
     for (const char* name : {"job.pdf", "dd.pdf"})
         EXPECT_TRUE(PdfProbe(folder.filePath(name)).bytes().startsWith("%PDF-1.4")) << name; // PDF/A-1b
@@ -218,7 +276,7 @@ TEST(JobDocuments, areWrittenAsPages)
     EXPECT_FALSE(sheet.contains(QString("Deviation = magnetic heading − compass heading"))); // two signs on one page would be read wrongly
     EXPECT_TRUE(sheet.contains("TO FLY (M)") && sheet.contains("001 043 089 137 181 223 269 317"));
     EXPECT_EQ(ui::writeJobCard(card, folder.filePath("job.txt")).error().code, ErrorCode::InvalidInput);
-    EXPECT_EQ(ui::write1613({done.input.record, {}, {}}, folder.filePath("missing/dd.pdf")).error().code, ErrorCode::Io);
+    EXPECT_EQ(ui::write1613(sheetOf(done), folder.filePath("missing/dd.pdf")).error().code, ErrorCode::Io);
     QFile html(folder.filePath("report.html"));
     ASSERT_TRUE(html.open(QIODevice::ReadOnly));
     const QString text = QString::fromUtf8(html.readAll());

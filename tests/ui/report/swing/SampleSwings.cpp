@@ -132,10 +132,8 @@ ui::ReportInput reportOf(const SwingRecord& record)
 ui::CardInput cardOf(const SwingRecord& record, const CardOptions& options, const QString& heading)
 {
     ui::CardInput input;
-    input.record = record;
-    input.columns = {{heading, makeCard(analyse(observationsOf(record.swing)).value(), options).value()}};
+    input.columns = {{heading, makeCard(analyse(observationsOf(record.swing)).value(), options).value(), record, true, false}};
     input.madeAtUtc = "2026-11-23T06:00:00Z";
-    input.options = options;
     return input;
 }
 
