@@ -113,7 +113,7 @@ void holdAgainstModel(ChosenVariation& chosen, const FieldAnswer& answer, Date d
     chosen.warnings.push_back(
         {ofLog ? MARKED("core",
              "the variation of the log is %1° (east +), that of %2 is %3°: they are %4° apart, and A with them; take the "
-             "model's (--variation model) unless you know the log's to be right")
+             "model's (variation: model) unless you know the log's to be right")
                : MARKED("core", "the variation stated is %1° (east +), that of %2 is %3°: they are %4° apart"),
             signedFigureText(chosen.variation.degrees(), 1), whereOf(answer, date), signedFigureText(*chosen.model_deg, 1),
             figureText(apart_deg, 1)});
@@ -140,21 +140,20 @@ NmeaDate dateOfLog(const NmeaLog& log, Date stated, Date today)
         date.perhaps = today; // as good a guess as any
         date.doubts.push_back({MARKED("core",
                                    "the log is dated %1, a day on which the GPS week count began: the receiver did not know the date; "
-                                   "state it (--date)"),
+                                   "state it"),
             date.date});
     }
     if (today.empty())
         return date;
     const int ago = daysBetween(date.date, today);
     if (ago < -1) { // somewhere it is tomorrow already
-        date.doubts.push_back(
-            {MARKED("core", "the log is dated %1, and today is %2: one of the clocks is wrong (--date states it)"), date.date, today});
+        date.doubts.push_back({MARKED("core", "the log is dated %1, and today is %2: one of the clocks is wrong"), date.date, today});
     } else if (ago >= kRollOver_days && stated.empty() && !weekZero) {
         date.perhaps = addDays(date.date, ago / kRollOver_days * kRollOver_days);
         date.doubts.push_back(
             {MARKED("core",
                  "the log is dated %1: a receiver that missed the turn of the GPS week count (1024 weeks) writes so for %2; "
-                 "state the date (--date)"),
+                 "state the date"),
                 date.date, date.perhaps});
     }
     return date;

@@ -178,7 +178,7 @@ void SwingOfLog::findWind()
     else if (shows)
         tellLimit({MARKED("core",
                        "the ground speed varies with the track, as if wind or current of %1 kt carried it: on wheels that is the driver; "
-                       "otherwise B and C are out by up to %2° (--wind takes it out)"),
+                       "otherwise B and C are out by up to %2°; it can be taken out"),
             figureText(wind->speed_kt(), 1), figureText(wind->drift_deg(), 1)});
     m_swing.wind = *wind;
     m_windOpen = *wind;

@@ -2334,10 +2334,6 @@
         <translation>wiatr z %1° rzeczywistych, %2 ± %3 w, prędkość powietrzna %4 w, został odjęty od kątów drogi</translation>
     </message>
     <message>
-        <source>the ground speed varies with the track, as if wind or current of %1 kt carried it: on wheels that is the driver; otherwise B and C are out by up to %2° (--wind takes it out)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the reference is %1 ± %2 s older than the heading beside it; that is taken out</source>
         <translation>odniesienie jest starsze od sąsiedniego kursu o %1 ± %2 s; uwzględniono to</translation>
     </message>
@@ -2370,20 +2366,8 @@
         <translation>zapis podaje różne deklinacje: %1 (wschodnia +); przyjęto deklinację %2</translation>
     </message>
     <message>
-        <source>the variation of the log is %1° (east +), that of %2 is %3°: they are %4° apart, and A with them; take the model&apos;s (--variation model) unless you know the log&apos;s to be right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the variation stated is %1° (east +), that of %2 is %3°: they are %4° apart</source>
         <translation>podana deklinacja wynosi %1° (wschodnia +), według %2 %3°: różnią się o %4°</translation>
-    </message>
-    <message>
-        <source>the log is dated %1, a day on which the GPS week count began: the receiver did not know the date; state it (--date)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the log is dated %1: a receiver that missed the turn of the GPS week count (1024 weeks) writes so for %2; state the date (--date)</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>its date %1 is still to come (today is %2); expected the day on which it was swung</source>
@@ -2395,10 +2379,6 @@
     </message>
     <message>
         <source>the survey of %1 has the declination %2° (east +), the model %3°: what lies in the ground there is in no model; state the variation of the survey</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the log is dated %1, and today is %2: one of the clocks is wrong (--date states it)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2611,6 +2591,26 @@
     </message>
     <message>
         <source>no reading between %1 and %2 (compass), an arc of %3: the curve there is known to ±%4 only (95 %)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the variation of the log is %1° (east +), that of %2 is %3°: they are %4° apart, and A with them; take the model&apos;s (variation: model) unless you know the log&apos;s to be right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log is dated %1, a day on which the GPS week count began: the receiver did not know the date; state it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log is dated %1, and today is %2: one of the clocks is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the log is dated %1: a receiver that missed the turn of the GPS week count (1024 weeks) writes so for %2; state the date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ground speed varies with the track, as if wind or current of %1 kt carried it: on wheels that is the driver; otherwise B and C are out by up to %2°; it can be taken out</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -163,7 +164,13 @@ void NmeaImportPage::build()
     column->addWidget(m_summary);
     column->addStretch();
     auto* splitter = new QSplitter;
-    splitter->addWidget(left);
+    auto* scroll = new QScrollArea; // a log can have much against it
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(left->minimumSizeHint().width());
+    scroll->setWidget(left);
+    splitter->addWidget(scroll);
     splitter->addWidget(m_plot);
     splitter->setStretchFactor(1, 1);
     auto* layout = new QVBoxLayout(this);
