@@ -13,7 +13,7 @@ namespace lubberline {
 struct SerialCorrelation {
     double rho = 0;        ///< of the slow part, from one reading to the next
     double whiteShare = 0; ///< w, 0…1
-    double variance = 0;   ///< of one reading, both parts
+    double variance = 0;   ///< of one reading, both parts, in the square of the unit of `observed`
     [[nodiscard]] double lagOne() const { return (1.0 - whiteShare) * rho; }
 };
 

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <string>
 
+#include "core/angle/Circle.h"
 #include "core/deviation/LeastSquares.h"
 #include "core/deviation/SerialCorrelation.h"
 #include "core/deviation/ToldCoefficients.h"
@@ -236,16 +237,12 @@ Deviation deviationAt(const ExactFit& fit, MagneticHeading magnetic)
 double largeIndex_deg(std::span<const Observation> readings)
 {
     constexpr double kLarge_deg = 45.0;
-    double x = 0, y = 0;
-    for (const auto& reading : readings) {
-        const double deviation = deviationOf(reading.magnetic, reading.compass).radians();
-        x += std::cos(deviation);
-        y += std::sin(deviation);
-    }
-    const double mean_deg = toDegrees(std::atan2(y, x));
+    std::vector<double> deviations_deg;
+    for (const auto& reading : readings)
+        deviations_deg.push_back(deviationOf(reading.magnetic, reading.compass).degrees());
+    const CircularMean mean = circularMean(deviations_deg);
     // Deviations all round the circle have no middle.
-    const bool together = std::hypot(x, y) > 0.5 * static_cast<double>(readings.size());
-    return together && std::abs(mean_deg) > kLarge_deg ? std::round(mean_deg) : 0.0;
+    return mean.togetherness > 0.5 && std::abs(mean.mean_deg) > kLarge_deg ? std::round(mean.mean_deg) : 0.0;
 }
 
 void widenTo(SmithFitReport& fit, double error_rad)

@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "core/angle/Circle.h"
 #include "core/deviation/SlipVariants.h"
 
 namespace lubberline {
@@ -64,30 +65,22 @@ double curveAt(Form form, const Row5& curve, double magnetic_deg)
 
 double logNormal(double off, double variance) { return -0.5 * (off * off / variance + std::log(2.0 * kPi * variance)); }
 
-/// The middle of the deviations on the circle: the one that is nearest to all others.
+/// The middle of the deviations on the circle: the one that is nearest to all others. Of a log the mean direction, as every pair would be
+/// held against each other.
 double middle_deg(std::span<const Observation> readings)
 {
-    if (readings.size() > kLookedAt) { // of a log: the mean direction, as every pair would be held against each other
-        double x = 0, y = 0;
-        for (const auto& reading : readings) {
-            const double deviation = deviationOf(reading.magnetic, reading.compass).radians();
-            x += std::cos(deviation);
-            y += std::sin(deviation);
-        }
-        return toDegrees(std::atan2(y, x));
-    }
-    double best = 0, bestSum = std::numeric_limits<double>::max();
-    for (const auto& candidate : readings) {
-        const double at = deviationOf(candidate.magnetic, candidate.compass).degrees();
+    std::vector<double> deviations_deg;
+    for (const auto& reading : readings)
+        deviations_deg.push_back(deviationOf(reading.magnetic, reading.compass).degrees());
+    if (deviations_deg.size() > kLookedAt)
+        return circularMean(deviations_deg).mean_deg;
+    const auto distance = [&](double at_deg) {
         double sum = 0;
-        for (const auto& reading : readings)
-            sum += std::abs(wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - at));
-        if (sum < bestSum || (sum == bestSum && at < best)) {
-            best = at;
-            bestSum = sum;
-        }
-    }
-    return best;
+        for (const double deviation_deg : deviations_deg)
+            sum += std::abs(wrap180(deviation_deg - at_deg));
+        return std::pair(sum, at_deg); // of two equally near the smaller, whatever the order of the readings
+    };
+    return *std::min_element(deviations_deg.begin(), deviations_deg.end(), [&](double a, double b) { return distance(a) < distance(b); });
 }
 
 /// What the other readings say of one, for one size of the scatter.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/angle/AngleText.h"
+#include "core/angle/Circle.h"
+#include "core/base/Number.h"
 #include "core/swing/CompassAtFault.h"
 #include "core/swing/LackOfFit.h"
 
@@ -16,43 +18,25 @@ constexpr double kUnseen_deg = 8.0;
 /// From here on the coefficients lean visibly on where the readings stand.
 constexpr double kLeaningCondition = 10.0;
 
-struct Arc {
-    double from_deg = 0, to_deg = 0; ///< clockwise
-    [[nodiscard]] double width_deg() const { return to_deg - from_deg; }
-};
-
-Arc largestGap(std::span<const Observation> readings)
+std::vector<double> compassHeadings_deg(std::span<const Observation> readings)
 {
     std::vector<double> headings_deg;
     for (const auto& reading : readings)
         headings_deg.push_back(reading.compass.degrees());
-    std::sort(headings_deg.begin(), headings_deg.end());
-    Arc gap{headings_deg.back(), headings_deg.front() + 360.0};
-    for (std::size_t i = 1; i < headings_deg.size(); ++i)
-        if (headings_deg[i] - headings_deg[i - 1] > gap.width_deg())
-            gap = {headings_deg[i - 1], headings_deg[i]};
-    return gap;
-}
-
-std::string degreesText(double heading_deg)
-{
-    const int whole = static_cast<int>(std::lround(heading_deg)) % 360;
-    std::string digits = std::to_string(whole);
-    return digits.insert(0, 3 - digits.size(), '0') + "°";
+    return headings_deg;
 }
 
 Message gapText(std::span<const Observation> readings)
 {
-    const Arc gap = largestGap(readings);
-    return {MARKED("core", "no reading between %1 and %2 (compass)"), degreesText(gap.from_deg), degreesText(gap.to_deg)};
+    const EmptyArc gap = widestEmptyArc(compassHeadings_deg(readings));
+    return {MARKED("core", "no reading between %1 and %2 (compass)"), formatHeading(gap.from_deg, AngleStyle::DecimalDegrees, 0),
+        formatHeading(gap.to_deg, AngleStyle::DecimalDegrees, 0)};
 }
 
 /// Why D and E, or more, cannot be told: too few headings, or headings on one side.
 Message whyUntold(std::span<const Observation> readings)
 {
-    std::vector<double> headings_deg;
-    for (const auto& reading : readings)
-        headings_deg.push_back(reading.compass.degrees());
+    std::vector<double> headings_deg = compassHeadings_deg(readings);
     std::sort(headings_deg.begin(), headings_deg.end());
     const auto distinct
         = std::unique(headings_deg.begin(), headings_deg.end(), [](double a, double b) { return b - a < 0.5; }) - headings_deg.begin();
@@ -79,15 +63,12 @@ void warnOfFit(std::vector<Message>& warnings, const SmithFitReport& fit, Patter
             {MARKED("core",
                  "%1 coefficients go through every reading: their standard errors are those of the reading alone, and no scatter can be seen"),
                 name});
-    if (fit.lagOneCorrelation) {
-        char text[16];
-        std::snprintf(text, sizeof text, "%.2f", *fit.lagOneCorrelation);
+    if (fit.lagOneCorrelation)
         warnings.push_back(
             {MARKED("core",
                  "%1 residuals of neighbouring readings are alike (correlation %2): the standard errors count that many readings tell little "
                  "more than a few; something drifted slowly, or five coefficients do not describe the curve"),
-                name, std::string(text)});
-    }
+                name, figureText(*fit.lagOneCorrelation, 2)});
 }
 
 void warnOfSlips(std::vector<Message>& warnings, const SlipSearch& slips, std::size_t readings)

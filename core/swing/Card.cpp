@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "core/angle/AngleText.h"
 #include "core/swing/CardCurve.h"
 
 namespace lubberline {
@@ -273,10 +273,9 @@ void judgeReadings(Card& card, const CardWork& work)
         const AnalysedReading& reading = work.analysis.readings[i];
         if (!reading.suspect)
             continue;
-        // Against the curve of the others: e/(1 − h).
         const auto& fit = work.analysis.approximate;
-        const double others = fit.fitted() ? 1.0 - fit.leverage[i] : 0.0;
-        const double off_rad = others > 1e-9 ? fit.residual_rad[i] / others : 0.0;
+        const bool others = fit.fitted() && 1.0 - fit.leverage[i] > 1e-9; // else the curve goes through it whatever it says
+        const double off_rad = others ? deletedResidual_rad(fit, i) : 0.0;
         card.suspects.push_back({Deviation::fromRadians(off_rad), reading.magnetic});
     }
     card.largestMisfit_rad = work.analysis.exact.fitted() ? work.analysis.exact.maxAbsResidual_rad : 0.0;
@@ -315,12 +314,7 @@ BetweenRows between(const CardWork& work, const std::vector<CardRow>& rows, doub
 
 int wholeDegrees(double heading_deg) { return static_cast<int>(std::floor(heading_deg + 0.5)) % 360; }
 
-std::string cardHeading(double heading_deg)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%03d°", wholeDegrees(heading_deg));
-    return text.data();
-}
+std::string cardHeading(double heading_deg) { return formatHeading(wholeDegrees(heading_deg), AngleStyle::DecimalDegrees, 0); }
 
 } // namespace
 

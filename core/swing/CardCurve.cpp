@@ -1,9 +1,9 @@
 #include "core/swing/CardCurve.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "core/angle/AngleText.h"
 
 namespace lubberline {
 
@@ -12,12 +12,7 @@ namespace {
 constexpr int kCurveSteps = 1440;
 constexpr double kCurveStep_deg = 360.0 / kCurveSteps;
 
-std::string curveHeading(double heading_deg)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%03.0f°", std::fmod(std::round(wrap360(heading_deg)), 360.0));
-    return text.data();
-}
+std::string curveHeading(double heading_deg) { return formatHeading(heading_deg, AngleStyle::DecimalDegrees, 0); }
 
 } // namespace
 

@@ -1,9 +1,10 @@
 #include "core/swing/CardRemarks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "core/angle/AngleText.h"
+#include "core/base/Number.h"
 
 namespace lubberline {
 
@@ -11,14 +12,8 @@ namespace {
 
 constexpr double kRoundingOfLimits_deg = 1e-9; // as in judge()
 
-std::string remarkText(const char* format, double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
-
-std::string remarkHeading(double heading_deg) { return remarkText("%03.0f°", std::fmod(std::round(heading_deg), 360.0)); }
+std::string remarkHeading(double heading_deg) { return formatHeading(heading_deg, AngleStyle::DecimalDegrees, 0); }
+std::string tenthsOfDegree(double angle_deg) { return figureText(angle_deg, 1) + "°"; }
 
 std::string listed(const std::vector<double>& headings_deg)
 {
@@ -44,18 +39,18 @@ void remarkLimits(std::vector<Message>& remarks, const Card& card, const std::op
         return;
     const std::string& source = limits->document.empty() ? limits->name : limits->document;
     if (const auto over = headingsOf(card, [&](const CardRow& row) { return overLimit(row, limits); }); !over.empty())
-        remarks.push_back({MARKED("core", "OVER THE LIMIT of %1 (%2): the deviation on %3"), remarkText("%g°", *limits->maxDeviation_deg),
-            source, listed(over)});
+        remarks.push_back({MARKED("core", "OVER THE LIMIT of %1 (%2): the deviation on %3"),
+            shortestNumber(*limits->maxDeviation_deg) + "°", source, listed(over)});
     const auto [least, most] = std::minmax_element(
         card.rows.begin(), card.rows.end(), [](const CardRow& a, const CardRow& b) { return a.residual.degrees() < b.residual.degrees(); });
     const double spread_deg = most->residual.degrees() - least->residual.degrees();
     if (limits->maxSpread_deg && spread_deg > *limits->maxSpread_deg + kRoundingOfLimits_deg)
         remarks.push_back({MARKED("core", "OVER THE LIMIT of %1 (%2): the spread of the deviation, %3"),
-            remarkText("%g°", *limits->maxSpread_deg), source, remarkText("%.1f°", spread_deg)});
+            shortestNumber(*limits->maxSpread_deg) + "°", source, tenthsOfDegree(spread_deg)});
     if (limits->maxDeviation_deg && std::abs(card.largestReading.deviation.degrees()) > *limits->maxDeviation_deg + kRoundingOfLimits_deg)
         remarks.push_back({MARKED("core", "OVER THE LIMIT of %1 (%2): the deviation that was read on %3, %4"),
-            remarkText("%g°", *limits->maxDeviation_deg), source, remarkHeading(card.largestReading.at.degrees()),
-            remarkText("%+.1f°", card.largestReading.deviation.degrees())});
+            shortestNumber(*limits->maxDeviation_deg) + "°", source, remarkHeading(card.largestReading.at.degrees()),
+            signedFigureText(card.largestReading.deviation.degrees(), 1) + "°"});
 }
 
 } // namespace
@@ -89,7 +84,8 @@ Message wordsOf(const SwungAttitude& attitude)
     const auto words = [](const std::optional<SwungAttitude::Range>& range) {
         if (!range)
             return std::string("—");
-        const auto whole = [](double angle_deg) { return std::abs(angle_deg) < 0.5 ? std::string("0°") : remarkText("%+.0f°", angle_deg); };
+        const auto whole
+            = [](double angle_deg) { return std::abs(angle_deg) < 0.5 ? std::string("0°") : signedFigureText(angle_deg, 0) + "°"; };
         const std::string least = whole(range->least_deg), most = whole(range->most_deg);
         return least == most ? least : least + " … " + most;
     };
@@ -108,19 +104,19 @@ std::vector<Message> remarksOn(const Card& card, const SwingRecord& record)
     remarkLimits(remarks, card, record.limits);
     for (const auto& suspect : card.suspects)
         remarks.push_back({MARKED("core", "SUSPECT reading used: on %1, %2 off the curve of the others"),
-            remarkHeading(suspect.at.degrees()), remarkText("%.1f°", std::abs(suspect.deviation.degrees()))});
+            remarkHeading(suspect.at.degrees()), tenthsOfDegree(std::abs(suspect.deviation.degrees()))});
     for (const auto& gap : card.gaps)
         remarks.push_back(wordsOf(gap));
     if (const auto unread = headingsOf(card, [](const CardRow& row) { return row.unread; }); !unread.empty())
         remarks.push_back({MARKED("core", "nobody read near these rows: %1"), listed(unread)});
-    const std::string off = remarkText("%.1f°", toDegrees(card.betweenRows_rad)), at = remarkHeading(card.betweenRowsAt_deg);
+    const std::string off = tenthsOfDegree(toDegrees(card.betweenRows_rad)), at = remarkHeading(card.betweenRowsAt_deg);
     if (card.finerStep_deg != 0)
         remarks.push_back({MARKED("core", "interpolating between rows is off by up to %1 (at %2): a card every %3 leaves %4"), off, at,
-            std::to_string(card.finerStep_deg) + "°", remarkText("%.1f°", toDegrees(card.finerBetweenRows_rad))});
+            std::to_string(card.finerStep_deg) + "°", tenthsOfDegree(toDegrees(card.finerBetweenRows_rad))});
     else if (toDegrees(card.betweenRows_rad) > kBetweenRows_deg)
         remarks.push_back({MARKED("core", "interpolating between rows is off by up to %1 (at %2)"), off, at});
     if (card.options.source == CardSource::Readings && card.farthestReading_deg > card.options.step_deg / 2.0)
-        remarks.push_back({MARKED("core", "the nearest reading to a row is up to %1 away"), remarkText("%.0f°", card.farthestReading_deg)});
+        remarks.push_back({MARKED("core", "the nearest reading to a row is up to %1 away"), figureText(card.farthestReading_deg, 0) + "°"});
     if (const auto tilted = wordsOf(attitudeOf(record.swing)); !tilted.empty())
         remarks.push_back(tilted);
     if (!card.widestBand_rad)

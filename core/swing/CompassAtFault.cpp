@@ -1,9 +1,9 @@
 #include "core/swing/CompassAtFault.h"
 
-#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <vector>
+
+#include "core/angle/Circle.h"
 
 namespace lubberline {
 
@@ -11,25 +11,8 @@ namespace {
 
 constexpr double kSpan_deg = 45.0; ///< within which a card may stand still or swing back for many reasons
 
-/// The arc that holds all angles: 360 − the widest gap.
-double spanOf_deg(std::vector<double> angles_deg)
-{
-    std::sort(angles_deg.begin(), angles_deg.end());
-    double gap = angles_deg.front() + 360.0 - angles_deg.back();
-    for (std::size_t i = 1; i < angles_deg.size(); ++i)
-        gap = std::max(gap, angles_deg[i] - angles_deg[i - 1]);
-    return 360.0 - gap;
-}
-
-/// 1 when all angles are the same, near 0 when they lie all round.
-template <class AngleOf>
-double togetherness(std::span<const Observation> readings, AngleOf angleOf_rad)
-{
-    std::complex<double> sum;
-    for (const auto& reading : readings)
-        sum += std::polar(1.0, angleOf_rad(reading));
-    return std::abs(sum) / static_cast<double>(readings.size());
-}
+/// The arc that holds all headings.
+double spanOf_deg(const std::vector<double>& headings_deg) { return 360.0 - widestEmptyArc(headings_deg).width_deg(); }
 
 } // namespace
 
@@ -53,8 +36,12 @@ std::optional<Error> faultOf(std::span<const Observation> readings)
                  "the compass reads %1 on all headings: it is stuck, or one figure was written down for all; no deviation can be told"),
                 digits}};
     }
-    const double forwards = togetherness(readings, [](const auto& r) { return r.magnetic.radians() - r.compass.radians(); });
-    const double backwards = togetherness(readings, [](const auto& r) { return r.magnetic.radians() + r.compass.radians(); });
+    std::vector<double> differences, sums;
+    for (const auto& reading : readings) {
+        differences.push_back(reading.magnetic.degrees() - reading.compass.degrees());
+        sums.push_back(reading.magnetic.degrees() + reading.compass.degrees());
+    }
+    const double forwards = circularMean(differences).togetherness, backwards = circularMean(sums).togetherness;
     // Headings on one line (0 and 180) look alike both ways; only a clear case is named.
     if (backwards > 0.9 && 1.0 - backwards < 0.25 * (1.0 - forwards))
         return Error{ErrorCode::InvalidInput,

@@ -1,24 +1,16 @@
 #include "core/swing/Gaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "core/angle/AngleText.h"
+#include "core/base/Number.h"
 
 namespace lubberline {
 
 namespace {
 
 constexpr double kRoundingOfGaps_deg = 1e-6; // headings are decimal: 60.000000000000014 is 60
-
-std::string gapText(const char* format, double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
-
-std::string gapHeading(double heading_deg) { return gapText("%03.0f°", std::fmod(std::round(heading_deg), 360.0)); }
 
 /// Clockwise from `from` to `heading` [deg], [0, 360).
 double clockwise_deg(double from_deg, double heading_deg) { return wrap360(heading_deg - from_deg); }
@@ -65,12 +57,13 @@ std::vector<ReadingGap> gapsOf(const Analysis& analysis)
 
 Message wordsOf(const ReadingGap& gap)
 {
-    const std::string from = gapHeading(gap.from.degrees()), to = gapHeading(gap.to.degrees()), width = gapText("%.0f°", gap.width_deg);
+    const std::string from = formatHeading(gap.from.degrees(), AngleStyle::DecimalDegrees, 0);
+    const std::string to = formatHeading(gap.to.degrees(), AngleStyle::DecimalDegrees, 0), width = figureText(gap.width_deg, 0) + "°";
     if (!gap.widestBand_rad)
         return {MARKED("core", "no reading between %1 and %2 (compass), an arc of %3: how far the curve is off there is not known"), from,
             to, width};
     return {MARKED("core", "no reading between %1 and %2 (compass), an arc of %3: the curve there is known to ±%4 only (95 %)"), from, to,
-        width, gapText("%.1f°", toDegrees(*gap.widestBand_rad))};
+        width, figureText(toDegrees(*gap.widestBand_rad), 1) + "°"};
 }
 
 } // namespace lubberline

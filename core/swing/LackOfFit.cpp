@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <boost/math/distributions/fisher_f.hpp>
 
+#include "core/base/Number.h"
 #include "core/deviation/LeastSquares.h"
 #include "core/deviation/ToldCoefficients.h"
 
@@ -17,12 +17,7 @@ constexpr double kLeast_deg = 0.3;   ///< a smaller harmonic changes no card
 constexpr double kScatter_deg = 1.5; ///< more than swaying cards and tired eyes
 constexpr std::size_t kLog = 200;    ///< readings of a log are not independent: no F test there
 
-std::string tenths(double angle_rad)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", toDegrees(angle_rad));
-    return text;
-}
+std::string tenths(double angle_rad) { return figureText(toDegrees(angle_rad), 1); }
 
 /// Amplitude of the third harmonic [rad] where the orders beyond the second are more than chance.
 std::optional<double> higherHarmonics_rad(std::span<const Observation> readings)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/Number.h"
 #include "core/earth/FieldModel.h"
@@ -178,12 +177,7 @@ PredictedChange changeOf(const Headings& headings, const IronPosterior& iron, co
     return {angleOf_rad(largestChange(headings, iron.mean.at(here), iron.mean.at(there))), angleOf_rad(bound(changes))};
 }
 
-std::string degrees(double angle_rad)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.1f\u00b0", toDegrees(angle_rad));
-    return text.data();
-}
+std::string degrees(double angle_rad) { return figureText(toDegrees(angle_rad), 1) + "°"; }
 
 /// "…, with a probability of 95 % for iron of a plausible size: …"; of a model nothing is assumed.
 Message howSure(const Prediction& prediction)

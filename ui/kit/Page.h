@@ -32,6 +32,7 @@ class Page : public QWidget {
 
 public:
     using QWidget::QWidget;
+    ~Page() override;
 
     /// Puts a record on it. Errors: those of the stores, or that it shows no such record; what was shown stays then.
     virtual Result<void> open(const FleetItem& record);

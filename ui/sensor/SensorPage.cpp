@@ -62,13 +62,6 @@ SensorPage::SensorPage(EditContext& context, QUndoStack& stack, FileQuestions fi
     connectParts();
 }
 
-/// A field that has the focus loses it while the page goes, and says once more that it was left: to nobody then.
-SensorPage::~SensorPage()
-{
-    for (QObject* part : findChildren<QObject*>())
-        part->disconnect(this);
-}
-
 QWidget* SensorPage::buildFigures(FileQuestions files)
 {
     m_actions = new SensorActions({m_context.stores, *m_editor, *m_field}, std::move(files));

@@ -29,7 +29,6 @@ class SensorPage : public Page {
 
 public:
     SensorPage(EditContext& context, QUndoStack& stack, FileQuestions files, QWidget* parent = nullptr);
-    ~SensorPage() override;
 
     /// Its newest model, in the field of its newest swing. Errors: those of the stores; what was shown stays then.
     Result<void> showCompass(CompassId id);

@@ -67,7 +67,14 @@ void CardPanel::build()
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(kCardRow_px);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    // A figure that is cut may have lost its sign: the choices give way before the rows do.
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setMinimumWidth(m_table->fontMetrics().horizontalAdvance(QString(36, QChar('0'))));
+    for (QComboBox* box : {m_step, m_by, m_from}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(9);
+    }
     m_table->setTabKeyNavigation(false);
     m_write->setObjectName(QStringLiteral("writeThisCard"));
     m_write->setAutoDefault(true);

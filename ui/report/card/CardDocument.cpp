@@ -188,21 +188,29 @@ Block placardBlock(const CardInput& input, const QString& family)
             }};
 }
 
-std::vector<Block> cardBlocks(const CardInput& input, const QString& family, double width, double row)
+/// How close the page is set.
+struct Setting {
+    double row = kTableRow, facts_pt = 8;
+};
+
+std::vector<Block> cardBlocks(
+    const CardInput& input, const QString& family, double width, const Setting& setting, bool figuresApart = false)
 {
     std::vector<Block> blocks{placardBlock(input, family)};
-    for (auto& more : {factBlocks(cardFacts(input), {family, 8, mm(28)}, width), tableBlocks(exactFigures(input), width, family, row)})
-        blocks.insert(blocks.end(), more.begin(), more.end());
+    append(blocks, factBlocks(cardFacts(input), {family, setting.facts_pt, mm(28)}, width));
+    auto figures = tableBlocks(exactFigures(input), width, family, setting.row);
+    figures.front().newPage = figuresApart;
+    append(blocks, std::move(figures));
     return blocks;
 }
 
-/// The rows stand closer where that keeps the card on one page.
+/// Rows and facts stand closer where that keeps the card on one page; where it does not, the figures have a page of their own.
 std::vector<Block> cardBlocks(const CardInput& input, const QString& family, QSizeF room)
 {
-    for (const double row : {kTableRow, kDenseTableRow, 0.85 * kDenseTableRow})
-        if (auto blocks = cardBlocks(input, family, room.width(), row); paginate(blocks, room.height()).size() == 1)
+    for (const Setting& setting : {Setting(), Setting{kDenseTableRow}, Setting{kDenseTableRow, 7}, Setting{0.9 * kDenseTableRow, 7}})
+        if (auto blocks = cardBlocks(input, family, room.width(), setting); paginate(blocks, room.height()).size() == 1)
             return blocks;
-    return cardBlocks(input, family, room.width(), 0.7 * kDenseTableRow);
+    return cardBlocks(input, family, room.width(), Setting(), true);
 }
 
 /// Named for every column, by their beginnings: a hash stands for its own record alone.

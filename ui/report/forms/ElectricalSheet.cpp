@@ -19,8 +19,10 @@ QString stated(const std::string& text)
     return words.isEmpty() ? notStated() : words;
 }
 
-QString volts(std::optional<double> value) { return value ? Words::tr("%1 V").arg(QString::number(*value)) : notStated(); }
-QString setting(std::optional<double> value) { return value ? Words::tr("%1°").arg(QString::number(*value)) : notStated(); }
+/// All digits that were written, with the minus sign of the other figures.
+QString shortFigure(double value) { return QString::number(value).replace('-', QChar(0x2212)); }
+QString volts(std::optional<double> value) { return value ? Words::tr("%1 V").arg(shortFigure(*value)) : notStated(); }
+QString setting(std::optional<double> value) { return value ? Words::tr("%1°").arg(shortFigure(*value)) : notStated(); }
 
 QString voltageWords(const FieldVoltage& voltage)
 {
