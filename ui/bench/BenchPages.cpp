@@ -13,6 +13,11 @@ PageDescription IronBenchPage::description(PageContext& context)
             context.go({"ironBench", shown.shown().compass});
         },
         needsCompass}};
+    page.help = tr(
+        "Describe the ferrous parts, loops and wires round the compass in the tables, or drag them in the drawing: what they do to it is computed at once. "
+        "The bench is stored with the compass as a sensor model. A state in which parts are moved or switched is ticked above the tables.");
+    page.outputs
+        = {{MenuId::File, 200, tr("Save the &bench…"), {}, "saveBench", [](Page& shown) { dynamic_cast<IronBenchPage&>(shown).save(); }}};
     return page;
 }
 

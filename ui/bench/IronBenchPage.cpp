@@ -42,19 +42,7 @@ IronBenchPage::~IronBenchPage() { m_tables->disconnect(this); }
 
 void IronBenchPage::build()
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
-    m_title = new QLabel;
-    m_title->setObjectName(QStringLiteral("benchTitle"));
-    QFont large = font();
-    large.setPointSizeF(large.pointSizeF() * 1.15);
-    large.setBold(true);
-    m_title->setFont(large);
-    layout->addWidget(m_title);
-    m_message = new QLabel;
-    m_message->setObjectName(QStringLiteral("benchMessage"));
-    m_message->setWordWrap(true);
-    layout->addWidget(m_message);
+    messageLine().setObjectName(QStringLiteral("benchMessage"));
     auto* work = new QHBoxLayout;
     m_progress = new QProgressBar;
     m_cancel = new QPushButton(tr("Cancel"));
@@ -63,8 +51,8 @@ void IronBenchPage::build()
     work->addWidget(m_cancel);
     m_progress->hide();
     m_cancel->hide();
-    layout->addLayout(work);
-    layout->addWidget(buildTools());
+    body().addLayout(work);
+    body().addWidget(buildTools());
     m_tables = new BenchTables;
     m_drawing = new BenchDrawing;
     m_drawing->setObjectName(QStringLiteral("benchDrawing"));
@@ -77,7 +65,7 @@ void IronBenchPage::build()
     vertical->addWidget(m_tables);
     vertical->addWidget(across);
     vertical->setSizes({260, 400});
-    layout->addWidget(vertical, 1);
+    body().addWidget(vertical, 1);
 }
 
 QWidget* IronBenchPage::buildTools()
@@ -127,7 +115,7 @@ Result<void> IronBenchPage::showCompass(CompassId id)
     if (const auto opened = m_editor->open(id); !opened)
         return opened.error();
     m_results->showFieldOf(m_stores, id);
-    m_title->setText(tr("Iron bench · %1 · %2").arg(toText(aircraft->registration), toText(compass->name)));
+    setTitle(tr("Iron bench · %1 · %2").arg(toText(aircraft->registration), toText(compass->name)));
     return {};
 }
 
@@ -185,7 +173,7 @@ void IronBenchPage::takeTables()
 {
     auto bench = benchOf(m_tables->rows());
     if (!bench)
-        return say(messageOf(bench.error()), true);
+        return refuseBench(messageOf(bench.error()));
     takeBench(std::move(bench.value()));
 }
 
@@ -202,7 +190,7 @@ void IronBenchPage::takeMove(int part, int placement, const Eigen::Vector3d& cen
 void IronBenchPage::takeBench(IronBench bench)
 {
     if (bench == m_bench)
-        return say({}, false); // what was wrong is as it was before
+        return say({}); // what was wrong is as it was before
     m_bench = std::move(bench);
     std::erase_if(m_states, [groups = groupsOf(m_bench)](const auto& chosen) { // a state that is no more
         return std::none_of(groups.begin(), groups.end(), [&](const auto& group) {
@@ -217,7 +205,7 @@ void IronBenchPage::takeBench(IronBench bench)
 
 void IronBenchPage::recompute()
 {
-    say({}, false);
+    say({});
     m_progress->setValue(0);
     m_patience.start();
     m_worker.start([bench = m_bench, states = m_states](const Progress& progress) { return benchModel(bench, states, progress); });
@@ -230,9 +218,9 @@ void IronBenchPage::take(const Result<BenchModel>& model)
         if (m_settle)
             settle();
     } else if (model.error().code == ErrorCode::Cancelled) {
-        say(tr("The computation was cancelled; nothing was stored."), true);
+        refuseBench(tr("The computation was cancelled; nothing was stored."));
     } else {
-        say(messageOf(model.error()), true);
+        refuseBench(messageOf(model.error()));
     }
 }
 
@@ -253,7 +241,7 @@ void IronBenchPage::showResult(const BenchModel& model)
         warnings = warnings.mid(0, kMostWarnings) << tr("… and %n more", nullptr, static_cast<int>(warnings.size()) - kMostWarnings);
     m_patience.stop();
     showWork(false);
-    say(warnings.join('\n'), false);
+    say(warnings.join('\n'));
     m_results->show(model);
 }
 
@@ -305,13 +293,11 @@ void IronBenchPage::save()
         emit failed(messageOf(written.error()));
 }
 
-void IronBenchPage::say(const QString& message, bool wrong)
+void IronBenchPage::refuseBench(const QString& why)
 {
-    m_message->setText(wrong && !message.isEmpty() ? tr("✗ Not stored: %1").arg(message) : message);
-    if (wrong) {
-        m_patience.stop();
-        showWork(false);
-    }
+    refuse(tr("Not stored: %1").arg(why));
+    m_patience.stop();
+    showWork(false);
 }
 
 } // namespace lubberline::ui

@@ -57,7 +57,7 @@ private:
     void settle();
     void load();
     void save();
-    void say(const QString& message, bool wrong);
+    void refuseBench(const QString& why);
 
     FileQuestions m_files;
     db::Stores& m_stores;
@@ -68,9 +68,7 @@ private:
     bool m_settle = false; ///< the bench under work is to be stored
     QTimer m_patience;     ///< only work that takes long shows its progress
 
-    QLabel* m_title;
     QWidget* m_stateBoxes;
-    QLabel* m_message;
     QProgressBar* m_progress;
     QPushButton *m_cancel, *m_load;
     BenchTables* m_tables;

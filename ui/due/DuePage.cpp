@@ -69,8 +69,8 @@ void DuePage::build()
     auto* tabs = new QTabWidget;
     tabs->addTab(buildList(), tr("What is due"));
     tabs->addTab(m_rules, tr("Calendar rules"));
-    auto* layout = new QVBoxLayout(this);
-    layout->addWidget(tabs);
+    setTitle(tr("What is due"));
+    body().addWidget(tabs, 1);
     connect(m_rules, &DueRulesTable::failed, this, &DuePage::failed);
     connect(tabs, &QTabWidget::currentChanged, this, [this](int tab) {
         if (tab == 1)

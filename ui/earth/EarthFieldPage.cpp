@@ -73,7 +73,6 @@ EarthFieldPage::EarthFieldPage(db::Stores& stores, ChooseFile chooseFile, QWidge
     , m_date(line(QStringLiteral("fieldDate"), tr("year-month-day, or 2026.5")))
     , m_model(choice(QStringLiteral("fieldModel")))
     , m_used(wrappingLabel(QStringLiteral("fieldUsed")))
-    , m_message(wrappingLabel(QStringLiteral("fieldMessage")))
     , m_values(new FieldValues)
     , m_element(choice(QStringLiteral("fieldElement")))
     , m_map(new WorldFieldPlot)
@@ -99,9 +98,10 @@ void EarthFieldPage::build()
     auto* right = new QVBoxLayout;
     right->addLayout(choose);
     right->addWidget(m_map, 1);
-    auto* layout = new QHBoxLayout(this);
-    layout->addWidget(buildForm());
-    layout->addLayout(right, 1);
+    auto* across = new QHBoxLayout;
+    across->addWidget(buildForm());
+    across->addLayout(right, 1);
+    body().addLayout(across, 1);
     setFocusProxy(m_site);
 }
 
@@ -118,17 +118,14 @@ QWidget* EarthFieldPage::buildForm()
     form->addRow(tr("&Date (UTC):"), m_date);
     form->addRow(tr("&Model:"), m_model);
     m_height->setToolTip(tr("Above the WGS84 ellipsoid; a height above the sea will do"));
-    auto* title = new QLabel(tr("Earth's field"));
-    QFont large = title->font();
-    large.setPointSizeF(large.pointSizeF() * 1.5);
-    title->setFont(large);
+    setTitle(tr("Earth's field"));
+    messageLine().setObjectName(QStringLiteral("fieldMessage"));
     auto* left = new QWidget;
     left->setFixedWidth(kFormWidth);
     auto* column = new QVBoxLayout(left);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(title);
     column->addLayout(form);
-    column->addWidget(m_message);
+    column->addWidget(&messageLine()); // beside the fields that it speaks of
     column->addWidget(m_values);
     column->addWidget(m_used);
     column->addStretch();
@@ -147,8 +144,7 @@ void EarthFieldPage::connectInputs()
     connect(m_date, &QLineEdit::editingFinished, this, &EarthFieldPage::recompute);
     connect(m_model, &QComboBox::activated, this, &EarthFieldPage::takeModel);
     connect(m_element, &QComboBox::activated, this, &EarthFieldPage::recompute);
-    connect(m_map, &Plot::failed, this, &EarthFieldPage::failed);
-    connect(m_map, &Plot::readOut, this, &EarthFieldPage::readOut);
+    follow(*m_map);
 }
 
 void EarthFieldPage::showEvent(QShowEvent* event)
@@ -282,7 +278,7 @@ void EarthFieldPage::recompute()
     m_values->showNothing();
     m_used->setText(model ? titleOf(*model) : QString());
     if (!model) {
-        say(messageOf(model.error()), true);
+        refuse(messageOf(model.error()));
         return;
     }
     showField(*model, place, *year);
@@ -294,7 +290,7 @@ void EarthFieldPage::showField(const FieldModel& model, const Result<Place>& pla
 {
     const auto answer = place ? model.evaluate(*place, year) : Result<FieldAnswer>(place.error());
     if (!answer) {
-        say(messageOf(answer.error()), true);
+        refuse(messageOf(answer.error()));
         return;
     }
     m_values->showAnswer(*answer);
@@ -302,7 +298,7 @@ void EarthFieldPage::showField(const FieldModel& model, const Result<Place>& pla
     QStringList cautions;
     for (const auto& warning : answer->warnings)
         cautions.append(toText(warning));
-    say(compass ? cautions.join(u'\n') : messageOf(compass.error()), !compass);
+    compass ? say(cautions.join(u'\n')) : refuse(messageOf(compass.error()));
 }
 
 void EarthFieldPage::updateMap(const FieldModel& model, double year)
@@ -323,13 +319,6 @@ void EarthFieldPage::takeMap(Result<FieldGrid> grid)
         m_wished.reset();
         emit failed(messageOf(grid.error()));
     }
-}
-
-void EarthFieldPage::say(const QString& message, bool wrong)
-{
-    m_message->setText(message);
-    m_message->setStyleSheet(wrong ? QStringLiteral("color: #C62828; font-weight: bold") : QString());
-    m_message->setVisible(!message.isEmpty());
 }
 
 } // namespace lubberline::ui

@@ -39,6 +39,7 @@ public:
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
     [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
+    [[nodiscard]] Plot* plot() const override;
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -60,7 +61,6 @@ private:
     [[nodiscard]] Result<FieldModel> chosenModel(double year) const;
     [[nodiscard]] Result<Place> readPlace();
     [[nodiscard]] FieldElement element() const;
-    void say(const QString& message, bool wrong);
 
     db::Stores& m_stores;
     ChooseFile m_chooseFile;
@@ -75,7 +75,6 @@ private:
     QComboBox* m_model;
     int m_modelBefore = 0; ///< what is chosen again when no file is
     QLabel* m_used;        ///< the model that answers, and its years
-    QLabel* m_message;
     FieldValues* m_values;
     QComboBox* m_element;
     WorldFieldPlot* m_map;

@@ -5,6 +5,8 @@
 #include "ui/earth/PredictionPage.h"
 #include "ui/kit/PageDescription.h"
 #include "ui/kit/Words.h"
+#include "ui/plots/swing/PredictionPlot.h"
+#include "ui/plots/world/WorldFieldPlot.h"
 
 namespace lubberline::ui {
 
@@ -16,6 +18,9 @@ PageDescription PredictionPage::description(PageContext& context)
             context.go({"prediction", shown.shown().swing});
         },
         needsSwing}};
+    page.help = tr(
+        "Choose the base that the aircraft moves to, or type its place: the deviation that is expected there, how sure it is, and whether a new swing is needed. "
+        "From several swings at different places hard and soft iron are told apart, and the prediction is surer.");
     return page;
 }
 
@@ -31,6 +36,9 @@ PageDescription EarthFieldPage::description(PageContext& context)
     page.commands = {{MenuId::Model, 130, tr("&Earth's field"), tr("Ctrl+Shift+F"), "earthField", [&context](Page& shown) {
                           context.go({"earthField", shown.shown().swing});
                       }}};
+    page.help = tr(
+        "The Earth's field at a site or any place, on a day: variation, dip and strength, how sure the model is, and how a compass can be used there. "
+        "The map shows one element over the whole world, with the place on it.");
     return page;
 }
 
@@ -47,5 +55,9 @@ Result<void> EarthFieldPage::open(const FleetItem& record)
         showPlace(swing->site ? toText(swing->site->name) : QString(), stamp->place, toText(stamp->date));
     return {};
 }
+
+Plot* PredictionPage::plot() const { return m_plot; }
+
+Plot* EarthFieldPage::plot() const { return m_map; }
 
 } // namespace lubberline::ui

@@ -62,13 +62,7 @@ PredictionPage::~PredictionPage()
 
 void PredictionPage::build()
 {
-    auto* layout = new QVBoxLayout(this);
-    m_title = words("predictionTitle", this);
-    QFont large = font();
-    large.setPointSizeF(large.pointSizeF() * 1.25);
-    large.setBold(true);
-    m_title->setFont(large);
-    layout->addWidget(m_title);
+    setTitle(tr("What it will read elsewhere"));
     auto* splitter = new QSplitter;
     auto* left = new QWidget;
     auto* column = new QVBoxLayout(left);
@@ -77,13 +71,12 @@ void PredictionPage::build()
     column->addWidget(buildWords(), 1);
     m_plot = new PredictionPlot;
     m_plot->setObjectName(QStringLiteral("prediction"));
-    connect(m_plot, &Plot::readOut, this, &PredictionPage::readOut);
-    connect(m_plot, &Plot::failed, this, &PredictionPage::failed);
+    follow(*m_plot);
     splitter->addWidget(left);
     splitter->addWidget(m_plot);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({400, 620});
-    layout->addWidget(splitter, 1);
+    body().addWidget(splitter, 1);
 }
 
 QWidget* PredictionPage::buildForm()
@@ -162,7 +155,7 @@ Result<void> PredictionPage::showSwing(SwingId id)
     m_record = std::move(record.value());
     m_separation.reset();
     m_basis->setCurrentIndex(0);
-    m_title->setText(tr("What it will read elsewhere: %1").arg(titleOf(m_record)));
+    setTitle(tr("What it will read elsewhere: %1").arg(titleOf(m_record)));
     auto swing = swingAtPlace(m_record);
     m_swing = swing ? std::optional(*swing) : std::nullopt;
     m_whyNoSwing = swing ? QString() : messageOf(swing.error());

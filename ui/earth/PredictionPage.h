@@ -31,6 +31,7 @@ public:
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] Plot* plot() const override;
 
 private:
     void build();
@@ -56,7 +57,6 @@ private:
     std::optional<IronSeparation> m_separation;
     std::optional<Prediction> m_there;
 
-    QLabel* m_title;
     QComboBox* m_basis;
     QComboBox* m_site;
     QLineEdit* m_latitude;

@@ -79,7 +79,6 @@ ElectricalPage::ElectricalPage(EditContext& context, QUndoStack& undo, std::func
     , m_undo(undo)
     , m_today(std::move(today))
     , m_fields([this](const ElectricalSwing& after, const QString&) { store(after); })
-    , m_title(new QLabel)
     , m_chooser(new QComboBox)
     , m_add(new QPushButton(tr("&New electrical swing")))
     , m_make(new QPushButton(tr("As a &swing")))
@@ -95,7 +94,7 @@ ElectricalPage::ElectricalPage(EditContext& context, QUndoStack& undo, std::func
 
 void ElectricalPage::build()
 {
-    m_title->setObjectName(QStringLiteral("electricalTitle"));
+    setTitle(tr("Electrical swings"));
     m_chooser->setObjectName(QStringLiteral("electricalChooser"));
     m_add->setObjectName(QStringLiteral("newElectrical"));
     m_make->setObjectName(QStringLiteral("electricalAsSwing"));
@@ -111,12 +110,8 @@ void ElectricalPage::build()
     m_headings->setHorizontalHeaderLabels({tr("indicated"), tr("error"), tr("by turntable")});
     for (QTableWidget* table : {m_fourPoints, m_headings})
         table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    auto* head = new QHBoxLayout;
-    head->addWidget(m_title, 1);
-    head->addWidget(m_chooser);
-    head->addWidget(m_add);
-    head->addWidget(m_make);
-    head->addWidget(m_write);
+    for (QWidget* tool : std::initializer_list<QWidget*>{m_chooser, m_add, m_make, m_write})
+        head().addWidget(tool);
     auto* right = new QWidget;
     auto* column = new QVBoxLayout(right);
     column->addWidget(m_headings, 3);
@@ -125,20 +120,18 @@ void ElectricalPage::build()
     splitter->addWidget(buildSheet());
     splitter->addWidget(right);
     splitter->setSizes({480, 520});
-    auto* layout = new QVBoxLayout(this);
-    layout->addLayout(head);
-    layout->addWidget(splitter, 1);
+    body().addWidget(splitter, 1);
     connect(m_chooser, &QComboBox::activated, this, [this](int choice) {
         m_current = choice;
         showSwing();
     });
     connect(m_add, &QPushButton::clicked, this, &ElectricalPage::add);
     connect(m_make, &QPushButton::clicked, this, &ElectricalPage::make);
-    connect(m_write, &QPushButton::clicked, this, [this] { emit writeRecord(current(), m_compass); });
+    connect(m_write, &QPushButton::clicked, this, &ElectricalPage::write);
     // Queued: storing shows the table anew, which would delete the item that is just being changed.
     connect(m_fourPoints, &QTableWidget::cellChanged, this, &ElectricalPage::takeFourPoints, Qt::QueuedConnection);
     connect(m_headings, &QTableWidget::cellChanged, this, &ElectricalPage::takeHeading, Qt::QueuedConnection);
-    connect(m_plot, &Plot::readOut, this, &ElectricalPage::readOut);
+    follow(*m_plot);
     connect(&m_stores.changes(), &db::Changes::electricalChanged, this, [this](CompassId id) {
         if (id == m_compass.id)
             reload();
@@ -218,7 +211,7 @@ Result<void> ElectricalPage::showCompass(CompassId compass)
     if (!aircraft)
         return aircraft.error();
     m_compass = *system;
-    m_title->setText(tr("Electrical swings · %1 · %2").arg(toText(aircraft->registration), toText(system->name)));
+    setTitle(tr("Electrical swings · %1 · %2").arg(toText(aircraft->registration), toText(system->name)));
     m_current = -1;
     reload();
     return {};
@@ -391,6 +384,14 @@ void ElectricalPage::add()
             m_current = static_cast<int>(i);
     m_chooser->setCurrentIndex(m_current);
     showSwing();
+}
+
+void ElectricalPage::write()
+{
+    if (m_current < 0)
+        emit failed(tr("There is no electrical swing of this compass yet: begin one first."));
+    else
+        emit writeRecord(current(), m_compass);
 }
 
 void ElectricalPage::make()

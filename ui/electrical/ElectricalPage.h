@@ -29,6 +29,7 @@ public:
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] Plot* plot() const override;
 
 signals:
     void makeSwing(const lubberline::Swing& swing);
@@ -48,6 +49,7 @@ private:
     void store(ElectricalSwing after);
     void add();
     void make();
+    void write();
     [[nodiscard]] ElectricalSwing& current() { return m_swings[static_cast<std::size_t>(m_current)]; }
 
     EditContext& m_context;
@@ -58,7 +60,6 @@ private:
     std::vector<ElectricalSwing> m_swings;
     int m_current = -1;
     FormFields<ElectricalSwing> m_fields;
-    QLabel* m_title;
     QComboBox* m_chooser;
     QPushButton *m_add, *m_make, *m_write;
     QTableWidget *m_fourPoints, *m_headings;

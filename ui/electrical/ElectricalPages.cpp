@@ -3,6 +3,7 @@
 #include "ui/electrical/ElectricalPage.h"
 #include "ui/kit/PageDescription.h"
 #include "ui/kit/Words.h"
+#include "ui/plots/swing/SwingPlot.h"
 #include "ui/report/forms/ElectricalSheet.h"
 
 namespace lubberline::ui {
@@ -44,6 +45,11 @@ PageDescription ElectricalPage::description(PageContext& context)
             context.go({"electrical", shown.shown().compass});
         },
         needsCompass}};
+    page.help = tr(
+        "The data sheet of an electrical swing: type what the compass indicates at each selected heading; the errors, what to turn and the verdict follow. "
+        "Errors on this sheet are indicated − selected, the negative of the deviation elsewhere in the program.");
+    page.outputs = {{MenuId::File, 200, tr("Write the &record…"), {}, "electricalSheet",
+        [](Page& shown) { dynamic_cast<ElectricalPage&>(shown).write(); }}};
     return page;
 }
 
@@ -52,5 +58,7 @@ Result<void> ElectricalPage::open(const FleetItem& record)
     const auto* id = std::get_if<CompassId>(&record);
     return showCompass(id ? *id : CompassId());
 }
+
+Plot* ElectricalPage::plot() const { return m_plot; }
 
 } // namespace lubberline::ui

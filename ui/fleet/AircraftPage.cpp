@@ -78,15 +78,11 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
         m_stack.push(new ChangeRecord<CompassSystem>(
             m_context, after.aircraft, m_compass.record(), after, tr("%1 of %2").arg(field, toText(after.name))));
     })
-    , m_title(new QLabel)
     , m_events(new EventsPanel(context, stack))
     , m_swingTable(new QTableWidget(0, kSwingColumns))
 {
-    QFont large = font();
-    large.setPointSizeF(large.pointSizeF() * 1.15);
-    large.setBold(true);
-    m_title->setFont(large);
-    m_title->setObjectName(QStringLiteral("aircraftTitle"));
+    titleLine().setObjectName(QStringLiteral("aircraftTitle"));
+    setTitle(tr("Aircraft"));
     auto* tabs = new QTabWidget;
     tabs->setDocumentMode(true);
     tabs->addTab(buildAircraftForm(), tr("&Aircraft"));
@@ -98,10 +94,7 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({310, 720});
     splitter->setChildrenCollapsible(false);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
-    layout->addWidget(m_title);
-    layout->addWidget(splitter, 1);
+    body().addWidget(splitter, 1);
     setFocusProxy(m_swingTable);
     const auto changed = [this](AircraftId id) {
         if (id == aircraft())
@@ -251,7 +244,7 @@ Result<void> AircraftPage::load(AircraftId id, CompassId compass)
     if (!compasses)
         return compasses.error();
     m_aircraft.show(*record, !m_context.stores.readOnly());
-    m_title->setText(typeName(record->type) + toText(record->registration) + (record->demonstration ? tr(" · DEMONSTRATION") : QString()));
+    setTitle(typeName(record->type) + toText(record->registration) + (record->demonstration ? tr(" · DEMONSTRATION") : QString()));
     m_compasses = std::move(compasses.value());
     m_compassChoice->clear();
     for (const CompassRow& row : m_compasses)

@@ -57,7 +57,6 @@ private:
     QUndoStack& m_stack;
     FormFields<Aircraft> m_aircraft;
     FormFields<CompassSystem> m_compass;
-    QLabel* m_title;
     QComboBox* m_compassChoice = nullptr;
     QComboBox* m_limits = nullptr;
     EventsPanel* m_events;

@@ -22,6 +22,8 @@ PageDescription StartPage::description(PageContext& context)
         return std::holds_alternative<std::monostate>(item) && totals && totals->aircraft == 0;
     };
     page.focus = true;
+    page.help
+        = tr("The database is empty. Look around in the demonstration fleet, import a file, or name an aircraft and type its first swing.");
     return page;
 }
 
@@ -39,6 +41,8 @@ PageDescription OverviewPage::description(PageContext& context)
         return std::holds_alternative<std::monostate>(item) || std::holds_alternative<AircraftTypeId>(item);
     };
     page.commands = {{MenuId::Fleet, 100, tr("&Overview"), tr("Alt+Home"), "overview", [&context](Page&) { context.go({}); }}};
+    page.help = tr(
+        "The fleet and the state of its aircraft: that of the newest swing of each compass, held against its limits. Click an aircraft to open it; Ctrl+F finds one by name.");
     return page;
 }
 
@@ -63,6 +67,9 @@ PageDescription AircraftPage::description(PageContext& context)
             return aircraft;
         }};
     page.shows = [](const FleetItem& item) { return std::holds_alternative<AircraftId>(item) || std::holds_alternative<CompassId>(item); };
+    page.help = tr(
+        "Particulars, compasses and events of an aircraft at the left, the swings of the chosen compass and its coefficients over the years at the right. "
+        "Enter opens the swing that is marked. Record lightning strikes, engine changes and the like as events: what is due follows from them.");
     return page;
 }
 

@@ -40,7 +40,6 @@ QTableWidgetItem* fixedItem(const QString& text)
 OverviewPage::OverviewPage(db::Stores& stores, QWidget* parent)
     : Page(parent)
     , m_stores(stores)
-    , m_title(largeLabel(QStringLiteral("overviewTitle"), 1.5))
     , m_counts(largeLabel(QStringLiteral("overviewCounts"), 1.1))
     , m_listTitle(largeLabel(QStringLiteral("overviewListTitle"), 1.1))
     , m_list(new QTableWidget(0, 3))
@@ -70,15 +69,13 @@ OverviewPage::OverviewPage(db::Stores& stores, QWidget* parent)
         = new QLabel(tr("Choose an aircraft in the tree at the left, open its compass, and pick a swing. "
                         "The state of an aircraft is that of the newest swing of its compasses, held against the limits set for each."));
     hint->setWordWrap(true);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 12, 16, 12);
-    layout->addWidget(m_title);
-    layout->addWidget(m_counts);
-    layout->addLayout(buttons);
-    layout->addWidget(hint);
-    layout->addSpacing(8);
-    layout->addWidget(m_listTitle);
-    layout->addWidget(m_list, 1);
+    setTitle(tr("Fleet"));
+    body().addWidget(m_counts);
+    body().addLayout(buttons);
+    body().addWidget(hint);
+    body().addSpacing(8);
+    body().addWidget(m_listTitle);
+    body().addWidget(m_list, 1);
     setFocusProxy(m_list);
 }
 
@@ -112,7 +109,7 @@ void OverviewPage::refresh()
 
 void OverviewPage::fillFleet(const std::vector<TypeRow>& types)
 {
-    m_title->setText(tr("Fleet"));
+    setTitle(tr("Fleet"));
     const auto totals = m_stores.fleet.totals();
     if (!totals) {
         emit failed(messageOf(totals.error()));
@@ -141,7 +138,7 @@ void OverviewPage::fillFleet(const std::vector<TypeRow>& types)
 
 void OverviewPage::fillType(const TypeRow& type)
 {
-    m_title->setText(toText(type.name));
+    setTitle(toText(type.name));
     m_counts->setText(tr("aircraft: %1").arg(type.aircraft));
     m_listTitle->setText(tr("All aircraft of this type"));
     const auto aircraft = m_stores.fleet.aircraftOf(type.id);

@@ -37,7 +37,6 @@ private:
 
     db::Stores& m_stores;
     AircraftTypeId m_type; ///< not valid: the whole fleet
-    QLabel* m_title;
     QLabel* m_counts;
     QLabel* m_listTitle;
     QTableWidget* m_list;

@@ -26,11 +26,7 @@ QCommandLinkButton* choice(const QString& name, const QString& title, const QStr
 
 StartPage::StartPage(QWidget* parent) : Page(parent)
 {
-    auto* title = new QLabel(tr("Compass swings, from the readings to the correction card"));
-    QFont large = title->font();
-    large.setPointSizeF(large.pointSizeF() * 1.5);
-    title->setFont(large);
-    title->setWordWrap(true);
+    setTitle(tr("Compass swings, from the readings to the correction card"));
     auto* subtitle = new QLabel(tr("This database is empty. How do you want to begin?"));
     auto* demonstration = choice("demonstrationChoice", tr("&Open the demonstration fleet"),
         tr("Invented aircraft with several years of swings, to look around in. Marked as demonstration data everywhere."), "fleet");
@@ -47,13 +43,12 @@ StartPage::StartPage(QWidget* parent) : Page(parent)
     inner->setFixedWidth(kWidth);
     auto* column = new QVBoxLayout(inner);
     column->setSpacing(12);
-    for (QWidget* widget : {static_cast<QWidget*>(title), static_cast<QWidget*>(subtitle), static_cast<QWidget*>(demonstration),
-             static_cast<QWidget*>(import), static_cast<QWidget*>(start)})
+    for (QWidget* widget : {static_cast<QWidget*>(subtitle), static_cast<QWidget*>(demonstration), static_cast<QWidget*>(import),
+             static_cast<QWidget*>(start)})
         column->addWidget(widget);
-    auto* layout = new QVBoxLayout(this);
-    layout->addStretch(2);
-    layout->addWidget(inner, 0, Qt::AlignHCenter);
-    layout->addStretch(3);
+    body().addStretch(2);
+    body().addWidget(inner, 0, Qt::AlignHCenter);
+    body().addStretch(3);
     setFocusProxy(demonstration);
 }
 

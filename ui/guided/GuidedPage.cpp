@@ -38,7 +38,6 @@ GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, 
     , m_fault(new QWidget)
     , m_faultText(bigLabel("faultText", kSentence_px, true))
     , m_faultLine(new QLineEdit)
-    , m_title(bigLabel("guidedTitle", kTitle_px, true))
     , m_whose(bigLabel("guidedWhose", kTitle_px))
     , m_strip(new StationStrip)
     , m_plot(makePolarPlot())
@@ -68,9 +67,10 @@ void GuidedPage::build()
     for (QWidget* step : {static_cast<QWidget*>(m_prepare), static_cast<QWidget*>(m_station), static_cast<QWidget*>(m_review), m_fault})
         m_steps->addWidget(step);
     m_whose->setAlignment(Qt::AlignRight);
-    auto* head = new QHBoxLayout;
-    head->addWidget(m_title, 1);
-    head->addWidget(m_whose, 1);
+    setTitle(tr("Guided swing"));
+    titleLine().setFont(bigFont(titleLine().font(), kTitle_px, true));
+    titleLine().setWordWrap(true);
+    head().addWidget(m_whose, 1);
     auto* middle = new QSplitter;
     middle->addWidget(m_steps);
     middle->addWidget(m_plot);
@@ -86,16 +86,13 @@ void GuidedPage::build()
     foot->addWidget(crew);
     foot->addWidget(fault);
     auto* column = new QVBoxLayout(m_work);
-    column->addLayout(head);
     column->addWidget(middle, 1);
     column->addWidget(m_live);
     m_live->hide();
     column->addLayout(foot);
     m_pages->addWidget(m_start);
     m_pages->addWidget(m_work);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_pages);
+    body().addWidget(m_pages, 1);
 
     connect(m_start, &GuidedStart::started, this, [this](SwingId swing) {
         if (const auto taken = takeUp(swing); !taken)
@@ -103,7 +100,7 @@ void GuidedPage::build()
     });
     connect(m_start, &GuidedStart::cancelled, this, &GuidedPage::cancelled);
     connect(m_job, &GuidedJob::changed, this, &GuidedPage::refresh);
-    connect(m_plot, &Plot::failed, this, &GuidedPage::failed);
+    follow(*m_plot);
     connect(m_prepare, &GuidedPrepare::failed, this, &GuidedPage::failed);
     connect(m_station, &GuidedStation::failed, this, &GuidedPage::failed);
     connect(m_review, &GuidedReview::failed, this, &GuidedPage::failed);
@@ -168,6 +165,8 @@ Result<void> GuidedPage::begin(CompassId compass)
     m_swing = {};
     m_job->close();
     m_pages->setCurrentWidget(m_start);
+    setTitle(tr("Guided swing"));
+    m_whose->setText(m_start->whose());
     m_start->setFocus();
     return {};
 }
@@ -200,7 +199,7 @@ Result<void> GuidedPage::takeUp(SwingId swing)
 void GuidedPage::refresh()
 {
     const auto& state = m_job->state();
-    m_title->setText(stepTitle(*m_job));
+    setTitle(stepTitle(*m_job));
     m_whose->setText(QStringLiteral("%1 · %2").arg(toText(m_job->record().aircraft.registration), toText(m_job->record().compass.name)));
     m_strip->show(state);
     switch (state.phase) {

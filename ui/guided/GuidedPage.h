@@ -43,6 +43,7 @@ public:
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] Plot* plot() const override;
 
 signals:
     void finished(lubberline::SwingId swing); ///< the records are made
@@ -78,7 +79,7 @@ private:
     QWidget* m_fault;
     QLabel* m_faultText;
     QLineEdit* m_faultLine;
-    QLabel *m_title, *m_whose;
+    QLabel* m_whose;
     StationStrip* m_strip;
     SwingPlot* m_plot;
     LivePanel* m_live;

@@ -4,6 +4,7 @@
 
 #include "ui/guided/GuidedPage.h"
 #include "ui/kit/PageDescription.h"
+#include "ui/plots/swing/SwingPlot.h"
 
 namespace lubberline::ui {
 
@@ -51,6 +52,9 @@ PageDescription GuidedPage::description(PageContext& context)
     page.commands = {{MenuId::Swing, 100, tr("&Guided swing on the ramp"), tr("Ctrl+Shift+G"), "guidedSwing",
         [&context](Page& shown) { goGuided(context, shown.shown()); }, needsWriting}};
     page.shows = [&context](const FleetItem& item) { return guidedOpen(context.stores, item); };
+    page.help = tr(
+        "One step a page: turn to the heading, type what datum and compass read, Enter. F2 repeats a step, F4 leaves it out, F8 reports a fault, F11 shows the crew's display, F12 listens to instruments. "
+        "Every figure is stored as it is typed; an interrupted swing goes on where it stood.");
     return page;
 }
 
@@ -61,5 +65,7 @@ Result<void> GuidedPage::open(const FleetItem& record)
     const auto* compass = std::get_if<CompassId>(&record);
     return begin(compass ? *compass : CompassId());
 }
+
+Plot* GuidedPage::plot() const { return m_pages->currentWidget() == m_work ? m_plot : nullptr; }
 
 } // namespace lubberline::ui

@@ -53,7 +53,6 @@ std::optional<double> variationOf(const Swing& swing, const Site* site)
 GuidedStart::GuidedStart(db::Stores& stores, QWidget* parent)
     : QWidget(parent)
     , m_stores(stores)
-    , m_title(bigLabel("guidedStartTitle", kSentence_px, true))
     , m_meaning(new QLabel)
     , m_checklist(new QPlainTextEdit)
     , m_complaint(bigLabel("guidedComplaint", kForm_px, true))
@@ -116,7 +115,6 @@ void GuidedStart::build()
     buttons->addWidget(cancel);
     buttons->addStretch();
     auto* column = new QVBoxLayout(inner);
-    column->addWidget(m_title);
     column->addLayout(form);
     column->addWidget(m_complaint);
     column->addLayout(buttons);
@@ -154,7 +152,7 @@ Result<void> GuidedStart::begin(CompassId compass, Date today)
     m_compassSystem = *system;
     m_sites = std::move(sites.value());
     m_instruments = std::move(instruments.value());
-    m_title->setText(tr("Guided swing · %1 · %2").arg(toText(aircraft->registration), toText(system->name)));
+    m_whose = QStringLiteral("%1 · %2").arg(toText(aircraft->registration), toText(system->name));
     m_site->clear();
     m_site->addItem(tr("not stated"));
     for (const auto& one : m_sites)

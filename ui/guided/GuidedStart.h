@@ -23,6 +23,7 @@ public:
 
     /// For a compass, on a day (ISO 8601, UTC). Errors: those of the stores.
     Result<void> begin(CompassId compass, Date today);
+    [[nodiscard]] const QString& whose() const { return m_whose; } ///< aircraft and compass, for the page's head
 
 signals:
     void started(lubberline::SwingId swing);
@@ -45,7 +46,7 @@ private:
     CompassSystem m_compassSystem;
     std::vector<Site> m_sites;
     std::vector<DatumInstrument> m_instruments;
-    QLabel* m_title;
+    QString m_whose;
     QComboBox *m_procedure, *m_points, *m_datum, *m_site, *m_radio;
     QLabel* m_meaning;
     QLineEdit *m_date, *m_engines, *m_electrics, *m_further, *m_datumReader, *m_cockpitReader, *m_adjuster, *m_reason, *m_workOrder,

@@ -3,6 +3,7 @@
 #include "ui/intake/NewSwingPage.h"
 #include "ui/intake/NmeaImportPage.h"
 #include "ui/kit/PageDescription.h"
+#include "ui/plots/swing/SwingPlot.h"
 
 namespace lubberline::ui {
 
@@ -21,6 +22,8 @@ PageDescription NewSwingPage::description(PageContext& context)
         },
         needsWriting}};
     page.focus = true;
+    page.help = tr(
+        "Pick the aircraft and its compass, or type new ones; Enter goes on to the next field. The readings are typed on the page that follows.");
     return page;
 }
 
@@ -49,6 +52,9 @@ PageDescription NmeaImportPage::description(PageContext& context)
             context.go({"nmeaImport", shown.shown().compass});
         },
         needsCompass}};
+    page.help
+        = tr("Open a log of a slow turn through all headings: what of it is used, what is cut off and why, and the curve that it gives. "
+             "Say what the compass is held against, and the variation where the log has none; then make a swing of it.");
     return page;
 }
 
@@ -57,5 +63,7 @@ Result<void> NmeaImportPage::open(const FleetItem& record)
     const auto* id = std::get_if<CompassId>(&record);
     return showCompass(id ? *id : CompassId());
 }
+
+Plot* NmeaImportPage::plot() const { return m_plot; }
 
 } // namespace lubberline::ui

@@ -65,7 +65,6 @@ NewSwingPage::NewSwingPage(EditContext& context, QUndoStack& stack, QWidget* par
     , m_kind(new QComboBox)
     , m_stage(new QComboBox)
     , m_date(new QLineEdit)
-    , m_complaint(new QLabel)
     , m_create(new QPushButton(tr("&Start entering readings")))
 {
     build();
@@ -81,17 +80,13 @@ void NewSwingPage::build()
     m_limits->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_limits->setToolTip(tr("What a new compass is held against. A known compass keeps its own: see the aircraft's page"));
     m_date->setObjectName(QStringLiteral("newDate"));
-    m_complaint->setObjectName(QStringLiteral("newComplaint"));
-    m_complaint->setWordWrap(true);
+    messageLine().setObjectName(QStringLiteral("newComplaint"));
+    setTitle(tr("New swing"));
     m_create->setObjectName(QStringLiteral("createSwing"));
     m_create->setAutoDefault(true);
     auto* cancel = new QPushButton(tr("Cancel"));
     cancel->setAutoDefault(true);
 
-    auto* title = new QLabel(tr("New swing"));
-    QFont large = title->font();
-    large.setPointSizeF(large.pointSizeF() * 1.5);
-    title->setFont(large);
     auto* form = new QFormLayout;
     form->addRow(tr("&Type:"), m_type);
     form->addRow(tr("&Aircraft:"), m_aircraft);
@@ -108,14 +103,12 @@ void NewSwingPage::build()
     auto* inner = new QWidget;
     inner->setFixedWidth(kWidth);
     auto* column = new QVBoxLayout(inner);
-    column->addWidget(title);
     column->addLayout(form);
-    column->addWidget(m_complaint);
+    column->addWidget(&messageLine()); // beside the button that it answers
     column->addLayout(buttons);
-    auto* layout = new QVBoxLayout(this);
-    layout->addStretch(1);
-    layout->addWidget(inner, 0, Qt::AlignHCenter);
-    layout->addStretch(2);
+    body().addStretch(1);
+    body().addWidget(inner, 0, Qt::AlignHCenter);
+    body().addStretch(2);
     setFocusProxy(m_type);
 
     connect(m_type, &QComboBox::currentTextChanged, this, &NewSwingPage::loadAircraft);
@@ -129,7 +122,7 @@ void NewSwingPage::build()
 
 void NewSwingPage::begin(AircraftId aircraft, CompassId compass)
 {
-    complain({});
+    say({});
     m_date->setText(toText(m_context.stores.clock().today()));
     loadTypes();
     auto sites = m_context.stores.sites.sites();
@@ -194,12 +187,6 @@ void NewSwingPage::loadCompasses()
     fill(*m_compass, m_compasses, &CompassRow::name);
     if (m_compasses.empty())
         m_compass->setEditText(kept);
-}
-
-void NewSwingPage::complain(const QString& message)
-{
-    m_complaint->setText(message);
-    m_complaint->setVisible(!message.isEmpty());
 }
 
 Result<AircraftTypeId> NewSwingPage::typeChosen()
@@ -287,7 +274,7 @@ Result<SwingId> NewSwingPage::store()
 void NewSwingPage::create()
 {
     const auto stored = store();
-    complain(stored ? QString() : messageOf(stored.error()));
+    refuse(stored ? QString() : messageOf(stored.error()));
     if (stored)
         emit created(*stored);
 }

@@ -37,7 +37,6 @@ private:
     void loadLimits();
     void updateLimits();
     void create();
-    void complain(const QString& message);
     void preselect(AircraftId aircraft, CompassId compass);
     [[nodiscard]] Result<AircraftTypeId> typeChosen();
     [[nodiscard]] Result<AircraftId> aircraftChosen();
@@ -55,7 +54,6 @@ private:
     QComboBox* m_kind;
     QComboBox* m_stage;
     QLineEdit* m_date;
-    QLabel* m_complaint;
     QPushButton* m_create;
     std::vector<TypeRow> m_types;
     std::vector<AircraftRow> m_aircraftRows;

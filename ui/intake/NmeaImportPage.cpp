@@ -89,7 +89,6 @@ NmeaImportPage::NmeaImportPage(db::Stores& stores, FileQuestions questions, QWid
     : Page(parent)
     , m_stores(stores)
     , m_questions(std::move(questions))
-    , m_title(new QLabel)
     , m_summary(new QLabel)
     , m_reference(new QComboBox)
     , m_wind(new QComboBox)
@@ -112,7 +111,7 @@ NmeaImportPage::NmeaImportPage(db::Stores& stores, FileQuestions questions, QWid
 void NmeaImportPage::build()
 {
     const NmeaOptions usual;
-    m_title->setObjectName(QStringLiteral("nmeaTitle"));
+    setTitle(tr("A log of a slow turn as a swing"));
     m_reference->setObjectName(QStringLiteral("nmeaReference"));
     for (const Message reference : kReferences)
         m_reference->addItem(toText(reference));
@@ -158,7 +157,6 @@ void NmeaImportPage::build()
     buttons->addStretch();
     auto* left = new QWidget;
     auto* column = new QVBoxLayout(left);
-    column->addWidget(m_title);
     column->addLayout(form);
     column->addLayout(buttons);
     column->addWidget(m_summary);
@@ -173,16 +171,14 @@ void NmeaImportPage::build()
     splitter->addWidget(scroll);
     splitter->addWidget(m_plot);
     splitter->setStretchFactor(1, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->addWidget(splitter);
+    body().addWidget(splitter, 1);
     setFocusProxy(m_read);
     for (QLineEdit* line : {m_variation, m_variationError, m_speed, m_rate, m_talker, m_date})
         connect(line, &QLineEdit::textEdited, this, [this] { m_make->setEnabled(false); }); // Enter reads it again
     connect(m_read, &QPushButton::clicked, this, &NmeaImportPage::choose);
     connect(m_make, &QPushButton::clicked, this, &NmeaImportPage::make);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
-    connect(m_plot, &Plot::readOut, this, &NmeaImportPage::readOut);
-    connect(m_plot, &Plot::failed, this, &NmeaImportPage::failed);
+    follow(*m_plot);
     for (QComboBox* box : {m_reference, m_wind})
         connect(box, &QComboBox::activated, this, &NmeaImportPage::start);
     for (QLineEdit* line : {m_variation, m_variationError, m_speed, m_rate, m_talker, m_date})
@@ -204,7 +200,7 @@ Result<void> NmeaImportPage::showCompass(CompassId compass)
         m_make->setEnabled(false);
     }
     m_compass = *system;
-    m_title->setText(tr("A log of a slow turn as a swing of %1 · %2").arg(toText(aircraft->registration), toText(system->name)));
+    setTitle(tr("A log of a slow turn as a swing of %1 · %2").arg(toText(aircraft->registration), toText(system->name)));
     return {};
 }
 

@@ -30,6 +30,7 @@ public:
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] Plot* plot() const override;
 
 signals:
     void makeSwing(const lubberline::Swing& swing);
@@ -50,7 +51,7 @@ private:
     NmeaOptions m_used;
     std::string m_datum; ///< what the answer was held against, in words
     std::shared_ptr<const NmeaSwing> m_swing;
-    QLabel *m_title, *m_summary;
+    QLabel* m_summary;
     QComboBox *m_reference, *m_wind, *m_kind;
     QLineEdit *m_variation, *m_variationError, *m_speed, *m_rate, *m_talker, *m_date;
     QPushButton *m_read, *m_cancel, *m_make;

@@ -1,5 +1,7 @@
 #include "ui/kit/Page.h"
 
+#include "ui/plots/base/Plot.h"
+
 namespace lubberline::ui {
 
 FleetItem Shown::item() const
@@ -9,12 +11,61 @@ FleetItem Shown::item() const
     return aircraft.valid() ? FleetItem(aircraft) : FleetItem();
 }
 
+Page::Page(QWidget* parent)
+    : QWidget(parent)
+    , m_title(new QLabel)
+    , m_message(new QLabel)
+    , m_head(new QHBoxLayout)
+    , m_body(new QVBoxLayout(this))
+{
+    m_title->setObjectName(QStringLiteral("pageTitle"));
+    QFont large = font();
+    large.setPointSizeF(large.pointSizeF() * 1.15);
+    large.setBold(true);
+    m_title->setFont(large);
+    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long one makes no page wider
+    m_message->setObjectName(QStringLiteral("pageMessage"));
+    m_message->setWordWrap(true);
+    m_message->hide();
+    m_head->addWidget(m_title, 1);
+    m_body->setContentsMargins(8, 6, 8, 6);
+    m_body->setSpacing(4);
+    m_body->addLayout(m_head);
+    m_body->addWidget(m_message);
+}
+
 /// A field that has the focus loses it while the page goes, and says once more that it was left: to nobody then, as the part of the page
 /// that would hear it is gone already.
 Page::~Page()
 {
     for (QObject* part : findChildren<QObject*>())
         part->disconnect(this);
+}
+
+void Page::setTitle(const QString& title)
+{
+    m_title->setText(title);
+    m_title->setToolTip(title);
+    setAccessibleName(title);
+}
+
+void Page::say(const QString& message)
+{
+    m_message->setText(message);
+    m_message->setStyleSheet({});
+    m_message->setVisible(!message.isEmpty());
+}
+
+void Page::refuse(const QString& message)
+{
+    say(QStringLiteral("✗ ") + message);
+    m_message->setStyleSheet(QStringLiteral("font-weight: bold"));
+}
+
+void Page::follow(Plot& plot)
+{
+    connect(&plot, &Plot::readOut, this, &Page::readOut);
+    connect(&plot, &Plot::failed, this, &Page::failed);
 }
 
 Result<void> Page::open(const FleetItem&) { return {}; }

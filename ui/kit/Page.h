@@ -1,6 +1,10 @@
 #pragma once
-/// What stands at the right of the window: everything that the window asks a page, and that a page tells the window.
+/// What stands at the right of the window: everything that the window asks a page, and that a page tells the window. How it is reached,
+/// what can be printed or exported of it and its help topic stand in its PageDescription.
 
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include <vector>
@@ -13,6 +17,7 @@ namespace lubberline::ui {
 
 struct PageContext;
 struct PageDescription;
+class Plot;
 
 /// What commands act upon; ids that are not valid: the page is of no such record.
 struct Shown {
@@ -22,6 +27,7 @@ struct Shown {
     bool editable = false;    ///< a swing whose readings may be changed
     bool rowSelected = false; ///< a reading is chosen
     bool writable = false;    ///< the database can be written; the window's to say
+    bool plot = false;        ///< a plot is in front; likewise
 
     /// The nearest of them as a place to go: compass, else aircraft.
     [[nodiscard]] FleetItem item() const;
@@ -31,8 +37,13 @@ class Page : public QWidget {
     Q_OBJECT
 
 public:
-    using QWidget::QWidget;
+    explicit Page(QWidget* parent = nullptr);
     ~Page() override;
+
+    [[nodiscard]] QString title() const { return m_title->text(); }
+    [[nodiscard]] QString message() const { return m_message->text(); }
+    /// The plot that is in front on it, for the commands that copy and export one; none: it has none now.
+    [[nodiscard]] virtual Plot* plot() const { return nullptr; }
 
     /// Puts a record on it. Errors: those of the stores, or that it shows no such record; what was shown stays then.
     virtual Result<void> open(const FleetItem& record);
@@ -52,6 +63,23 @@ signals:
     void readOut(const QString& text);   ///< for the status bar
     void failed(const QString& message); ///< stays above the page until dismissed
     void stateChanged();                 ///< shown() is another: commands may be enabled otherwise now
+
+protected:
+    void setTitle(const QString& title);
+    void say(const QString& message);    ///< under the title, until something else is said; empty: nothing
+    void refuse(const QString& message); ///< likewise, and marked: what was typed does not stand
+    /// A plot tells of itself through the page.
+    void follow(Plot& plot);
+
+    [[nodiscard]] QHBoxLayout& head() { return *m_head; } ///< the title's line; buttons stand at its right
+    [[nodiscard]] QVBoxLayout& body() { return *m_body; } ///< title and message; all else comes beneath
+    [[nodiscard]] QLabel& titleLine() { return *m_title; }
+    [[nodiscard]] QLabel& messageLine() { return *m_message; }
+
+private:
+    QLabel *m_title, *m_message;
+    QHBoxLayout* m_head;
+    QVBoxLayout* m_body;
 };
 
 } // namespace lubberline::ui

@@ -1,5 +1,6 @@
 #pragma once
-/// How the window knows a page: its name, how it is made, and the commands that reach it or act on it. Each folder of pages describes
+/// How the window knows a page: its name, how it is made, its help topic, the commands that reach it or act on it, and what can be printed
+/// or exported of it. Each folder of pages describes
 /// its own; ui/window/Pages.cpp lists them.
 
 #include <QKeySequence>
@@ -31,12 +32,15 @@ struct Command {
 [[nodiscard]] inline bool needsCompass(const Shown& shown) { return shown.compass.valid(); }
 [[nodiscard]] inline bool needsSwing(const Shown& shown) { return shown.swing.valid(); }
 [[nodiscard]] inline bool needsDraft(const Shown& shown) { return shown.editable; }
+[[nodiscard]] inline bool needsPlot(const Shown& shown) { return shown.plot; }
 [[nodiscard]] inline bool needsReading(const Shown& shown) { return shown.editable && shown.rowSelected; }
 
 struct PageDescription {
     QString id;
     std::function<Page*()> make;
-    std::vector<Command> commands = {};
+    QString help = {};                  ///< its topic: what it is for and how it is used, in two or three sentences (F1)
+    std::vector<Command> commands = {}; ///< there always
+    std::vector<Command> outputs = {};  ///< what can be printed or exported: in the menu File while the page is in front
     /// Whether it is the page of such a record when no page is named; the first that says so is taken.
     std::function<bool(const FleetItem&)> shows = {};
     bool focus = false; ///< the cursor goes into it whenever it is shown

@@ -50,6 +50,6 @@ void SensorMaps::catchUp()
     m_level->setPicture(m_view ? levelSwingOf(*m_view) : nothing);
 }
 
-const Plot& SensorMaps::front() const { return *static_cast<const Plot*>(currentWidget()); }
+Plot& SensorMaps::front() const { return *static_cast<Plot*>(currentWidget()); }
 
 } // namespace lubberline::ui

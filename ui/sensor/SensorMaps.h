@@ -20,7 +20,7 @@ public:
 
     /// None: the plots say that there is nothing.
     void show(const std::optional<ModelView>& view, const QString& whyNothing);
-    [[nodiscard]] const Plot& front() const;
+    [[nodiscard]] Plot& front() const;
 
 signals:
     void readOut(const QString& text);

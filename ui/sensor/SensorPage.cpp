@@ -33,30 +33,20 @@ SensorPage::SensorPage(EditContext& context, QUndoStack& stack, FileQuestions fi
     , m_context(context)
     , m_files(files)
     , m_editor(new SensorEditor(context, stack, this))
-    , m_title(new QLabel)
     , m_field(new SensorFieldForm(context.stores.clock()))
     , m_form(new SensorForm)
     , m_controls(new MapControls(*m_editor))
     , m_maps(new SensorMaps)
     , m_smith(new SmithTermsPanel)
 {
-    QFont large = font();
-    large.setPointSizeF(large.pointSizeF() * 1.15);
-    large.setBold(true);
-    m_title->setFont(large);
-    m_title->setObjectName(QStringLiteral("sensorTitle"));
-    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    setTitle(tr("Sensor model"));
     auto* splitter = new QSplitter(Qt::Horizontal);
     splitter->setObjectName(QStringLiteral("sensorSplitter"));
     splitter->addWidget(buildFigures(std::move(files)));
     splitter->addWidget(buildViews());
     splitter->setStretchFactor(1, 1);
     splitter->setChildrenCollapsible(false);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
-    layout->setSpacing(4);
-    layout->addWidget(m_title);
-    layout->addWidget(splitter, 1);
+    body().addWidget(splitter, 1);
     m_soon.setSingleShot(true);
     m_soon.setInterval(kFrame_ms);
     connectParts();
@@ -154,7 +144,7 @@ Result<void> SensorPage::showParticulars(CompassId id)
     const auto aircraft = m_context.stores.fleet.aircraft(record->aircraft);
     if (!aircraft)
         return aircraft.error();
-    m_title->setText(tr("Sensor model · %1 · %2").arg(toText(aircraft->registration), toText(record->name))
+    setTitle(tr("Sensor model · %1 · %2").arg(toText(aircraft->registration), toText(record->name))
         + (aircraft->demonstration ? tr(" · DEMONSTRATION") : QString()));
     m_limits.reset();
     if (const auto profiles = m_context.stores.sites.limitsProfiles())

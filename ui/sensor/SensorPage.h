@@ -42,6 +42,7 @@ public:
     Result<void> open(const FleetItem& record) override;
     [[nodiscard]] bool isOf(const FleetItem& record) const override;
     [[nodiscard]] Shown shown() const override;
+    [[nodiscard]] Plot* plot() const override;
 
 signals:
     void benchWanted(lubberline::CompassId compass);
@@ -64,7 +65,6 @@ private:
     EditContext& m_context;
     FileQuestions m_files;
     SensorEditor* m_editor;
-    QLabel* m_title;
     SensorFieldForm* m_field;
     SensorForm* m_form;
     SensorActions* m_actions = nullptr;

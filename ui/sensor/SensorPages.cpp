@@ -1,6 +1,8 @@
 // How the window reaches the page of a compass's sensor model.
 
 #include "ui/kit/PageDescription.h"
+#include "ui/plots/base/Plot.h"
+#include "ui/sensor/SensorMaps.h"
 #include "ui/sensor/SensorPage.h"
 
 namespace lubberline::ui {
@@ -18,6 +20,9 @@ PageDescription SensorPage::description(PageContext& context)
             context.go({"sensor", shown.shown().compass});
         },
         needsCompass}};
+    page.help = tr(
+        "What stands between the Earth's field and the compass: turn the figures and the maps of its deviation over heading, pitch and roll follow. "
+        "The table below says which figure causes how much of each coefficient. Estimate takes the figures from the swings of this compass.");
     return page;
 }
 
@@ -30,5 +35,7 @@ Result<void> SensorPage::open(const FleetItem& record)
 bool SensorPage::isOf(const FleetItem& record) const { return record == FleetItem(compass()); }
 
 Shown SensorPage::shown() const { return {{}, compass()}; }
+
+Plot* SensorPage::plot() const { return &m_maps->front(); }
 
 } // namespace lubberline::ui

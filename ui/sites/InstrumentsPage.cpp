@@ -140,8 +140,8 @@ void InstrumentsPage::build()
     splitter->addWidget(left);
     splitter->addWidget(right);
     splitter->setSizes({220, 700});
-    auto* layout = new QVBoxLayout(this);
-    layout->addWidget(splitter);
+    setTitle(tr("Datum instruments"));
+    body().addWidget(splitter, 1);
     setFocusProxy(m_list);
     connect(m_list, &QListWidget::currentRowChanged, this, &InstrumentsPage::showInstrument);
     connect(m_add, &QPushButton::clicked, this, &InstrumentsPage::add);

@@ -121,8 +121,8 @@ void SitesPage::build()
     splitter->addWidget(scroll);
     splitter->addWidget(survey);
     splitter->setSizes({160, 380, 460});
-    auto* layout = new QVBoxLayout(this);
-    layout->addWidget(splitter);
+    setTitle(tr("Compass bases"));
+    body().addWidget(splitter, 1);
     setFocusProxy(m_list);
     connect(m_list, &QListWidget::currentRowChanged, this, &SitesPage::showSite);
     connect(m_add, &QPushButton::clicked, this, &SitesPage::addSite);

@@ -11,6 +11,8 @@ PageDescription SitesPage::description(PageContext& context)
     PageDescription page{QStringLiteral("sites"), [&context] { return new SitesPage(context.edits, context.undo, context.today()); }};
     page.commands
         = {{MenuId::Fleet, 120, tr("Compass &bases"), tr("Ctrl+Alt+B"), "showSites", [&context](Page&) { context.go({"sites"}); }}};
+    page.help = tr(
+        "Compass bases: place, class and certificate, the lines that are painted there, and the survey. Paste the survey's points from a spreadsheet with Ctrl+V: whether the base is fit, and for what, follows.");
     return page;
 }
 
@@ -26,6 +28,8 @@ PageDescription InstrumentsPage::description(PageContext& context)
         QStringLiteral("instruments"), [&context] { return new InstrumentsPage(context.edits, context.undo, context.today()); }};
     page.commands = {{MenuId::Fleet, 130, tr("&Datum instruments"), tr("Ctrl+Shift+M"), "showInstruments",
         [&context](Page&) { context.go({"instruments"}); }}};
+    page.help = tr(
+        "The datum instruments, and what their figures mean: the example under the form shows what heading a figure stands for, which makes a wrong setting plain.");
     return page;
 }
 

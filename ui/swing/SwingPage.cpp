@@ -34,9 +34,7 @@ SwingPage::SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
     , m_plots(new PlotTabs)
     , m_coefficients(new CoefficientsPanel)
     , m_exclusion(new ExclusionPanel)
-    , m_title(new QLabel)
     , m_state(new QLabel)
-    , m_message(new QLabel)
     , m_meaning(new QLabel)
     , m_readOnly(new QLabel)
     , m_showParticulars(new QToolButton)
@@ -58,13 +56,10 @@ void SwingPage::build()
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({530, 500});
     splitter->setChildrenCollapsible(false);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
-    layout->setSpacing(4);
-    layout->addWidget(buildHeader());
-    layout->addWidget(m_readOnly);
-    layout->addWidget(new FieldStampPanel(*m_editor));
-    layout->addWidget(splitter, 1);
+    buildHeader();
+    body().addWidget(m_readOnly);
+    body().addWidget(new FieldStampPanel(*m_editor));
+    body().addWidget(splitter, 1);
     setTabOrder(m_showParticulars, m_showCard);
     setTabOrder(m_showCard, m_complete);
     setTabOrder(m_complete, m_showSigning);
@@ -72,14 +67,10 @@ void SwingPage::build()
     setFocusProxy(m_table);
 }
 
-QWidget* SwingPage::buildHeader()
+void SwingPage::buildHeader()
 {
-    QFont large = font();
-    large.setPointSizeF(large.pointSizeF() * 1.15);
-    large.setBold(true);
-    m_title->setFont(large);
-    m_title->setObjectName(QStringLiteral("swingTitle"));
-    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    titleLine().setObjectName(QStringLiteral("swingTitle"));
+    setTitle(tr("Swing"));
     m_state->setObjectName(QStringLiteral("swingState"));
     m_state->setFrameShape(QFrame::StyledPanel);
     m_state->setMargin(2);
@@ -104,30 +95,24 @@ QWidget* SwingPage::buildHeader()
     m_complete->setObjectName(QStringLiteral("completeButton"));
     m_readOnly->setObjectName(QStringLiteral("readOnlyReason"));
     m_readOnly->setWordWrap(true);
-    auto* header = new QWidget;
-    auto* layout = new QHBoxLayout(header);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_title, 1);
-    layout->addWidget(m_state);
-    layout->addWidget(m_showParticulars);
-    layout->addWidget(m_showCard);
-    layout->addWidget(m_complete);
-    layout->addWidget(m_showSigning);
-    return header;
+    for (QWidget* tool : std::initializer_list<QWidget*>{m_state, m_showParticulars, m_showCard, m_complete, m_showSigning})
+        head().addWidget(tool);
 }
 
 QWidget* SwingPage::buildReadings()
 {
     m_table->setAccessibleName(tr("Readings"));
-    m_message->setObjectName(QStringLiteral("readingsMessage"));
-    m_message->setWordWrap(true);
-    m_message->setMinimumHeight(fontMetrics().height() + 2);
+    messageLine().setObjectName(QStringLiteral("readingsMessage"));
+    messageLine().setMinimumHeight(fontMetrics().height() + 2);
+    QSizePolicy room = messageLine().sizePolicy();
+    room.setRetainSizeWhenHidden(true); // the table does not jump while one types
+    messageLine().setSizePolicy(room);
     auto* left = new QWidget;
     auto* layout = new QVBoxLayout(left);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     layout->addWidget(m_table, 1);
-    layout->addWidget(m_message);
+    layout->addWidget(&messageLine());
     layout->addWidget(m_exclusion);
     layout->addWidget(m_coefficients);
     return left;
@@ -251,8 +236,7 @@ void SwingPage::openSigning()
 void SwingPage::showRecord()
 {
     const SwingRecord& record = m_editor->record();
-    m_title->setText(titleOf(record) + (record.aircraft.demonstration ? tr(" · DEMONSTRATION") : QString()));
-    m_title->setToolTip(m_title->text());
+    setTitle(titleOf(record) + (record.aircraft.demonstration ? tr(" · DEMONSTRATION") : QString()));
     m_state->setText(wordFor(record.swing.state));
     const QString why = m_editor->whyReadOnly();
     m_readOnly->setText(why);
@@ -305,15 +289,14 @@ void SwingPage::showMessageLine()
     if (rejected.isEmpty())
         rejected = m_model->rejection(m_model->firstRejected());
     if (!rejected.isEmpty()) {
-        m_message->setText(tr("✗ Not stored: %1").arg(rejected));
+        refuse(tr("Not stored: %1").arg(rejected));
         return;
     }
     if (const QString suspect = suspicion(); !suspect.isEmpty()) {
-        m_message->setText(tr("◉ %1").arg(suspect));
+        say(tr("◉ %1").arg(suspect));
         return;
     }
-    m_message->setText(
-        m_editor->editable() ? tr("Enter: next cell · = accepts the nominal heading · deviation may be typed as 3.5W") : QString());
+    say(m_editor->editable() ? tr("Enter: next cell · = accepts the nominal heading · deviation may be typed as 3.5W") : QString());
 }
 
 int SwingPage::currentRow() const

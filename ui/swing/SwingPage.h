@@ -54,6 +54,7 @@ public:
     Result<void> open(const FleetItem& record) override;
     [[nodiscard]] bool isOf(const FleetItem& record) const override;
     [[nodiscard]] Shown shown() const override;
+    [[nodiscard]] Plot* plot() const override;
     [[nodiscard]] std::vector<FleetItem> path() const override;
     void takeLook(const Page& before) override;
 
@@ -74,7 +75,7 @@ signals:
 
 private:
     void build();
-    QWidget* buildHeader();
+    void buildHeader();
     QWidget* buildReadings();
     QWidget* buildResults();
     void connectParts();
@@ -98,9 +99,7 @@ private:
     SwingParticulars* m_particulars = nullptr; ///< made when first opened
     SigningPanel* m_signing = nullptr;         ///< likewise
     CardPanel* m_card = nullptr;               ///< likewise
-    QLabel* m_title;
     QLabel* m_state;
-    QLabel* m_message;
     QLabel* m_meaning;
     QLabel* m_readOnly;
     QToolButton* m_showParticulars;

@@ -52,7 +52,7 @@ SwingPage* makePage(PageContext& context)
     return page;
 }
 
-std::vector<Command> fileCommands(PageContext& context)
+std::vector<Command> outputs(PageContext& context)
 {
     return {
         {MenuId::File, 200, SwingPage::tr("&Report…"), SwingPage::tr("Ctrl+R"), "report", onSwing(context, writeReportFile), needsSwing},
@@ -121,12 +121,6 @@ std::vector<Command> plotCommands()
     for (int tab = 0; tab < 4; ++tab)
         commands.push_back({MenuId::View, 100, plots[tab], QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + tab)),
             QStringLiteral("plot%1").arg(tab + 1), [tab](Page& shown) { swingPageOf(shown).plots().setCurrentIndex(tab); }, needsSwing});
-    commands.push_back({MenuId::View, 110, SwingPage::tr("&Reset the zoom"), SwingPage::tr("Ctrl+0"), "resetZoom",
-        [](Page& shown) { swingPageOf(shown).plots().current()->resetZoom(); }, needsSwing});
-    commands.push_back({MenuId::View, 120, SwingPage::tr("Cop&y the plot"), SwingPage::tr("Ctrl+Shift+C"), "copyPlot",
-        [](Page& shown) { swingPageOf(shown).plots().current()->copyToClipboard(); }, needsSwing});
-    commands.push_back({MenuId::View, 130, SwingPage::tr("E&xport the plot…"), SwingPage::tr("Ctrl+Shift+E"), "exportPlot",
-        [](Page& shown) { swingPageOf(shown).plots().current()->exportInteractively(); }, needsSwing});
     return commands;
 }
 
@@ -135,7 +129,13 @@ std::vector<Command> plotCommands()
 PageDescription SwingPage::description(PageContext& context)
 {
     PageDescription page{QStringLiteral("swing"), [&context] { return makePage(context); }};
-    for (const auto& commands : {fileCommands(context), readingCommands(), stateCommands(context), plotCommands()})
+    page.help = tr(
+        "Type the magnetic heading, Enter, the compass reading, Enter: the next row follows. Angles as 3.25, 3.25W, 3°15'W, 3 15 W; decimal point or comma.\n"
+        "In the deviation column, W and E (or a sign) give the compass heading. = or Ctrl+D takes the nominal heading as read. Delete empties a cell.\n"
+        "Cells and blocks are copied, cut and pasted as in a spreadsheet (Ctrl+C, X, V), with or without a first row of headings.\n"
+        "Ctrl+Z undoes everything, across swings. Ctrl+E leaves a reading out, with a reason that stays on the record.");
+    page.outputs = outputs(context);
+    for (const auto& commands : {readingCommands(), stateCommands(context), plotCommands()})
         page.commands.insert(page.commands.end(), commands.begin(), commands.end());
     page.shows = [](const FleetItem& item) { return std::holds_alternative<SwingId>(item); };
     return page;
@@ -168,5 +168,7 @@ void SwingPage::takeLook(const Page& before)
     if (const auto* page = dynamic_cast<const SwingPage*>(&before))
         setLook(page->look());
 }
+
+Plot* SwingPage::plot() const { return m_plots->current(); }
 
 } // namespace lubberline::ui

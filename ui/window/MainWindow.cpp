@@ -193,6 +193,7 @@ Shown MainWindow::shown() const
 {
     Shown shown = m_pages->current().shown();
     shown.writable = !m_stores.readOnly();
+    shown.plot = m_pages->current().plot() != nullptr;
     return shown;
 }
 

@@ -86,7 +86,10 @@ private:
     void buildEditMenu(QMenu& menu);
     void addViewChoices(QMenu& menu);
     [[nodiscard]] std::vector<Command> ownCommands();
+    [[nodiscard]] std::vector<Command> plotCommands();
     [[nodiscard]] std::vector<Command> helpCommands();
+    void help(); ///< the topic of the page in front
+    void showOutputs();
     void addCommands(QMenu& menu, const std::vector<Command>& commands);
     QAction* addCommand(QMenu& menu, const Command& command);
     void buildToolBar();
@@ -124,6 +127,7 @@ private:
     QAction* m_undo = nullptr;
     QAction* m_redo = nullptr;
     std::vector<std::pair<QAction*, bool (*)(const Shown&)>> m_needs; ///< when each can be used
+    std::vector<std::pair<QAction*, QString>> m_outputs;              ///< and the page that each is of
     bool m_painted = false;
 };
 

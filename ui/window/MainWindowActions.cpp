@@ -14,6 +14,7 @@
 #include "ui/kit/Edit.h"
 #include "ui/kit/MessagePanel.h"
 #include "ui/kit/Theme.h"
+#include "ui/plots/base/Plot.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PageStack.h"
 
@@ -57,6 +58,9 @@ void MainWindow::buildActions()
     for (const PageDescription& page : m_pages->descriptions())
         for (const Command& command : page.commands)
             commands[command.menu].push_back(command);
+    for (const PageDescription& page : m_pages->descriptions())
+        for (const Command& output : page.outputs)
+            commands[MenuId::File].push_back(output);
     const std::pair<MenuId, QString> menus[] = {{MenuId::File, tr("&File")}, {MenuId::Edit, tr("&Edit")}, {MenuId::Swing, tr("&Swing")},
         {MenuId::Fleet, tr("F&leet")}, {MenuId::Model, tr("&Model")}, {MenuId::View, tr("&View")}, {MenuId::Help, tr("&Help")}};
     for (const auto& [id, title] : menus) {
@@ -69,8 +73,22 @@ void MainWindow::buildActions()
         if (id == MenuId::View)
             addViewChoices(menu);
     }
+    for (const PageDescription& page : m_pages->descriptions())
+        for (const Command& output : page.outputs)
+            m_outputs.emplace_back(findChild<QAction*>(output.name), page.id);
     buildToolBar();
     updateActions();
+    connect(m_pages, &PageStack::turned, this, &MainWindow::showOutputs);
+    showOutputs();
+}
+
+/// Those of other pages are gone from the menu; the toolbar keeps its buttons where they are.
+void MainWindow::showOutputs()
+{
+    const PageDescription* front = m_pages->description();
+    const auto* bar = findChild<QToolBar*>(QStringLiteral("mainTools"));
+    for (const auto& [action, page] : m_outputs)
+        action->setVisible((front && front->id == page) || bar->actions().contains(action));
 }
 
 /// Those that are of no page.
@@ -87,22 +105,38 @@ std::vector<Command> MainWindow::ownCommands()
     };
     if (m_services.backup)
         commands.push_back({MenuId::File, 130, tr("&Back up the database…"), {}, "backup", [this](Page&) { backUp(); }});
-    const auto help = helpCommands();
-    commands.insert(commands.end(), help.begin(), help.end());
+    for (const auto& more : {plotCommands(), helpCommands()})
+        commands.insert(commands.end(), more.begin(), more.end());
     return commands;
+}
+
+std::vector<Command> MainWindow::plotCommands()
+{
+    const auto onPlot = [](auto act) {
+        return [act](Page& shown) {
+            if (Plot* plot = shown.plot())
+                act(*plot);
+        };
+    };
+    return {
+        {MenuId::View, 110, tr("&Reset the zoom"), tr("Ctrl+0"), "resetZoom", onPlot([](Plot& plot) { plot.resetZoom(); }), needsPlot},
+        {MenuId::View, 120, tr("Cop&y the plot"), tr("Ctrl+Shift+C"), "copyPlot", onPlot([](Plot& plot) { plot.copyToClipboard(); }),
+            needsPlot},
+        {MenuId::View, 130, tr("E&xport the plot…"), tr("Ctrl+Shift+E"), "exportPlot",
+            onPlot([](Plot& plot) { plot.exportInteractively(); }), needsPlot},
+    };
+}
+
+void MainWindow::help()
+{
+    if (const PageDescription* front = m_pages->description())
+        m_messages->add(MessagePanel::Kind::Information, m_pages->current().title() + '\n' + front->help);
 }
 
 std::vector<Command> MainWindow::helpCommands()
 {
     return {
-        {MenuId::Help, 100, tr("&Entering readings by keyboard"), QKeySequence::HelpContents, "helpEntering",
-            [this](Page&) {
-                m_messages->add(MessagePanel::Kind::Information,
-                    tr("Type the magnetic heading, Enter, the compass reading, Enter: the next row follows. Angles as 3.25, 3.25W, 3°15'W, 3 15 W; decimal point or comma.\n"
-                       "In the deviation column, W and E (or a sign) give the compass heading. = or Ctrl+D takes the nominal heading as read. Delete empties a cell.\n"
-                       "Cells and blocks are copied, cut and pasted as in a spreadsheet (Ctrl+C, X, V), with or without a first row of headings.\n"
-                       "Ctrl+Z undoes everything, across swings. Ctrl+E leaves a reading out, with a reason that stays on the record."));
-            }},
+        {MenuId::Help, 100, tr("&Help on this page"), QKeySequence::HelpContents, "help", [this](Page&) { help(); }},
         {MenuId::Help, 110, tr("&About Lubberline"), {}, "about",
             [this](Page&) {
                 m_messages->add(MessagePanel::Kind::Information,

@@ -31,6 +31,14 @@ const PageDescription& PageStack::descriptionOf(const Destination& destination) 
     return *found;
 }
 
+const PageDescription* PageStack::description() const
+{
+    for (const PageDescription& description : m_descriptions)
+        if (const auto made = m_made.find(description.id); made != m_made.end() && made->second == currentWidget())
+            return &description;
+    return nullptr;
+}
+
 Page* PageStack::make(const PageDescription& description)
 {
     Page* page = description.make();

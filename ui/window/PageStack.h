@@ -21,6 +21,8 @@ public:
     ~PageStack() override;
 
     [[nodiscard]] const std::vector<PageDescription>& descriptions() const { return m_descriptions; }
+    /// Of the page in front; none before one was shown.
+    [[nodiscard]] const PageDescription* description() const;
     [[nodiscard]] Page& current() const { return static_cast<Page&>(*currentWidget()); }
     /// Puts the page of a destination in front, with its record on it. Errors: those of Page::open(); what was shown stays then.
     Result<void> show(const Destination& destination);

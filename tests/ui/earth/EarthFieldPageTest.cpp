@@ -92,7 +92,7 @@ void EarthFieldPageTest::anEmptyDatabaseAsksForAPlace()
     OpenPage open;
     open.addSite("Nowhere", {}, {});
     open.show();
-    QVERIFY2(open.label("fieldMessage").startsWith("Pick a site"), qPrintable(open.label("fieldMessage")));
+    QVERIFY2(open.label("fieldMessage").contains("Pick a site"), qPrintable(open.label("fieldMessage")));
     QCOMPARE(open.find<QComboBox>("fieldSite").count(), 1); // a site without a place is none
     QCOMPARE(open.cell(0, 0), QString("–"));
     QTRY_VERIFY(!open.item().isolines().empty()); // the world needs no place

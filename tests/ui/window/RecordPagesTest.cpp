@@ -12,6 +12,7 @@
 #include "ui/fleet/AircraftPage.h"
 #include "ui/fleet/RecordEdits.h"
 #include "ui/guided/GuidedPage.h"
+#include "ui/window/PageStack.h"
 
 using namespace lubberline;
 using namespace lubberline::ui;
@@ -28,6 +29,7 @@ private slots:
     void anotherWindowsChangeIsShownBeforeItIsSigned();
     void aGuidedSwingThatDoesNotReadIsSaidOnItsPage();
     void everyShortcutIsGivenOnce();
+    void everyPageHasTitleHelpAndWhatIsWritten();
 
 private:
     using Route = void (*)(OpenWindow&, SmallFleet&, SwingId other);
@@ -195,6 +197,29 @@ void RecordPagesTest::everyShortcutIsGivenOnce()
             given.insert(text, action->objectName());
         }
     QVERIFY(given.size() > 20);
+}
+
+void RecordPagesTest::everyPageHasTitleHelpAndWhatIsWritten()
+{
+    SmallFleet fleet;
+    const SwingId swing = fleet.addSwing("2026-11-20", eightPoints());
+    OpenWindow open(fleet.stores);
+    auto* stack = open.window.findChild<PageStack*>();
+    QVERIFY(stack->descriptions().size() >= 15);
+    const auto* sheet = open.window.findChild<QAction*>("sheet1613");
+    for (const PageDescription& page : stack->descriptions()) {
+        const auto opened = [&](const FleetItem& record) { return static_cast<bool>(stack->show(Destination{page.id, record})); };
+        QVERIFY2(opened(fleet.compass) || opened(swing), qPrintable(page.id));
+        QCOMPARE(stack->description()->id, page.id);
+        QVERIFY2(!stack->current().title().isEmpty(), qPrintable(page.id));
+        QVERIFY2(page.help.size() > 60, qPrintable(page.id));
+        open.trigger("help");
+        QVERIFY2(open.window.messages().messages().last().contains(page.help), qPrintable(page.id));
+        for (const Command& output : page.outputs) // in the menu here, and only here
+            QVERIFY2(open.window.findChild<QAction*>(output.name)->isVisible(), qPrintable(output.name));
+        QCOMPARE(sheet->isVisible(), page.id == "swing");
+        QCOMPARE(open.window.findChild<QAction*>("exportPlot")->isEnabled(), stack->current().plot() != nullptr);
+    }
 }
 
 QTEST_MAIN(RecordPagesTest)
