@@ -54,6 +54,10 @@ int runCommandLine(int argc, char** argv)
     addPredict(app, invocation);
     addSeparate(app, invocation);
     addIron(app, invocation);
+    addReference(app, invocation);
+    addSun(app, invocation);
+    addAlignment(app, invocation);
+    addGrid(app, invocation);
     addElectrical(app, invocation);
     addImport(app, invocation);
     addExport(app, invocation);

@@ -1,0 +1,99 @@
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "app/Console.h"
+#include "app/Outputs.h"
+#include "app/commands/Command.h"
+#include "core/base/OutputFile.h"
+#include "core/base/WholeFile.h"
+#include "core/format/reference/ReferenceJson.h"
+#include "core/format/reference/ScenarioJson.h"
+#include "core/reference/LevellingLoop.h"
+
+namespace lubberline::app {
+
+namespace {
+
+struct ReferenceArguments {
+    std::string scenario;
+    Output output;
+    std::size_t every = 1;
+    bool json = false;
+};
+
+double worst(const std::vector<double>& errors_rad)
+{
+    double most = 0;
+    for (const double error : errors_rad)
+        most = std::max(most, std::abs(error));
+    return toDegrees(most);
+}
+
+void printTable(const Scenario& scenario, const ReferenceRun& run)
+{
+    std::printf("error of the heading shown = read - magnetic (deg); a share is the run with all less the run without it\n");
+    std::printf("%10s %9s %9s %9s", "time (s)", "heading", "vertical", "error");
+    for (const ErrorShare& share : run.shares)
+        std::printf(" %9s", nameOf(share.source));
+    std::printf("\n");
+    for (const std::size_t i : pointsOf(run, std::max<std::size_t>(1, run.time_s.size() / 24))) {
+        std::printf("%10.1f %9.2f %9.3f %+9.3f", run.time_s[i], toDegrees(run.heading_rad[i]),
+            toDegrees(std::hypot(run.tilt[i].forward_rad, run.tilt[i].starboard_rad)), toDegrees(run.headingError_rad[i]));
+        for (const ErrorShare& share : run.shares)
+            std::printf(" %+9.3f", toDegrees(share.error_rad[i]));
+        std::printf("\n");
+    }
+    std::printf("%10s %9s %9s %9.3f", "largest", "", "", worst(run.headingError_rad));
+    for (const ErrorShare& share : run.shares)
+        std::printf(" %9.3f", worst(share.error_rad));
+    std::printf("\n");
+    if (scenario.vertical) {
+        const LoopCharacter loop = characterOf(*scenario.vertical);
+        std::printf("levelling loop: natural period %.1f s, damping %.3f, largest gain %.3f%s; standoff %.4f deg\n",
+            2 * kPi / loop.natural_rad_s, loop.damping, loop.largestGain, loop.stable ? "" : ", unstable", toDegrees(*run.standoff_rad));
+    }
+    if (run.slavingStandoff_rad)
+        std::printf("slaving: standoff %+.4f deg\n", toDegrees(*run.slavingStandoff_rad));
+}
+
+int referenceCommand(const ReferenceArguments& options)
+{
+    const auto scenario = readScenarioFile(options.scenario);
+    if (!scenario)
+        return fail(scenario.error());
+    const auto run = runScenario(*scenario, consoleProgress("flying " + nameOfInput(options.scenario)));
+    if (!run)
+        return fail({run.error().code, run.error().message, nameOfInput(options.scenario)});
+    if (!options.json)
+        warn(run->warnings);
+    if (!options.output.empty()) {
+        const auto text = options.output.kind == ".csv" ? toCsv(*run, options.every) : toJson(*scenario, *run, options.every) + "\n";
+        if (const auto written = writeWholeFile(options.output.path, text); !written)
+            return fail(written.error());
+        sayWritten(options.output);
+    }
+    if (options.json)
+        std::printf("%s\n", toJson(*scenario, *run, options.every).c_str());
+    else if (options.output.empty())
+        printTable(*scenario, *run);
+    return kDone;
+}
+
+} // namespace
+
+void addReference(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<ReferenceArguments>();
+    auto* command = app.add_subcommand("reference", "what turns, accelerations and gusts do to a vertical and a heading reference");
+    addInputOption(*command, invocation, "SCENARIO.json", options->scenario,
+        "a Scenario JSON, or a Scenario CSV: a table of manoeuvres with # key: value lines above it")
+        ->required();
+    command->add_option("--every", options->every, "write only each of so many steps, and the last")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
+    auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".csv", ".json"})->excludes(json);
+    command->callback([options, &invocation] { invocation.action = [options] { return referenceCommand(*options); }; });
+}
+
+} // namespace lubberline::app

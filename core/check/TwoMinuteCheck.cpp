@@ -1,0 +1,100 @@
+#include "core/check/TwoMinuteCheck.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle/Angle.h"
+#include "core/base/Number.h"
+#include "core/check/CheckRandom.h"
+#include "core/check/Evidence.h"
+#include "core/check/FaultTest.h"
+
+namespace lubberline {
+
+namespace {
+
+constexpr int kDraws = 20; ///< of each possibility
+
+Readings<5> readingsOf(const CompassBelief& belief, std::span<const Observation> readings, const CheckOptions& options)
+{
+    Readings<5> taken;
+    for (const Observation& reading : readings)
+        taken.take(rowAt(reading.compass.degrees()),
+            wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - deviationAt(belief.card, reading.compass).degrees()),
+            options.readingError_deg);
+    return taken;
+}
+
+double chanceOf(const CompassBelief& belief, const Readings<5>& readings, const CheckOptions& options)
+{
+    const FaultTest fault(belief.card, options.tolerance_deg, options.limit_deg);
+    CheckRandom random(7);
+    double sum = 0, faults = 0, most = -1e300;
+    std::vector<std::pair<double, double>> found; // log weight, share of faults
+    found.reserve(belief.possible.size());
+    Eigen::Matrix<double, 5, 1> variance, normal;
+    for (const PossibleChange& possible : belief.possible) {
+        if (!(possible.weight > 0))
+            continue;
+        variance = Eigen::Map<const Eigen::Matrix<double, 5, 1>>(possible.variance_deg2.data());
+        const Conditioned<5> given = conditionedOn(readings, variance);
+        int count = 0;
+        for (int i = 0; i < kDraws; ++i) {
+            for (double& one : normal)
+                one = random.normal();
+            const Eigen::Matrix<double, 5, 1> change = given.mean + given.root * normal;
+            count += fault.isFault(change);
+        }
+        found.emplace_back(given.logWeight + std::log(possible.weight), count / double(kDraws));
+        most = std::max(most, found.back().first);
+    }
+    for (const auto& [logWeight, share] : found) {
+        const double weight = std::exp(logWeight - most);
+        sum += weight;
+        faults += weight * share;
+    }
+    return faults / sum;
+}
+
+} // namespace
+
+double chanceOfFault(const CompassBelief& belief, std::span<const Observation> readings, const CheckOptions& options)
+{
+    return chanceOf(belief, readingsOf(belief, readings, options), options);
+}
+
+Result<CheckVerdict> verdictOf(const CompassBelief& belief, std::span<const Observation> readings, const CheckOptions& options)
+{
+    if (readings.empty())
+        return Error{ErrorCode::InvalidInput, MARKED("core", "no reading that counts; expected one at least, better two or three")};
+    CheckVerdict verdict;
+    verdict.before = chanceOfFault(belief, {}, options);
+    Readings<5> taken = readingsOf(belief, readings, options);
+    const double fault = chanceOf(belief, taken, options);
+    taken.weighted.setZero();
+    verdict.reachable = chanceOf(belief, taken, options);
+    verdict.holds = fault <= options.accepted;
+    verdict.errorProbability = verdict.holds ? fault : 1 - fault;
+    for (const Observation& reading : readings) {
+        const double difference
+            = wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - deviationAt(belief.card, reading.compass).degrees());
+        verdict.differences_deg.push_back(difference);
+        if (std::abs(difference) >= verdict.largestRead_deg) {
+            verdict.largestRead_deg = std::abs(difference);
+            verdict.at_deg = reading.compass.degrees();
+        }
+    }
+    if (!belief.hasHistory)
+        verdict.warnings.push_back(MARKED("core",
+            "this compass has no swing on record: the check cannot know its card, and holds what was read against no deviation at all and "
+            "the sizes that compasses of its kind have"));
+    if (verdict.reachable > options.accepted)
+        verdict.warnings.push_back(
+            {MARKED("core",
+                 "even readings that agree with the card in full would leave a chance of %1 % that it does not hold: "
+                 "these headings are too few to clear this compass"),
+                figureText(100 * verdict.reachable, 0)});
+    return verdict;
+}
+
+} // namespace lubberline

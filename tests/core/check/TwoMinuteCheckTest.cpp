@@ -1,0 +1,153 @@
+// The two-minute check on simulated compasses whose truth is known: its error probabilities hold, its headings tell more than evenly spaced
+// ones, and what it cannot know is said.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/angle/Angle.h"
+#include "core/check/CheckHeadings.h"
+#include "core/check/History.h"
+#include "tests/core/check/SimulatedCompass.h"
+
+namespace lubberline {
+namespace {
+
+std::vector<PastSwing> quietHistory(int swings)
+{
+    std::vector<PastSwing> history;
+    for (int i = 0; i < swings; ++i)
+        history.push_back({2015.0 + i, {0.5, 2, -3, 0.5, 0}, {0.2, 0.3, 0.3, 0.3, 0.3}, false});
+    return history;
+}
+
+Observation readAt(const CompassBelief& belief, double compass_deg, double more_deg)
+{
+    const auto compass = CompassHeading::fromDegrees(compass_deg);
+    return {MagneticHeading::fromDegrees(compass_deg + deviationAt(belief.card, compass).degrees() + more_deg), compass};
+}
+
+TEST(CompassBelief, learnsFromTheHistory)
+{
+    const auto quiet = beliefOf(quietHistory(10), 2025, {});
+    auto lively = quietHistory(10);
+    for (std::size_t i = 0; i < lively.size(); ++i)
+        lively[i].value_deg[2] = i % 2 == 0 ? -3.0 : 0.0; // its C jumps to and fro
+    const auto wandering = beliefOf(lively, 2025, {});
+    EXPECT_LT(quiet.walk_deg_year[2], PlausibleChange{}.walk_deg_year[2]);
+    EXPECT_GT(wandering.walk_deg_year[2], 2 * quiet.walk_deg_year[2]);
+    EXPECT_NEAR(wandering.walk_deg_year[1], quiet.walk_deg_year[1], 0.1);
+    EXPECT_NEAR(quiet.jumpProbability, 1 - std::exp(-0.05), 1e-9);
+    // A correction is no change of its own.
+    for (auto& swing : lively)
+        swing.afterCorrection = true;
+    EXPECT_LT(beliefOf(lively, 2025, {}).walk_deg_year[2], wandering.walk_deg_year[2] / 1.5);
+    EXPECT_NEAR(toDegrees(quiet.card.B_rad), 2, 1e-12);
+    EXPECT_FALSE(beliefOf({}, 2025, {}).hasHistory);
+    EXPECT_FALSE(beliefOf(quietHistory(3), 2010, {}).hasHistory); // all of them are later
+}
+
+TEST(TwoMinuteCheck, agreementAndDisagreement)
+{
+    const auto belief = beliefOf(quietHistory(10), 2025, {});
+    const auto headings = headingsFor(belief, 3, {}).compass_deg;
+    std::vector<Observation> agree, apart;
+    for (const double heading : headings) {
+        agree.push_back(readAt(belief, heading, 0.3));
+        apart.push_back(readAt(belief, heading, 6));
+    }
+    const auto holds = verdictOf(belief, agree, {});
+    ASSERT_TRUE(holds);
+    EXPECT_TRUE(holds->holds);
+    EXPECT_LT(holds->errorProbability, 0.05);
+    EXPECT_LT(holds->errorProbability, holds->before);
+    EXPECT_NEAR(holds->largestRead_deg, 0.3, 1e-9);
+    EXPECT_TRUE(holds->warnings.empty());
+    const auto swing = verdictOf(belief, apart, {});
+    EXPECT_FALSE(swing->holds);
+    EXPECT_LT(swing->errorProbability, 0.01);
+    EXPECT_FALSE(verdictOf(belief, {}, {}));
+    // Over a limit it does not hold, whatever the card says.
+    CheckOptions limited;
+    limited.limit_deg = 2;
+    EXPECT_FALSE(verdictOf(belief, agree, limited)->holds);
+}
+
+TEST(TwoMinuteCheck, withoutHistoryItSaysWhatItCannotKnow)
+{
+    const auto belief = beliefOf({}, 2025, {});
+    const auto verdict = verdictOf(belief, std::vector{readAt(belief, 0, 0), readAt(belief, 90, 0)}, {});
+    ASSERT_TRUE(verdict);
+    EXPECT_FALSE(verdict->holds);
+    ASSERT_EQ(verdict->warnings.size(), 2u);
+    EXPECT_NE(verdict->warnings[0].english().find("no swing on record"), std::string::npos);
+    EXPECT_NE(verdict->warnings[1].english().find("too few"), std::string::npos);
+}
+
+TEST(CheckHeadings, looksWhereThisCompassWanders)
+{
+    auto history = quietHistory(10);
+    for (std::size_t i = 0; i < history.size(); ++i)
+        history[i].value_deg[2] = i % 2 == 0 ? -4.0 : 0.0;
+    PlausibleChange plausible;
+    plausible.jumpsPerYear = 0;
+    const auto chosen = headingsFor(beliefOf(history, 2025, plausible), 2, {});
+    ASSERT_EQ(chosen.compass_deg.size(), 2u);
+    for (const double heading : chosen.compass_deg) // C is cos: north and south tell it
+        EXPECT_GT(std::abs(std::cos(toRadians(heading))), 0.85) << heading;
+    EXPECT_LT(chosen.left_deg, chosen.before_deg);
+    for (const int count : {1, 2, 3, 4, 8, 24}) {
+        const auto any = headingsFor(beliefOf(quietHistory(10), 2025, {}), count, {});
+        EXPECT_EQ(any.compass_deg.size(), static_cast<std::size_t>(count));
+        EXPECT_LE(any.left_deg, any.leftEven_deg + 1e-6) << count;
+        EXPECT_TRUE(std::is_sorted(any.compass_deg.begin(), any.compass_deg.end()));
+    }
+}
+
+/// A few of what a program of its own does for 2,000.
+TEST(TwoMinuteCheck, errorProbabilitiesHold)
+{
+    CheckRandom random(42);
+    const CheckOptions options;
+    double stated = 0, spread = 0, wrong = 0;
+    for (int i = 0; i < 50; ++i) {
+        const auto compass = test::simulateCompass(6, {}, options, random);
+        std::vector<Observation> readings;
+        for (const double heading : {30.0, 150.0, 270.0})
+            readings.push_back(compass.read(heading, options.readingError_deg, random));
+        const double fault = chanceOfFault(compass.belief, readings, options), error = std::min(fault, 1 - fault);
+        stated += error;
+        spread += error * (1 - error);
+        wrong += compass.fault == (fault < 0.5);
+    }
+    EXPECT_NEAR(wrong, stated, 3 * std::sqrt(spread));
+}
+
+TEST(History, outOfRecordedSwings)
+{
+    SwingRecord record;
+    EXPECT_FALSE(pastSwing(record));
+    record.swing.date = "2024-07-01";
+    record.compass.resolution_deg = 1;
+    for (int heading = 0; heading < 360; heading += 45) {
+        Reading reading;
+        const double deviation = 1 + 2 * std::sin(toRadians(heading));
+        reading.compass = CompassHeading::fromDegrees(heading);
+        reading.magnetic = MagneticHeading::fromDegrees(heading + deviation);
+        record.swing.readings.push_back(reading);
+    }
+    auto later = record;
+    later.swing.date = "2025-07-01";
+    later.swing.stage = SwingStage::AsLeft;
+    const auto history = historyOf(std::vector{later, SwingRecord(), record});
+    ASSERT_EQ(history.size(), 2u);
+    EXPECT_NEAR(history[0].year, 2024.5, 0.01);
+    EXPECT_NEAR(*history[0].value_deg[0], 1, 1e-9);
+    EXPECT_NEAR(*history[0].value_deg[1], 2, 1e-9);
+    EXPECT_GT(history[0].standardError_deg[0], 0.05); // that of its division
+    EXPECT_FALSE(history[0].afterCorrection);
+    EXPECT_TRUE(history[1].afterCorrection);
+}
+
+} // namespace
+} // namespace lubberline
