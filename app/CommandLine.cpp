@@ -66,6 +66,7 @@ int runCommandLine(int argc, char** argv)
     addDue(app, invocation);
     addRule(app, invocation);
     addDb(app, invocation);
+    addWinds(app, invocation);
     addDemo(app, invocation);
 
     try {

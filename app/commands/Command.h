@@ -53,6 +53,7 @@ void addRule(CLI::App& app, Invocation& invocation); ///< the calendar rules of 
 void addSign(CLI::App& app, Invocation& invocation); ///< complete, reopen, sign, amend, audit
 void addSwings(CLI::App& app, Invocation& invocation);
 void addDb(CLI::App& app, Invocation& invocation);
+void addWinds(CLI::App& app, Invocation& invocation);
 void addDemo(CLI::App& app, Invocation& invocation);
 
 /// Adds `--remove A,B,C` to a command; another letter is a usage error.

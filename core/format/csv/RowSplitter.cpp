@@ -67,4 +67,17 @@ void RowSplitter::endCell()
     m_place = Place::CellStart;
 }
 
+std::optional<char> toldSeparator(std::string_view line)
+{
+    constexpr std::string_view kWord = "sep=";
+    if (line.starts_with('"'))
+        line.remove_prefix(1);
+    if (line.size() <= kWord.size() || inSmallLetters(line.substr(0, kWord.size())) != kWord)
+        return {};
+    const char separator = line[kWord.size()];
+    const bool nothingElse = line.find_first_not_of("\",;\t ", kWord.size() + 1) == std::string_view::npos;
+    return nothingElse && (separator == '\t' || (separator > ' ' && separator < 0x7F && separator != '"')) ? std::optional(separator)
+                                                                                                           : std::nullopt;
+}
+
 } // namespace lubberline

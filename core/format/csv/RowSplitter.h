@@ -1,11 +1,16 @@
 #pragma once
 /// Cells of a CSV row (RFC 4180): a cell in double quotes may hold separators, "" for a quote, and line breaks.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace lubberline {
+
+/// "sep=;", with which a file tells Excel how its cells are parted; in quotes and with empty cells behind it where it was saved again.
+/// @return the separator that such a line tells.
+[[nodiscard]] std::optional<char> toldSeparator(std::string_view line);
 
 class RowSplitter {
 public:

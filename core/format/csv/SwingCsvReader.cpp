@@ -22,20 +22,6 @@ using namespace csv;
 constexpr Pattern kExpectedFile
     = MARKED("core", "expected a Swing CSV: text in UTF-8 with a header of named columns and one reading a row");
 
-/// "sep=;", with which a file tells Excel how its cells are parted; in quotes and with empty cells behind it where it was saved again.
-std::optional<char> toldSeparator(std::string_view line)
-{
-    constexpr std::string_view kWord = "sep=";
-    if (line.starts_with('"'))
-        line.remove_prefix(1);
-    if (line.size() <= kWord.size() || inSmallLetters(line.substr(0, kWord.size())) != kWord)
-        return {};
-    const char separator = line[kWord.size()];
-    const bool nothingElse = line.find_first_not_of("\",;\t ", kWord.size() + 1) == std::string_view::npos;
-    return nothingElse && (separator == '\t' || (separator > ' ' && separator < 0x7F && separator != '"')) ? std::optional(separator)
-                                                                                                           : std::nullopt;
-}
-
 bool isKeyLine(std::string_view content) { return content.starts_with('#') || content.starts_with("\"#"); }
 
 /// "#N/A", "#VALUE!", "#DIV/0!", "#NAME?": what spreadsheets write where they cannot compute, alone in its cell.

@@ -1,0 +1,216 @@
+#include "core/format/csv/FigureCsv.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
+
+namespace lubberline {
+
+namespace {
+
+bool onlyAscii(std::string_view text)
+{
+    unsigned char together = 0;
+    for (const char c : text)
+        together |= static_cast<unsigned char>(c);
+    return together < 0x80;
+}
+
+std::string columnName(std::string_view cell)
+{
+    std::string name = inSmallLetters(trimmed(cell));
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+}
+
+char separatorByKnown(const std::string& header, std::span<const std::string_view> known, char told)
+{
+    if (told != 0)
+        return told;
+    char best = ',';
+    std::ptrdiff_t most = -1;
+    for (const char separator : {',', ';', '\t'}) {
+        RowSplitter splitter(separator);
+        if (splitter.begin(header) != RowSplitter::State::Complete)
+            continue;
+        const auto found = std::count_if(splitter.cells().begin(), splitter.cells().end(), [&](const std::string& cell) {
+            const std::string name = columnName(cell);
+            return std::any_of(known.begin(), known.end(), [&](std::string_view one) { return name.starts_with(one); });
+        });
+        if (found > most) {
+            most = found;
+            best = separator;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+FigureCsv::FigureCsv(std::istream& input, std::string name, Message expected, const Progress& progress)
+    : m_lines(input, progress)
+    , m_name(std::move(name))
+    , m_expected(std::move(expected))
+{
+}
+
+Result<bool> FigureCsv::nextLine()
+{
+    switch (m_lines.next(m_text)) {
+    case LineOutcome::Line: break;
+    case LineOutcome::End: return false;
+    case LineOutcome::Binary:
+        return wholeFile({MARKED("core", "is binary: it has NUL bytes or lines of more than 1 MiB; expected %1"), m_expected});
+    case LineOutcome::ReadError: return Error{ErrorCode::Io, MARKED("core", "cannot be read to its end"), m_name};
+    case LineOutcome::Cancelled: return Error{ErrorCode::Cancelled, MARKED("core", "reading was cancelled"), m_name};
+    }
+    m_line = m_lines.lineNumber();
+    if (m_line == 1 && std::string_view(m_text).starts_with(kByteOrderMark))
+        m_text.erase(0, kByteOrderMark.size());
+    if (!onlyAscii(m_text))
+        if (const Message bytes = notUtf8(m_text); !bytes.empty())
+            return Error{ErrorCode::Format, bytes, m_name, m_line};
+    return true;
+}
+
+Result<void> FigureCsv::split()
+{
+    m_cells.clear();
+    if (m_text.find('"') == std::string::npos) {
+        std::string_view rest = m_text;
+        for (;;) {
+            const auto end = std::min(rest.find(m_separator), rest.size());
+            std::string_view cell = rest.substr(0, end);
+            if (!cell.empty()
+                && (static_cast<unsigned char>(cell.front()) <= ' ' || static_cast<unsigned char>(cell.back()) <= ' '
+                    || static_cast<unsigned char>(cell.front()) >= 0x80 || static_cast<unsigned char>(cell.back()) >= 0x80))
+                cell = trimmed(cell);
+            m_cells.push_back(cell);
+            if (end == rest.size())
+                return {};
+            rest.remove_prefix(end + 1);
+        }
+    }
+    if (m_splitter.begin(m_text) != RowSplitter::State::Complete)
+        return Error{
+            ErrorCode::Format, MARKED("core", "a quoted cell does not end in this row; expected figures and short texts"), m_name, m_line};
+    for (const std::string& cell : m_splitter.cells())
+        m_cells.push_back(trimmed(cell));
+    return {};
+}
+
+Result<void> FigureCsv::readHeader(std::span<const std::string_view> known)
+{
+    if (const Message other = otherEncoding(m_lines.beginning()); !other.empty())
+        return wholeFile(other);
+    char told = 0;
+    for (;;) {
+        const auto more = nextLine();
+        if (!more)
+            return more.error();
+        if (!*more)
+            return wholeFile(
+                {m_line == 0 ? MARKED("core", "is empty; expected %1") : MARKED("core", "has no header; expected %1"), m_expected});
+        const std::string_view content = trimmed(m_text);
+        if (content.empty() || content.starts_with('#') || content.starts_with("\"#"))
+            continue;
+        if (const auto separator = toldSeparator(content)) {
+            told = *separator;
+            continue;
+        }
+        break;
+    }
+    m_separator = separatorByKnown(m_text, known, told);
+    m_splitter = RowSplitter(m_separator);
+    if (const auto row = split(); !row)
+        return row;
+    while (!m_cells.empty() && m_cells.back().empty())
+        m_cells.pop_back();
+    for (const auto cell : m_cells) {
+        std::string name = columnName(cell);
+        if (!name.empty() && std::find(m_columns.begin(), m_columns.end(), name) != m_columns.end())
+            return here({MARKED("core", "the column %1 stands there twice; expected each once"), inQuotes(name)});
+        m_columns.push_back(std::move(name));
+    }
+    return {};
+}
+
+std::optional<std::size_t> FigureCsv::column(std::string_view name) const
+{
+    const auto found = std::find(m_columns.begin(), m_columns.end(), name);
+    return found == m_columns.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - m_columns.begin()));
+}
+
+Result<std::optional<FigureColumn>> FigureCsv::column(std::string_view name, std::span<const UnitSuffix> units) const
+{
+    std::optional<FigureColumn> found;
+    std::string first;
+    for (const auto& unit : units) {
+        const std::string full = std::string(name) + std::string(unit.suffix);
+        const auto place = column(full);
+        if (!place)
+            continue;
+        if (found)
+            return Error{ErrorCode::InvalidInput,
+                {MARKED("core", "the columns %1 and %2 say the same; expected one of them"), inQuotes(first), inQuotes(full)}, m_name,
+                m_line};
+        found = FigureColumn{*place, unit.factor};
+        first = full;
+    }
+    return found;
+}
+
+Result<bool> FigureCsv::next()
+{
+    for (;;) {
+        const auto more = nextLine();
+        if (!more || !*more)
+            return more;
+        if (m_text.empty() || m_text.front() == '#' || m_text.starts_with("\"#"))
+            continue;
+        if (const auto row = split(); !row)
+            return row.error();
+        while (m_cells.size() > m_columns.size() && m_cells.back().empty())
+            m_cells.pop_back();
+        if (std::all_of(m_cells.begin(), m_cells.end(), [](std::string_view cell) { return cell.empty(); }))
+            continue;
+        if (m_cells.size() > m_columns.size())
+            return Error{ErrorCode::Format,
+                {MARKED("core", "has %1 cells; expected the %2 of the header"), m_cells.size(), m_columns.size()}, m_name, m_line};
+        return true;
+    }
+}
+
+bool FigureCsv::takePlain(std::string_view text, double& value)
+{
+    if (text.empty()) {
+        value = std::numeric_limits<double>::quiet_NaN();
+        return true;
+    }
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return fault == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+}
+
+bool FigureCsv::takeOther(std::string_view text, double& value) const
+{
+    const std::string word = inSmallLetters(text);
+    if (word == "nan" || word == "na" || word == "null" || word == "n/a") {
+        value = std::numeric_limits<double>::quiet_NaN();
+        return true;
+    }
+    const FileNumber number = readNumber(text, true); // a comma that parts cells is not in one
+    value = number.value;
+    return number.fault == NumberFault::None;
+}
+
+Error FigureCsv::noFigure(std::size_t place) const
+{
+    return here({MARKED("core", "%1 %2 is no figure; expected a number, or nothing where it is missing"), m_columns[place],
+        figuresInQuotes(cell(place))});
+}
+
+} // namespace lubberline

@@ -1,0 +1,144 @@
+#include "core/inflight/WindChange.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+
+#include "core/fleet/FleetRandom.h"
+
+namespace lubberline {
+
+namespace {
+
+using Told = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+using ToldVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+constexpr int kSimulated = 999;
+
+/// Flights in the directions that are told.
+struct ChangeSeries {
+    int rank = 0;
+    std::vector<Told> information, root;
+    std::vector<ToldVector> score;
+    std::vector<Told> within; ///< of each place: (W)⁻¹, W = M₁ − M₁ M⁻¹ M₁
+    std::vector<Told> before; ///< M₁ M⁻¹
+    std::vector<bool> possible;
+
+    /// The largest statistic, and its place.
+    template <class Scores>
+    [[nodiscard]] std::pair<double, std::size_t> largest(const Scores& scores) const
+    {
+        ToldVector all = ToldVector::Zero(rank), sum = all;
+        for (const auto& one : scores)
+            all += one;
+        std::pair<double, std::size_t> best{-1.0, 0};
+        for (std::size_t k = 0; k + 1 < scores.size(); ++k) {
+            sum += scores[k];
+            if (!possible[k])
+                continue;
+            const ToldVector away = sum - before[k] * all;
+            if (const double statistic = away.dot(within[k] * away); statistic > best.first)
+                best = {statistic, k};
+        }
+        return best;
+    }
+};
+
+ChangeSeries changeSeriesOf(std::span<const FlightTold> flights, const ClusteredFit& fit)
+{
+    ChangeSeries series;
+    series.rank = fit.rank;
+    const Told u = fit.directions.topLeftCorner(3, fit.rank);
+    Told all = Told::Zero(fit.rank, fit.rank);
+    for (const auto& flight : flights) {
+        const Told information = u.transpose() * flight.information.topLeftCorner<3, 3>() * u;
+        series.information.push_back(information);
+        series.score.push_back(u.transpose() * flight.score.head<3>());
+        const Eigen::SelfAdjointEigenSolver<Told> solver(information);
+        series.root.push_back(solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal());
+        all += information;
+    }
+    const Eigen::LDLT<Told> solver(all);
+    Told sum = Told::Zero(fit.rank, fit.rank);
+    for (std::size_t k = 0; k + 1 < flights.size(); ++k) {
+        sum += series.information[k];
+        const Told share = solver.solve(sum).transpose(); // M₁ M⁻¹
+        const Told w = sum - share * sum;
+        const Eigen::SelfAdjointEigenSolver<Told> own(w);
+        // Both sides have to tell all directions, if badly.
+        const bool possible = own.eigenvalues()(0) > 1e-6 * own.eigenvalues()(fit.rank - 1);
+        series.possible.push_back(possible);
+        series.before.push_back(share);
+        series.within.push_back(possible
+                ? Told(own.eigenvectors() * own.eigenvalues().cwiseInverse().asDiagonal() * own.eigenvectors().transpose())
+                : Told(Told::Zero(fit.rank, fit.rank)));
+    }
+    return series;
+}
+
+double tailOf(double statistic, int rank, double freedom)
+{
+    if (freedom > 0)
+        return cdf(complement(boost::math::fisher_f(rank, freedom), statistic / rank));
+    return cdf(complement(boost::math::chi_squared(rank), statistic));
+}
+
+/// Share of series without a change whose largest statistic is as large.
+double simulatedChance(const ChangeSeries& series, double statistic, double freedom)
+{
+    ContentSeed seed;
+    for (const auto& information : series.information)
+        seed.add(information(0, 0));
+    FleetRandom random(seed.value());
+    std::vector<ToldVector> scores(series.score.size());
+    int beyond = 0;
+    for (int draw = 0; draw < kSimulated; ++draw) {
+        for (std::size_t f = 0; f < scores.size(); ++f) {
+            ToldVector normal(series.rank);
+            for (int i = 0; i < series.rank; ++i)
+                normal(i) = random.normal();
+            scores[f] = series.root[f] * normal;
+        }
+        const double scale = freedom > 0 ? random.chiSquare(std::max(1, static_cast<int>(freedom))) / freedom : 1.0;
+        if (series.largest(scores).first >= statistic * scale)
+            ++beyond;
+    }
+    return (beyond + 1.0) / (kSimulated + 1.0);
+}
+
+} // namespace
+
+std::optional<WindChange> largestChange(std::span<const FlightTold> flights, const ClusteredFit& fit, double freedom)
+{
+    if (flights.size() < 3 || fit.rank == 0 || fit.columns != 3)
+        return {};
+    const ChangeSeries series = changeSeriesOf(flights, fit);
+    const auto places = std::count(series.possible.begin(), series.possible.end(), true);
+    const auto [statistic, after] = series.largest(series.score);
+    if (places == 0 || statistic <= 0)
+        return {};
+    WindChange change;
+    change.after = after;
+    change.p = std::min(1.0, static_cast<double>(places) * tailOf(statistic, series.rank, freedom));
+    if (places > 1 && change.p < 0.7)
+        change.p = std::min(change.p, simulatedChance(series, statistic, freedom));
+    ToldVector sum = ToldVector::Zero(series.rank), all = sum;
+    for (std::size_t f = 0; f < flights.size(); ++f) {
+        all += series.score[f];
+        if (f <= after)
+            sum += series.score[f];
+    }
+    // S − M₁M⁻¹S_all = −W Δ
+    const ToldVector step = -(series.within[after] * (sum - series.before[after] * all));
+    change.step_deg.head<3>() = fit.directions.topLeftCorner(3, series.rank) * step;
+    for (int i = 0; i < 3; ++i)
+        if (!fit.told[i])
+            change.step_deg(i) = 0;
+    return change;
+}
+
+} // namespace lubberline

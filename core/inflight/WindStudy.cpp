@@ -1,0 +1,285 @@
+#include "core/inflight/WindStudy.h"
+
+#include <bit>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "core/angle/Angle.h"
+#include "core/inflight/WindStudyParts.h"
+#include "core/inflight/WindVector.h"
+
+namespace lubberline {
+
+namespace {
+
+constexpr double kReferenceAirspeed_kt = 250.0; ///< weight 1
+constexpr double kOutside = 4.0;                ///< standard deviations, beyond which a report counts less (Huber)
+constexpr double kLeastSigma_deg = 1.25;
+constexpr std::int64_t kFirstFit = 32;                                 ///< reports, before which legs are not told from errors
+constexpr double kGapNamed_s = 6 * 3600.0, kGapNameless_s = 45 * 60.0; ///< a longer one begins another flight
+constexpr double kNear_s = 120.0;
+constexpr double kBand_m = 1000.0;
+
+bool known(double value) { return value == value; }
+
+std::uint64_t fingerprintOf(const WindReport& r)
+{
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (const double one : {r.time_s, r.latitude_deg, r.longitude_deg, r.altitude_m, r.groundSpeed_kt, r.track_deg, r.wind_kt,
+             r.windFrom_deg, r.reference_kt, r.referenceFrom_deg})
+        hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint64_t>(one)) * 0x9E3779B97F4A7C15ULL;
+    for (const char c : r.source)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    return hash | 1; // 0: none
+}
+
+double yearAt(double time_s)
+{
+    constexpr double kYear_s = 365.2425 * 86400.0;
+    return 1970.0 + time_s / kYear_s;
+}
+
+WindRow windRow(double sine, double cosine)
+{
+    WindRow row;
+    row << 1.0, sine, cosine, 2.0 * sine * cosine, cosine * cosine - sine * sine;
+    return row;
+}
+
+/// The running fit of the first order; what the headings do not tell yet stays near 0.
+WindRow runningFit(const FlightSums& sums)
+{
+    Eigen::Matrix3d normal = sums.normal.topLeftCorner<3, 3>().selfadjointView<Eigen::Lower>();
+    normal.diagonal().array() += 1e-3 * normal(0, 0) + 1e-9;
+    WindRow row = WindRow::Zero();
+    row.head<3>() = normal.ldlt().solve(sums.product.head<3>());
+    return row;
+}
+
+} // namespace
+
+WindStudy::WindStudy(const WindOptions& options) : m_options(options), m_twin(std::make_unique<Twin>()) {}
+WindStudy::~WindStudy() = default;
+
+WindStudy::Aircraft& WindStudy::aircraftOf(std::string_view name)
+{
+    if (m_last && m_last->name == name)
+        return *m_last;
+    const auto [place, isNew] = m_byName.try_emplace(std::string(name), m_aircraft.size());
+    if (isNew)
+        m_aircraft.emplace_back().name = name;
+    m_last = &m_aircraft[place->second];
+    return *m_last;
+}
+
+/// A report out of order may close the gap between two flights that were taken for two.
+void WindStudy::mergeInto(Flight& flight, Aircraft& aircraft, double gap_s)
+{
+    auto& places = aircraft.byName[flight.name];
+    std::erase_if(places, [&](std::size_t place) {
+        Flight& other = aircraft.flights[place];
+        if (&other == &flight || !known(other.from_s) || other.from_s > flight.to_s + gap_s || other.to_s < flight.from_s - gap_s)
+            return false;
+        flight.sums += other.sums;
+        flight.from_s = std::min(flight.from_s, other.from_s);
+        flight.to_s = std::max(flight.to_s, other.to_s);
+        for (const std::uint64_t print : other.recent)
+            if (print != 0)
+                flight.recent[flight.recentNext++ % flight.recent.size()] = print;
+        other.sums = {};
+        other.from_s = other.to_s = kMissing;
+        return true;
+    });
+}
+
+WindStudy::Flight& WindStudy::flightOf(Aircraft& aircraft, const WindReport& report)
+{
+    const double gap_s = report.flight.empty() ? kGapNameless_s : kGapNamed_s;
+    const bool timed = known(report.time_s);
+    const auto holds = [&](const Flight& flight) {
+        return !timed || !known(flight.from_s) || (report.time_s >= flight.from_s - gap_s && report.time_s <= flight.to_s + gap_s);
+    };
+    const auto extend = [&](Flight& flight) -> Flight& {
+        if (timed) {
+            flight.from_s = known(flight.from_s) ? std::min(flight.from_s, report.time_s) : report.time_s;
+            flight.to_s = known(flight.to_s) ? std::max(flight.to_s, report.time_s) : report.time_s;
+            if (report.time_s < aircraft.latest_s)
+                mergeInto(flight, aircraft, gap_s);
+            aircraft.latest_s = std::max(aircraft.latest_s, report.time_s);
+        }
+        aircraft.last = &flight;
+        return flight;
+    };
+    if (aircraft.last && aircraft.last->name == report.flight && holds(*aircraft.last))
+        return extend(*aircraft.last);
+    auto& places = aircraft.byName[std::string(report.flight)];
+    for (auto place = places.rbegin(); place != places.rend(); ++place)
+        if (holds(aircraft.flights[*place]))
+            return extend(aircraft.flights[*place]);
+    places.push_back(aircraft.flights.size());
+    aircraft.flights.emplace_back().name = report.flight;
+    return extend(aircraft.flights.back());
+}
+
+std::optional<LeftOut> WindStudy::filter(Flight& flight, const WindReport& report, const Use& use) const
+{
+    const double apart_s = std::abs(report.time_s - flight.last_s);
+    std::optional<LeftOut> why;
+    if (known(report.roll_deg) && std::abs(report.roll_deg) > m_options.mostRoll_deg)
+        why = LeftOut::Rolling;
+    else if (apart_s == 0)
+        why = flight.lastLeftOut; // the same report against another source
+    else if (apart_s <= kNear_s && std::abs(report.altitude_m - flight.lastAltitude_m) > m_options.mostClimb_m_s * apart_s)
+        why = LeftOut::Climbing;
+    else if (apart_s <= kNear_s && std::abs(wrap180(report.track_deg - flight.lastTrack_deg)) > m_options.mostTurn_deg_s * apart_s + 1.0)
+        why = LeftOut::Turning;
+    flight.last_s = report.time_s;
+    flight.lastAltitude_m = report.altitude_m;
+    flight.lastTrack_deg = report.track_deg;
+    flight.lastLeftOut = why;
+    if (why)
+        return why;
+    const double least = m_options.leastAirspeed_kt * m_options.leastAirspeed_kt;
+    return use.air.squaredNorm() < least || use.airReference.squaredNorm() < least ? std::optional(LeftOut::Slow) : std::nullopt;
+}
+
+void WindStudy::tellSource(const WindReport& report, const Use& use, double error_deg)
+{
+    const double across = rightOf(use.airReference).normalized().dot(use.wind - use.reference);
+    auto found = std::find_if(m_sources.begin(), m_sources.end(), [&](const Source& one) { return one.name == report.source; });
+    constexpr std::size_t kMostSources = 64;
+    if (found == m_sources.end()) {
+        if (m_sources.size() == kMostSources)
+            return;
+        m_sources.push_back({std::string(report.source)});
+        found = m_sources.end() - 1;
+    }
+    ++found->count;
+    found->errors += error_deg;
+    found->across += across * across;
+    if (m_twin->aircraft == m_last && m_twin->time_s == report.time_s && m_twin->source != report.source) {
+        m_apart += std::pow(m_twin->east - use.reference.x(), 2) + std::pow(m_twin->north - use.reference.y(), 2);
+        ++m_apartCount;
+    }
+    *m_twin = {report.time_s, use.reference.x(), use.reference.y(), m_last, std::string(report.source)};
+}
+
+void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& report, const Use& use)
+{
+    const double airspeed = use.air.norm();
+    // From the reference to the reading, clockwise: the angle between both air velocities.
+    const double cross = use.airReference.y() * use.air.x() - use.airReference.x() * use.air.y();
+    const double error_deg = toDegrees(std::atan2(cross, use.airReference.dot(use.air)));
+    double sine = use.air.x() / airspeed, cosine = use.air.y() / airspeed;
+    const Eigen::Vector2d right(cosine, -sine);
+    FlightSums one;
+    const auto declination_deg = known(report.latitude_deg) && known(report.longitude_deg) && known(report.time_s)
+        ? m_declination.at(report.latitude_deg, report.longitude_deg, yearAt(report.time_s))
+        : std::nullopt;
+    if (declination_deg) {
+        const double turn = toRadians(*declination_deg), s = std::sin(turn), c = std::cos(turn), trueSine = sine;
+        sine = sine * c - cosine * s; // of heading − D
+        cosine = cosine * c + trueSine * s;
+        aircraft.declinations += *declination_deg;
+        aircraft.declinationSquares += *declination_deg * *declination_deg;
+        aircraft.declinationErrors += *declination_deg * error_deg;
+        aircraft.errors += error_deg;
+        ++aircraft.declined;
+        one.declination = *declination_deg;
+        one.declined = 1;
+    } else {
+        one.withoutTold = 1;
+    }
+    const WindRow row = windRow(sine, cosine);
+
+    const double left = error_deg - row.dot(aircraft.running), sigma = std::max(kLeastSigma_deg, 1.4826 * aircraft.median_deg);
+    constexpr double kAnyLeg_deg = 30.0;
+    const double limit = aircraft.used < kFirstFit ? kAnyLeg_deg : kOutside * sigma;
+    const double level = flight.levelled > 0 ? flight.level_deg : std::clamp(left, -limit, limit);
+    const double off = left - level;
+    const double robust = std::abs(off) > limit ? limit / std::abs(off) : 1.0;
+    ++flight.levelled;
+    flight.level_deg = level + std::clamp(off, -limit, limit) / static_cast<double>(flight.levelled);
+    aircraft.median_deg
+        *= std::exp((std::abs(off) > aircraft.median_deg ? 1.0 : -1.0) / (10.0 + std::pow(static_cast<double>(aircraft.used), 0.7)));
+
+    const double weight = robust * airspeed * airspeed / (kReferenceAirspeed_kt * kReferenceAirspeed_kt);
+    const Eigen::Vector2d apart = use.wind - use.reference;
+    const double ground = std::max(use.ground.norm(), 1e-9);
+    const Eigen::Vector2d acrossTrack = rightOf(use.ground) / ground;
+    const double along = right.dot(acrossTrack), across = apart.dot(acrossTrack);
+    const WindMatrix outer = row * row.transpose();
+    one.count = 1;
+    one.normal = weight * outer;
+    one.product = weight * error_deg * row;
+    one.squares = weight * error_deg * error_deg;
+    // To the second order: the turned air velocity is shorter along its old direction.
+    one.turned = (airspeed * airspeed + apart.dot(use.air)) * outer;
+    one.turnedAcross = (std::pow(airspeed * along, 2) + across * use.air.dot(acrossTrack)) * outer;
+    one.error = airspeed * right.dot(apart) * row;
+    one.errorAcross = airspeed * along * across * row;
+    one.squaredError = apart.squaredNorm();
+    one.squaredAcross = across * across;
+    const double offset = (known(report.tas_kt) ? report.tas_kt : airspeed) - use.airReference.norm();
+    one.airspeedOffset = offset;
+    one.airspeedSquares = offset * offset;
+    one.airspeed = airspeed;
+    flight.sums += one;
+    aircraft.all += one;
+    ++aircraft.used;
+    if (aircraft.used == aircraft.refitAt) {
+        aircraft.running = runningFit(aircraft.all);
+        aircraft.refitAt += aircraft.refitAt;
+    }
+    if (known(report.altitude_m)) {
+        auto& band = m_bands[static_cast<std::size_t>(std::clamp(std::floor(report.altitude_m / kBand_m), 0.0, 15.0))];
+        band.total += one.squaredError;
+        band.across += one.squaredAcross;
+        ++band.count;
+    }
+    if (!report.source.empty())
+        tellSource(report, use, error_deg);
+    if (known(report.heading_deg)) {
+        ++aircraft.headings;
+        const double read_deg = directionOf_deg(use.air);
+        aircraft.headingOff += std::pow(wrap180(report.heading_deg - read_deg), 2);
+        aircraft.headingOffMagnetic += std::pow(wrap180(report.heading_deg + declination_deg.value_or(0.0) - read_deg), 2);
+    }
+}
+
+void WindStudy::add(const WindReport& report)
+{
+    ++m_observations;
+    Aircraft& aircraft = aircraftOf(report.aircraft);
+    ++aircraft.observations;
+    const auto leave = [&](LeftOut why) { ++aircraft.leftOut[static_cast<std::size_t>(why)]; };
+    const bool hasWind = known(report.wind_kt) && (known(report.windFrom_deg) || report.wind_kt == 0);
+    const bool hasHeading = known(report.heading_deg) && known(report.tas_kt);
+    if (!known(report.reference_kt) || !(known(report.referenceFrom_deg) || report.reference_kt == 0))
+        return leave(LeftOut::NoReference);
+    if (!known(report.groundSpeed_kt) || !known(report.track_deg) || (!hasWind && !hasHeading))
+        return leave(LeftOut::NoWind);
+    Flight& flight = flightOf(aircraft, report);
+    if (known(report.time_s) || known(report.latitude_deg)) {
+        const std::uint64_t print = fingerprintOf(report);
+        if (std::find(flight.recent.begin(), flight.recent.end(), print) != flight.recent.end())
+            return leave(LeftOut::Duplicate);
+        flight.recent[flight.recentNext++ % flight.recent.size()] = print;
+    }
+    Use use;
+    use.ground = velocityOf(report.track_deg, report.groundSpeed_kt);
+    use.reference = report.reference_kt == 0 ? Eigen::Vector2d(0, 0) : velocityOf(report.referenceFrom_deg, -report.reference_kt);
+    use.wind = !hasWind       ? Eigen::Vector2d(use.ground - velocityOf(report.heading_deg, report.tas_kt))
+        : report.wind_kt == 0 ? Eigen::Vector2d(0, 0)
+                              : velocityOf(report.windFrom_deg, -report.wind_kt);
+    use.air = use.ground - use.wind;
+    use.airReference = use.ground - use.reference;
+    if (hasWind && !aircraft.sense.full())
+        aircraft.sense.take(report, use.ground.data(), use.wind.data(), use.reference.data());
+    if (const auto why = filter(flight, report, use))
+        return leave(*why);
+    sumUp(aircraft, flight, report, use);
+}
+
+} // namespace lubberline

@@ -1,0 +1,63 @@
+#pragma once
+/// Private to the winds: what is kept of an aircraft while its reports go by.
+
+#include <algorithm>
+#include <limits>
+
+#include "core/inflight/WindStudy.h"
+
+namespace lubberline {
+
+struct WindStudy::Flight {
+    std::string name;
+    double from_s = kMissing, to_s = kMissing;
+    FlightSums sums;
+    double level_deg = 0; ///< running mean of what the aircraft's fit leaves: a report far from it counts less
+    std::int64_t levelled = 0;
+    // The report before.
+    double last_s = kMissing, lastAltitude_m = kMissing, lastTrack_deg = kMissing;
+    std::optional<LeftOut> lastLeftOut;
+    std::array<std::uint64_t, 64> recent{}; ///< fingerprints: a report that comes again is known among so many
+    std::size_t recentNext = 0;
+};
+
+struct WindStudy::Aircraft {
+    std::string name;
+    std::deque<Flight> flights;
+    std::unordered_map<std::string, std::vector<std::size_t>> byName;
+    Flight* last = nullptr;
+    double latest_s = -std::numeric_limits<double>::infinity();
+    std::int64_t observations = 0, used = 0;
+    std::array<std::int64_t, kLeftOut.size()> leftOut{};
+    FlightSums all;
+    WindRow running = WindRow::Zero(); ///< fit so far [deg]
+    std::int64_t refitAt = 32;
+    double median_deg = 1.5; ///< of what is left, running
+    WindSense sense;
+    // Headings of their own column, held against the reported winds.
+    double headingOff = 0, headingOffMagnetic = 0;
+    std::int64_t headings = 0;
+    // Of e on the declination: headings that were magnetic make a wind that is wrong by it.
+    double declinations = 0, declinationSquares = 0, declinationErrors = 0, errors = 0;
+    std::int64_t declined = 0;
+};
+
+struct WindStudy::Source {
+    std::string name;
+    std::int64_t count = 0;
+    double errors = 0, across = 0;
+};
+
+struct WindStudy::Twin {
+    double time_s = kMissing, east = 0, north = 0;
+    const Aircraft* aircraft = nullptr;
+    std::string source;
+};
+
+/// The vectors of a report [kt, east and north].
+struct WindStudy::Use {
+    Eigen::Vector2d ground, wind, reference; ///< winds blow to
+    Eigen::Vector2d air, airReference;
+};
+
+} // namespace lubberline
