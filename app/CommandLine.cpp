@@ -63,6 +63,7 @@ int runCommandLine(int argc, char** argv)
     addExport(app, invocation);
     addSwings(app, invocation);
     addSign(app, invocation);
+    addFleet(app, invocation);
     addDue(app, invocation);
     addRule(app, invocation);
     addDb(app, invocation);

@@ -48,6 +48,7 @@ void addSimulate(CLI::App& app, Invocation& invocation);
 void addReport(CLI::App& app, Invocation& invocation);
 void addImport(CLI::App& app, Invocation& invocation);
 void addExport(CLI::App& app, Invocation& invocation);
+void addFleet(CLI::App& app, Invocation& invocation);
 void addDue(CLI::App& app, Invocation& invocation);  ///< due, event, waive
 void addRule(CLI::App& app, Invocation& invocation); ///< the calendar rules of due
 void addSign(CLI::App& app, Invocation& invocation); ///< complete, reopen, sign, amend, audit

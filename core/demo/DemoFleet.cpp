@@ -8,6 +8,7 @@
 #include "core/base/Contract.h"
 #include "core/demo/DemoCompass.h"
 #include "core/demo/DemoDeployment.h"
+#include "core/demo/DemoPopulation.h"
 #include "core/demo/DemoRandom.h"
 #include "core/demo/DemoTypes.h"
 #include "core/due/DueList.h"
@@ -106,6 +107,7 @@ Fleet FleetMaker::make()
             addAircraft(type, number);
     }
     addDeployments();
+    addPopulation(m_fleet, DemoRandom(m_options.seed + 2'000'003), m_options.populationAircraft, m_options.lastYear);
     stampSwings();
     return std::move(m_fleet);
 }

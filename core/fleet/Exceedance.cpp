@@ -162,7 +162,8 @@ std::vector<InspectionPair> pairsOf(const FleetSwings& fleet, std::span<const Co
             if (swing.stage == SwingStage::AsLeft)
                 left = row;
             else if (left && swing.day > fleet.swings[*left].day) {
-                pairs.push_back({*left, row});
+                if (swing.stage == SwingStage::AsFound) // where it is not stated, nobody knows how the compass was found
+                    pairs.push_back({*left, row});
                 left.reset();
             }
         }

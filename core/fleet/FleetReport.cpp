@@ -56,7 +56,7 @@ FleetCounts countsOf(const FleetSwings& fleet, const FleetCurves& curves, const 
     counts.swings = counts.used;
     for (const auto& each : counts.leftOut)
         counts.swings += each.swings;
-    std::ranges::sort(counts.leftOut, {}, &LeftOut::reason);
+    std::ranges::sort(counts.leftOut, {}, &SwingsLeftOut::reason);
     return counts;
 }
 

@@ -22,7 +22,7 @@ struct FleetOptions {
 
 struct FleetCounts {
     std::int64_t aircraft = 0, compasses = 0, swings = 0, used = 0;
-    std::vector<LeftOut> leftOut; ///< why the others are not used
+    std::vector<SwingsLeftOut> leftOut; ///< why the others are not used
 };
 
 /// Variance components of one coefficient, or why there are none.

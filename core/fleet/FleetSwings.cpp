@@ -119,7 +119,7 @@ void putInOrder(FleetSwings& fleet)
     if (!std::ranges::is_sorted(fleet.swings, before))
         std::ranges::stable_sort(fleet.swings, before);
     gatherReadings(fleet);
-    std::ranges::sort(fleet.leftOut, {}, &LeftOut::reason);
+    std::ranges::sort(fleet.leftOut, {}, &SwingsLeftOut::reason);
 }
 
 std::optional<int> dayOfDate(std::string_view date)

@@ -40,10 +40,10 @@ struct FleetSwing {
     std::uint32_t first = 0, count = 0;
 };
 
-struct LeftOut {
+struct SwingsLeftOut {
     std::string reason; ///< "draft", "superseded", …: a code
     std::int64_t swings = 0;
-    friend bool operator==(const LeftOut&, const LeftOut&) = default;
+    friend bool operator==(const SwingsLeftOut&, const SwingsLeftOut&) = default;
 };
 
 struct FleetSwings {
@@ -51,7 +51,7 @@ struct FleetSwings {
     std::vector<std::string> sites, crews;
     std::vector<FleetSwing> swings;
     std::vector<double> magnetic_deg, compass_deg; ///< of the readings that are used
-    std::vector<LeftOut> leftOut;                  ///< what the selection did not take, counted
+    std::vector<SwingsLeftOut> leftOut;            ///< what the selection did not take, counted
 
     [[nodiscard]] std::span<const double> magneticOf(const FleetSwing& swing) const
     {

@@ -2,6 +2,7 @@
 
 #include "ui/fleet/AircraftPage.h"
 #include "ui/fleet/OverviewPage.h"
+#include "ui/fleet/PopulationPage.h"
 #include "ui/fleet/StartPage.h"
 #include "ui/kit/PageDescription.h"
 
@@ -56,6 +57,26 @@ Result<void> OverviewPage::open(const FleetItem& record)
         return totals.error();
     showFleet();
     return {};
+}
+
+PageDescription PopulationPage::description(PageContext& context)
+{
+    PageDescription page{
+        QStringLiteral("population"), [&context] {
+            auto* population = new PopulationPage(context.stores, context.files);
+            connect(population, &PopulationPage::openSwing, &context.window, [&context](SwingId id) { context.go({{}, id}); });
+            connect(population, &PopulationPage::done, &context.window, [&context](const QString& message) { context.say(message); });
+            return population;
+        }};
+    page.help = tr(
+        "Years of swings of a type looked at together: choose a type, then Compute. A click on a heading of the plot lists the swings behind it; the other tabs tell which compass to swing next, the history of one compass as a film, and the tables of the report.");
+    page.outputs = {{MenuId::File, 215, tr("Save the fleet &report…"), {}, "saveFleetReport",
+        [](Page& shown) { dynamic_cast<PopulationPage&>(shown).save(); }}};
+    page.commands = {{MenuId::Fleet, 105, tr("Years as a po&pulation"), tr("Ctrl+Alt+P"), "population", [&context](Page& shown) {
+                          context.go({"population", shown.shown().compass.valid() ? FleetItem(shown.shown().compass) : FleetItem()});
+                      }}};
+    page.focus = true;
+    return page;
 }
 
 PageDescription AircraftPage::description(PageContext& context)

@@ -7,6 +7,7 @@
 #include "ui/electrical/ElectricalPage.h"
 #include "ui/fleet/AircraftPage.h"
 #include "ui/fleet/OverviewPage.h"
+#include "ui/fleet/PopulationPage.h"
 #include "ui/fleet/StartPage.h"
 #include "ui/guided/GuidedPage.h"
 #include "ui/intake/NewSwingPage.h"
@@ -25,6 +26,7 @@ std::vector<PageDescription> allPages(PageContext& context)
         StartPage::description(context),
         OverviewPage::description(context),
         AircraftPage::description(context),
+        PopulationPage::description(context),
         GuidedPage::description(context),
         SwingPage::description(context),
         NewSwingPage::description(context),

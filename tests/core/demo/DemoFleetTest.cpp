@@ -6,6 +6,7 @@
 #include "core/base/FileText.h"
 #include "core/demo/DemoDeployment.h"
 #include "core/demo/DemoFleet.h"
+#include "core/demo/DemoPopulation.h"
 #include "core/iron/BenchModel.h"
 #include "core/sensor/SensorReading.h"
 #include "core/swing/Analysis.h"
@@ -91,7 +92,7 @@ TEST(DemoFleet, isLargeEnoughAndMarked)
     std::set<std::string> years;
     for (const auto& swing : fleet.swings)
         years.insert(swing.date.text().substr(0, 4));
-    EXPECT_EQ(years.size(), 5u);
+    EXPECT_EQ(years.size(), static_cast<std::size_t>(kDemoPopulationYears));
 }
 
 TEST(DemoFleet, hasRecordsOfItsOwnAndReferencesThatHold)
@@ -131,6 +132,7 @@ TEST(DemoFleet, threeAircraftAreOutOfLimitsAtTheirLastSwing)
     for (const std::uint64_t seed : {1u, 2u, 3u, 17u, 4711u}) {
         DemoOptions options;
         options.seed = seed;
+        options.populationAircraft = 0; // what is out of limits there is chance
         EXPECT_EQ(outOfLimits(demoFleet(options)).size(), 3u) << "seed " << seed;
     }
 }
@@ -295,13 +297,14 @@ TEST(DemoFleet, canBeSmallOrLarge)
     DemoOptions small;
     small.aircraftPerType = 1;
     small.swingsPerCompass = 2;
+    small.populationAircraft = 0;
     EXPECT_EQ(demoFleet(small).aircraft.size(), 4u);
     EXPECT_EQ(outOfLimits(demoFleet(small)).size(), 3u);
     DemoOptions large;
     large.aircraftPerType = 30;
     large.swingsPerCompass = 20;
     const Fleet fleet = demoFleet(large);
-    EXPECT_EQ(fleet.aircraft.size(), 120u);
+    EXPECT_EQ(fleet.aircraft.size(), 120u + static_cast<std::size_t>(large.populationAircraft));
     EXPECT_GE(fleet.swings.size(), 4800u);
 }
 

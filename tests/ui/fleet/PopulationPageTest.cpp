@@ -1,0 +1,147 @@
+// The page of years as a population: a first look, the whole, a click, a history, what is saved.
+
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/demo/DemoFleet.h"
+#include "core/demo/DemoPopulation.h"
+#include "tests/db/TestStores.h"
+#include "ui/fleet/PaintedPlot.h"
+#include "ui/fleet/PopulationPage.h"
+
+using namespace lubberline;
+using namespace lubberline::ui;
+
+namespace {
+
+struct OpenPopulation {
+    test::TestStores stores;
+    QString path;
+    std::unique_ptr<PopulationPage> page;
+
+    OpenPopulation()
+    {
+        if (!db::importFleet(stores.database(), demoFleet(), {}))
+            qFatal("the demonstration is stored");
+        FileQuestions questions;
+        questions.save = [this](const QString&, const QString&, const QString&) { return path; };
+        page = std::make_unique<PopulationPage>(stores, questions);
+        page->resize(1000, 620);
+        page->show();
+    }
+    [[nodiscard]] bool computeType(const std::string& name)
+    {
+        for (const auto& type : *stores.fleet.types())
+            if (type.name == name) {
+                QSignalSpy computed(page.get(), &PopulationPage::computed);
+                if (!page->open(type.id))
+                    return false;
+                while (computed.isEmpty() || !computed.last().first().toBool())
+                    if (!computed.wait(20000))
+                        return false;
+                return true;
+            }
+        return false;
+    }
+    template <class T>
+    [[nodiscard]] T* find(const char* name) const
+    {
+        return page->findChild<T*>(QString::fromLatin1(name));
+    }
+};
+
+} // namespace
+
+class PopulationPageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void showsThePopulationAndWhoIsNext()
+    {
+        OpenPopulation open;
+        QVERIFY(open.computeType(kDemoPopulationType));
+        QVERIFY(open.page->message().contains(QStringLiteral("highest at 135°, 315°")));
+        QCOMPARE(open.page->news()->report.counts.aircraft, 20);
+        auto* ranking = open.find<QTableWidget>("populationRanking");
+        QCOMPARE(ranking->rowCount(), 20);
+        QCOMPARE(ranking->item(0, 0)->text(), QStringLiteral("3218"));
+        QCOMPARE(open.find<QTabWidget>("populationTables")->count(), 9);
+        const QImage grab = open.find<QWidget>("populationCurve")->grab().toImage();
+        QVERIFY(grab.pixelColor(grab.width() / 2, grab.height() / 2) != QColor() && !grab.isNull());
+    }
+
+    void aClickTellsTheSwingsBehindAHeading()
+    {
+        OpenPopulation open;
+        QVERIFY(open.computeType(kDemoPopulationType));
+        auto* curve = open.find<PaintedPlot>("populationCurve");
+        QTest::mouseClick(curve, Qt::LeftButton, {}, QPoint(curve->width() / 2, curve->height() / 2));
+        auto* swings = open.find<QTableWidget>("populationSwings");
+        QVERIFY(swings->rowCount() > 100);
+        QSignalSpy opened(open.page.get(), &PopulationPage::openSwing);
+        emit swings->itemActivated(swings->item(0, 0));
+        QCOMPARE(opened.count(), 1);
+        QVERIFY(opened.first().first().value<SwingId>().valid());
+    }
+
+    void theHistoryOfTheOneThatDriftsIsAFilm()
+    {
+        OpenPopulation open;
+        QVERIFY(open.computeType(kDemoPopulationType));
+        QVERIFY(open.find<QLabel>("historyWords")->text().contains(QStringLiteral("B drifts by +0.")));
+        auto* film = open.find<QSlider>("historyFilm");
+        QCOMPARE(film->maximum(), kDemoPopulationYears);
+        film->setValue(3);
+        auto* choice = open.find<QComboBox>("populationHistory");
+        choice->setCurrentIndex(choice->findText(QStringLiteral("3204"), Qt::MatchStartsWith));
+        emit choice->activated(choice->currentIndex());
+        QVERIFY(open.find<QLabel>("historyWords")->text().contains(QStringLiteral("lightning")));
+        QCOMPARE(film->value(), film->maximum());
+    }
+
+    void savesWhatItShows()
+    {
+        OpenPopulation open;
+        QVERIFY(open.computeType(kDemoPopulationType));
+        const QTemporaryDir folder;
+        QSignalSpy done(open.page.get(), &PopulationPage::done), failed(open.page.get(), &PopulationPage::failed);
+        for (const char* name : {"a.csv", "a.html", "a.pdf", "a.json"}) {
+            open.path = folder.filePath(QString::fromLatin1(name));
+            open.find<QPushButton>("populationSave")->click();
+            QVERIFY(QFile(open.path).size() > 1000);
+        }
+        QCOMPARE(done.count(), 4);
+        QCOMPARE(failed.count(), 0);
+    }
+
+    void aFleetThatChangesIsTold()
+    {
+        OpenPopulation open;
+        QVERIFY(open.computeType(kDemoPopulationType));
+        open.page->fleetChanged();
+        QVERIFY(open.find<QLabel>("populationState")->text().contains(QStringLiteral("has changed")));
+    }
+
+    void cancellingKeepsWhatWasThere()
+    {
+        OpenPopulation open;
+        QVERIFY(open.computeType(kDemoPopulationType));
+        const auto before = open.page->news();
+        open.find<QPushButton>("populationCompute")->click();
+        open.find<QPushButton>("populationCancel")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!open.find<QPushButton>("populationCancel")->isEnabled(), 20000);
+        QVERIFY(open.page->news() != nullptr);
+        QCOMPARE(open.page->news()->report.counts.aircraft, before->report.counts.aircraft);
+    }
+};
+
+QTEST_MAIN(PopulationPageTest)
+#include "PopulationPageTest.moc"
