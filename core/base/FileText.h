@@ -1,6 +1,7 @@
 #pragma once
 /// Small questions about text in files.
 
+#include <concepts>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,12 @@ namespace lubberline {
 [[nodiscard]] std::size_t spaceAt(std::string_view text);
 /// Without those spaces at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
+/// Of a text that nobody keeps, a text of its own: a view into it would outlive it.
+template <std::same_as<std::string> Text>
+[[nodiscard]] std::string trimmed(Text&& text)
+{
+    return std::string(trimmed(std::string_view(text)));
+}
 /// Small letters; only those of ASCII are changed.
 [[nodiscard]] std::string inSmallLetters(std::string_view text);
 
