@@ -59,6 +59,9 @@ int runCommandLine(int argc, char** argv)
     addAlignment(app, invocation);
     addGrid(app, invocation);
     addElectrical(app, invocation);
+    addCalibrate(app, invocation);
+    addCompensate(app, invocation);
+    addSensorTests(app, invocation);
     addImport(app, invocation);
     addExport(app, invocation);
     addSwings(app, invocation);

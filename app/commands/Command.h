@@ -30,6 +30,8 @@ struct Output {
 };
 
 void addAnalyse(CLI::App& app, Invocation& invocation);
+void addCalibrate(CLI::App& app, Invocation& invocation);
+void addCompensate(CLI::App& app, Invocation& invocation);
 void addCard(CLI::App& app, Invocation& invocation);
 void addCorrect(CLI::App& app, Invocation& invocation);
 void addElectrical(CLI::App& app, Invocation& invocation);
@@ -51,6 +53,7 @@ void addExport(CLI::App& app, Invocation& invocation);
 void addFleet(CLI::App& app, Invocation& invocation);
 void addDue(CLI::App& app, Invocation& invocation);  ///< due, event, waive
 void addRule(CLI::App& app, Invocation& invocation); ///< the calendar rules of due
+void addSensorTests(CLI::App& app, Invocation& invocation); ///< spectrum, coil, interference
 void addSign(CLI::App& app, Invocation& invocation); ///< complete, reopen, sign, amend, audit
 void addSwings(CLI::App& app, Invocation& invocation);
 void addDb(CLI::App& app, Invocation& invocation);

@@ -1,6 +1,7 @@
 #include "ui/window/Pages.h"
 
 #include "ui/bench/IronBenchPage.h"
+#include "ui/calibration/CalibrationPage.h"
 #include "ui/due/DuePage.h"
 #include "ui/earth/EarthFieldPage.h"
 #include "ui/earth/PredictionPage.h"
@@ -34,6 +35,7 @@ std::vector<PageDescription> allPages(PageContext& context)
         ElectricalPage::description(context),
         SensorPage::description(context),
         IronBenchPage::description(context),
+        CalibrationPage::description(context),
         PredictionPage::description(context),
         EarthFieldPage::description(context),
         DuePage::description(context),

@@ -1,0 +1,407 @@
+#include "core/calibration/AttitudeFit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "core/angle/Angle.h"
+#include "core/base/Number.h"
+#include "core/calibration/AttitudeRegression.h"
+#include "core/calibration/LogQuality.h"
+#include "core/calibration/ModelHeader.h"
+#include "core/calibration/ReferenceHeading.h"
+#include "core/calibration/SlowResidual.h"
+
+namespace lubberline {
+
+namespace {
+
+constexpr int kSectors45 = 8;
+constexpr double kGoodHardIron = 0.01, kDeterminedHardIron = 0.05; ///< standard error as a part of F
+constexpr double kHeldOutHeading_deg = 2.0;
+
+std::vector<std::uint8_t> usableRows(const SensorLog& log, const LogQuality& quality)
+{
+    std::vector<std::uint8_t> used(log.size(), 0);
+    for (std::size_t row = 0; row < log.size(); ++row) {
+        bool usable = quality.faults[row] == SampleFault::None || quality.faults[row] == SampleFault::Repeat;
+        usable = usable && std::isfinite(log.heading_deg[row]) && std::isfinite(log.pitch_deg[row]) && std::isfinite(log.roll_deg[row]);
+        for (const auto& current : log.currents)
+            usable = usable && std::isfinite(current.values[row]);
+        used[row] = usable ? 1 : 0;
+    }
+    return used;
+}
+
+RegressionMoments momentsOfRows(
+    const SensorLog& log, const std::vector<std::uint8_t>& used, const MeridianField& field, const AngleReading& reading = {})
+{
+    RegressionMoments moments;
+    const auto scales = currentScales(log);
+    for (std::size_t row = 0; row < log.size(); ++row)
+        if (used[row] != 0)
+            addRow(moments, log, row, field, scales, reading);
+    return moments;
+}
+
+double largestIn(const std::vector<double>& values)
+{
+    double largest = 0;
+    for (const double value : values)
+        if (std::isfinite(value))
+            largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+/// Angles in another unit, or from another north, explain the samples far better than as they are named.
+Message misreadAngles(const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options, double variance)
+{
+    const bool smallHeadings = largestIn(log.heading_deg) <= 6.3,
+               smallTilts = std::max(largestIn(log.pitch_deg), largestIn(log.roll_deg)) <= 1.6;
+    const auto better = [&](const AngleReading& reading) {
+        return regress(momentsOfRows(log, used, options.field, reading), 0).variance < 0.25 * variance;
+    };
+    if (smallHeadings && largestIn(log.heading_deg) > 0.5 && better({kDegreesPerRadian, smallTilts ? kDegreesPerRadian : 1.0, 0}))
+        return {
+            MARKED("core",
+                "heading, pitch and roll look like radians: the largest heading is %1, and as radians they explain the samples far better; expected degrees"),
+            figureText(largestIn(log.heading_deg), 3)};
+    if (smallTilts && largestIn(log.pitch_deg) + largestIn(log.roll_deg) > 0.05 && better({1.0, kDegreesPerRadian, 0}))
+        return {
+            MARKED("core",
+                "pitch and roll look like radians: they stay within %1, and as radians they explain the samples far better; expected degrees"),
+            figureText(std::max(largestIn(log.pitch_deg), largestIn(log.roll_deg)), 3)};
+    return {};
+}
+
+std::string regressorName(const SensorLog& log, Eigen::Index regressor, Eigen::Index axis)
+{
+    constexpr std::array<const char*, 12> kNames{"a", "b", "c", "P", "d", "e", "f", "Q", "g", "h", "k", "R"};
+    if (regressor < 4)
+        return kNames[static_cast<std::size_t>(axis * 4 + regressor)];
+    constexpr std::array<char, 3> kAxes{'S', 'T', 'V'};
+    return log.currents[static_cast<std::size_t>(regressor - 4)].name + " " + kAxes[static_cast<std::size_t>(axis)];
+}
+
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const auto& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+/// A direction of the regressors along which nothing changes, in words for all three axes.
+Message inWords(const SensorLog& log, const Eigen::VectorXd& direction, double total_nT)
+{
+    std::vector<Eigen::Index> involved;
+    for (Eigen::Index i = 0; i < direction.size(); ++i)
+        if (std::abs(direction[i]) > 1e-2)
+            involved.push_back(i);
+    std::vector<std::string> names;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        std::vector<std::string> together;
+        for (const auto i : involved)
+            together.push_back(regressorName(log, i, axis));
+        names.push_back(together.size() == 1 ? together[0]
+                : together.size() == 2       ? together[0] + " and " + together[1]
+                                             : "(" + listed(together) + ")");
+    }
+    if (involved.size() == 1)
+        return involved[0] < 3 ? Message{MARKED("core", "%1 cannot be told: the field along %2 is never other than 0 in this log"),
+                   listed(names), "xyz"[involved[0]]}
+                               : Message{MARKED("core", "%1 cannot be told: the current is never other than 0 in this log"), listed(names)};
+    if (involved.size() == 2 && involved[1] == 3 && involved[0] < 3) {
+        // The direction is (1, v) in (F s, p): what stays is p − v F s, and −v F is the constant field.
+        std::vector<std::string> sums;
+        const std::string factor = figureText(-direction[3] * total_nT, 0);
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            sums.push_back(regressorName(log, involved[0], axis) + " \u00B7 " + factor + " nT + " + regressorName(log, 3, axis));
+        return {MARKED("core", "%1 cannot be told apart, as the field along %2 is always the same: only %3 is known"), listed(names),
+            "xyz"[involved[0]], listed(sums)};
+    }
+    return {MARKED("core", "%1 cannot be told apart: in this log what they do always goes together"), listed(names)};
+}
+
+void describeAttitudeParameters(AttitudeResult& result, const SensorLog& log, const Regression& fit, double total_nT, double variance)
+{
+    const auto scales = currentScales(log);
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+        for (Eigen::Index i = 0; i < fit.solution.rows(); ++i) {
+            const double factor = i < 3 ? 1.0 : i == 3 ? total_nT : total_nT / scales[static_cast<std::size_t>(i - 4)];
+            FittedParameter parameter{regressorName(log, i, axis), {}, {}, i < 3 ? "1" : i == 3 ? "nT" : "nT/A"};
+            if (fit.told[static_cast<std::size_t>(i)]) {
+                parameter.value = factor * fit.solution(i, axis);
+                parameter.standard_error = factor * std::sqrt(std::max(0.0, variance * fit.covariance(i, i)));
+            }
+            result.parameters.push_back(std::move(parameter));
+        }
+}
+
+SensorModel modelOf(const SensorLog& log, const Regression& fit, double total_nT)
+{
+    SensorModel model;
+    model.softIron = fit.solution.topRows<3>().transpose();
+    model.hardIron_nT = total_nT * fit.solution.row(3).transpose();
+    const auto scales = currentScales(log);
+    for (std::size_t k = 0; k < log.currents.size(); ++k) {
+        Circuit circuit;
+        circuit.name = log.currents[k].name;
+        circuit.field_nT_per_A = total_nT / scales[k] * fit.solution.row(static_cast<Eigen::Index>(4 + k)).transpose();
+        model.circuits.push_back(std::move(circuit));
+    }
+    return model;
+}
+
+/// The field of a row by a model whose circuits carry what the log says.
+Eigen::Vector3d fieldBy(const SensorModel& model, const Eigen::Matrix3d& inverse, const SensorLog& log, std::size_t row)
+{
+    Eigen::Vector3d rest = log.at(row) - model.hardIron_nT;
+    for (std::size_t k = 0; k < model.circuits.size(); ++k)
+        rest -= model.circuits[k].field_nT_per_A * log.currents[k].values[row];
+    return inverse * rest;
+}
+
+double dipOf_rad(const Eigen::Vector3d& field, double pitch_deg, double roll_deg)
+{
+    const double sp = std::sin(toRadians(pitch_deg)), cp = std::cos(toRadians(pitch_deg));
+    const double sr = std::sin(toRadians(roll_deg)), cr = std::cos(toRadians(roll_deg));
+    const double down = -field.x() * sp + field.y() * cp * sr + field.z() * cp * cr;
+    return std::asin(std::clamp(down / std::max(field.norm(), 1e-300), -1.0, 1.0));
+}
+
+int sectorOf(double heading_deg) { return static_cast<int>(wrap360(heading_deg) / (360.0 / kSectors45)) % kSectors45; }
+
+std::optional<HeldOut> heldOut(const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options,
+    const RegressionMoments& all, const Regression& whole)
+{
+    const auto scales = currentScales(log);
+    HeldOut result;
+    double headings = 0, dips = 0, fields = 0, count = 0;
+    for (int sector = 0; sector < kSectors45; ++sector) {
+        RegressionMoments part;
+        std::vector<std::size_t> rows;
+        for (std::size_t row = 0; row < log.size(); ++row)
+            if (used[row] != 0 && sectorOf(log.heading_deg[row]) == sector) {
+                addRow(part, log, row, options.field, scales);
+                rows.push_back(row);
+            }
+        if (rows.empty() || all.rows - part.rows < 2.0 * static_cast<double>(4 + scales.size()))
+            continue;
+        const Regression fit = regress(without(all, part), toRadians(options.attitudeError_deg));
+        if (fit.null.size() != whole.null.size())
+            continue; // without this sector less can be told: it would not be the same model
+        const SensorModel model = modelOf(log, fit, options.field.total_nT());
+        const Eigen::Matrix3d inverse = (Eigen::Matrix3d::Identity() + model.softIron).inverse();
+        ++result.blocks;
+        for (const auto row : rows) {
+            const Eigen::Vector3d field = fieldBy(model, inverse, log, row);
+            const double off = wrap180(headingOf_deg(field, log.pitch_deg[row], log.roll_deg[row]) - log.heading_deg[row]);
+            const double dip = toDegrees(dipOf_rad(field, log.pitch_deg[row], log.roll_deg[row]) - options.field.inclination_rad());
+            headings += off * off;
+            dips += dip * dip;
+            fields += (field - fieldOfRow(log, row, options.field)).squaredNorm();
+            count += 1;
+        }
+    }
+    if (result.blocks == 0)
+        return {};
+    result.heading_deg = std::sqrt(headings / count);
+    result.dip_deg = std::sqrt(dips / count);
+    result.field_nT = std::sqrt(fields / count);
+    return result;
+}
+
+/// Swapped or mirrored axes: of the 48 ways to name them, one fits far better than the one that is stated.
+void checkAxes(AttitudeResult& result, const RegressionMoments& moments)
+{
+    const Eigen::Vector3d meanField = moments.design.block<3, 1>(0, 3) / moments.rows,
+                          meanRead = moments.across.row(3).transpose() / moments.rows;
+    const Eigen::Matrix3d across = moments.across.topRows<3>() / moments.rows - meanField * meanRead.transpose(); // B by m
+    const double size = (moments.design.topLeftCorner<3, 3>() / moments.rows - meanField * meanField.transpose()).trace()
+        + (moments.own / moments.rows - meanRead * meanRead.transpose()).trace();
+    std::array<int, 3> order{0, 1, 2}, best{0, 1, 2};
+    int bestSigns = 0;
+    double least = std::numeric_limits<double>::max(), stated = 0;
+    do {
+        for (int signs = 0; signs < 8; ++signs) {
+            double explained = 0;
+            for (int axis = 0; axis < 3; ++axis)
+                explained += ((signs >> axis) & 1 ? -1.0 : 1.0) * across(axis, order[static_cast<std::size_t>(axis)]);
+            const double rest = size - 2.0 * explained;
+            if (signs == 0 && order == std::array{0, 1, 2})
+                stated = rest;
+            if (rest < least - 1e-12 * size) {
+                least = rest;
+                best = order;
+                bestSigns = signs;
+            }
+        }
+    } while (std::next_permutation(order.begin(), order.end()));
+    if (stated <= 2.0 * least || stated < 0.05 * size)
+        return;
+    std::string named;
+    for (int axis = 0; axis < 3; ++axis)
+        named += std::string(axis > 0 ? ", " : "") + "xyz"[axis] + " = " + ((bestSigns >> axis) & 1 ? "\u2212" : "+")
+            + "xyz"[best[static_cast<std::size_t>(axis)]] + " of the log";
+    result.reasons.push_back(
+        {MARKED(
+             "core", "the axes of the log are not those of the aircraft: %1 fits %2 times better; expected x forward, y starboard, z down"),
+            named, figureText(stated / std::max(least, 1e-9 * size), 1)});
+    result.verdict = CalibrationVerdict::Doubtful;
+}
+
+/// Headings from true north, where the place's variation explains the samples far better: seen only where the aircraft was tilted.
+void checkNorth(
+    AttitudeResult& result, const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options, double variance)
+{
+    if (!options.variation || std::abs(options.variation->degrees()) < 1)
+        return;
+    const AngleReading fromTrue{1.0, 1.0, -options.variation->degrees()};
+    if (regress(momentsOfRows(log, used, options.field, fromTrue), 0).variance > 0.25 * variance)
+        return;
+    result.reasons.push_back(
+        {MARKED("core",
+             "the headings look true instead of magnetic: with the place's variation (%1°) taken out they explain the samples far better; expected magnetic headings"),
+            signedFigureText(options.variation->degrees(), 1)});
+    result.verdict = CalibrationVerdict::Doubtful;
+}
+
+void misalign(AttitudeResult& result)
+{
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
+        Eigen::Matrix3d::Identity() + result.model.softIron, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
+    if (turn.determinant() < 0)
+        return; // mirrored: no rotation
+    result.symmetric = svd.matrixV() * svd.singularValues().asDiagonal() * svd.matrixV().transpose() - Eigen::Matrix3d::Identity();
+    result.misalignment.pitch_rad = -std::asin(std::clamp(turn(0, 2), -1.0, 1.0));
+    result.misalignment.yaw_rad = std::atan2(turn(0, 1), turn(0, 0));
+    result.misalignment.roll_rad = std::atan2(turn(1, 2), turn(2, 2));
+}
+
+void judgeAttitude(AttitudeResult& result, const AttitudeOptions& options)
+{
+    const double total_nT = options.field.total_nT();
+    const auto atMost = [&](CalibrationVerdict verdict, Message why) {
+        result.reasons.push_back(std::move(why));
+        result.verdict = std::max(result.verdict, verdict);
+    };
+    double worst = 0;
+    for (const auto& parameter : result.parameters)
+        if (parameter.unit == "nT" && parameter.standard_error)
+            worst = std::max(worst, *parameter.standard_error);
+    if (worst > kDeterminedHardIron * total_nT)
+        atMost(CalibrationVerdict::NotDetermined,
+            {MARKED("core", "the standard error of the hard iron is %1 nT; expected %2 nT or less, and nothing is determined above %3 nT"),
+                figureText(worst, 0), figureText(kGoodHardIron * total_nT, 0), figureText(kDeterminedHardIron * total_nT, 0)});
+    else if (worst > kGoodHardIron * total_nT)
+        atMost(CalibrationVerdict::Doubtful,
+            {MARKED("core", "the standard error of the hard iron is %1 nT; expected %2 nT or less"), figureText(worst, 0),
+                figureText(kGoodHardIron * total_nT, 0)});
+    if (result.rank < result.parametersAsked) {
+        atMost(CalibrationVerdict::Doubtful,
+            {MARKED("core", "%1 of %2 parameters can be told; what cannot is named"), result.rank, result.parametersAsked});
+        result.nextSteps.push_back(
+            {MARKED("core", "log all headings at more than one pitch and roll: 20° either way tells all, 5° tells a quarter as well")});
+    }
+    if (result.validation && result.validation->heading_deg > kHeldOutHeading_deg)
+        atMost(CalibrationVerdict::Doubtful,
+            {MARKED("core", "headings that were held out are off by %1° rms; expected %2° or less"),
+                figureText(result.validation->heading_deg, 2), figureText(kHeldOutHeading_deg, 1)});
+    if (result.rank < result.parametersAsked)
+        return;
+    const double scale = std::cbrt(std::abs((Eigen::Matrix3d::Identity() + result.model.softIron).determinant()));
+    if (std::abs(scale - 1) > kFieldContradiction)
+        atMost(CalibrationVerdict::Doubtful,
+            {MARKED("core",
+                 "the log's field is %1 nT, %2 % off the %3 nT that were given; expected within %4 %: another unit, another place, or a sensor of another scale"),
+                figureText(scale * total_nT, 0), signedFigureText(100 * (scale - 1), 0), figureText(total_nT, 0),
+                figureText(100 * kFieldContradiction, 0)});
+    if (!options.variation || std::abs(options.variation->degrees()) < 2)
+        return;
+    const double yaw_deg = toDegrees(result.misalignment.yaw_rad);
+    if (std::abs(std::abs(yaw_deg) - std::abs(options.variation->degrees())) < 1.0)
+        result.warnings.push_back(
+            {MARKED("core",
+                 "the sensor seems turned by %1°, which is the variation of the place (%2°): are the headings true instead of magnetic?"),
+                signedFigureText(yaw_deg, 1), signedFigureText(options.variation->degrees(), 1)});
+}
+
+} // namespace
+
+Result<AttitudeResult> fitAttitude(const SensorLog& log, const AttitudeOptions& options)
+{
+    if (!log.hasAttitude())
+        return Error{ErrorCode::InvalidInput, MARKED("core", "has no attitude; expected the columns heading_deg, pitch_deg and roll_deg")};
+    if (log.unit == FieldUnit::Counts)
+        return Error{ErrorCode::InvalidInput,
+            MARKED("core", "is in counts; expected a log in nT, uT, mG or G, as the field that it is held against is")};
+    AttitudeResult result;
+    result.samples = log.size();
+    const LogQuality quality = qualityOf(log);
+    result.warnings = quality.remarks;
+    const auto used = usableRows(log, quality);
+    result.used = static_cast<std::size_t>(std::count(used.begin(), used.end(), std::uint8_t{1}));
+    const std::size_t regressors = 4 + log.currents.size();
+    if (result.used < regressors + 1)
+        return Error{ErrorCode::Numeric, {MARKED("core", "has %1 usable samples; expected %2 or more"), result.used, regressors + 1}};
+    if (Message own = headingOfItsOwn(log, used); !own.empty())
+        return Error{ErrorCode::InvalidInput, std::move(own)};
+
+    const double total_nT = options.field.total_nT();
+    const RegressionMoments moments = momentsOfRows(log, used, options.field);
+    const Regression fit = regress(moments, toRadians(options.attitudeError_deg));
+    if (Message misread = misreadAngles(log, used, options, fit.variance); !misread.empty())
+        return Error{ErrorCode::InvalidInput, std::move(misread)};
+
+    result.model = modelOf(log, fit, total_nT);
+    result.condition = fit.condition;
+    result.parametersAsked = static_cast<int>(3 * regressors);
+    result.rank = static_cast<int>(3 * (regressors - fit.null.size()));
+    for (Eigen::Index i = 0; i < 3; ++i)
+        if (!fit.told[static_cast<std::size_t>(i)])
+            result.softTold.col(i).setZero();
+    if (!fit.told[3])
+        result.hardTold.setZero();
+    result.circuitTold.assign(fit.told.begin() + 4, fit.told.end());
+    result.sigma_nT = std::sqrt(fit.variance) * total_nT;
+
+    const Eigen::Matrix3d inverse = (Eigen::Matrix3d::Identity() + result.model.softIron).inverse();
+    std::vector<double> residuals;
+    std::vector<Eigen::Vector3d> directions;
+    double squares = 0;
+    for (std::size_t row = 0; row < log.size(); ++row) {
+        if (used[row] == 0)
+            continue;
+        const Eigen::Vector3d field = fieldBy(result.model, inverse, log, row), stated = fieldOfRow(log, row, options.field);
+        residuals.push_back((field - stated).x());
+        squares += (field.norm() - total_nT) * (field.norm() - total_nT);
+        directions.push_back(stated / total_nT);
+    }
+    result.rms_nT = std::sqrt(squares / static_cast<double>(residuals.size()));
+    result.coverage = coverageOf(directions);
+    describeAttitudeParameters(result, log, fit, total_nT, fit.variance * slowResidualFactor(residuals));
+    for (const auto& direction : fit.null)
+        result.notSeparable.push_back(inWords(log, direction, total_nT));
+    result.notSeparable.push_back({MARKED("core",
+        "soft constants D1, D2, D3 and hard iron P, Q, R add up: one survey in one field tells their sum, which stands as P, Q, R")});
+    result.notSeparable.push_back({MARKED("core",
+        "a turn of the sensor in its mount and the unsymmetric part of soft iron are one thing: the misalignment is stated for symmetric soft iron")});
+    misalign(result);
+    result.validation = heldOut(log, used, options, moments, fit);
+    result.verdict = CalibrationVerdict::Good;
+    checkAxes(result, moments);
+    checkNorth(result, log, used, options, fit.variance);
+    judgeAttitude(result, options);
+    if (options.attitudeError_deg == 0)
+        result.warnings.push_back({MARKED("core",
+            "attitude is taken for exact; an error of 1° makes some 420 nT in R: state it (standard deviation), and it is taken out")});
+    else
+        result.warnings.push_back(
+            {MARKED("core",
+                 "an attitude error of %1° is taken out of the moments; what is not known of it by a tenth leaves a fifth of its bias"),
+                figureText(options.attitudeError_deg, 2)});
+    return result;
+}
+
+} // namespace lubberline

@@ -1,0 +1,209 @@
+#include "core/calibration/LogQuality.h"
+
+#include <algorithm>
+
+#include "core/base/Number.h"
+
+namespace lubberline {
+
+namespace {
+
+constexpr std::size_t kStuckRows = 50;
+constexpr double kSpikeScatters = 12.0;
+constexpr double kMedianToSigma = 1.4826;
+
+void note(LogQuality& quality, std::size_t row, SampleFault fault)
+{
+    if (quality.faults[row] == SampleFault::None)
+        quality.faults[row] = fault;
+}
+
+double medianInPlace(std::vector<double>& values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+void findGaps(const SensorLog& log, LogQuality& quality)
+{
+    std::vector<double> steps;
+    steps.reserve(log.size());
+    for (std::size_t row = 1; row < log.time_s.size(); ++row)
+        if (log.time_s[row] > log.time_s[row - 1])
+            steps.push_back(log.time_s[row] - log.time_s[row - 1]);
+    if (steps.empty())
+        return;
+    const double step = medianInPlace(steps);
+    quality.rate_hz = 1.0 / step;
+    double longest = 0, lost = 0;
+    for (std::size_t row = 1; row < log.time_s.size(); ++row) {
+        const double length = log.time_s[row] - log.time_s[row - 1];
+        if (length <= 2.5 * step)
+            continue;
+        quality.gaps.push_back({row, log.time_s[row - 1], length});
+        longest = std::max(longest, length);
+        lost += length - step;
+    }
+    if (!quality.gaps.empty())
+        quality.remarks.push_back({MARKED_N("core", "%n gap(s) in time, the longest %1 s, together %2 s"), quality.gaps.size(),
+            figureText(longest, 2), figureText(lost, 2)});
+}
+
+void findMissingAndRepeats(const SensorLog& log, LogQuality& quality)
+{
+    for (std::size_t row = 0; row < log.size(); ++row) {
+        if (!log.hasField(row))
+            note(quality, row, SampleFault::Missing);
+        else if (row > 0 && log.field[0][row] == log.field[0][row - 1] && log.field[1][row] == log.field[1][row - 1]
+            && log.field[2][row] == log.field[2][row - 1])
+            note(quality, row, SampleFault::Repeat);
+    }
+}
+
+/// Whether the other axes move while this one stands, over rows [from, to).
+bool othersMove(const SensorLog& log, std::size_t axis, std::size_t from, std::size_t to)
+{
+    for (std::size_t other = 0; other < 3; ++other) {
+        if (other == axis)
+            continue;
+        std::size_t changes = 0;
+        for (std::size_t row = from + 1; row < to; ++row)
+            changes += log.field[other][row] != log.field[other][row - 1] ? 1 : 0;
+        if (2 * changes > to - from)
+            return true;
+    }
+    return false;
+}
+
+void findStuck(const SensorLog& log, LogQuality& quality)
+{
+    constexpr std::array<char, 3> kAxes{'x', 'y', 'z'};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto& values = log.field[axis];
+        std::size_t rows = 0;
+        for (std::size_t from = 0; from < values.size();) {
+            std::size_t to = from + 1;
+            while (to < values.size() && values[to] == values[from])
+                ++to;
+            if (to - from >= kStuckRows && quality.faults[from] != SampleFault::Clipped && othersMove(log, axis, from, to)) {
+                rows += to - from;
+                for (std::size_t row = from; row < to; ++row)
+                    note(quality, row, SampleFault::Stuck);
+            }
+            from = to;
+        }
+        if (rows > 0)
+            quality.remarks.push_back(
+                {MARKED_N("core", "axis %1 is stuck in %n row(s): its figure stands while another axis moves"), rows, kAxes[axis]});
+    }
+}
+
+/// Rows that stand at the end of an axis' range, where more of them do than a crest that is not cut off would leave.
+void findClipped(const SensorLog& log, LogQuality& quality)
+{
+    constexpr std::array<char, 3> kAxes{'x', 'y', 'z'};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        for (const double value : log.field[axis])
+            if (std::isfinite(value))
+                values.push_back(value);
+        if (values.size() < 20)
+            continue;
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        const double lowest = *low, highest = *high;
+        if (highest <= lowest)
+            continue;
+        for (const double end : {lowest, highest}) {
+            const double near = 0.002 * (highest - lowest);
+            std::size_t at = 0, beside = 0, run = 0, longest = 0;
+            for (const double value : log.field[axis]) {
+                at += value == end ? 1 : 0;
+                beside += value != end && std::abs(value - end) <= near ? 1 : 0;
+                run = value == end ? run + 1 : 0;
+                longest = std::max(longest, run);
+            }
+            // Coarse figures repeat their largest, too: then what lies beside it repeats as often.
+            if (longest < 3 || at < 5 || at < 3 * beside)
+                continue;
+            std::size_t distinct = 0;
+            std::sort(values.begin(), values.end());
+            for (std::size_t i = 1; i < values.size(); ++i)
+                distinct += values[i] != values[i - 1] ? 1 : 0;
+            if (distinct < 50 || at * distinct < 10 * values.size())
+                continue;
+            for (std::size_t row = 0; row < log.size(); ++row)
+                if (log.field[axis][row] == end)
+                    note(quality, row, SampleFault::Clipped);
+            quality.remarks.push_back({MARKED_N("core", "axis %1 is cut off at %2 %3 in %n row(s): the field is beyond the sensor's range"),
+                at, kAxes[axis], figureText(end, 1), log.figureUnit()});
+        }
+    }
+}
+
+double middleOfFive(const std::vector<double>& values, std::size_t row)
+{
+    std::array<double, 5> five{};
+    for (std::size_t i = 0; i < 5; ++i)
+        five[i] = values[row + i - 2];
+    std::nth_element(five.begin(), five.begin() + 2, five.end());
+    return five[2];
+}
+
+/// In a log whose samples follow each other; of one whose rows are in no order the scatter is as large as the field, and nothing is found.
+void findSpikes(const SensorLog& log, LogQuality& quality)
+{
+    if (log.size() < 20)
+        return;
+    std::array<double, 3> limit{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::vector<double> off;
+        off.reserve(log.size());
+        for (std::size_t row = 2; row + 2 < log.size(); ++row)
+            if (const double away = std::abs(log.field[axis][row] - middleOfFive(log.field[axis], row)); std::isfinite(away) && away > 0)
+                off.push_back(away);
+        if (off.size() < log.size() / 8) { // so smooth that most samples are the middle of their neighbours: what bends is its scatter
+            off.clear();
+            for (std::size_t row = 1; row + 1 < log.size(); ++row) {
+                const double bend = log.field[axis][row] - 0.5 * (log.field[axis][row - 1] + log.field[axis][row + 1]);
+                if (std::isfinite(bend) && bend != 0)
+                    off.push_back(std::abs(bend));
+            }
+        }
+        limit[axis] = off.empty() ? std::numeric_limits<double>::max() : kSpikeScatters * kMedianToSigma * medianInPlace(off);
+    }
+    for (std::size_t row = 2; row + 2 < log.size(); ++row)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (log.hasField(row) && std::abs(log.field[axis][row] - middleOfFive(log.field[axis], row)) > limit[axis])
+                note(quality, row, SampleFault::Spike);
+}
+
+} // namespace
+
+LogQuality qualityOf(const SensorLog& log)
+{
+    LogQuality quality;
+    quality.faults.assign(log.size(), SampleFault::None);
+    findGaps(log, quality);
+    findClipped(log, quality);
+    findStuck(log, quality);
+    findSpikes(log, quality);
+    findMissingAndRepeats(log, quality);
+    quality.count.fill(0);
+    for (const auto fault : quality.faults)
+        ++quality.count[static_cast<std::size_t>(fault)];
+    const auto tell = [&](SampleFault fault, Pattern pattern) {
+        if (quality.of(fault) > 0)
+            quality.remarks.push_back({pattern, quality.of(fault)});
+    };
+    tell(SampleFault::Missing, MARKED_N("core", "%n row(s) without a whole field (empty cells or NaN) are left out"));
+    tell(SampleFault::Spike,
+        MARKED_N("core", "%n spike(s), away from both neighbours by more than 12 times the log's scatter, are left out"));
+    if (quality.of(SampleFault::Repeat) * 20 > quality.count[0])
+        tell(SampleFault::Repeat,
+            MARKED_N(
+                "core", "%n row(s) repeat the row before them: the sensor was read faster than it measures, and they tell nothing new"));
+    return quality;
+}
+
+} // namespace lubberline

@@ -1,0 +1,34 @@
+#pragma once
+/// What is wrong with a log before anything is computed of it: gaps, repeats, a stuck axis, clipping, spikes.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/calibration/SensorLog.h"
+
+namespace lubberline {
+
+enum class SampleFault : std::uint8_t { None, Missing, Repeat, Stuck, Clipped, Spike };
+
+struct TimeGap {
+    std::size_t before = 0; ///< the row behind the gap
+    double from_s = 0, length_s = 0;
+};
+
+struct LogQuality {
+    std::vector<SampleFault> faults; ///< of each row; the first that applies
+    std::array<std::int64_t, 6> count{};
+    std::optional<double> rate_hz; ///< of the median step; none without time
+    std::vector<TimeGap> gaps;     ///< longer than 2.5 median steps
+    std::vector<Message> remarks;  ///< each fault in words, with its figure
+
+    [[nodiscard]] std::int64_t of(SampleFault fault) const { return count[static_cast<std::size_t>(fault)]; }
+};
+
+/// Repeat: a row of three figures that are the row's before it (data read faster than the sensor makes them); kept in use, as it is only
+/// no news. Stuck: one axis shows the same figure in 50 rows and more while another one moves by more than 20 of its own steps.
+/// Clipped: three rows and more stand at the largest or smallest figure of an axis, and no figure is near it. Spike: a row that leaves
+/// the line between its neighbours (median of five) by more than 12 of the log's own scatter, both neighbours being where they should.
+[[nodiscard]] LogQuality qualityOf(const SensorLog& log);
+
+} // namespace lubberline

@@ -1,0 +1,381 @@
+#include "core/calibration/Spectrum.h"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+
+#include "core/angle/Angle.h"
+#include "core/base/FileText.h"
+#include "core/base/Number.h"
+#include "core/calibration/LogQuality.h"
+#include "core/calibration/Welch.h"
+
+namespace lubberline {
+
+namespace {
+
+constexpr double kNotchQ = 5;
+constexpr double kFalseAlarm = 1e-3; ///< of a whole spectrum
+constexpr int kNear = 3;             ///< bins that a line fills on either side (Hann)
+constexpr int kNeighbours = 25;
+
+struct Supply {
+    double frequency_hz;
+    Pattern name;
+};
+constexpr std::array<Supply, 4> kSupplies{{{50, MARKED("core", "mains 50 Hz")}, {60, MARKED("core", "mains 60 Hz")},
+    {400, MARKED("core", "aircraft supply 400 Hz")}, {115, MARKED("core", "115 Hz")}}};
+constexpr std::array<int, 6> kHarmonics{1, 3, 5, 7, 9, 2}; // odd ones of rectifiers and gas lamps; twice, of magnetisation
+
+/// The column as stretches without gaps; what is missing inside one, or a spike, lies on the line between its neighbours.
+std::vector<std::vector<double>> runsOf(const std::vector<double>& values, const LogQuality& quality, bool isField)
+{
+    std::vector<std::vector<double>> runs(1);
+    std::size_t gap = 0;
+    for (std::size_t row = 0; row < values.size(); ++row) {
+        if (gap < quality.gaps.size() && quality.gaps[gap].before == row) {
+            runs.emplace_back();
+            ++gap;
+        }
+        const bool bad = !std::isfinite(values[row]) || (isField && quality.faults[row] == SampleFault::Spike);
+        runs.back().push_back(bad ? kNoValue : values[row]);
+    }
+    for (auto& run : runs) {
+        std::size_t last = run.size();
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            if (std::isnan(run[i]))
+                continue;
+            const double before = last < run.size() ? run[last] : run[i];
+            const std::size_t from = last < run.size() ? last + 1 : 0;
+            for (std::size_t k = from; k < i; ++k)
+                run[k] = before + (run[i] - before) * static_cast<double>(k + 1 - from) / static_cast<double>(i + 1 - from);
+            last = i;
+        }
+        if (last == run.size())
+            run.clear();
+        else
+            for (std::size_t k = last + 1; k < run.size(); ++k)
+                run[k] = run[last];
+    }
+    return runs;
+}
+
+std::size_t segmentFor(const std::vector<std::vector<double>>& runs)
+{
+    std::size_t longest = 0;
+    for (const auto& run : runs)
+        longest = std::max(longest, run.size());
+    std::size_t segment = 16;
+    while (segment * 2 <= longest / 8 && segment < 8192)
+        segment *= 2;
+    return segment;
+}
+
+struct Peak {
+    double frequency_hz = 0, amplitude = 0;
+};
+
+double middleOf(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+std::vector<Peak> peaksOf(const WelchSpectrum& spectrum)
+{
+    const auto& density = spectrum.density;
+    const auto bins = static_cast<int>(density.size());
+    const double freedom = std::max(2.0, 1.9 * static_cast<double>(spectrum.segments));
+    const boost::math::chi_squared chance(freedom);
+    const double factor = quantile(complement(chance, kFalseAlarm / bins)) / quantile(chance, 0.5);
+    std::vector<Peak> peaks;
+    for (int k = kNear; k < bins - 1; ++k) {
+        const auto at = [&](int i) { return density[static_cast<std::size_t>(i)]; };
+        if (at(k) < at(k - 1) || at(k) < at(k + 1))
+            continue;
+        std::vector<double> beside;
+        for (int i = std::max(2, k - kNeighbours); i <= std::min(bins - 1, k + kNeighbours); ++i)
+            if (std::abs(i - k) > kNear)
+                beside.push_back(at(i));
+        if (beside.size() < 5)
+            continue;
+        const double floor = middleOf(std::move(beside));
+        if (at(k) <= factor * floor)
+            continue;
+        double power = 0;
+        for (int i = std::max(1, k - kNear); i <= std::min(bins - 1, k + kNear); ++i)
+            power += std::max(0.0, at(i) - floor) * spectrum.step_hz;
+        const double left = std::log(std::max(at(k - 1), 1e-300)), middle = std::log(at(k)), right = std::log(std::max(at(k + 1), 1e-300));
+        const double bend = left - 2 * middle + right;
+        const double shift = bend < 0 ? std::clamp(0.5 * (left - right) / bend, -0.5, 0.5) : 0.0;
+        peaks.push_back({(k + shift) * spectrum.step_hz, std::sqrt(2 * power)});
+    }
+    std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.amplitude > b.amplitude; });
+    // The skirts of a strong line are no lines of their own.
+    std::vector<Peak> kept;
+    for (const auto& peak : peaks)
+        if (std::none_of(kept.begin(), kept.end(), [&](const Peak& other) {
+                return std::abs(other.frequency_hz - peak.frequency_hz) <= (kNear + 1) * spectrum.step_hz
+                    || (std::abs(other.frequency_hz - peak.frequency_hz) <= 12 * spectrum.step_hz
+                        && peak.amplitude < 0.01 * other.amplitude);
+            }))
+            kept.push_back(peak);
+    return kept;
+}
+
+Message supplyName(const Supply& supply, int harmonic)
+{
+    if (harmonic == 1)
+        return {supply.name};
+    return {MARKED("core", "harmonic %1 of %2"), harmonic, supply.name};
+}
+
+/// The supply that a line may come from: as it stands before folded ones, low harmonics before high ones.
+void nameLine(SpectralLine& line, double rate_hz, double within_hz)
+{
+    for (const bool folded : {false, true})
+        for (const int harmonic : kHarmonics)
+            for (const auto& supply : kSupplies) {
+                const double frequency = supply.frequency_hz * harmonic;
+                if ((frequency > rate_hz / 2) != folded || std::abs(aliasOf_hz(frequency, rate_hz) - line.frequency_hz) > within_hz)
+                    continue;
+                line.source = supplyName(supply, harmonic);
+                if (folded)
+                    line.aliasOf_hz = frequency;
+                return;
+            }
+    line.source = {MARKED("core", "not known")};
+}
+
+const std::vector<double>* columnNamed(const SensorLog& log, const std::string& name)
+{
+    const std::string small = inSmallLetters(name);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::string own = std::string("b") + "xyz"[axis];
+        if (small == own || small.starts_with(own + "_"))
+            return &log.field[axis];
+    }
+    const auto given = [](const std::vector<double>& values) { return values.empty() ? nullptr : &values; };
+    if (small == "heading_deg")
+        return given(log.heading_deg);
+    if (small == "pitch_deg")
+        return given(log.pitch_deg);
+    if (small == "roll_deg")
+        return given(log.roll_deg);
+    for (const auto* columns : {&log.others, &log.currents})
+        for (const auto& column : *columns)
+            if (inSmallLetters(column.name) == small || "current_a:" + inSmallLetters(column.name) == small)
+                return &column.values;
+    return nullptr;
+}
+
+/// Orders of a rotor: the column at even steps of its angle, so that a rotor that changes its speed has lines all the same.
+void addOrders(LogSpectrum& result, const std::vector<double>& values, const std::vector<double>& tachometer_rpm)
+{
+    std::vector<double> turns(values.size(), 0.0);
+    double fastest = 0, mean = 0;
+    for (std::size_t row = 0; row < values.size(); ++row) {
+        const double rate = std::isfinite(tachometer_rpm[row]) ? tachometer_rpm[row] / 60.0 : 0.0;
+        turns[row] = (row > 0 ? turns[row - 1] : 0.0) + rate / result.rate_hz;
+        fastest = std::max(fastest, rate);
+        mean += rate / static_cast<double>(values.size());
+    }
+    if (fastest <= 0 || turns.back() < 16)
+        return;
+    const double perTurn = std::max(4.0, std::floor(result.rate_hz / fastest));
+    std::vector<std::vector<double>> even(1);
+    std::size_t row = 0;
+    for (double turn = turns.front(); turn < turns.back(); turn += 1.0 / perTurn) {
+        while (row + 2 < turns.size() && turns[row + 1] <= turn)
+            ++row;
+        const double step = turns[row + 1] - turns[row], part = step > 0 ? std::clamp((turn - turns[row]) / step, 0.0, 1.0) : 0.0;
+        even[0].push_back(values[row] + part * (values[row + 1] - values[row]));
+    }
+    const WelchSpectrum orders = welch(even, segmentFor(even), perTurn);
+    for (const auto& peak : peaksOf(orders)) {
+        const double order = std::round(peak.frequency_hz);
+        if (order < 1 || std::abs(peak.frequency_hz - order) > 1.5 * orders.step_hz)
+            continue;
+        std::erase_if(result.lines, [&](const SpectralLine& line) { // seen twice: by frequency and by order
+            return std::abs(line.frequency_hz - order * mean) <= 2 * result.rate_hz / static_cast<double>(result.segment);
+        });
+        result.lines.push_back({order * mean, peak.amplitude, {MARKED("core", "rotor order %1"), static_cast<int>(order)}, {}});
+    }
+}
+
+double notchDelay_ms(double frequency_hz) { return 1e3 / (2 * kPi * frequency_hz * kNotchQ); }
+
+DelayFilter filterWith(const LogSpectrum& spectrum, std::vector<double> notches, double maxDelay_ms)
+{
+    DelayFilter filter;
+    filter.notches_hz = std::move(notches);
+    for (const double frequency : filter.notches_hz)
+        filter.delay_ms += notchDelay_ms(frequency);
+    if (const double rest = maxDelay_ms - filter.delay_ms; rest > 1e-6) {
+        filter.lowPass_hz = 1e3 / (2 * kPi * rest);
+        filter.delay_ms = maxDelay_ms;
+    }
+    filter.from_hz = std::max(1.0, 3 * spectrum.frequency_hz[1]);
+    for (std::size_t k = 1; k < spectrum.density.size(); ++k)
+        if (spectrum.frequency_hz[k] >= filter.from_hz) {
+            const double power = spectrum.density[k] * spectrum.frequency_hz[1];
+            filter.before_rms += power;
+            filter.left_rms += power * gainSquared(filter, spectrum.frequency_hz[k]);
+        }
+    filter.before_rms = std::sqrt(filter.before_rms);
+    filter.left_rms = std::sqrt(filter.left_rms);
+    return filter;
+}
+
+/// Notches one after the other, each time the one that leaves least, as long as that helps; what delay is left goes to the low-pass.
+DelayFilter chooseFilter(const LogSpectrum& spectrum, double maxDelay_ms)
+{
+    DelayFilter best = filterWith(spectrum, {}, maxDelay_ms);
+    for (;;) {
+        std::optional<DelayFilter> better;
+        for (const auto& line : spectrum.lines) {
+            auto notches = best.notches_hz;
+            if (line.frequency_hz < 1 || std::find(notches.begin(), notches.end(), line.frequency_hz) != notches.end())
+                continue;
+            notches.push_back(line.frequency_hz);
+            double delay = 0;
+            for (const double frequency : notches)
+                delay += notchDelay_ms(frequency);
+            if (delay > maxDelay_ms)
+                continue;
+            if (DelayFilter filter = filterWith(spectrum, notches, maxDelay_ms);
+                filter.left_rms < (better ? better->left_rms : 0.99 * best.left_rms))
+                better = std::move(filter);
+        }
+        if (!better)
+            break;
+        best = std::move(*better);
+    }
+    std::sort(best.notches_hz.begin(), best.notches_hz.end());
+    return best;
+}
+
+Result<LogSpectrum> spectrumOfColumn(
+    const SensorLog& log, const std::vector<double>& values, const LogQuality& quality, const SpectrumOptions& options)
+{
+    LogSpectrum result;
+    result.rate_hz = *quality.rate_hz;
+    const bool isField = &values == &log.field[0] || &values == &log.field[1] || &values == &log.field[2];
+    const auto runs = runsOf(values, quality, isField);
+    result.segment = options.segment > 0 ? options.segment : segmentFor(runs);
+    const WelchSpectrum spectrum = welch(runs, result.segment, result.rate_hz);
+    if (spectrum.segments == 0)
+        return Error{ErrorCode::InvalidInput,
+            {MARKED("core", "has no stretch of %1 samples without a gap; expected at least one segment"), result.segment}};
+    result.segments = spectrum.segments;
+    result.density = spectrum.density;
+    for (std::size_t k = 0; k < result.density.size(); ++k)
+        result.frequency_hz.push_back(static_cast<double>(k) * spectrum.step_hz);
+    for (const auto& peak : peaksOf(spectrum)) {
+        SpectralLine line{peak.frequency_hz, peak.amplitude, {}, {}};
+        nameLine(line, result.rate_hz, spectrum.step_hz);
+        result.lines.push_back(std::move(line));
+    }
+    return result;
+}
+
+} // namespace
+
+double aliasOf_hz(double frequency_hz, double rate_hz) { return std::abs(frequency_hz - rate_hz * std::round(frequency_hz / rate_hz)); }
+
+double gainSquared(const DelayFilter& filter, double frequency_hz)
+{
+    double gain = 1;
+    for (const double notch : filter.notches_hz) {
+        const double r = frequency_hz / notch, top = (1 - r * r) * (1 - r * r);
+        gain *= top / (top + r * r / (kNotchQ * kNotchQ));
+    }
+    if (filter.lowPass_hz) {
+        const double r = frequency_hz / *filter.lowPass_hz;
+        gain /= 1 + r * r;
+    }
+    return gain;
+}
+
+std::vector<double> suppliesOnZero_hz(double rate_hz, double within_hz)
+{
+    std::vector<double> found;
+    for (const auto& supply : kSupplies)
+        for (const int harmonic : {1, 3, 5})
+            if (aliasOf_hz(supply.frequency_hz * harmonic, rate_hz) <= within_hz)
+                found.push_back(supply.frequency_hz * harmonic);
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+Message warningOfZero(double rate_hz, double within_hz)
+{
+    std::string names;
+    for (const double frequency : suppliesOnZero_hz(rate_hz, within_hz))
+        names += (names.empty() ? "" : ", ") + figureText(frequency, 0);
+    if (names.empty())
+        return {};
+    return {
+        MARKED("core",
+            "at %1 samples a second %2 Hz fall on 0 Hz: the field of such a supply would look like hard iron; calibrate with it off, or log at another rate"),
+        figureText(rate_hz, 1), names};
+}
+
+Result<LogSpectrum> spectrumOf(const SensorLog& log, const SpectrumOptions& options)
+{
+    const LogQuality quality = qualityOf(log);
+    if (!quality.rate_hz)
+        return Error{ErrorCode::InvalidInput, MARKED("core", "has no time; expected a column time_s that goes on")};
+    Result<LogSpectrum> result = Error{ErrorCode::InvalidInput, MARKED("core", "has no such column")};
+    const std::vector<double>* values = nullptr;
+    if (!options.column.empty()) {
+        values = columnNamed(log, options.column);
+        if (!values)
+            return Error{ErrorCode::InvalidInput, {MARKED("core", "has no column %1"), inQuotes(options.column)}};
+        result = spectrumOfColumn(log, *values, quality, options);
+        if (result)
+            result->column = options.column;
+    } else {
+        double strongest = -1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            auto one = spectrumOfColumn(log, log.field[axis], quality, options);
+            if (!one)
+                return one;
+            const double amplitude = one->lines.empty() ? 0.0 : one->lines.front().amplitude;
+            if (amplitude <= strongest)
+                continue;
+            strongest = amplitude;
+            one->column = std::string("b") + "xyz"[axis];
+            values = &log.field[axis];
+            result = std::move(one);
+        }
+    }
+    if (!result)
+        return result;
+    if (!options.tachometer.empty()) {
+        const auto* tachometer = columnNamed(log, options.tachometer);
+        if (!tachometer)
+            return Error{ErrorCode::InvalidInput, {MARKED("core", "has no column %1"), inQuotes(options.tachometer)}};
+        addOrders(*result, *values, *tachometer);
+        std::sort(result->lines.begin(), result->lines.end(),
+            [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; });
+    }
+    if (options.maxDelay_ms)
+        result->filter = chooseFilter(*result, *options.maxDelay_ms);
+    for (const auto& line : result->lines)
+        if (line.aliasOf_hz)
+            result->warnings.push_back(
+                {MARKED("core",
+                     "the line at %1 Hz may be %2 Hz, folded down by sampling: a filter behind the sensor cannot tell it from what is there"),
+                    figureText(line.frequency_hz, 2), figureText(*line.aliasOf_hz, 0)});
+    if (Message zero = warningOfZero(result->rate_hz, result->frequency_hz[1]); !zero.empty())
+        result->warnings.push_back(std::move(zero));
+    if (options.maxDelay_ms && *options.maxDelay_ms * 1e-3 * result->rate_hz < 1)
+        result->warnings.push_back(
+            {MARKED("core", "%1 ms are less than one sample of this log (%2 ms): such a filter runs in the sensor, not behind it"),
+                figureText(*options.maxDelay_ms, 2), figureText(1e3 / result->rate_hz, 2)});
+    result->warnings.insert(result->warnings.end(), quality.remarks.begin(), quality.remarks.end());
+    return result;
+}
+
+} // namespace lubberline

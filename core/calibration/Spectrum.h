@@ -1,0 +1,59 @@
+#pragma once
+/// What disturbs a sensor periodically: lines of its log's spectrum by name, those that sampling folds down, and filters under a delay.
+
+#include <optional>
+
+#include "core/base/Result.h"
+#include "core/calibration/SensorLog.h"
+
+namespace lubberline {
+
+struct SpectralLine {
+    double frequency_hz = 0;          ///< as it stands in the log
+    double amplitude = 0;             ///< of the sine, in the unit of the log
+    Message source;                   ///< "mains 50 Hz", "rotor order 2", "not known"
+    std::optional<double> aliasOf_hz; ///< the frequency that sampling folded down to it
+};
+
+/// Notches of second order (Q 5) and a low-pass of first order, whose delays at low frequency add up: 1/(2π f Q) and 1/(2π f).
+struct DelayFilter {
+    std::vector<double> notches_hz;
+    std::optional<double> lowPass_hz;
+    double delay_ms = 0;
+    double before_rms = 0, left_rms = 0; ///< above `from_hz`, where what moves is no turn of the aircraft
+    double from_hz = 1;
+};
+
+struct SpectrumOptions {
+    std::string column = {};                ///< bx, by, bz, or a name of the file; empty: the axis with the strongest line
+    std::size_t segment = 0;                ///< 0: by the length of the log
+    std::string tachometer = {};            ///< a column [rev/min]
+    std::optional<double> maxDelay_ms = {}; ///< for a filter
+};
+
+struct LogSpectrum {
+    std::string column;
+    double rate_hz = 0;
+    std::size_t segment = 0, segments = 0;
+    std::vector<double> frequency_hz, density; ///< one-sided
+    std::vector<SpectralLine> lines;           ///< the strongest first
+    std::optional<DelayFilter> filter;
+    std::vector<Message> warnings;
+};
+
+/// A line is a bin above its neighbours' median by more than chance does once in a thousand spectra.
+/// Errors: InvalidInput (no such column, no time, too short).
+Result<LogSpectrum> spectrumOf(const SensorLog& log, const SpectrumOptions& options);
+
+/// Where sampling at `rate_hz` puts a frequency: 0 … rate/2.
+[[nodiscard]] double aliasOf_hz(double frequency_hz, double rate_hz);
+
+/// Supplies (50, 60, 400 Hz and odd harmonics, 115 Hz) that fall within `within_hz` of zero at this rate and look like hard iron there.
+[[nodiscard]] std::vector<double> suppliesOnZero_hz(double rate_hz, double within_hz);
+/// The warning of it; empty where there is none.
+[[nodiscard]] Message warningOfZero(double rate_hz, double within_hz);
+
+/// |H|² of the filter at a frequency.
+[[nodiscard]] double gainSquared(const DelayFilter& filter, double frequency_hz);
+
+} // namespace lubberline

@@ -1,0 +1,77 @@
+#include "core/format/results/SensorTestsJson.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/angle/Angle.h"
+
+namespace lubberline {
+
+namespace {
+
+using TestKeys = nlohmann::ordered_json;
+
+TestKeys threeKeys(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+TestKeys threeKeys(const std::optional<Eigen::Vector3d>& v) { return v ? threeKeys(*v) : TestKeys(); }
+
+void addWarnings(TestKeys& json, const SensorLog& log, const std::vector<Message>& warnings)
+{
+    std::vector<Message> all = log.warnings;
+    all.insert(all.end(), warnings.begin(), warnings.end());
+    json["warnings"] = inEnglish(all);
+}
+
+std::string written(const TestKeys& json) { return json.dump(2, ' ', false, TestKeys::error_handler_t::replace); }
+
+} // namespace
+
+std::string toJson(const LogSpectrum& spectrum, const SensorLog& log)
+{
+    TestKeys json{{"column", spectrum.column}, {"rate_hz", spectrum.rate_hz}, {"segment", spectrum.segment},
+        {"segments", spectrum.segments}, {"frequency_hz", spectrum.frequency_hz}, {"density_nT2_per_hz", spectrum.density}};
+    json["lines"] = TestKeys::array();
+    for (const auto& line : spectrum.lines)
+        json["lines"].push_back({{"frequency_hz", line.frequency_hz}, {"amplitude_nT", line.amplitude}, {"source", line.source.english()},
+            {"alias_of_hz", line.aliasOf_hz ? TestKeys(*line.aliasOf_hz) : TestKeys()}});
+    json["filter"] = nullptr;
+    if (const auto& filter = spectrum.filter)
+        json["filter"] = {{"notches_hz", filter->notches_hz},
+            {"low_pass_hz", filter->lowPass_hz ? TestKeys(*filter->lowPass_hz) : TestKeys()}, {"delay_ms", filter->delay_ms},
+            {"before_nT_rms", filter->before_rms}, {"left_nT_rms", filter->left_rms}, {"from_hz", filter->from_hz}};
+    addWarnings(json, log, spectrum.warnings);
+    return written(json);
+}
+
+std::string toJson(const CoilResult& result, const SensorLog& log)
+{
+    TestKeys json{{"samples", result.samples}, {"used", result.used}, {"scale", threeKeys(result.scale)},
+        {"scale_standard_error", threeKeys(result.scaleError)}, {"non_orthogonality_deg", threeKeys(result.nonOrthogonality_deg)}};
+    json["misalignment_deg"] = {{"roll", toDegrees(result.misalignment.roll_rad)}, {"pitch", toDegrees(result.misalignment.pitch_rad)},
+        {"yaw", toDegrees(result.misalignment.yaw_rad)}};
+    json["bias_nT"] = threeKeys(result.bias_nT);
+    json["bias_standard_error_nT"] = threeKeys(result.biasError_nT);
+    json["temperature_nT_per_c"] = threeKeys(result.temperature_nT_per_c);
+    json["hysteresis_nT"] = threeKeys(result.hysteresis_nT);
+    json["nonlinearity_nT"] = threeKeys(result.nonlinearity_nT);
+    json["noise_nT"] = threeKeys(result.noise_nT);
+    addWarnings(json, log, result.warnings);
+    return written(json);
+}
+
+std::string toJson(const InterferenceResult& result, const SensorLog& log)
+{
+    TestKeys json{{"actions", TestKeys::array()}};
+    for (const auto& action : result.actions)
+        json["actions"].push_back({{"action", action.action}, {"from_s", action.from_s}, {"change_nT", threeKeys(action.change_nT)},
+            {"worst_nT", threeKeys(action.worst_nT)}, {"worst_at_s", threeKeys(action.worstAt_s)}, {"passes", action.passes}});
+    json["passes"] = result.passes;
+    json["limits_nT"] = threeKeys(result.limits_nT);
+    json["noise_nT"] = threeKeys(result.noise_nT);
+    json["circuits"] = TestKeys::array();
+    for (const auto& circuit : result.circuits)
+        json["circuits"].push_back(
+            {{"name", circuit.name}, {"field_nT_per_A", threeKeys(circuit.field_nT_per_A)}, {"current_A", circuit.current_A}});
+    addWarnings(json, log, result.warnings);
+    return written(json);
+}
+
+} // namespace lubberline

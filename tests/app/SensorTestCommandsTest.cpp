@@ -1,0 +1,116 @@
+// `compensate`, `spectrum`, `coil`, `interference`: the contract of their JSON.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "tests/app/Program.h"
+
+namespace lubberline::test {
+
+using testing::HasSubstr;
+
+namespace {
+
+constexpr double kTurn = 2 * 3.14159265358979323846;
+
+/// A level turn at 240 samples a second with P = 2000 nT on H = 20 000 nT, and 50 Hz of 30 nT along x.
+std::string turnLog()
+{
+    std::string log = "time_s,bx_nT,by_nT,bz_nT,heading_deg,pitch_deg,roll_deg\n";
+    for (int i = 0; i < 4096; ++i) {
+        const double time = i / 240.0, heading = kTurn * i / 4096;
+        log += std::to_string(time) + "," + std::to_string(2000 + 20000 * std::cos(heading) + 30 * std::sin(kTurn * 50 * time)) + ","
+            + std::to_string(-20000 * std::sin(heading)) + ",34641," + std::to_string(heading * 360 / kTurn) + ",0,0\n";
+    }
+    return log;
+}
+
+TEST(CompensateCommand, hasEveryKeyOfTheContract)
+{
+    const Sandbox sandbox;
+    const auto log = sandbox.write("log.csv", turnLog());
+    const auto model = sandbox.write("model.json", R"({"field": {"H_nT": 20000, "dip_deg": 60}, "hard_iron_nT": [2000, 0, 0]})");
+    const auto outcome = sandbox.run({"compensate", log, "--model", model, "--latency-ms", "2", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = outcome.json();
+    EXPECT_EQ(json.at("samples"), 4096);
+    EXPECT_NEAR(json.at("rate_hz"), 240, 0.1);
+    EXPECT_NEAR(json.at("heading_error").at("before").at("max_deg"), 5.74, 0.1);
+    EXPECT_LT(json.at("heading_error").at("after").at("max_deg"), 0.1);
+    for (const char* key : {"mean_deg", "rms_deg", "p95_deg"})
+        EXPECT_TRUE(json.at("heading_error").at("after").contains(key)) << key;
+    EXPECT_GT(json.at("field_spread_nT").at("before"), 500);
+    EXPECT_EQ(json.at("demands").size(), 3u);
+    EXPECT_EQ(json.at("demands")[1].at("met"), true);
+    ASSERT_EQ(sandbox.run({"compensate", log, "--model", model, "-o", "out.csv"}).status, 0);
+    EXPECT_THAT(sandbox.read("out.csv"), HasSubstr("heading_after_deg"));
+    EXPECT_EQ(sandbox.run({"compensate", log, "--model", model, "-o", log}).status, 1);
+}
+
+TEST(SpectrumCommand, hasEveryKeyOfTheContract)
+{
+    const Sandbox sandbox;
+    const auto log = sandbox.write("log.csv", turnLog());
+    const auto outcome = sandbox.run({"spectrum", log, "--column", "bx_nT", "--max-delay-ms", "3.5", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = outcome.json();
+    EXPECT_EQ(json.at("column"), "bx_nT");
+    EXPECT_EQ(json.at("frequency_hz").size(), json.at("density_nT2_per_hz").size());
+    ASSERT_GE(json.at("lines").size(), 1u);
+    EXPECT_NEAR(json.at("lines")[0].at("frequency_hz"), 50, 0.2);
+    EXPECT_NEAR(json.at("lines")[0].at("amplitude_nT"), 30, 1);
+    EXPECT_TRUE(json.at("lines")[0].at("alias_of_hz").is_null());
+    EXPECT_LE(json.at("filter").at("delay_ms"), 3.5001);
+    ASSERT_EQ(sandbox.run({"spectrum", log, "-o", "psd.csv"}).status, 0);
+    EXPECT_THAT(sandbox.read("psd.csv"), testing::StartsWith("frequency_hz,density_nT2_per_hz\n0,"));
+    EXPECT_EQ(sandbox.run({"spectrum", log, "--column", "bq"}).status, 1);
+}
+
+TEST(CoilCommand, hasEveryKeyOfTheContract)
+{
+    const Sandbox sandbox;
+    std::string log = "ax_nT,ay_nT,az_nT,bx_nT,by_nT,bz_nT\n";
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int a : {-60000, -30000, 0, 30000, 60000}) {
+            const int x = axis == 0 ? a : 0, y = axis == 1 ? a : 0, z = axis == 2 ? a : 0;
+            log += std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + "," + std::to_string(1.01 * x + 100) + ","
+                + std::to_string(0.99 * y - 50) + "," + std::to_string(1.0 * z) + "\n";
+        }
+    const auto outcome = sandbox.run({"coil", sandbox.write("coil.csv", log), "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = outcome.json();
+    EXPECT_NEAR(json.at("scale")[0], 1.01, 1e-9);
+    EXPECT_NEAR(json.at("scale")[1], 0.99, 1e-9);
+    EXPECT_NEAR(json.at("bias_nT")[0], 100, 1e-6);
+    EXPECT_TRUE(json.at("temperature_nT_per_c").is_null());
+    for (const char* key : {"non_orthogonality_deg", "misalignment_deg", "hysteresis_nT", "noise_nT"})
+        EXPECT_TRUE(json.contains(key)) << key;
+}
+
+TEST(InterferenceCommand, hasEveryKeyOfTheContract)
+{
+    const Sandbox sandbox;
+    std::string log = "time_s,bx_nT,by_nT,bz_nT\n";
+    for (int i = 0; i < 100; ++i)
+        log += std::to_string(i) + "," + (i < 50 ? "18000" : "18700") + ",0,44000\n";
+    sandbox.write("log.csv", log);
+    sandbox.write("actions.csv", "time_s,action\n50,landing light on\n");
+    const auto outcome = sandbox.run({"interference", "log.csv", "--actions", "actions.csv", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = outcome.json();
+    EXPECT_EQ(json.at("passes"), false);
+    EXPECT_EQ(json.at("actions")[0].at("action"), "landing light on");
+    EXPECT_EQ(json.at("actions")[0].at("from_s"), 50);
+    EXPECT_EQ(json.at("actions")[0].at("change_nT")[0], 700);
+    EXPECT_EQ(json.at("actions")[0].at("worst_at_s")[0], 50);
+    EXPECT_EQ(
+        sandbox.run({"interference", "log.csv", "--actions", "actions.csv", "--limits-nT", "800,500,800", "--json"}).json().at("passes"),
+        true);
+    sandbox.write("bad.csv", "time_s,action\n50,a\n40,b\n");
+    const auto bad = sandbox.run({"interference", "log.csv", "--actions", "bad.csv"});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_THAT(bad.err, HasSubstr("bad.csv:3: time goes back"));
+}
+
+} // namespace
+} // namespace lubberline::test

@@ -1,0 +1,195 @@
+// The attitude fit: what it finds, what it says cannot be told, and what it refuses.
+#include "core/calibration/AttitudeFit.h"
+
+#include <gmock/gmock.h>
+
+#include "core/calibration/ModelHeader.h"
+#include "tests/core/calibration/LogMaker.h"
+
+namespace lubberline::test {
+namespace {
+
+using testing::HasSubstr;
+
+SensorModel unsymmetric()
+{
+    SensorModel model;
+    model.softIron << 0.05, 0.02, -0.01, 0.03, -0.04, 0.015, -0.02, 0.005, 0.03;
+    model.hardIron_nT = {3000, -2000, 1500};
+    return model;
+}
+
+std::string said(const std::vector<Message>& messages) { return together(messages).english(); }
+
+TEST(AttitudeFit, theTruthComesOut)
+{
+    const LogPlan plan{.model = unsymmetric(), .tilt_deg = 20, .noise_nT = 100, .samples = 3000};
+    const auto result = fitAttitude(makeLog(plan), {plan.field});
+    ASSERT_TRUE(result) << describe(result.error());
+    EXPECT_EQ(result->verdict, CalibrationVerdict::Good) << said(result->reasons);
+    EXPECT_EQ(result->rank, 12);
+    EXPECT_LT((result->model.softIron - plan.model.softIron).cwiseAbs().maxCoeff(), 0.002);
+    EXPECT_LT((result->model.hardIron_nT - plan.model.hardIron_nT).cwiseAbs().maxCoeff(), 80);
+    EXPECT_NEAR(result->sigma_nT, 100, 3);
+    ASSERT_TRUE(result->validation);
+    EXPECT_EQ(result->validation->blocks, 8);
+    EXPECT_NEAR(result->validation->field_nT, 100 * std::sqrt(3), 15);
+    EXPECT_LT(result->validation->heading_deg, 0.6);
+}
+
+/// Designs of 24 and 120 samples, 100 nT: ranks of a level swing and of one on two headings.
+TEST(AttitudeFit, levelTellsNineAndTwoHeadingsTellSix)
+{
+    LogPlan plan{.model = unsymmetric(), .tilt_deg = 0, .noise_nT = 0, .samples = 24};
+    const auto level = fitAttitude(makeLog(plan), {plan.field});
+    ASSERT_TRUE(level) << describe(level.error());
+    EXPECT_EQ(level->rank, 9);
+    EXPECT_NEAR(level->model.softIron(0, 0), 0.05, 1e-9);
+    // Z is 34 641 nT: P holds P + c Z, and c is not told.
+    EXPECT_NEAR(level->model.hardIron_nT.x(), 3000 - 0.01 * 20000 * std::tan(toRadians(60)), 1e-4);
+    EXPECT_EQ(level->softTold(0, 2), 0);
+    EXPECT_THAT(said(level->notSeparable), HasSubstr("c and P, f and Q, k and R cannot be told apart"));
+    EXPECT_THAT(said(level->notSeparable), HasSubstr("c \u00B7 34641 nT + P"));
+    EXPECT_EQ(level->verdict, CalibrationVerdict::Doubtful);
+    for (const auto& parameter : level->parameters)
+        EXPECT_EQ(
+            parameter.value.has_value(), parameter.name != "c" && parameter.name != "f" && parameter.name != "k" && parameter.unit != "nT");
+
+    SensorLog log = makeLog(plan);
+    const SensorResponse response = responseOf(plan.model);
+    for (std::size_t row = 0; row < log.size(); ++row) {
+        log.heading_deg[row] = row % 2 ? 90 : 270;
+        const Eigen::Vector3d m
+            = response.gain * fieldInBody(plan.field, {MagneticHeading::fromDegrees(log.heading_deg[row])}) + response.offset_nT;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            log.field[axis][row] = m[static_cast<Eigen::Index>(axis)];
+    }
+    const auto two = fitAttitude(log, {plan.field});
+    ASSERT_TRUE(two) << describe(two.error());
+    EXPECT_EQ(two->rank, 6);
+    EXPECT_THAT(said(two->notSeparable), HasSubstr("a, d, g cannot be told"));
+}
+
+TEST(AttitudeFit, currentsAreRegressors)
+{
+    const LogPlan plan{.model = unsymmetric(), .tilt_deg = 20, .noise_nT = 20, .samples = 1000};
+    SensorLog log = makeLog(plan);
+    log.currents.push_back({"landing light", {}});
+    for (std::size_t row = 0; row < log.size(); ++row) {
+        log.currents[0].values.push_back(row % 3 == 0 ? 10.0 : 0.0);
+        log.field[1][row] += 45.0 * log.currents[0].values.back();
+    }
+    const auto result = fitAttitude(log, {plan.field});
+    ASSERT_TRUE(result) << describe(result.error());
+    ASSERT_EQ(result->model.circuits.size(), 1u);
+    EXPECT_NEAR(result->model.circuits[0].field_nT_per_A.y(), 45, 1);
+    EXPECT_NEAR(result->model.circuits[0].field_nT_per_A.x(), 0, 1);
+    EXPECT_EQ(result->rank, 15);
+    for (auto& value : log.currents[0].values)
+        value = 0;
+    EXPECT_THAT(said(fitAttitude(log, {plan.field})->notSeparable), HasSubstr("the current is never other than 0"));
+}
+
+/// 1° of attitude noise biases R by hundreds of nT; stated, it is taken out.
+TEST(AttitudeFit, attitudeNoiseIsTakenOut)
+{
+    Eigen::Vector3d plain = Eigen::Vector3d::Zero(), corrected = Eigen::Vector3d::Zero();
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        const LogPlan plan{.model = unsymmetric(), .tilt_deg = 20, .noise_nT = 100, .samples = 4000, .seed = seed};
+        SensorLog log = makeLog(plan);
+        std::mt19937_64 random(seed + 100);
+        std::normal_distribution<double> normal;
+        for (std::size_t row = 0; row < log.size(); ++row) {
+            log.heading_deg[row] = wrap360(log.heading_deg[row] + normal(random));
+            log.pitch_deg[row] += normal(random);
+            log.roll_deg[row] += normal(random);
+        }
+        plain += (fitAttitude(log, {plan.field})->model.hardIron_nT - plan.model.hardIron_nT) / 6;
+        corrected += (fitAttitude(log, {plan.field, 1.0})->model.hardIron_nT - plan.model.hardIron_nT) / 6;
+    }
+    EXPECT_GT(std::abs(plain.z()), 200);
+    EXPECT_LT(std::abs(corrected.z()), 0.35 * std::abs(plain.z()));
+}
+
+TEST(AttitudeFit, theMountIsTold)
+{
+    SensorModel model;
+    model.misalignment = {toRadians(1.5), toRadians(-2), toRadians(3)};
+    const LogPlan plan{.model = model, .tilt_deg = 30, .noise_nT = 5, .samples = 1000};
+    const auto result = fitAttitude(makeLog(plan), {plan.field});
+    ASSERT_TRUE(result) << describe(result.error());
+    EXPECT_NEAR(toDegrees(result->misalignment.roll_rad), 1.5, 0.02);
+    EXPECT_NEAR(toDegrees(result->misalignment.pitch_rad), -2, 0.02);
+    EXPECT_NEAR(toDegrees(result->misalignment.yaw_rad), 3, 0.02);
+    EXPECT_LT(result->symmetric.cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST(AttitudeFit, swappedAxesAreNamed)
+{
+    const LogPlan plan{.model = unsymmetric(), .tilt_deg = 20, .samples = 500};
+    SensorLog log = makeLog(plan);
+    std::swap(log.field[0], log.field[1]);
+    for (auto& value : log.field[2])
+        value = -value;
+    const auto result = fitAttitude(log, {plan.field});
+    ASSERT_TRUE(result) << describe(result.error());
+    EXPECT_THAT(said(result->reasons), HasSubstr("x = +y of the log, y = +x of the log, z = \u2212z of the log"));
+    EXPECT_NE(result->verdict, CalibrationVerdict::Good);
+}
+
+TEST(AttitudeFit, trueHeadingsAreDoubted)
+{
+    const LogPlan plan{.model = unsymmetric(), .tilt_deg = 20, .samples = 1000};
+    SensorLog log = makeLog(plan);
+    for (auto& heading : log.heading_deg)
+        heading = wrap360(heading + 7);
+    const auto result = fitAttitude(log, {plan.field, 0, Variation::fromDegrees(7)});
+    ASSERT_TRUE(result) << describe(result.error());
+    EXPECT_EQ(result->verdict, CalibrationVerdict::Doubtful);
+    EXPECT_THAT(said(result->reasons), HasSubstr("look true instead of magnetic"));
+}
+
+TEST(AttitudeFit, whatIsRefused)
+{
+    const LogPlan plan{.model = unsymmetric(), .tilt_deg = 20, .samples = 400};
+    const auto refusal = [&](const SensorLog& log) {
+        const auto result = fitAttitude(log, {plan.field});
+        return result ? std::string("it was taken") : describe(result.error());
+    };
+    SensorLog log = makeLog(plan);
+    for (auto* column : {&log.heading_deg, &log.pitch_deg, &log.roll_deg})
+        for (auto& value : *column)
+            value = toRadians(value);
+    EXPECT_THAT(refusal(log), HasSubstr("look like radians"));
+    log = makeLog(plan);
+    for (auto* column : {&log.pitch_deg, &log.roll_deg})
+        for (auto& value : *column)
+            value = toRadians(value);
+    EXPECT_THAT(refusal(log), HasSubstr("pitch and roll look like radians"));
+    log = makeLog(plan);
+    log.roll_deg.clear();
+    EXPECT_THAT(refusal(log), HasSubstr("has no attitude"));
+    log = makeLog(plan);
+    log.unit = FieldUnit::Counts;
+    EXPECT_THAT(refusal(log), HasSubstr("is in counts"));
+}
+
+/// Level or tilt-compensated, turned by a constant, or in whole degrees: it is the compass's own all the same.
+TEST(AttitudeFit, aReferenceFromTheCompassItselfIsRefused)
+{
+    const LogPlan plan{.model = unsymmetric(), .tilt_deg = 20, .samples = 400};
+    for (const bool levelled : {true, false})
+        for (const bool whole : {true, false}) {
+            SensorLog log = makeLog(plan);
+            for (std::size_t row = 0; row < log.size(); ++row) {
+                const double own = headingOf_deg(log.at(row), levelled ? log.pitch_deg[row] : 0, levelled ? log.roll_deg[row] : 0);
+                log.heading_deg[row] = whole ? std::round(own) : wrap360(own + 5.5);
+            }
+            const auto result = fitAttitude(log, {plan.field});
+            ASSERT_FALSE(result);
+            EXPECT_THAT(describe(result.error()), HasSubstr("is what this compass itself reads"));
+        }
+}
+
+} // namespace
+} // namespace lubberline::test

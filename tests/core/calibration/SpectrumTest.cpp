@@ -1,0 +1,153 @@
+#include "core/calibration/Spectrum.h"
+
+#include <gmock/gmock.h>
+
+#include <numeric>
+#include <random>
+
+#include "core/angle/Angle.h"
+#include "core/calibration/Welch.h"
+
+namespace lubberline::test {
+namespace {
+
+using testing::HasSubstr;
+
+struct Sine {
+    double frequency_hz, amplitude;
+};
+
+SensorLog logWith(const std::vector<Sine>& sines, double rate_hz, int samples, double noise = 20)
+{
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    SensorLog log;
+    for (int i = 0; i < samples; ++i) {
+        const double time = i / rate_hz;
+        double value = 20000;
+        for (const auto& sine : sines)
+            value += sine.amplitude * std::sin(2 * kPi * sine.frequency_hz * time + 0.3);
+        log.time_s.push_back(time);
+        log.field[0].push_back(value + noise * normal(random));
+        log.field[1].push_back(noise * normal(random));
+        log.field[2].push_back(40000 + noise * normal(random));
+    }
+    return log;
+}
+
+/// Parseval: density times step adds up to the variance; of a sine exactly (its own bin), of noise in the mean.
+TEST(Welch, densityAddsUpToTheVariance)
+{
+    std::vector<double> sine;
+    for (int i = 0; i < 4096; ++i)
+        sine.push_back(7 + 3 * std::sin(2 * kPi * 16 * i / 256.0));
+    const auto spectrum = welch(std::vector<std::vector<double>>{sine}, 256, 100);
+    EXPECT_EQ(spectrum.segments, 31u);
+    EXPECT_NEAR(std::accumulate(spectrum.density.begin(), spectrum.density.end(), 0.0) * spectrum.step_hz, 4.5, 1e-9);
+    EXPECT_NEAR(spectrum.step_hz, 100.0 / 256, 1e-12);
+}
+
+/// White noise of 20 nT at 240 Hz is 400/120 nT²/Hz one-sided.
+TEST(Spectrum, noiseIsFlatAndHasNoLines)
+{
+    const auto spectrum = spectrumOf(logWith({}, 240, 20000), {.column = "by_nT"});
+    ASSERT_TRUE(spectrum) << describe(spectrum.error());
+    EXPECT_TRUE(spectrum->lines.empty());
+    const double mean
+        = std::accumulate(spectrum->density.begin() + 2, spectrum->density.end(), 0.0) / static_cast<double>(spectrum->density.size() - 2);
+    EXPECT_NEAR(mean, 400.0 / 120, 0.15);
+}
+
+TEST(Spectrum, linesAreNamedWithTheirAmplitude)
+{
+    const auto spectrum = spectrumOf(logWith({{50, 30}, {80, 12}}, 240, 20000), {});
+    ASSERT_TRUE(spectrum) << describe(spectrum.error());
+    EXPECT_EQ(spectrum->column, "bx") << "the axis with the strongest line";
+    ASSERT_EQ(spectrum->lines.size(), 2u);
+    EXPECT_NEAR(spectrum->lines[0].frequency_hz, 50, 0.1);
+    EXPECT_NEAR(spectrum->lines[0].amplitude, 30, 0.7);
+    EXPECT_EQ(spectrum->lines[0].source.english(), "mains 50 Hz");
+    EXPECT_FALSE(spectrum->lines[0].aliasOf_hz);
+    // At 240 samples a second 400 Hz stand at 80 Hz.
+    EXPECT_NEAR(spectrum->lines[1].frequency_hz, 80, 0.1);
+    EXPECT_NEAR(*spectrum->lines[1].aliasOf_hz, 400, 1e-9);
+    EXPECT_THAT(together(spectrum->warnings).english(), HasSubstr("may be 400 Hz, folded down"));
+}
+
+TEST(Spectrum, whatFallsOnZeroIsWarnedOf)
+{
+    EXPECT_EQ(aliasOf_hz(400, 240), 80);
+    EXPECT_EQ(aliasOf_hz(1200, 240), 0);
+    EXPECT_EQ(aliasOf_hz(400, 100), 0);
+    EXPECT_EQ(aliasOf_hz(400, 50), 0);
+    EXPECT_EQ(suppliesOnZero_hz(240, 0.01), (std::vector<double>{1200}));
+    EXPECT_EQ(suppliesOnZero_hz(100, 0.01), (std::vector<double>{300, 400, 1200, 2000}));
+    EXPECT_THAT(warningOfZero(100, 0.01).english(), HasSubstr("400"));
+    EXPECT_TRUE(warningOfZero(97, 0.01).empty());
+}
+
+/// A rotor that speeds up from 300 to 420 rev/min: its line is smeared over frequency, and sharp over its angle.
+TEST(Spectrum, rotorOrdersAreTracked)
+{
+    SensorLog log = logWith({}, 240, 24000, 5);
+    log.others.push_back({"rotor_rpm", {}});
+    double turn = 0;
+    for (std::size_t row = 0; row < log.size(); ++row) {
+        const double rate = 5 + 2 * static_cast<double>(row) / static_cast<double>(log.size());
+        log.others[0].values.push_back(60 * rate);
+        turn += rate / 240;
+        log.field[0][row] += 25 * std::sin(2 * kPi * 2 * turn);
+    }
+    const auto spectrum = spectrumOf(log, {.column = "bx", .tachometer = "rotor_rpm"});
+    ASSERT_TRUE(spectrum) << describe(spectrum.error());
+    ASSERT_FALSE(spectrum->lines.empty());
+    EXPECT_EQ(spectrum->lines[0].source.english(), "rotor order 2");
+    EXPECT_NEAR(spectrum->lines[0].amplitude, 25, 1.5);
+    EXPECT_NEAR(spectrum->lines[0].frequency_hz, 12, 0.1);
+}
+
+/// A low-pass of first order with 3.5 ms takes 3.4 dB off 50 Hz; nine notches of Q 5 cost 1.5 ms.
+TEST(Spectrum, filtersCostDelay)
+{
+    DelayFilter lowPass;
+    lowPass.lowPass_hz = 1e3 / (2 * kPi * 3.5);
+    EXPECT_NEAR(10 * std::log10(gainSquared(lowPass, 50)), -3.4, 0.05);
+    DelayFilter notch;
+    notch.notches_hz = {50};
+    EXPECT_LT(gainSquared(notch, 50), 1e-12);
+    double delay_ms = 0;
+    for (const double supply : {50.0, 115.0, 400.0})
+        for (const double order : {1.0, 3.0, 5.0})
+            delay_ms += 1e3 / (2 * kPi * supply * order * 5);
+    EXPECT_NEAR(delay_ms, 1.5, 0.05);
+
+    const auto spectrum = spectrumOf(logWith({{50, 60}}, 1000, 30000, 2), {.column = "bx", .maxDelay_ms = 3.5});
+    ASSERT_TRUE(spectrum && spectrum->filter);
+    ASSERT_EQ(spectrum->filter->notches_hz.size(), 1u);
+    EXPECT_NEAR(spectrum->filter->notches_hz[0], 50, 0.1);
+    EXPECT_LE(spectrum->filter->delay_ms, 3.5 + 1e-9);
+    EXPECT_LT(spectrum->filter->left_rms, 0.1 * spectrum->filter->before_rms);
+}
+
+TEST(Spectrum, gapsAreNotBridged)
+{
+    SensorLog log = logWith({{50, 30}}, 240, 8000);
+    for (std::size_t row = 4000; row < log.size(); ++row)
+        log.time_s[row] += 1.0;
+    const auto spectrum = spectrumOf(log, {.column = "bx"});
+    ASSERT_TRUE(spectrum);
+    EXPECT_NEAR(spectrum->lines[0].amplitude, 30, 1);
+    EXPECT_THAT(together(spectrum->warnings).english(), HasSubstr("gap"));
+}
+
+TEST(Spectrum, whatIsRefused)
+{
+    EXPECT_THAT(describe(spectrumOf(logWith({}, 240, 100), {.column = "current"}).error()), HasSubstr("has no column \"current\""));
+    EXPECT_THAT(describe(spectrumOf(logWith({}, 240, 100), {.column = "bx", .segment = 512}).error()), HasSubstr("512 samples"));
+    SensorLog log = logWith({}, 240, 100);
+    log.time_s.clear();
+    EXPECT_THAT(describe(spectrumOf(log, {}).error()), HasSubstr("has no time"));
+}
+
+} // namespace
+} // namespace lubberline::test

@@ -1,0 +1,73 @@
+#pragma once
+/// From a log of a magnetometer to its calibration: open it, say which column is which, read the verdict and what to do next, see the log,
+/// the directions that it covers, and headings or the field's size before and after; save the model.
+
+#include <memory>
+#include <vector>
+
+#include "ui/calibration/CalibrationRun.h"
+#include "ui/kit/FileQuestions.h"
+#include "ui/kit/Page.h"
+#include "ui/kit/Worker.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSettings;
+class QTabWidget;
+
+namespace lubberline::ui {
+
+class CoverageSphere;
+class SeriesPlot;
+
+class CalibrationPage : public Page {
+    Q_OBJECT
+
+public:
+    CalibrationPage(QSettings& settings, FileQuestions questions, QWidget* parent = nullptr);
+
+    void openLog(const QString& path);
+    [[nodiscard]] const std::shared_ptr<const CalibrationRun>& run() const { return m_run; }
+
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem&) override { return {}; }
+    [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
+    [[nodiscard]] Plot* plot() const override;
+
+private:
+    void build();
+    QWidget* buildForm();
+    void choose();
+    void offerColumns(const SensorLogHeader& header);
+    void rememberColumns();
+    void start(bool readAgain);
+    void take(Result<CalibrationRun> run);
+    void showRun();
+    void showLog();
+    void showCoverage();
+    void showBeforeAfter();
+    void save();
+    [[nodiscard]] Result<CalibrationWish> wish() const;
+    [[nodiscard]] Result<std::string> modelText(const QString& path) const;
+
+    QSettings& m_settings;
+    FileQuestions m_questions;
+    QString m_path;
+    std::shared_ptr<const SensorLog> m_log; ///< as it was read last
+    std::shared_ptr<const CalibrationRun> m_run;
+    QLabel *m_file, *m_words;
+    std::vector<std::pair<std::string, QComboBox*>> m_columns; ///< key and choice
+    QComboBox *m_unit, *m_method;
+    QLineEdit *m_field, *m_dip, *m_attitudeError;
+    QCheckBox* m_onlySeen;
+    QPushButton *m_open, *m_calibrate, *m_cancel, *m_save;
+    QTabWidget* m_tabs;
+    SeriesPlot *m_logPlot, *m_beforeAfter;
+    CoverageSphere* m_sphere;
+    Worker<CalibrationRun> m_worker;
+};
+
+} // namespace lubberline::ui
