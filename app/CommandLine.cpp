@@ -71,6 +71,8 @@ int runCommandLine(int argc, char** argv)
     addRule(app, invocation);
     addDb(app, invocation);
     addWinds(app, invocation);
+    addLegs(app, invocation);
+    addContinuous(app, invocation);
     addDemo(app, invocation);
 
     try {

@@ -57,6 +57,8 @@ void addSensorTests(CLI::App& app, Invocation& invocation); ///< spectrum, coil,
 void addSign(CLI::App& app, Invocation& invocation); ///< complete, reopen, sign, amend, audit
 void addSwings(CLI::App& app, Invocation& invocation);
 void addDb(CLI::App& app, Invocation& invocation);
+void addContinuous(CLI::App& app, Invocation& invocation);
+void addLegs(CLI::App& app, Invocation& invocation);
 void addWinds(CLI::App& app, Invocation& invocation);
 void addDemo(CLI::App& app, Invocation& invocation);
 

@@ -1,13 +1,17 @@
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "app/Console.h"
 #include "app/Outputs.h"
+#include "app/Paths.h"
+#include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/WindCsv.h"
 #include "core/format/results/WindsJson.h"
+#include "ui/report/forms/WindSheet.h"
 
 namespace lubberline::app {
 
@@ -47,6 +51,16 @@ void warnOfAircraft(const WindFile& file)
             warn({one.aircraft.empty() ? warning : Message{MARKED("app", "%1: %2"), one.aircraft, warning}});
 }
 
+Result<void> writeWinds(const WindsArguments& options, const WindFile& file)
+{
+    if (options.output.kind == ".csv")
+        return writeWholeFile(options.output.path, windTableCsv(file.result, options.winds.factor));
+    const auto session = makeDrawingSession();
+    return ui::writeWindSheet({file.result, options.winds.factor,
+                                  QString::fromStdString(std::filesystem::path(nameOfInput(options.file)).filename().string()), nowUtc()},
+        QString::fromStdString(options.output.path));
+}
+
 int windsCommand(const WindsArguments& options)
 {
     const auto file
@@ -56,7 +70,7 @@ int windsCommand(const WindsArguments& options)
     if (!options.json || !options.output.empty())
         warnOfAircraft(*file);
     if (!options.output.empty()) {
-        if (const auto written = writeWholeFile(options.output.path, windTableCsv(file->result, options.winds.factor)); !written)
+        if (const auto written = writeWinds(options, *file); !written)
             return fail(written.error());
         sayWritten(options.output);
     } else if (options.json) {
@@ -126,7 +140,8 @@ void addWinds(CLI::App& app, Invocation& invocation)
         ->check(CLI::Range(0.0, 100.0))
         ->capture_default_str();
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "the tables to upload", {".csv"})->excludes(json);
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the tables to upload, or the report", {".csv", ".pdf"})
+        ->excludes(json);
     command->callback([options, &invocation] { invocation.action = [options] { return windsCommand(*options); }; });
 }
 

@@ -162,6 +162,12 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
     result.observations = aircraft.observations;
     result.used = aircraft.used;
     result.leftOut = aircraft.leftOut;
+    result.sectors = aircraft.sectors;
+    for (auto& sector : result.sectors)
+        if (sector.count > 0) {
+            sector.heading_deg /= static_cast<double>(sector.count);
+            sector.error_deg /= static_cast<double>(sector.count);
+        }
     const auto order = inOrder(aircraft);
     std::vector<const FlightSums*> flights;
     for (const Flight* flight : order)

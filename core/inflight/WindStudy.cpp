@@ -192,6 +192,11 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
         one.withoutTold = 1;
     }
     const WindRow row = windRow(sine, cosine);
+    const double read_deg = wrap360(toDegrees(std::atan2(sine, cosine)));
+    WindSector& sector = aircraft.sectors[static_cast<std::size_t>(read_deg / 10.0) % aircraft.sectors.size()];
+    ++sector.count;
+    sector.heading_deg += read_deg;
+    sector.error_deg += error_deg;
 
     const double left = error_deg - row.dot(aircraft.running), sigma = std::max(kLeastSigma_deg, 1.4826 * aircraft.median_deg);
     constexpr double kAnyLeg_deg = 30.0;
@@ -242,9 +247,9 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
         tellSource(report, use, error_deg);
     if (known(report.heading_deg)) {
         ++aircraft.headings;
-        const double read_deg = directionOf_deg(use.air);
-        aircraft.headingOff += std::pow(wrap180(report.heading_deg - read_deg), 2);
-        aircraft.headingOffMagnetic += std::pow(wrap180(report.heading_deg + declination_deg.value_or(0.0) - read_deg), 2);
+        const double true_deg = directionOf_deg(use.air);
+        aircraft.headingOff += std::pow(wrap180(report.heading_deg - true_deg), 2);
+        aircraft.headingOffMagnetic += std::pow(wrap180(report.heading_deg + declination_deg.value_or(0.0) - true_deg), 2);
     }
 }
 

@@ -64,6 +64,12 @@ struct FoundChange {
     WindRow step_deg = WindRow::Zero(); ///< of e
 };
 
+/// Reports whose heading is within 10° together: what a scatter of them shows.
+struct WindSector {
+    std::int64_t count = 0;
+    double heading_deg = 0, error_deg = 0; ///< means, of the heading read and of e
+};
+
 struct AircraftWinds {
     std::string aircraft;
     int flights = 0, flightsFitted = 0; ///< fitted: since the last change
@@ -82,6 +88,7 @@ struct AircraftWinds {
     double meanDeclination_deg = 0;
     bool declinationOut = false; ///< at all reports
     std::optional<double> sharedSine_deg;
+    std::array<WindSector, 36> sectors{}; ///< of all reports that are used
     std::vector<Message> warnings;
     /// Largest indication error of the first order, √(a² + b²) + |c| [deg]
     [[nodiscard]] double size_deg() const;

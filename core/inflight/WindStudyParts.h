@@ -40,6 +40,7 @@ struct WindStudy::Aircraft {
     // Of e on the declination: headings that were magnetic make a wind that is wrong by it.
     double declinations = 0, declinationSquares = 0, declinationErrors = 0, errors = 0;
     std::int64_t declined = 0;
+    std::array<WindSector, 36> sectors{}; ///< sums
 };
 
 struct WindStudy::Source {

@@ -11,6 +11,8 @@
 #include "ui/fleet/PopulationPage.h"
 #include "ui/fleet/StartPage.h"
 #include "ui/guided/GuidedPage.h"
+#include "ui/inflight/FlightLogPage.h"
+#include "ui/inflight/WindsPage.h"
 #include "ui/intake/NewSwingPage.h"
 #include "ui/intake/NmeaImportPage.h"
 #include "ui/sensor/SensorPage.h"
@@ -32,6 +34,8 @@ std::vector<PageDescription> allPages(PageContext& context)
         SwingPage::description(context),
         NewSwingPage::description(context),
         NmeaImportPage::description(context),
+        FlightLogPage::description(context),
+        WindsPage::description(context),
         ElectricalPage::description(context),
         SensorPage::description(context),
         IronBenchPage::description(context),

@@ -1,0 +1,129 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/Console.h"
+#include "app/Outputs.h"
+#include "app/commands/Command.h"
+#include "core/base/OutputFile.h"
+#include "core/base/WholeFile.h"
+#include "core/format/csv/InflightCsv.h"
+#include "core/format/csv/SwingCsv.h"
+#include "core/format/results/InflightJson.h"
+#include "core/inflight/InflightSwing.h"
+
+namespace lubberline::app {
+
+namespace {
+
+struct ContinuousArguments {
+    std::string file, state;
+    Output output, swing;
+    ContinuousOptions filter;
+    bool json = false;
+};
+
+void printContinuous(const ContinuousResult& result)
+{
+    std::printf("%lld updates", static_cast<long long>(result.updates));
+    if (result.nisMean)
+        std::printf(", innovations %.2f of what the errors allow", *result.nisMean);
+    std::printf("\n");
+    for (std::size_t i = 0; i < result.names.size(); ++i)
+        if (result.state_deg[i])
+            std::printf("%-16s %+8.3f +- %.3f\n", result.names[i].c_str(), *result.state_deg[i], *result.standardError_deg[i]);
+        else
+            std::printf("%-16s %8s\n", result.names[i].c_str(), "-");
+    for (const auto& direction : result.nullDirections)
+        std::printf("%s\n", direction.english().c_str());
+    for (const auto& alarm : result.alarms)
+        std::printf("alarm at %.0f s: %s by %+.2f +- %.2f deg since %.0f s\n", alarm.time_s, alarm.coefficient.c_str(), alarm.change_deg,
+            alarm.standardError_deg, alarm.since_s);
+}
+
+/// The state of the last flight; none where there is no such file yet.
+Result<std::optional<ContinuousState>> lastState(const std::string& path)
+{
+    if (path.empty() || !std::filesystem::exists(path))
+        return std::optional<ContinuousState>();
+    const auto content = readWholeFile(path, MARKED("core", "the state of a continuous swing"));
+    if (!content)
+        return content.error();
+    auto state = readStateJson(*content, path);
+    if (!state)
+        return state.error();
+    return std::optional(std::move(state.value()));
+}
+
+Result<void> writeContinuous(const ContinuousArguments& options, const ContinuousResult& result)
+{
+    if (!options.output.empty()) {
+        if (auto written = writeWholeFile(options.output.path, historyCsv(result)); !written)
+            return written;
+        sayWritten(options.output);
+    }
+    if (!options.swing.empty()) {
+        SwingRecord record;
+        record.swing = swingOf(result.legs);
+        if (auto written = writeWholeFile(options.swing.path, writeSwingCsv(record)); !written)
+            return written;
+        sayWritten(options.swing);
+    }
+    if (!options.state.empty() && result.told)
+        return writeWholeFile(options.state, stateJson(result.state), {options.file});
+    return {};
+}
+
+int continuousCommand(const ContinuousArguments& arguments)
+{
+    ContinuousArguments options = arguments;
+    auto start = lastState(options.state);
+    if (!start)
+        return fail(start.error());
+    options.filter.start = std::move(start.value());
+    const auto file = readContinuousCsvFile(options.file, options.filter, consoleProgress("reading " + nameOfInput(options.file)));
+    if (!file)
+        return fail(file.error());
+    std::vector<Message> warnings = file->warnings;
+    if (!options.state.empty() && !file->result.told)
+        warnings.push_back(MARKED("app", "the state is not told yet, and not kept"));
+    if (const auto written = writeContinuous(options, file->result); !written)
+        return fail(written.error());
+    if (!options.json)
+        warn(warnings);
+    if (options.json) {
+        ContinuousResult told = file->result;
+        told.warnings = warnings;
+        std::printf("%s\n", toJson(told).c_str());
+    } else if (!options.output.toStandardOutput() && !options.swing.toStandardOutput()) {
+        printContinuous(file->result);
+    }
+    return kDone;
+}
+
+} // namespace
+
+void addContinuous(CLI::App& app, Invocation& invocation)
+{
+    auto options = std::make_shared<ContinuousArguments>();
+    auto* command
+        = app.add_subcommand("continuous", "the continuous swing: A to E followed through flights, with an alarm when the iron changed");
+    addInputOption(*command, invocation, "LOG.csv", options->file,
+        "time_s, compass_heading_deg, reference_heading_deg (magnetic) or deviation_deg; reference_error_deg, leg, current_A:NAME")
+        ->required();
+    command->add_option("--noise", options->filter.noise_deg, "of a pair of headings where the log states none [deg]")
+        ->check(CLI::Range(0.001, 90.0))
+        ->capture_default_str();
+    command->add_option("--drift", options->filter.drift_deg, "random walk of each coefficient over the square root of a day [deg]")
+        ->check(CLI::Range(0.0, 90.0))
+        ->capture_default_str();
+    command->add_option("--state", options->state, "goes on from this file of the last flight, and keeps the state in it")
+        ->type_name("FILE");
+    auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the history of the coefficients", {".csv"})->excludes(json);
+    addOutputOption(*command, invocation, "--swing", options->swing, "the means of the legs as a swing in flight (Swing CSV)", {".csv"})
+        ->excludes(json);
+    command->callback([options, &invocation] { invocation.action = [options] { return continuousCommand(*options); }; });
+}
+
+} // namespace lubberline::app

@@ -1,0 +1,320 @@
+#include "core/inflight/ContinuousSwing.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/math/distributions/chi_squared.hpp>
+
+#include "core/angle/Angle.h"
+#include "core/base/Number.h"
+
+namespace lubberline {
+
+namespace {
+
+constexpr double kDay_s = 86400.0;
+constexpr double kUntold_deg = 3.0; ///< a standard deviation above this says nothing of a coefficient
+constexpr double kOwnShare = 0.99;  ///< of a coefficient outside the null directions
+constexpr std::size_t kMostPoints = 500;
+constexpr std::int64_t kEnoughForCorrelation = 40;
+constexpr double kAfterAlarm_deg = 3.0;
+
+StateFilter::State rowOf(double compass_deg, const std::vector<double>& current_A, std::size_t loads)
+{
+    const double heading = toRadians(compass_deg);
+    StateFilter::State row(static_cast<Eigen::Index>(5 + 2 * loads));
+    row.head<5>() << 1.0, std::sin(heading), std::cos(heading), std::sin(2 * heading), std::cos(2 * heading);
+    for (std::size_t load = 0; load < loads; ++load) {
+        const double amperes = load < current_A.size() ? current_A[load] : 0.0;
+        row(static_cast<Eigen::Index>(5 + 2 * load)) = amperes * row(1);
+        row(static_cast<Eigen::Index>(6 + 2 * load)) = amperes * row(2);
+    }
+    return row;
+}
+
+StateFilter filterOf(const ContinuousOptions& options)
+{
+    return options.start ? StateFilter(options.start->state_deg, options.start->covariance)
+                         : StateFilter(static_cast<int>(5 + 2 * options.loads.size()));
+}
+
+double tailOfWindow(double sum, int window) { return cdf(complement(boost::math::chi_squared(window), sum)); }
+
+/// "A + 0.6 E", the largest first.
+std::string directionText(const StateFilter::State& direction, const std::vector<std::string>& names)
+{
+    std::vector<Eigen::Index> order;
+    for (Eigen::Index i = 0; i < direction.size(); ++i)
+        if (std::abs(direction(i)) > 0.2 * direction.cwiseAbs().maxCoeff())
+            order.push_back(i);
+    std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return std::abs(direction(a)) > std::abs(direction(b)); });
+    std::string text;
+    for (const auto i : order) {
+        const double share = direction(i) / direction(order.front());
+        const std::string size = std::abs(share) > 0.95 ? std::string() : figureText(std::abs(share), 1) + " ";
+        text += (text.empty() ? "" : share < 0 ? " \u2212 " : " + ") + size + names[static_cast<std::size_t>(i)];
+    }
+    return text;
+}
+
+} // namespace
+
+ContinuousSwing::ContinuousSwing(const ContinuousOptions& options) : m_options(options), m_filter(filterOf(options))
+{
+    for (const char letter : {'A', 'B', 'C', 'D', 'E'})
+        m_names.emplace_back(1, letter);
+    for (const auto& load : options.loads)
+        for (const char letter : {'B', 'C'})
+            m_names.push_back(std::string(1, letter) + " per A of " + load);
+    if (options.start)
+        m_before = options.start->updates;
+}
+
+void ContinuousSwing::add(const ContinuousSample& sample)
+{
+    const double error_deg = sample.referenceError_deg.value_or(m_options.noise_deg);
+    if (!sample.leg) {
+        endLeg();
+        update(sample.time_s, sample.compassHeading_deg, sample.deviation_deg, error_deg * error_deg, sample.current_A);
+        auto& sector = m_sectors[static_cast<std::size_t>(wrap360(sample.compassHeading_deg) / 10.0) % 36];
+        if (sector.samples == 0) {
+            sector.time_s = sample.time_s;
+            sector.compassHeading_deg = sample.compassHeading_deg;
+        }
+        // Heading from the first of the sector, so that 359 and 1 are together.
+        const double off = wrap180(sample.compassHeading_deg - sector.compassHeading_deg);
+        auto& sum = m_sectorOff[static_cast<std::size_t>(wrap360(sample.compassHeading_deg) / 10.0) % 36];
+        sum += off;
+        sector.deviation_deg += sample.deviation_deg;
+        ++sector.samples;
+        return;
+    }
+    if (m_legSamples > 0 && *sample.leg != m_leg)
+        endLeg();
+    if (m_legSamples == 0) {
+        m_leg = *sample.leg;
+        m_legFirst = sample.deviation_deg;
+        m_legCurrent.assign(m_options.loads.size(), 0.0);
+    }
+    ++m_legSamples;
+    m_legSine += std::sin(toRadians(sample.compassHeading_deg));
+    m_legCosine += std::cos(toRadians(sample.compassHeading_deg));
+    m_legDeviation += wrap180(sample.deviation_deg - m_legFirst);
+    m_legVariance += error_deg * error_deg;
+    m_legTime += sample.time_s;
+    for (std::size_t i = 0; i < m_legCurrent.size() && i < sample.current_A.size(); ++i)
+        m_legCurrent[i] += sample.current_A[i];
+}
+
+/// Readings of one leg share what is wrong with the reference: they are one update with the error of one.
+void ContinuousSwing::endLeg()
+{
+    if (m_legSamples == 0)
+        return;
+    const double n = m_legSamples;
+    LegMean mean{m_leg, m_legTime / n, wrap360(toDegrees(std::atan2(m_legSine, m_legCosine))), wrap180(m_legFirst + m_legDeviation / n),
+        m_legSamples};
+    for (double& current : m_legCurrent)
+        current /= n;
+    const double variance = m_legVariance / n;
+    const auto current = m_legCurrent;
+    m_legSamples = 0;
+    m_legSine = m_legCosine = m_legDeviation = m_legVariance = m_legTime = 0;
+    m_legs.push_back(mean);
+    update(mean.time_s, mean.compassHeading_deg, mean.deviation_deg, variance, current);
+}
+
+double ContinuousSwing::correlation() const
+{
+    if (m_pairs < kEnoughForCorrelation || m_square <= 0)
+        return 0;
+    const double rho = m_product / m_square;
+    const double chance = 2.6 / std::sqrt(static_cast<double>(m_pairs)); // 1 % of white innovations, two-sided
+    return rho > chance ? std::min(rho, 0.95) : 0.0;
+}
+
+void ContinuousSwing::update(double time_s, double compass_deg, double deviation_deg, double variance, const std::vector<double>& current_A)
+{
+    if (m_options.drift_deg > 0 && m_last_s)
+        m_filter.widen(StateFilter::State::Constant(
+            m_filter.states(), m_options.drift_deg * m_options.drift_deg * std::max(0.0, time_s - *m_last_s) / kDay_s));
+    m_last_s = time_s;
+    ++m_updates;
+    Kept kept;
+    kept.h = rowOf(compass_deg, current_A, m_options.loads.size());
+    kept.before = m_filter.state();
+    // A deviation lies round a circle: the nearest turn to what is expected.
+    kept.z = m_filter.told() ? kept.h.dot(m_filter.state()) + wrap180(deviation_deg - kept.h.dot(m_filter.state())) : deviation_deg;
+    kept.time_s = time_s;
+    const auto innovation = m_filter.update(kept.h, kept.z, variance, kGate);
+    if (innovation.told) {
+        m_gated += innovation.taken ? 0 : 1;
+        kept.variance = innovation.variance;
+        kept.white = std::clamp(innovation.value / std::sqrt(innovation.variance), -kGate, kGate);
+        m_nis += innovation.value * innovation.value / innovation.variance;
+        watch(kept);
+    }
+    keepPoint(time_s);
+}
+
+void ContinuousSwing::watch(const Kept& kept)
+{
+    ++m_whitened;
+    for (std::size_t lag = 1; lag <= std::min(m_recent.size(), m_lags.size()); ++lag)
+        m_lags[lag - 1] += kept.white * m_recent[m_recent.size() - lag];
+    m_recent.push_back(kept.white);
+    if (m_recent.size() > m_lags.size())
+        m_recent.pop_front();
+    const double rho = correlation();
+    Kept own = kept;
+    if (m_whitened > 1) {
+        m_product += kept.white * m_previous;
+        ++m_pairs;
+        if (rho > 0)
+            own.white = (kept.white - rho * m_previous) / std::sqrt(1.0 - rho * rho);
+    }
+    m_square += kept.white * kept.white;
+    m_previous = kept.white;
+    m_kept.push_back(std::move(own));
+    if (m_kept.size() > static_cast<std::size_t>(kWindows.back()))
+        m_kept.pop_front();
+    double sum = 0, least = 1;
+    int count = 0, best = 0;
+    for (auto one = m_kept.rbegin(); one != m_kept.rend(); ++one) {
+        sum += one->white * one->white;
+        ++count;
+        // The expectation of a window is its length: a sum below twice that, or a little more of a long one, is no news.
+        if (std::find(kWindows.begin(), kWindows.end(), count) == kWindows.end() || sum < 1.4 * count)
+            continue;
+        if (const double p = tailOfWindow(sum, count); p < least) {
+            least = p;
+            best = count;
+        }
+    }
+    if (best > 0 && least < kAlarmChance)
+        raise(best, least);
+}
+
+/// What changed, and since when: each coefficient alone, from each update of the window on, against what it leaves of the state before it.
+void ContinuousSwing::raise(int window, double p)
+{
+    const auto begin = m_kept.end() - window;
+    ContinuousAlarm alarm{m_kept.back().time_s, begin->time_s, window, p, {}, 0, 0};
+    constexpr int kFewestSince = 4;
+    double most = -1;
+    for (int i = 0; i < m_filter.states(); ++i) {
+        double information = 0, product = 0;
+        int count = 0;
+        for (auto one = m_kept.end(); one != begin;) {
+            --one;
+            information += one->h(i) * one->h(i) / one->variance;
+            product += one->h(i) * (one->z - one->h.dot(begin->before)) / one->variance;
+            if (++count < kFewestSince || information <= 0 || product * product / information <= most)
+                continue;
+            most = product * product / information;
+            alarm.coefficient = m_names[static_cast<std::size_t>(i)];
+            alarm.change_deg = product / information;
+            alarm.standardError_deg = 1.0 / std::sqrt(information);
+            alarm.since_s = one->time_s;
+        }
+    }
+    m_alarms.push_back(alarm);
+    m_kept.clear();
+    // The filter is sure of what is no more: it learns anew.
+    m_filter.widen(StateFilter::State::Constant(m_filter.states(), kAfterAlarm_deg * kAfterAlarm_deg));
+    constexpr std::size_t kMostAlarms = 1000;
+    if (m_alarms.size() > kMostAlarms)
+        m_alarms.resize(kMostAlarms);
+}
+
+void ContinuousSwing::keepPoint(double time_s)
+{
+    if (!m_filter.told() || m_updates % m_stride != 0)
+        return;
+    m_history.push_back({time_s, m_filter.state(), m_filter.covariance().diagonal().cwiseMax(0.0).cwiseSqrt()});
+    if (m_history.size() < kMostPoints)
+        return;
+    for (std::size_t i = 0; 2 * i < m_history.size(); ++i)
+        m_history[i] = m_history[2 * i];
+    m_history.resize(m_history.size() / 2);
+    m_stride *= 2;
+}
+
+ContinuousResult ContinuousSwing::finish()
+{
+    endLeg();
+    ContinuousResult result;
+    result.names = m_names;
+    result.updates = m_updates;
+    result.gated = m_gated;
+    result.told = m_filter.told();
+    result.alarms = m_alarms;
+    result.history = m_history;
+    if (m_whitened > 0) {
+        const auto n = static_cast<double>(m_whitened);
+        result.nisMean = m_nis / n;
+        if (m_whitened > 20 && m_square > 0) {
+            double statistic = 0; // Ljung and Box
+            for (std::size_t lag = 1; lag <= m_lags.size(); ++lag)
+                statistic += std::pow(m_lags[lag - 1] / m_square, 2) / (n - static_cast<double>(lag));
+            result.whitenessP = cdf(complement(boost::math::chi_squared(static_cast<double>(m_lags.size())), n * (n + 2) * statistic));
+            result.correlation = m_product / m_square;
+        }
+    }
+    if (const double rho = correlation(); rho > 0) {
+        result.widened = (1 + rho) / (1 - rho);
+        result.warnings.push_back(
+            {MARKED("core",
+                 "neighbouring innovations resemble each other (correlation %1): errors of the reference last longer than an update; standard errors are widened %2 times"),
+                figureText(rho, 2), figureText(std::sqrt(result.widened), 1)});
+    }
+
+    // What the headings tell, and what not.
+    const auto information = m_filter.information();
+    const Eigen::SelfAdjointEigenSolver<StateFilter::Covariance> solver(information);
+    StateFilter::Covariance untold = StateFilter::Covariance::Zero(m_filter.states(), m_filter.states());
+    for (int i = 0; i < m_filter.states(); ++i)
+        if (solver.eigenvalues()(i) < 1.0 / (kUntold_deg * kUntold_deg)) {
+            const StateFilter::State direction = solver.eigenvectors().col(i);
+            untold += direction * direction.transpose();
+            result.nullDirections.push_back(
+                {MARKED("core", "%1 is not told by the headings and loads so far"), directionText(direction, m_names)});
+        }
+    const auto partial = m_filter.partial();
+    for (int i = 0; i < m_filter.states(); ++i) {
+        const bool told = 1.0 - untold(i, i) > kOwnShare;
+        double variance = 0;
+        for (int j = 0; j < m_filter.states(); ++j)
+            if (solver.eigenvalues()(j) >= 1.0 / (kUntold_deg * kUntold_deg))
+                variance += std::pow(solver.eigenvectors()(i, j), 2) / solver.eigenvalues()(j);
+        variance += untold(i, i) * 4.0; // a usual size of what is not told leaks
+        result.state_deg.push_back(told ? std::optional(partial(i)) : std::nullopt);
+        result.standardError_deg.push_back(told ? std::optional(std::sqrt(variance * result.widened)) : std::nullopt);
+    }
+    if (result.told && m_last_s)
+        result.state = {*m_last_s, m_before + m_updates, m_options.loads, m_filter.state(), m_filter.covariance()};
+    for (const auto& alarm : m_alarms)
+        result.warnings.push_back({MARKED("core", "the iron changed: %1 by %2\u00B0 \u00B1 %3\u00B0, between %4 s and %5 s"),
+            alarm.coefficient, signedFigureText(alarm.change_deg, 2), figureText(alarm.standardError_deg, 2), figureText(alarm.since_s, 0),
+            figureText(alarm.time_s, 0)});
+    if (result.nisMean && m_whitened > 40 && (*result.nisMean > 1.5 || *result.nisMean < 0.6))
+        result.warnings.push_back(
+            {MARKED("core",
+                 "the innovations are %1 times what the stated errors allow: the error of the reference is stated wrongly, or it changed"),
+                figureText(std::sqrt(*result.nisMean), 1)});
+    if (m_gated > 0)
+        result.warnings.push_back({MARKED_N("core", "%n reading(s) too far from what was expected were not taken"), m_gated});
+    result.legs = m_legs;
+    if (result.legs.empty())
+        for (std::size_t i = 0; i < m_sectors.size(); ++i)
+            if (LegMean mean = m_sectors[i]; mean.samples > 0) {
+                mean.compassHeading_deg = wrap360(mean.compassHeading_deg + m_sectorOff[i] / mean.samples);
+                mean.deviation_deg /= mean.samples;
+                result.legs.push_back(mean);
+            }
+    return result;
+}
+
+} // namespace lubberline

@@ -1,0 +1,126 @@
+#pragma once
+/// The continuous swing: A to E followed through flights against any heading reference,
+///   δ = A + B sin ψ' + C cos ψ' + D sin 2ψ' + E cos 2ψ' + Σ I (b sin ψ' + c cos ψ'),   I the current of each electrical load [A]
+/// by a Kalman filter, with an alarm when the iron changed: χ² of the last 10, 20, 40 and 80 whitened innovations, at a chance that gives a
+/// false alarm in one of ten series of 1400 updates (simulated). Innovations that resemble their neighbours are whitened by their own
+/// correlation first, and the errors that are told widened by (1 + ρ)/(1 − ρ); a leg counts as one update.
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/Result.h"
+#include "core/inflight/StateFilter.h"
+
+namespace lubberline {
+
+struct ContinuousSample {
+    double time_s = 0;
+    double compassHeading_deg = 0;
+    double deviation_deg = 0; ///< reference (magnetic) − compass
+    std::optional<double> referenceError_deg;
+    std::optional<std::string> leg;
+    std::vector<double> current_A; ///< of each load
+};
+
+/// What is kept with a compass from flight to flight.
+struct ContinuousState {
+    double time_s = 0; ///< of the last update, as the log had it
+    std::int64_t updates = 0;
+    std::vector<std::string> loads;
+    StateFilter::State state_deg;
+    StateFilter::Covariance covariance;
+};
+
+struct ContinuousOptions {
+    double noise_deg = 0.5; ///< of a heading pair where the log states none
+    double drift_deg = 0;   ///< random walk of each coefficient over √day
+    std::vector<std::string> loads;
+    std::optional<ContinuousState> start;
+};
+
+struct ContinuousAlarm {
+    double time_s = 0, since_s = 0; ///< when it was raised, and since when what it names explains most
+    int window = 0;                 ///< innovations
+    double p = 1;                   ///< of the window
+    std::string coefficient;        ///< that explains most of it
+    double change_deg = 0, standardError_deg = 0;
+};
+
+struct ContinuousPoint {
+    double time_s = 0;
+    StateFilter::State state_deg, standardError_deg;
+};
+
+struct LegMean {
+    std::string leg;
+    double time_s = 0, compassHeading_deg = 0, deviation_deg = 0;
+    int samples = 0;
+};
+
+struct ContinuousResult {
+    std::vector<std::string> names; ///< of the states: A … E, "B per A of NAME", …
+    std::int64_t updates = 0, gated = 0;
+    std::vector<std::optional<double>> state_deg, standardError_deg; ///< none where the headings do not tell it
+    std::optional<double> nisMean, whitenessP, correlation;
+    double widened = 1; ///< (1 + ρ)/(1 − ρ) in the variances above, where neighbours resemble each other
+    std::vector<Message> nullDirections;
+    std::vector<ContinuousAlarm> alarms;
+    std::vector<ContinuousPoint> history; ///< at most some 500
+    std::vector<LegMean> legs;            ///< headings of 10° together where the log names no legs
+    ContinuousState state;                ///< only where told
+    bool told = false;
+    std::vector<Message> warnings;
+};
+
+class ContinuousSwing {
+public:
+    explicit ContinuousSwing(const ContinuousOptions& options);
+    /// In order of time; the caller checks that.
+    void add(const ContinuousSample& sample);
+    [[nodiscard]] ContinuousResult finish();
+
+    static constexpr std::array<int, 4> kWindows{10, 20, 40, 80};
+    /// The chance of a window at which the alarm is raised: 10 % in 1400 updates of white innovations.
+    static constexpr double kAlarmChance = 1.3e-4;
+    static constexpr double kGate = 4.0;
+
+private:
+    struct Kept { ///< of the last innovations
+        StateFilter::State h, before;
+        double z = 0, variance = 1, white = 0, time_s = 0;
+    };
+    void endLeg();
+    void update(double time_s, double compass_deg, double deviation_deg, double variance, const std::vector<double>& current_A);
+    void watch(const Kept& kept);
+    void raise(int window, double p);
+    void keepPoint(double time_s);
+    [[nodiscard]] double correlation() const;
+
+    ContinuousOptions m_options;
+    StateFilter m_filter;
+    std::vector<std::string> m_names;
+    std::optional<double> m_last_s;
+    std::int64_t m_updates = 0, m_gated = 0, m_whitened = 0, m_before = 0;
+    std::deque<Kept> m_kept;
+    double m_nis = 0, m_previous = 0, m_product = 0, m_square = 0;
+    std::int64_t m_pairs = 0;
+    std::array<double, 10> m_lags{}; ///< Σ of products of innovations so many updates apart
+    std::deque<double> m_recent;
+    std::vector<ContinuousAlarm> m_alarms;
+    std::vector<ContinuousPoint> m_history;
+    std::int64_t m_stride = 1;
+    std::vector<LegMean> m_legs;
+    // The leg that is being flown.
+    std::string m_leg;
+    double m_legSine = 0, m_legCosine = 0, m_legDeviation = 0, m_legVariance = 0, m_legTime = 0, m_legFirst = 0;
+    std::vector<double> m_legCurrent;
+    int m_legSamples = 0;
+    std::array<LegMean, 36> m_sectors{};
+    std::array<double, 36> m_sectorOff{};
+};
+
+} // namespace lubberline

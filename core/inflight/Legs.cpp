@@ -1,0 +1,58 @@
+#include "core/inflight/Legs.h"
+
+#include <cmath>
+
+#include "core/angle/Heading.h"
+#include "core/base/Number.h"
+#include "core/inflight/WindVector.h"
+
+namespace lubberline {
+
+Result<LegsSolution> solveLegs(std::span<const Leg> legs, const LegsOptions& options)
+{
+    if (legs.size() < 3)
+        return Error{
+            ErrorCode::InvalidInput, {MARKED("core", "there are %1 legs; expected three at least, on headings all round"), legs.size()}};
+    std::vector<GroundVelocity> velocities;
+    for (const auto& leg : legs)
+        velocities.push_back({leg.track_deg, leg.groundSpeed_kt});
+    const auto air = airMassOf(velocities, {3, false, options.speedError_kt, false});
+    if (!air)
+        return Error{ErrorCode::Numeric,
+            MARKED("core",
+                "the legs do not tell the wind: their directions over ground lie on too short an arc; expected them all round, as 120\u00B0 apart")};
+    LegsSolution solution;
+    solution.air = *air;
+    bool anyVariation = true;
+    for (const auto& leg : legs) {
+        SolvedLeg solved;
+        solved.leg = leg;
+        solved.trueHeading_deg = headingInWind_deg(*air, leg.track_deg, leg.groundSpeed_kt);
+        const Eigen::Vector2d turned = turnedByWind_deg(*air, leg.track_deg, leg.groundSpeed_kt);
+        const double own_deg = toDegrees(options.speedError_kt / std::max(air->airspeed_kt, 1e-9));
+        solved.standardError_deg = std::sqrt(turned.dot(air->covariance * turned) + own_deg * own_deg);
+        solved.offCircle_kt = (velocityOf(leg.track_deg, leg.groundSpeed_kt) - air->toward_kt).norm() - air->airspeed_kt;
+        const auto variation_deg = leg.variation_deg ? leg.variation_deg : options.variation_deg;
+        if (variation_deg) {
+            const auto magnetic = toMagnetic(TrueHeading::fromDegrees(solved.trueHeading_deg), Variation::fromDegrees(*variation_deg));
+            solved.magneticHeading_deg = magnetic.degrees();
+            if (leg.compassHeading_deg)
+                solved.deviation_deg = deviationOf(magnetic, CompassHeading::fromDegrees(*leg.compassHeading_deg)).degrees();
+        } else {
+            anyVariation = false;
+        }
+        solution.legs.push_back(std::move(solved));
+    }
+    if (legs.size() == 3)
+        solution.warnings.push_back(
+            {MARKED("core", "three legs determine the wind exactly: nothing is left to check it; errors are those of %1 kt in each leg"),
+                figureText(options.speedError_kt, 1)});
+    else if (air->scatter_kt > 3 * options.speedError_kt)
+        solution.warnings.push_back({MARKED("core", "the legs are off one circle by %1 kt: wind or airspeed changed between them"),
+            figureText(air->scatter_kt, 1)});
+    if (!anyVariation)
+        solution.warnings.push_back(MARKED("core", "no variation is stated: headings are true, and deviations are not told"));
+    return solution;
+}
+
+} // namespace lubberline

@@ -1,0 +1,114 @@
+// `legs` and `continuous`: the contract of their JSON, the files that they write, and what they refuse.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/Number.h"
+#include "core/inflight/WindVector.h"
+#include "tests/app/Program.h"
+
+namespace lubberline::test {
+namespace {
+
+std::string legsFile()
+{
+    std::string csv = "leg,track_deg,ground_speed_kt,compass_heading_deg\n";
+    for (const double heading_deg : {10.0, 100.0, 190.0, 280.0})
+        for (int i = 0; i < 3; ++i) {
+            const Eigen::Vector2d ground = velocityOf(heading_deg, 60) + Eigen::Vector2d(8, -5);
+            csv += "L" + shortestNumber(heading_deg) + "," + shortestNumber(directionOf_deg(ground)) + "," + shortestNumber(ground.norm())
+                + "," + shortestNumber(heading_deg - 4) + "\n";
+        }
+    return csv;
+}
+
+TEST(LegsCommand, jsonAndSwing)
+{
+    const Sandbox sandbox;
+    const auto file = sandbox.write("legs.csv", legsFile());
+    const auto run = sandbox.run({"legs", file, "--variation", "6 E", "--json"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto json = run.json();
+    EXPECT_NEAR(json.at("wind").at("speed_kt").get<double>(), std::hypot(8, 5), 1e-6);
+    EXPECT_NEAR(json.at("wind").at("from_deg").get<double>(), 302.0054, 1e-3);
+    EXPECT_NEAR(json.at("airspeed_kt").get<double>(), 60.0, 1e-6);
+    ASSERT_EQ(json.at("legs").size(), 4u);
+    EXPECT_EQ(json.at("legs")[0].at("samples"), 3);
+    EXPECT_NEAR(json.at("legs")[1].at("true_heading_deg").get<double>(), 100.0, 1e-6);
+    EXPECT_NEAR(json.at("legs")[1].at("deviation_deg").get<double>(), -2.0, 1e-6);
+    ASSERT_EQ(sandbox.run({"legs", file, "--variation", "6", "-o", sandbox.path("swing.csv")}).status, 0);
+    const auto analysed = sandbox.run({"analyse", sandbox.path("swing.csv"), "--json"});
+    ASSERT_EQ(analysed.status, 0) << analysed.err;
+    EXPECT_NEAR(analysed.json().at("approximate").at("A_deg").get<double>(), -2.0, 1e-6);
+    EXPECT_EQ(sandbox.run({"legs", sandbox.write("two.csv", "track_deg,ground_speed_kt\n10,60\n190,70\n")}).status, 1);
+}
+
+std::string continuousLog(int from, int to, bool changes)
+{
+    std::string csv = "time_s,compass_heading_deg,deviation_deg\n";
+    for (int i = from; i < to; ++i) {
+        const double heading_deg = i * 77 % 360, heading = toRadians(heading_deg);
+        const double deviation_deg = 0.5 - (changes && i >= 300 ? 5.0 : 2.0) * std::sin(heading) + 1.2 * std::cos(heading)
+            + 0.5 * std::sin(12.9898 * i) * std::sqrt(2.0);
+        csv += std::to_string(i) + "," + shortestNumber(heading_deg) + "," + shortestNumber(deviation_deg) + "\n";
+    }
+    return csv;
+}
+
+TEST(ContinuousCommand, json)
+{
+    const Sandbox sandbox;
+    const auto run = sandbox.run({"continuous", sandbox.write("log.csv", continuousLog(0, 400, true)), "--json"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto json = run.json();
+    EXPECT_EQ(json.at("updates"), 400);
+    EXPECT_NEAR(json.at("state").at("C_deg").get<double>(), 1.2, 0.4);
+    EXPECT_GT(json.at("standard_error_deg").at("A_deg").get<double>(), 0.0);
+    ASSERT_FALSE(json.at("alarms").empty());
+    EXPECT_EQ(json.at("alarms")[0].at("coefficient"), "B");
+    EXPECT_GE(json.at("alarms")[0].at("time_s"), 300);
+    EXPECT_LT(json.at("alarms")[0].at("change_deg").get<double>(), -1.0);
+    EXPECT_TRUE(json.at("null_directions").empty());
+    EXPECT_FALSE(json.at("history").empty());
+}
+
+TEST(ContinuousCommand, theStateGoesFromFlightToFlight)
+{
+    const Sandbox sandbox;
+    const auto first = sandbox.write("1.csv", continuousLog(0, 150, false)),
+               second = sandbox.write("2.csv", continuousLog(150, 300, false)),
+               all = sandbox.write("all.csv", continuousLog(0, 300, false));
+    const auto state = sandbox.path("state.json");
+    ASSERT_EQ(sandbox.run({"continuous", first, "--state", state}).status, 0);
+    const auto after = sandbox.run({"continuous", second, "--state", state, "--json"});
+    ASSERT_EQ(after.status, 0) << after.err;
+    const auto whole = sandbox.run({"continuous", all, "--json"});
+    for (const char* key : {"A_deg", "B_deg", "C_deg", "D_deg", "E_deg"})
+        EXPECT_NEAR(after.json().at("state").at(key).get<double>(), whole.json().at("state").at(key).get<double>(), 1e-9);
+    // Its means are a swing that can be analysed.
+    ASSERT_EQ(sandbox.run({"continuous", all, "--swing", sandbox.path("swing.csv")}).status, 0);
+    const auto analysed = sandbox.run({"analyse", sandbox.path("swing.csv"), "--json"});
+    ASSERT_EQ(analysed.status, 0) << analysed.err;
+    EXPECT_NEAR(analysed.json().at("approximate").at("B_deg").get<double>(), -2.0, 0.2);
+    sandbox.write("state.json", "{\"format\": 3}");
+    EXPECT_EQ(sandbox.run({"continuous", second, "--state", state}).status, 1);
+}
+
+TEST(ContinuousCommand, badInputIsOneErrorWithItsLine)
+{
+    const Sandbox sandbox;
+    for (const auto& [content, words] :
+        {std::pair<std::string, std::string>{"", "is empty"}, {"time_s,deviation_deg\n1,2\n", "compass_heading_deg"},
+            {"time_s,compass_heading_deg\n1,2\n", "reference_heading_deg"}, {"time_s,compass_heading_deg,deviation_deg\n", "no pair"},
+            {"time_s,compass_heading_deg,deviation_deg\n5,2,1\n4,2,1\n", "log.csv:3: time_s goes back"},
+            {"time_s,compass_heading_deg,deviation_deg\n5,north,1\n", "log.csv:2: compass_heading_deg \"north\" is no figure"},
+            {"time_s,compass_heading_deg,deviation_deg,reference_error_deg\n5,2,1,0\n", "reference_error_deg is not above 0"}}) {
+        const auto run = sandbox.run({"continuous", sandbox.write("log.csv", content), "--json"});
+        EXPECT_EQ(run.status, 1) << content;
+        EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+    }
+}
+
+} // namespace
+} // namespace lubberline::test

@@ -1,0 +1,98 @@
+// Legs by GPS alone: the exact check, their errors, and what they cannot tell.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/inflight/InflightSwing.h"
+#include "core/inflight/Legs.h"
+#include "core/inflight/WindVector.h"
+
+using namespace lubberline;
+
+namespace {
+
+Leg legOf(double heading_deg, double airspeed, const Eigen::Vector2d& wind)
+{
+    const Eigen::Vector2d ground = velocityOf(heading_deg, airspeed) + wind;
+    Leg leg;
+    leg.track_deg = directionOf_deg(ground);
+    leg.groundSpeed_kt = ground.norm();
+    return leg;
+}
+
+TEST(Legs, exactCheck)
+{
+    // Wind (8, −5) m/s, airspeed 60 m/s, headings 010, 100, 190, 280; three of them do as well.
+    for (const std::size_t count : {std::size_t{3}, std::size_t{4}}) {
+        std::vector<Leg> legs;
+        const std::vector<double> headings{10, 100, 190, 280};
+        for (std::size_t i = 0; i < count; ++i) {
+            legs.push_back(legOf(headings[i], 60, {8, -5}));
+            legs.back().compassHeading_deg = headings[i] - 3.0;
+            legs.back().variation_deg = 5.0;
+        }
+        const auto solution = solveLegs(legs, {});
+        ASSERT_TRUE(solution) << solution.error().message.english();
+        EXPECT_NEAR(solution->air.toward_kt.x(), 8, 1e-9);
+        EXPECT_NEAR(solution->air.toward_kt.y(), -5, 1e-9);
+        EXPECT_NEAR(solution->air.airspeed_kt, 60, 1e-9);
+        for (std::size_t i = 0; i < count; ++i) {
+            EXPECT_NEAR(solution->legs[i].trueHeading_deg, headings[i], 1e-9);
+            EXPECT_NEAR(*solution->legs[i].deviation_deg, -2.0, 1e-9); // magnetic = true − 5; compass = true − 3
+        }
+        EXPECT_EQ(swingOf(*solution).readings.size(), count);
+    }
+}
+
+TEST(Legs, errorsAreThoseOfTheGroundVelocities)
+{
+    std::mt19937_64 engine(1);
+    std::normal_distribution<double> normal;
+    double squares = 0;
+    constexpr int kRuns = 400;
+    for (int run = 0; run < kRuns; ++run) {
+        std::vector<Leg> legs;
+        for (const double heading : {0.0, 120.0, 240.0}) {
+            Leg leg = legOf(heading, 100, {12, 7});
+            const Eigen::Vector2d off
+                = velocityOf(leg.track_deg, leg.groundSpeed_kt) + 0.5 * Eigen::Vector2d(normal(engine), normal(engine));
+            leg.track_deg = directionOf_deg(off);
+            leg.groundSpeed_kt = off.norm();
+            legs.push_back(leg);
+        }
+        const auto solution = solveLegs(legs, {});
+        ASSERT_TRUE(solution);
+        squares += std::pow(wrap180(solution->legs[0].trueHeading_deg) / solution->legs[0].standardError_deg, 2);
+    }
+    EXPECT_NEAR(std::sqrt(squares / kRuns), 1.0, 0.3);
+}
+
+TEST(Legs, whatLegsCannotTellIsAnError)
+{
+    const Eigen::Vector2d wind(8, -5);
+    EXPECT_FALSE(solveLegs(std::vector<Leg>{legOf(10, 60, wind), legOf(190, 60, wind)}, {}));
+    const auto arc = solveLegs(std::vector<Leg>{legOf(10, 60, wind), legOf(20, 60, wind), legOf(30, 60, wind)}, {});
+    ASSERT_FALSE(arc);
+    EXPECT_NE(arc.error().message.english().find("too short an arc"), std::string::npos);
+    const auto noVariation = solveLegs(std::vector<Leg>{legOf(0, 60, wind), legOf(120, 60, wind), legOf(240, 60, wind)}, {});
+    ASSERT_TRUE(noVariation);
+    EXPECT_FALSE(noVariation->legs[0].deviation_deg.has_value());
+    EXPECT_EQ(noVariation->warnings.size(), 2u);
+}
+
+TEST(Legs, windZeroAndWindAboveTheAirspeed)
+{
+    for (const Eigen::Vector2d& wind : {Eigen::Vector2d(0, 0), Eigen::Vector2d(70, 10)}) {
+        std::vector<Leg> legs;
+        for (const double heading : {0.0, 90.0, 180.0, 270.0})
+            legs.push_back(legOf(heading, 60, wind));
+        const auto solution = solveLegs(legs, {});
+        ASSERT_TRUE(solution);
+        EXPECT_NEAR((solution->air.toward_kt - wind).norm(), 0.0, 1e-6);
+        EXPECT_NEAR(solution->legs[1].trueHeading_deg, 90.0, 1e-6);
+    }
+}
+
+} // namespace

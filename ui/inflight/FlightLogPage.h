@@ -1,0 +1,59 @@
+#pragma once
+/// A swing in flight from a log: legs by GPS alone, or a continuous swing against a heading reference. The means of the legs become readings.
+
+#include <memory>
+#include <variant>
+
+#include "core/format/csv/InflightCsv.h"
+#include "core/record/Fleet.h"
+#include "db/stores/Stores.h"
+#include "ui/kit/FileQuestions.h"
+#include "ui/kit/Page.h"
+#include "ui/kit/Worker.h"
+
+class QLineEdit;
+class QPushButton;
+
+namespace lubberline::ui {
+
+class SwingPlot;
+
+/// What a log turned out to be.
+struct FlightLog {
+    std::variant<LegsSolution, ContinuousResult> solved;
+    std::vector<Message> warnings;
+};
+
+class FlightLogPage : public Page {
+    Q_OBJECT
+
+public:
+    FlightLogPage(db::Stores& stores, FileQuestions questions, QWidget* parent = nullptr);
+
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] Plot* plot() const override;
+    void readLog(const QString& path);
+
+signals:
+    void makeSwing(const lubberline::Swing& swing);
+
+private:
+    void build();
+    void choose();
+    void start();
+    void take(Result<FlightLog> read);
+    void make();
+
+    db::Stores& m_stores;
+    FileQuestions m_questions;
+    CompassSystem m_compass;
+    QString m_path;
+    Swing m_swing;
+    QLineEdit *m_variation, *m_noise;
+    QPushButton *m_open, *m_cancel, *m_make;
+    SwingPlot* m_plot;
+    Worker<FlightLog> m_worker;
+};
+
+} // namespace lubberline::ui
