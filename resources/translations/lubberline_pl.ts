@@ -5,7 +5,26 @@
     <name>SlipWordsTexts</name>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>Words</name>
+    <message>
+        <source>Fleet report</source>
+        <translation>Raport o flocie</translation>
+    </message>
+    <message>
+        <source>Deviation = magnetic heading − compass heading; easterly is positive.</source>
+        <translation>Dewiacja = kurs magnetyczny − kurs kompasowy; wschodnia jest dodatnia.</translation>
+    </message>
+    <message>
+        <source>%1 swings</source>
+        <translation>pomiary: %1</translation>
+    </message>
+    <message>
+        <source>made %1</source>
+        <translation>sporządzono %1</translation>
     </message>
 </context>
 <context>
@@ -141,6 +160,10 @@
     <message>
         <source>neither file names its aircraft: whether both swings are of one compass is not known</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -551,7 +574,7 @@
     </message>
     <message>
         <source>[x, y, z]</source>
-        <translation type="unfinished"></translation>
+        <translation>[x, y, z]</translation>
     </message>
     <message>
         <source>box, cylinder, ellipsoid or sphere</source>
@@ -559,11 +582,11 @@
     </message>
     <message>
         <source>is “%1”; expected box, cylinder, ellipsoid or sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>jest „%1”; oczekiwano: box, cylinder, ellipsoid lub sphere</translation>
     </message>
     <message>
         <source>[[x, y, z], [x, y, z], …]</source>
-        <translation type="unfinished"></translation>
+        <translation>[[x, y, z], [x, y, z], …]</translation>
     </message>
     <message>
         <source>true or false</source>
@@ -575,7 +598,7 @@
     </message>
     <message>
         <source>is “%1”; expected loop or wire</source>
-        <translation type="unfinished"></translation>
+        <translation>jest „%1”; oczekiwano: loop lub wire</translation>
     </message>
     <message>
         <source>are more than 360; expected the headings of an electrical swing</source>
@@ -703,7 +726,7 @@
     </message>
     <message>
         <source>[S, T, V]</source>
-        <translation type="unfinished"></translation>
+        <translation>[S, T, V]</translation>
     </message>
     <message>
         <source>a number</source>
@@ -847,55 +870,55 @@
     </message>
     <message>
         <source>has no group; expected one placement without a state</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma grupy; oczekiwano jednego położenia bez stanu</translation>
     </message>
     <message>
         <source>its centre must be within 1000 m of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>środek musi leżeć w granicach 1000 m od punktu odniesienia</translation>
     </message>
     <message>
         <source>its roll, pitch and yaw must be finite</source>
-        <translation type="unfinished"></translation>
+        <translation>przechylenie, pochylenie i odchylenie muszą być skończone</translation>
     </message>
     <message>
         <source>each placement in the group “%1” names its state</source>
-        <translation type="unfinished"></translation>
+        <translation>każde położenie w grupie „%1” podaje swój stan</translation>
     </message>
     <message>
         <source>the state “%1” is there twice</source>
-        <translation type="unfinished"></translation>
+        <translation>stan „%1” występuje dwa razy</translation>
     </message>
     <message>
         <source>the loop&apos;s centre must be within 1000 m of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>środek pętli musi leżeć w granicach 1000 m od punktu odniesienia</translation>
     </message>
     <message>
         <source>the loop&apos;s normal has no direction</source>
-        <translation type="unfinished"></translation>
+        <translation>normalna pętli nie ma kierunku</translation>
     </message>
     <message>
         <source>the loop&apos;s diameter must be above 0 m and at most 1000 m</source>
-        <translation type="unfinished"></translation>
+        <translation>średnica pętli musi być większa od 0 m i nie większa niż 1000 m</translation>
     </message>
     <message>
         <source>a loop has one turn or more</source>
-        <translation type="unfinished"></translation>
+        <translation>pętla ma co najmniej jeden zwój</translation>
     </message>
     <message>
         <source>a wire goes through two points or more</source>
-        <translation type="unfinished"></translation>
+        <translation>przewód przechodzi przez co najmniej dwa punkty</translation>
     </message>
     <message>
         <source>the points of a wire must be within 1000 m of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>punkty przewodu muszą leżeć w granicach 1000 m od punktu odniesienia</translation>
     </message>
     <message>
         <source>state %1=%2</source>
-        <translation type="unfinished"></translation>
+        <translation>stan %1=%2</translation>
     </message>
     <message>
         <source>there is no such group; expected %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma takiej grupy; oczekiwano %1</translation>
     </message>
     <message>
         <source>none</source>
@@ -903,15 +926,15 @@
     </message>
     <message>
         <source>there is no such state; expected %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma takiego stanu; oczekiwano %1</translation>
     </message>
     <message>
         <source>part “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>część „%1”</translation>
     </message>
     <message>
         <source>a part</source>
-        <translation type="unfinished"></translation>
+        <translation>część</translation>
     </message>
     <message>
         <source>has no name</source>
@@ -919,39 +942,39 @@
     </message>
     <message>
         <source>its sizes must be above 0 m and at most 1000 m</source>
-        <translation type="unfinished"></translation>
+        <translation>wymiary muszą być większe od 0 m i nie większe niż 1000 m</translation>
     </message>
     <message>
         <source>it is more than 10,000 times as long as it is thick</source>
-        <translation type="unfinished"></translation>
+        <translation>jest ponad 10 000 razy dłuższa niż gruba</translation>
     </message>
     <message>
         <source>its susceptibility must be 0 or more (SI)</source>
-        <translation type="unfinished"></translation>
+        <translation>podatność musi wynosić co najmniej 0 (SI)</translation>
     </message>
     <message>
         <source>its remanence must be at most 10 T</source>
-        <translation type="unfinished"></translation>
+        <translation>remanencja może wynosić najwyżej 10 T</translation>
     </message>
     <message>
         <source>it is nowhere; expected a placement</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma położenia; oczekiwano położenia</translation>
     </message>
     <message>
         <source>circuit “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>obwód „%1”</translation>
     </message>
     <message>
         <source>a circuit</source>
-        <translation type="unfinished"></translation>
+        <translation>obwód</translation>
     </message>
     <message>
         <source>has no loop and no wire</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma pętli ani przewodu</translation>
     </message>
     <message>
         <source>its current must be at most 1,000,000 A</source>
-        <translation type="unfinished"></translation>
+        <translation>prąd może wynosić najwyżej 1 000 000 A</translation>
     </message>
     <message>
         <source>sensor</source>
@@ -959,11 +982,11 @@
     </message>
     <message>
         <source>it must be within 1000 m of the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>musi leżeć w granicach 1000 m od punktu odniesienia</translation>
     </message>
     <message>
         <source>the group “%1” has the states %2; expected a placement for each</source>
-        <translation type="unfinished"></translation>
+        <translation>grupa „%1” ma stany %2; oczekiwano położenia dla każdego</translation>
     </message>
     <message>
         <source>the iron bench was cancelled</source>
@@ -971,19 +994,19 @@
     </message>
     <message>
         <source>circuit “%1”: the sensor stands on its wire; expected 1 mm or more between them</source>
-        <translation type="unfinished"></translation>
+        <translation>obwód „%1”: czujnik stoi na przewodzie; oczekiwano odstępu co najmniej 1 mm</translation>
     </message>
     <message>
         <source>parts are magnetised by the Earth&apos;s field only, not by one another</source>
-        <translation type="unfinished"></translation>
+        <translation>części są magnesowane tylko przez pole Ziemi, nie przez siebie nawzajem</translation>
     </message>
     <message>
         <source>part “%1” is so near the sensor that its field there is uncertain by 10 % and more</source>
-        <translation type="unfinished"></translation>
+        <translation>część „%1” jest tak blisko czujnika, że jej pole jest tam niepewne o 10 % i więcej</translation>
     </message>
     <message>
         <source>part “%1”: the sensor is inside it</source>
-        <translation type="unfinished"></translation>
+        <translation>część „%1”: czujnik jest w jej wnętrzu</translation>
     </message>
     <message>
         <source>a body and the cells of its grid must have sizes above 0 m</source>
@@ -1111,11 +1134,11 @@
     </message>
     <message>
         <source>the self-check needs all 24 headings both electrically and by the turntable</source>
-        <translation type="unfinished"></translation>
+        <translation>samosprawdzenie wymaga wszystkich 24 kursów elektrycznie i ze stołu obrotowego</translation>
     </message>
     <message>
         <source>the two tables of the self-check are of different headings; expected the same in the same order</source>
-        <translation type="unfinished"></translation>
+        <translation>obie tabele samosprawdzenia mają różne kursy; oczekiwano tych samych w tej samej kolejności</translation>
     </message>
     <message>
         <source>the north–south line is not named</source>
@@ -1123,15 +1146,15 @@
     </message>
     <message>
         <source>E1 and E2 are not both nulled in NORM and REV</source>
-        <translation type="unfinished"></translation>
+        <translation>E1 i E2 nie są oba wyzerowane w NORM i REV</translation>
     </message>
     <message>
         <source>table F1 after the adjustment: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>tabela F1 po kompensacji: %1</translation>
     </message>
     <message>
         <source>the pairs 0/180 and 90/270 do not agree within 0.2°</source>
-        <translation type="unfinished"></translation>
+        <translation>pary 0/180 i 90/270 nie zgadzają się w granicach 0,2°</translation>
     </message>
     <message>
         <source>not all of the 24 headings are read</source>
@@ -1723,7 +1746,7 @@
     </message>
     <message>
         <source>λ = %1: the iron (or the mount) turns the compass round, and no coefficients describe it; expected λ &gt; 0</source>
-        <translation type="unfinished"></translation>
+        <translation>λ = %1: żelazo (albo mocowanie) obraca busolę i nie opisują tego żadne współczynniki; oczekiwano λ &gt; 0</translation>
     </message>
     <message>
         <source>the coefficients are beyond all numbers: H = %1 nT and λ = %2 are too small for the iron</source>
@@ -1775,15 +1798,15 @@
     </message>
     <message>
         <source>the dip is 0 at every place (%1): vertical soft iron shows nowhere and cannot be told</source>
-        <translation type="unfinished"></translation>
+        <translation>inklinacja wynosi wszędzie 0 (%1): pionowe żelazo miękkie nigdzie się nie ujawnia i nie można go określić</translation>
     </message>
     <message>
         <source>the field is the same at all places (%1): hard iron and vertical soft iron cannot be told apart; expected swings where H and dip differ</source>
-        <translation type="unfinished"></translation>
+        <translation>pole jest we wszystkich miejscach takie samo (%1): żelaza twardego i pionowego miękkiego nie można rozdzielić; oczekiwano pomiarów przy różnych H i inklinacji</translation>
     </message>
     <message>
         <source>the fields at %1 are too alike: hard iron and vertical soft iron are told apart only roughly</source>
-        <translation type="unfinished"></translation>
+        <translation>pola w %1 są zbyt podobne: żelazo twarde i pionowe miękkie rozdzielono tylko z grubsza</translation>
     </message>
     <message>
         <source>the swings&apos; own errors are not known, and two swings have no scatter: no errors can be stated</source>
@@ -1791,11 +1814,11 @@
     </message>
     <message>
         <source>the swings contradict each other beyond their errors: something was changed between them, or a swing is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiary przeczą sobie ponad swoje błędy: coś między nimi zmieniono albo któryś jest błędny</translation>
     </message>
     <message>
         <source>one swing cannot tell hard iron from vertical soft iron; expected swings of the compass at two places at least</source>
-        <translation type="unfinished"></translation>
+        <translation>jeden pomiar nie odróżni żelaza twardego od pionowego miękkiego; oczekiwano pomiarów busoli co najmniej w dwóch miejscach</translation>
     </message>
     <message>
         <source>the field of %1 is not known; expected H above 0 and the dip</source>
@@ -1807,11 +1830,11 @@
     </message>
     <message>
         <source>(a − e)/2λ = D = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>(a − e)/2λ = D = %1</translation>
     </message>
     <message>
         <source>(d + b)/2λ = E = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>(d + b)/2λ = E = %1</translation>
     </message>
     <message>
         <source>(c tan I + P/H)/λ = B = %1</source>
@@ -1823,11 +1846,11 @@
     </message>
     <message>
         <source>vertical soft iron: c/λ = %1, f/λ = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>pionowe żelazo miękkie: c/λ = %1, f/λ = %2</translation>
     </message>
     <message>
         <source>hard iron: P/λ = %1 nT, Q/λ = %2 nT</source>
-        <translation type="unfinished"></translation>
+        <translation>żelazo twarde: P/λ = %1 nT, Q/λ = %2 nT</translation>
     </message>
     <message>
         <source>c apart from P, f apart from Q: one place gives their sum; a swing where H and dip differ tells them apart</source>
@@ -1835,7 +1858,7 @@
     </message>
     <message>
         <source>λ, the directive force: a compass shows directions, not sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>λ, siła kierująca: busola pokazuje kierunki, nie wielkości</translation>
     </message>
     <message>
         <source>a and e each, b and d each: on a level heading only a − e, d + b and d − b act</source>
@@ -1843,7 +1866,7 @@
     </message>
     <message>
         <source>g, h, k and R: they act in pitch and roll only</source>
-        <translation type="unfinished"></translation>
+        <translation>g, h, k i R: działają tylko przy pochyleniu i przechyleniu</translation>
     </message>
     <message>
         <source>the turn of the mount apart from (d − b)/2λ, and its tilt</source>
@@ -1855,7 +1878,7 @@
     </message>
     <message>
         <source>the dip is 0 there: vertical soft iron cannot have made B and C</source>
-        <translation type="unfinished"></translation>
+        <translation>inklinacja wynosi tam 0: pionowe żelazo miękkie nie mogło dać B i C</translation>
     </message>
     <message>
         <source>the position of %1 is not stated; expected latitude and longitude</source>
@@ -1967,7 +1990,7 @@
     </message>
     <message>
         <source>a file of magnetic coefficients</source>
-        <translation type="unfinished"></translation>
+        <translation>plik współczynników magnetycznych</translation>
     </message>
     <message>
         <source>ends without its line of nines behind degree %1: whether more degrees are missing cannot be told; expected a line of 48 nines at its end</source>
@@ -1987,23 +2010,23 @@
     </message>
     <message>
         <source>A alone: the compass or detector was turned in its mount</source>
-        <translation type="unfinished"></translation>
+        <translation>samo A: busolę lub detektor obrócono w mocowaniu</translation>
     </message>
     <message>
         <source>B and C: permanent magnetism, of the aircraft or of the compensating magnets</source>
-        <translation type="unfinished"></translation>
+        <translation>B i C: magnetyzm stały statku powietrznego albo magnesów kompensujących</translation>
     </message>
     <message>
         <source>D and E of a remote compass: the transmission of its signal (two-cycle error), or soft iron near the detector</source>
-        <translation type="unfinished"></translation>
+        <translation>D i E busoli zdalnej: przekazywanie sygnału (błąd dwuokresowy) albo żelazo miękkie przy detektorze</translation>
     </message>
     <message>
         <source>D and E: soft iron, the correctors or parts near the compass</source>
-        <translation type="unfinished"></translation>
+        <translation>D i E: żelazo miękkie, korektory albo części przy busoli</translation>
     </message>
     <message>
         <source>several coefficients at once: iron near the compass was changed, or the compass itself</source>
-        <translation type="unfinished"></translation>
+        <translation>kilka współczynników naraz: zmieniono żelazo przy busoli albo samą busolę</translation>
     </message>
     <message>
         <source>%1 aircraft types are in one selection: their mean is that of no aircraft</source>
@@ -2079,19 +2102,19 @@
     </message>
     <message>
         <source>crew %1</source>
-        <translation type="unfinished"></translation>
+        <translation>załoga %1</translation>
     </message>
     <message>
         <source>base %1</source>
-        <translation type="unfinished"></translation>
+        <translation>baza %1</translation>
     </message>
     <message>
         <source>east of</source>
-        <translation type="unfinished"></translation>
+        <translation>na wschód od</translation>
     </message>
     <message>
         <source>west of</source>
-        <translation type="unfinished"></translation>
+        <translation>na zachód od</translation>
     </message>
     <message>
         <source>its sum (CUSUM)</source>
@@ -2139,19 +2162,19 @@
     </message>
     <message>
         <source>%1° by its last swing, beyond its limit of %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1° w ostatnim pomiarze, poza granicą %2°</translation>
     </message>
     <message>
         <source>%1 drifts by %2° a year</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 dryfuje o %2° rocznie</translation>
     </message>
     <message>
         <source>%1 jumped by %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>skok %1 o %2°</translation>
     </message>
     <message>
         <source>%1° expected, near its limit of %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>oczekiwane %1°, blisko granicy %2°</translation>
     </message>
     <message numerus="yes">
         <source>%n swing(s) known: mostly its type&apos;s scatter</source>
@@ -2163,11 +2186,11 @@
     </message>
     <message>
         <source>%1 years since its last swing by then</source>
-        <translation type="unfinished"></translation>
+        <translation>do tego czasu %1 lat od ostatniego pomiaru</translation>
     </message>
     <message>
         <source>%1° expected of a limit of %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>oczekiwane %1° przy granicy %2°</translation>
     </message>
     <message>
         <source>crew: most swings name none</source>
@@ -2283,10 +2306,10 @@
     </message>
     <message numerus="yes">
         <source>%n heading(s) that are none (negative, or beyond 360) left out</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>pominięto %n kurs nieistniejący (ujemny lub powyżej 360)</numerusform>
+            <numerusform>pominięto %n kursy nieistniejące (ujemne lub powyżej 360)</numerusform>
+            <numerusform>pominięto %n kursów nieistniejących (ujemnych lub powyżej 360)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2387,7 +2410,7 @@
     </message>
     <message>
         <source>the log tells no time: its turn is taken as one of 1°/s</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis nie podaje czasu: przyjęto obrót 1°/s</translation>
     </message>
     <message>
         <source>the turn goes one way at about one rate: A and a delay between heading and reference cannot be told apart, each second of delay is %1° of A; A is sure to ± %2° only (a turn the other way would tell)</source>
@@ -2407,7 +2430,7 @@
     </message>
     <message>
         <source>the headings stand on one side: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>kursy leżą po jednej stronie: %1</translation>
     </message>
     <message>
         <source>%1 A, B, C, D and E cannot be told: %2</source>
@@ -2459,11 +2482,11 @@
     </message>
     <message>
         <source>the compass reads the reciprocal: %1°%2 was taken out as its index before B, C, D and E; look whether it was read from the other side or is mounted back to front</source>
-        <translation type="unfinished"></translation>
+        <translation>busola wskazuje kurs odwrotny: %1°%2 usunięto jako jej indeks przed B, C, D i E; sprawdź, czy nie odczytano jej z drugiej strony albo nie zamontowano tyłem</translation>
     </message>
     <message>
         <source>the compass is %1°%2 out as a whole: this was taken out as its index before B, C, D and E; look at its mount and its lubber line</source>
-        <translation type="unfinished"></translation>
+        <translation>busola jest w całości przesunięta o %1°%2: usunięto to jako jej indeks przed B, C, D i E; sprawdź mocowanie i kreskę kursową</translation>
     </message>
     <message>
         <source>vertical soft iron (c, f) of about %1, hard iron (P, Q) of about %2 nT, compensating magnets of about %3 nT and a one-cycle error of the compass itself of about %4° (standard deviations)</source>
@@ -2479,7 +2502,7 @@
     </message>
     <message>
         <source>the dip is small at %1: vertical soft iron hardly showed, and what it does elsewhere is its assumed size only</source>
-        <translation type="unfinished"></translation>
+        <translation>inklinacja w %1 jest mała: pionowe żelazo miękkie prawie się nie ujawniło, a jego wpływ gdzie indziej wynika tylko z założonej wielkości</translation>
     </message>
     <message>
         <source>the readings of %1 leave nothing over to tell their errors by: an error of %2° a reading is assumed</source>
@@ -2487,111 +2510,111 @@
     </message>
     <message>
         <source>by the model</source>
-        <translation type="unfinished"></translation>
+        <translation>według modelu</translation>
     </message>
     <message>
         <source>with a probability of %1 %, assuming %2</source>
-        <translation type="unfinished"></translation>
+        <translation>z prawdopodobieństwem %1 %, przy założeniu: %2</translation>
     </message>
     <message>
         <source>one swing (%1), which cannot tell hard iron from vertical soft iron</source>
-        <translation type="unfinished"></translation>
+        <translation>jeden pomiar (%1), który nie odróżnia żelaza twardego od pionowego miękkiego</translation>
     </message>
     <message>
         <source>up to %1 is possible there, beyond the limit, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>możliwe jest tam do %1, poza granicą, %2</translation>
     </message>
     <message>
         <source>the card of here may not be right there: the deviation changes by up to %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>tutejsza tablica może tam nie obowiązywać: dewiacja zmienia się do %1, %2</translation>
     </message>
     <message>
         <source>the deviation changes by no more than %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>dewiacja zmienia się najwyżej o %1, %2</translation>
     </message>
     <message>
         <source>adjuster and inspector are both %1; expected another person who checks the work</source>
-        <translation type="unfinished"></translation>
+        <translation>kompensował i sprawdza %1; oczekiwano innej osoby, która sprawdza pracę</translation>
     </message>
     <message>
         <source>%1 has signed as inspector or authority; expected another person as performer</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 podpisał jako kontroler lub dopuszczający; oczekiwano innej osoby jako wykonawcy</translation>
     </message>
     <message>
         <source>%1 has signed as performer; expected another person who checks the work</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 podpisał jako wykonawca; oczekiwano innej osoby, która sprawdza pracę</translation>
     </message>
     <message>
         <source>%1 adjusted this compass, as the swing says; expected another person who checks the work</source>
-        <translation type="unfinished"></translation>
+        <translation>według zapisu kompensował tę busolę %1; oczekiwano innej osoby, która sprawdza pracę</translation>
     </message>
     <message>
         <source>%1 inspects this swing, as it says; expected another person as performer</source>
-        <translation type="unfinished"></translation>
+        <translation>według zapisu pomiar sprawdza %1; oczekiwano innej osoby jako wykonawcy</translation>
     </message>
     <message>
         <source>no card: STEER does not rise with FOR: it is %2 for %1 and %4 for %3, so that one reading stands for more than one heading; expected a compass that rises all the way around</source>
-        <translation type="unfinished"></translation>
+        <translation>brak tablicy: STEER nie rośnie z FOR: wynosi %2 dla %1 i %4 dla %3, więc jeden odczyt oznacza więcej niż jeden kurs; oczekiwano busoli rosnącej w pełnym okręgu</translation>
     </message>
     <message>
         <source>no card: the magnetic heading does not rise with the compass&apos;s: it is %2 for %1 and %4 for %3; expected a compass that rises all the way around</source>
-        <translation type="unfinished"></translation>
+        <translation>brak tablicy: kurs magnetyczny nie rośnie z kursem kompasowym: wynosi %2 dla %1 i %4 dla %3; oczekiwano busoli rosnącej w pełnym okręgu</translation>
     </message>
     <message>
         <source>a card has steps of 10°, 15°, 30° or 45°, not %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>tablica ma kroki 10°, 15°, 30° lub 45°, nie %1°</translation>
     </message>
     <message>
         <source>no card: while the aircraft turns from %1 to %2 (magnetic) the compass goes back from %3 to %4, so that one reading stands for more than one heading; expected a compass that rises all the way around</source>
-        <translation type="unfinished"></translation>
+        <translation>brak tablicy: gdy statek powietrzny obraca się od %1 do %2 (magnetycznie), busola cofa się od %3 do %4, więc jeden odczyt oznacza więcej niż jeden kurs; oczekiwano busoli rosnącej w pełnym okręgu</translation>
     </message>
     <message>
         <source>OVER THE LIMIT of %1 (%2): the deviation on %3</source>
-        <translation type="unfinished"></translation>
+        <translation>PONAD GRANICĘ %1 (%2): dewiacja na %3</translation>
     </message>
     <message>
         <source>OVER THE LIMIT of %1 (%2): the spread of the deviation, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>PONAD GRANICĘ %1 (%2): rozrzut dewiacji, %3</translation>
     </message>
     <message>
         <source>OVER THE LIMIT of %1 (%2): the deviation that was read on %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>PONAD GRANICĘ %1 (%2): dewiacja odczytana na %3, %4</translation>
     </message>
     <message>
         <source>NOT LEVEL: swung at pitch %1, roll %2; these are not the figures of level flight</source>
-        <translation type="unfinished"></translation>
+        <translation>NIE W POZIOMIE: pomiar przy pochyleniu %1, przechyleniu %2; to nie są liczby lotu poziomego</translation>
     </message>
     <message>
         <source>SUSPECT reading used: on %1, %2 off the curve of the others</source>
-        <translation type="unfinished"></translation>
+        <translation>Użyto PODEJRZANEGO odczytu: na %1, %2 od krzywej pozostałych</translation>
     </message>
     <message>
         <source>nobody read near these rows: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>w pobliżu tych wierszy nikt nie odczytał: %1</translation>
     </message>
     <message>
         <source>interpolating between rows is off by up to %1 (at %2): a card every %3 leaves %4</source>
-        <translation type="unfinished"></translation>
+        <translation>interpolacja między wierszami myli się do %1 (na %2): tablica co %3 pozostawia %4</translation>
     </message>
     <message>
         <source>interpolating between rows is off by up to %1 (at %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>interpolacja między wierszami myli się do %1 (na %2)</translation>
     </message>
     <message>
         <source>the nearest reading to a row is up to %1 away</source>
-        <translation type="unfinished"></translation>
+        <translation>najbliższy odczyt leży do %1 od wiersza</translation>
     </message>
     <message>
         <source>how sure these figures are is not known: there are too few readings to tell</source>
-        <translation type="unfinished"></translation>
+        <translation>pewność tych liczb jest nieznana: odczytów jest za mało</translation>
     </message>
     <message>
         <source>no reading between %1 and %2 (compass), an arc of %3: how far the curve is off there is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>brak odczytu między %1 a %2 (busola), łuk %3: nie wiadomo, jak bardzo krzywa się tam myli</translation>
     </message>
     <message>
         <source>no reading between %1 and %2 (compass), an arc of %3: the curve there is known to ±%4 only (95 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>brak odczytu między %1 a %2 (busola), łuk %3: krzywa jest tam znana tylko do ±%4 (95 %)</translation>
     </message>
     <message>
         <source>the variation of the log is %1° (east +), that of %2 is %3°: they are %4° apart, and A with them; take the model&apos;s (variation: model) unless you know the log&apos;s to be right</source>
@@ -2603,7 +2626,7 @@
     </message>
     <message>
         <source>the log is dated %1, and today is %2: one of the clocks is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis ma datę %1, a dziś jest %2: jeden z zegarów jest błędny</translation>
     </message>
     <message>
         <source>the log is dated %1: a receiver that missed the turn of the GPS week count (1024 weeks) writes so for %2; state the date</source>
@@ -2613,188 +2636,724 @@
         <source>the ground speed varies with the track, as if wind or current of %1 kt carried it: on wheels that is the driver; otherwise B and C are out by up to %2°; it can be taken out</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>no pair of readings; expected both compasses read together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reading has a datum beside it: had both compasses moved alike, their readings would agree; that is not told apart from the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a compass without a swing on record has no card: what it always deviated counts as if it had moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>both were read on %n heading(s) only; what changed elsewhere is not seen</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not told which: the first has moved with %1 %, the second with %2 %, neither with %3 %; read them once beside a datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first compass moved (%1 %)</source>
+        <translation>zmieniła się pierwsza busola (%1 %)</translation>
+    </message>
+    <message>
+        <source>the second compass moved (%1 %)</source>
+        <translation>zmieniła się druga busola (%1 %)</translation>
+    </message>
+    <message>
+        <source>both compasses moved (%1 %)</source>
+        <translation>zmieniły się obie busole (%1 %)</translation>
+    </message>
+    <message>
+        <source>neither compass moved (%1 %)</source>
+        <translation>nie zmieniła się żadna busola (%1 %)</translation>
+    </message>
+    <message>
+        <source>no reading that counts; expected one at least, better two or three</source>
+        <translation>brak liczącego się odczytu; oczekiwano co najmniej jednego, lepiej dwóch lub trzech</translation>
+    </message>
+    <message>
+        <source>this compass has no swing on record: the check cannot know its card, and holds what was read against no deviation at all and the sizes that compasses of its kind have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>even readings that agree with the card in full would leave a chance of %1 % that it does not hold: these headings are too few to clear this compass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swapped digits</source>
+        <translation>zamienione cyfry</translation>
+    </message>
+    <message>
+        <source>the reciprocal</source>
+        <translation>kurs odwrotny</translation>
+    </message>
+    <message>
+        <source>a 5° slip</source>
+        <translation>pomyłka o 5°</translation>
+    </message>
+    <message>
+        <source>a 10° slip</source>
+        <translation>pomyłka o 10°</translation>
+    </message>
+    <message>
+        <source>a 100° slip</source>
+        <translation>pomyłka o 100°</translation>
+    </message>
+    <message>
+        <source>a deviation applied with the wrong sign</source>
+        <translation>dewiacja ze złym znakiem</translation>
+    </message>
+    <message>
+        <source>the wrong row</source>
+        <translation>zły wiersz</translation>
+    </message>
+    <message>
+        <source>no usual slip</source>
+        <translation>żadna typowa pomyłka</translation>
+    </message>
+    <message>
+        <source>is binary: it has NUL bytes or lines of more than 1 MiB; expected %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a quoted cell does not end in this row; expected figures and short texts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no header; expected %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column %1 stands there twice; expected each once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the columns %1 and %2 say the same; expected one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has %1 cells; expected the %2 of the header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 is no figure; expected a number, or nothing where it is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 to 3000 knots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 to 360</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ነ to 90</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ↀ to 360</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Wind CSV: named columns, a report a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a header but no reports; expected one a row below it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no column %1; expected ground_speed_kt, track_deg, wind_speed_kt, wind_from_deg, ref_wind_speed_kt and ref_wind_from_deg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reported wind; expected wind_speed_kt and wind_from_deg, or heading_deg and tas_kt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the column %1 means nothing here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no position with a time: the declination is not taken out, and the argument of the fit is the true heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time_utc %1 is no time; expected YYYY-MM-DDTHH:MM:SSZ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Wind CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither Scenario JSON nor a table of manoeuvres; expected { or from_s,to_s,turn_rate_deg_s,…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stands inside a figure; expected it beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stands twice; expected it once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cell in quotes that does not end; expected names of columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column %1 stands twice; expected it once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column %1; expected from_s, to_s, turn_rate_deg_s, acceleration_m_s2 and climb_m_s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cells and %2 columns; expected a cell a column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is missing; expected when the manoeuvre begins and ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1; expected %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>says again what rms_m_s2 says; expected one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compass.model: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Scenario JSON (a flight and its heading references)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Scenario JSON or a table of manoeuvres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reference wind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no wind of its own, and no heading with airspeed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rolling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>climbing or descending</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>airspeed too low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same report again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no report can be used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the declination is not taken out of %1 of %2 reports (no position or no time): their argument is the true heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; nothing is fitted until it is said which (winds from or towards, kt or m/s, or as the file says)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the headings that were flown do not tell %1: no figure is given for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one flight only: what its reports share (an error of the reference wind) cannot be told from deviation, and nothing is held out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the headings that were flown do not tell D and E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D and E are told, and are not surely there (p = %1): the table is that of A, B and C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D and E are there (p = %1): the table is no sine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the deviation changed between the flights %1 and %2 (p = %3); the fit is of the flights since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n report(s) came twice and count once</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the heading error follows the declination from place to place: the winds were made with magnetic headings that were taken as true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the offset, %1°, is the declination, %2°, the other way: the headings may be magnetic and taken as true</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heading_deg is magnetic here, and not true: it agrees with the winds once the declination is added</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sine that the fleet has in common, B %1° and C %2°, is taken out: a deviation that all aircraft have goes with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fleet has B %1° and C %2° in common: a deviation of them all, or a constant error of the reference wind of %3 kt; these figures cannot tell which</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too few aircraft to bound what they have in common: a constant error of the reference wind of 1 kt looks like %1° of B or C and is not told apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reported winds are not what their column says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reported winds fit when they are taken as blowing towards the direction given, and not from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reported winds fit when they are taken as m/s, and not as knots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reported winds fit when they are taken as m/s and as blowing towards the direction given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reported winds fit when they are taken as twice too large (knots that were converted twice)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reported winds fit when they are taken as twice too large and as blowing towards the direction given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference winds are not what their column says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reported and reference winds blow against each other: one of them is given as blowing towards, and not from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reported winds are half of the reference winds: one of them is in m/s, and not in knots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reported and reference winds are in two units and blow against each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference winds are half of the reported winds: one of them is in m/s, and not in knots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>airspeeds are far more even when both winds are taken as blowing towards the directions given, and not from them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation type="unfinished">odczytu</translation>
+    </message>
+    <message>
+        <source>drift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>published direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lining up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one-cycle error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two-cycle error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the levelling loop is unstable: third order needs tau3 &gt; tau2, and tau3 is %1 s with tau2 %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed of %1 m/s is beyond an aircraft&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the turn of %1°/s is beyond an aircraft&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an acceleration of %1 g is beyond an aircraft&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>so near to a pole every track crosses meridians at once: what goes with tan of the latitude is left out; steer by grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the aircraft is slowed below standing still; it stays at 0 m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no horizontal field is left at the sensor at times: what it read before is held there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2; expected more than 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the levelling time constant (tau1_s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the damping time constant (tau2_s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the integral time constant (tau3_s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the levelling rate limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cut-off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the time constant of fast levelling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the slaving time constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the slaving rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fast slaving rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the duration is negative; expected 0 s or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s in steps of %2 s are more than 2000000 steps; expected a wider step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a manoeuvre from %1 s to %2 s ends before it begins; expected to_s after from_s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the period of the gusts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the period of the card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the compass&apos;s model stands in no horizontal field; expected its field with H above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plumb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pointing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sun is %1° below the horizon: it throws no shadow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sun stands %1° high: its azimuth tells little (±%2°, one standard deviation); wait until it is lower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sun stands %1° high: shadows are %2 times as long as the pin, and faint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sun&apos;s place is held against almanacs from 1950 to 2050 only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no time; expected YYYY-MM-DDTHH:MM:SSZ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not say which clock it is of; expected Z (UTC) or an offset as +02:00 behind it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a table of variation has steps of 0.1° to 30°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vertical gyro tumbles: it is at its stop, 90° from the vertical, from %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the apparent vertical leans by up to %1°, and the book&apos;s a/g takes it for %2°; exact_tilt takes the angle itself</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>db</name>
     <message>
         <source>this is a folder; expected a database file</source>
-        <translation type="unfinished"></translation>
+        <translation>to jest folder; oczekiwano pliku bazy danych</translation>
     </message>
     <message>
         <source>the file is empty; expected a Lubberline database</source>
-        <translation type="unfinished"></translation>
+        <translation>plik jest pusty; oczekiwano bazy Lubberline</translation>
     </message>
     <message>
         <source>there is no such database; expected an existing file</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma takiej bazy; oczekiwano istniejącego pliku</translation>
     </message>
     <message>
         <source>the folder %1 is not there; expected an existing one for the new database</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma folderu %1; dla nowej bazy oczekiwano istniejącego</translation>
     </message>
     <message>
         <source>the folder %1 may not be written; expected one that may</source>
-        <translation type="unfinished"></translation>
+        <translation>w folderze %1 nie wolno pisać; oczekiwano takiego, w którym wolno</translation>
     </message>
     <message>
         <source>this SQLite file was not made by Lubberline; expected a fleet database</source>
-        <translation type="unfinished"></translation>
+        <translation>tego pliku SQLite nie utworzył Lubberline; oczekiwano bazy floty</translation>
     </message>
     <message>
         <source>the database has schema %1, made by a newer Lubberline; this one knows schemas up to %2: update the program</source>
-        <translation type="unfinished"></translation>
+        <translation>baza ma schemat %1 z nowszej wersji Lubberline; ta zna schematy do %2: zaktualizuj program</translation>
     </message>
     <message>
         <source>the step to schema %1 (%2) failed, nothing was changed: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>przejście do schematu %1 (%2) nie udało się, niczego nie zmieniono: %3</translation>
     </message>
     <message>
         <source>the database has the old schema %1 and may only be read; expected one that may be written once, to bring it up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>baza ma stary schemat %1 i można ją tylko czytać; oczekiwano takiej, którą można raz zapisać, aby ją zaktualizować</translation>
     </message>
     <message>
         <source>the database was not closed properly, and its folder may not be written; expected one that may, so that what was stored last can be recovered</source>
-        <translation type="unfinished"></translation>
+        <translation>bazy nie zamknięto poprawnie, a w jej folderze nie wolno pisać; oczekiwano takiego, w którym wolno, aby odzyskać ostatnie zapisy</translation>
     </message>
     <message>
         <source>there is an aircraft type of this name already; expected another</source>
-        <translation type="unfinished"></translation>
+        <translation>typ statku powietrznego o tej nazwie już istnieje; oczekiwano innej</translation>
     </message>
     <message>
         <source>there is an aircraft of this registration already; expected another</source>
-        <translation type="unfinished"></translation>
+        <translation>statek powietrzny o tych znakach już istnieje; oczekiwano innych</translation>
     </message>
     <message>
         <source>there is a compass of this name on this aircraft already; expected another</source>
-        <translation type="unfinished"></translation>
+        <translation>busola o tej nazwie już jest na tym statku powietrznym; oczekiwano innej</translation>
     </message>
     <message>
         <source>there is a site of this name already; expected another</source>
-        <translation type="unfinished"></translation>
+        <translation>miejsce o tej nazwie już istnieje; oczekiwano innej</translation>
     </message>
     <message>
         <source>there is a limits profile of this name already; expected another</source>
-        <translation type="unfinished"></translation>
+        <translation>zestaw wartości dopuszczalnych o tej nazwie już istnieje; oczekiwano innej</translation>
     </message>
     <message>
         <source>there is a record of this identity already; expected another</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis o tym identyfikatorze już istnieje; oczekiwano innego</translation>
     </message>
     <message>
         <source>the swing is signed and frozen; expected a new revision instead of a change</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar jest podpisany i zamrożony; zamiast zmiany oczekiwano nowego wydania</translation>
     </message>
     <message>
         <source>%1; expected no change of it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; oczekiwano, że się nie zmieni</translation>
     </message>
     <message>
         <source>a value is outside its range; expected one that fits %1</source>
-        <translation type="unfinished"></translation>
+        <translation>wartość jest poza zakresem; oczekiwano zgodnej z %1</translation>
     </message>
     <message>
         <source>the record refers to another that is not in the database, or is still referred to</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis odwołuje się do innego, którego nie ma w bazie, albo sam jest jeszcze potrzebny</translation>
     </message>
     <message>
         <source>something that is needed is not stated (%1); expected a value</source>
-        <translation type="unfinished"></translation>
+        <translation>brakuje czegoś potrzebnego (%1); oczekiwano wartości</translation>
     </message>
     <message>
         <source>the record contradicts another in the database (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis przeczy innemu w bazie (%1)</translation>
     </message>
     <message>
         <source>another program is writing to the database; expected it to be free: close the other program or try again</source>
-        <translation type="unfinished"></translation>
+        <translation>inny program zapisuje do bazy; oczekiwano wolnej: zamknij go albo spróbuj ponownie</translation>
     </message>
     <message>
         <source>the database may only be read; expected a file and folder that may be written</source>
-        <translation type="unfinished"></translation>
+        <translation>bazę można tylko czytać; oczekiwano pliku i folderu do zapisu</translation>
     </message>
     <message>
         <source>the drive failed while the database was read or written (%1); expected a drive that is there</source>
-        <translation type="unfinished"></translation>
+        <translation>dysk zawiódł podczas czytania lub zapisu bazy (%1); oczekiwano dostępnego dysku</translation>
     </message>
     <message>
         <source>the database is damaged (%1); expected a whole one: restore a backup</source>
-        <translation type="unfinished"></translation>
+        <translation>baza jest uszkodzona (%1); oczekiwano całej: przywróć kopię zapasową</translation>
     </message>
     <message>
         <source>the drive is full; expected room for the database: free some space</source>
-        <translation type="unfinished"></translation>
+        <translation>dysk jest pełny; oczekiwano miejsca na bazę: zwolnij trochę</translation>
     </message>
     <message>
         <source>the database cannot be opened; expected a file in a folder that is there and may be read</source>
-        <translation type="unfinished"></translation>
+        <translation>nie można otworzyć bazy; oczekiwano pliku w istniejącym folderze, który wolno czytać</translation>
     </message>
     <message>
         <source>this is not a Lubberline database; expected an SQLite file made by this program</source>
-        <translation type="unfinished"></translation>
+        <translation>to nie jest baza Lubberline; oczekiwano pliku SQLite utworzonego przez ten program</translation>
     </message>
     <message>
         <source>the database refused (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>baza odmówiła (%1)</translation>
     </message>
     <message>
         <source>a number is not finite; expected a real figure</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba nie jest skończona; oczekiwano rzeczywistej</translation>
     </message>
     <message>
         <source>%1 is stored where a day should be; expected YYYY-MM-DD</source>
-        <translation type="unfinished"></translation>
+        <translation>w miejscu daty zapisano %1; oczekiwano RRRR-MM-DD</translation>
     </message>
     <message>
         <source>there is no such %1 in the database</source>
-        <translation type="unfinished"></translation>
+        <translation>w bazie nie ma takiego wpisu: %1</translation>
     </message>
     <message>
         <source>a part of the change failed; nothing was stored</source>
-        <translation type="unfinished"></translation>
+        <translation>część zmiany nie udała się; niczego nie zapisano</translation>
     </message>
     <message>
         <source>due rule</source>
-        <translation type="unfinished"></translation>
+        <translation>reguła terminów</translation>
     </message>
     <message>
         <source>waiver</source>
-        <translation type="unfinished"></translation>
+        <translation>odstąpienie</translation>
     </message>
     <message>
         <source>the name of the rule</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwa reguły</translation>
     </message>
     <message>
         <source>the name of who waives</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwisko odstępującego</translation>
     </message>
     <message>
         <source>the reason of the waiver is empty; expected why no swing is needed</source>
-        <translation type="unfinished"></translation>
+        <translation>powód odstąpienia jest pusty; oczekiwano, dlaczego pomiar nie jest potrzebny</translation>
     </message>
     <message>
         <source>the waiver is on record already; a waiver is not changed</source>
-        <translation type="unfinished"></translation>
+        <translation>odstąpienie jest już w zapisie; odstąpienia się nie zmienia</translation>
     </message>
     <message>
         <source>event</source>
-        <translation type="unfinished"></translation>
+        <translation>zdarzenie</translation>
     </message>
     <message>
         <source>electrical swing</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar elektryczny</translation>
     </message>
     <message>
         <source>the electrical swing %1 does not read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiaru elektrycznego %1 nie da się odczytać: %2</translation>
     </message>
     <message>
         <source>aircraft type</source>
-        <translation type="unfinished"></translation>
+        <translation>typ statku powietrznego</translation>
     </message>
     <message>
         <source>aircraft</source>
-        <translation type="unfinished"></translation>
+        <translation>statek powietrzny</translation>
     </message>
     <message>
         <source>compass</source>
@@ -2806,103 +3365,103 @@
     </message>
     <message>
         <source>aircraft as %1</source>
-        <translation type="unfinished"></translation>
+        <translation>statek powietrzny jako %1</translation>
     </message>
     <message>
         <source>the name of the aircraft type</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwa typu statku powietrznego</translation>
     </message>
     <message>
         <source>the registration</source>
-        <translation type="unfinished"></translation>
+        <translation>znaki rejestracyjne</translation>
     </message>
     <message>
         <source>the name of the compass</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwa busoli</translation>
     </message>
     <message>
         <source>guided swing</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar prowadzony</translation>
     </message>
     <message>
         <source>the guided swing %1 does not read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiaru prowadzonego %1 nie da się odczytać: %2</translation>
     </message>
     <message>
         <source>the guided swing is finished; nothing is added to it</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar prowadzony jest ukończony; niczego się do niego nie dodaje</translation>
     </message>
     <message>
         <source>this guided swing has gone on in another window (%1 steps there, %2 known here); nothing was overwritten: take it up again</source>
-        <translation type="unfinished"></translation>
+        <translation>ten pomiar prowadzony posunął się w innym oknie (tam kroków %1, tu znanych %2); niczego nie nadpisano: podejmij go ponownie</translation>
     </message>
     <message>
         <source>this %1 (%2) has been changed elsewhere; nothing was overwritten, look at it again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2): zmieniono gdzie indziej; niczego nie nadpisano, obejrzyj ponownie</translation>
     </message>
     <message>
         <source>%1 is empty; expected a name</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: puste; oczekiwano nazwy</translation>
     </message>
     <message>
         <source>sensor model</source>
-        <translation type="unfinished"></translation>
+        <translation>model czujnika</translation>
     </message>
     <message>
         <source>the name of the sensor model</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwa modelu czujnika</translation>
     </message>
     <message>
         <source>a figure of the sensor model %1 is not a real number; expected finite ones</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba modelu czujnika %1 nie jest rzeczywista; oczekiwano skończonych</translation>
     </message>
     <message>
         <source>%1: the states of its moving parts do not read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: stanów części ruchomych nie da się odczytać: %2</translation>
     </message>
     <message>
         <source>the swing is %1 already; expected a draft</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar jest już w stanie: %1; oczekiwano szkicu</translation>
     </message>
     <message>
         <source>the swing is not complete: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar nie jest ukończony: %1</translation>
     </message>
     <message>
         <source>the swing is signed and frozen; expected an amendment instead</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar jest podpisany i zamrożony; oczekiwano poprawki</translation>
     </message>
     <message>
         <source>the swing is a draft already; expected a complete one</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar jest już szkicem; oczekiwano ukończonego</translation>
     </message>
     <message>
         <source>the reason is empty; expected why a complete swing is opened again</source>
-        <translation type="unfinished"></translation>
+        <translation>powód jest pusty; oczekiwano, dlaczego ukończony pomiar otwiera się ponownie</translation>
     </message>
     <message>
         <source>the swing is a draft; expected a complete one: it is completed before it is signed</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar jest szkicem; oczekiwano ukończonego: podpisuje się po ukończeniu</translation>
     </message>
     <message>
         <source>the name is empty; expected who signs</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwisko jest puste; oczekiwano, kto podpisuje</translation>
     </message>
     <message>
         <source>the swing is not signed; expected a signed one: anything else can be changed as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar nie jest podpisany; oczekiwano podpisanego: inne można zmieniać wprost</translation>
     </message>
     <message>
         <source>the reason is empty; expected why the signed swing is amended</source>
-        <translation type="unfinished"></translation>
+        <translation>powód jest pusty; oczekiwano, dlaczego podpisany pomiar się poprawia</translation>
     </message>
     <message>
         <source>the swing is amended already by the record %1; expected that one to be changed or amended</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar poprawia już zapis %1; oczekiwano zmiany lub poprawki tamtego</translation>
     </message>
     <message>
         <source>the signed swing of %1 (record %2) is not what was signed</source>
-        <translation type="unfinished"></translation>
+        <translation>podpisany pomiar z %1 (zapis %2) nie jest tym, co podpisano</translation>
     </message>
     <message>
         <source>site</source>
@@ -2910,27 +3469,27 @@
     </message>
     <message>
         <source>limits profile</source>
-        <translation type="unfinished"></translation>
+        <translation>zestaw wartości dopuszczalnych</translation>
     </message>
     <message>
         <source>the survey of the site %1 does not read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiaru miejsca %1 nie da się odczytać: %2</translation>
     </message>
     <message>
         <source>datum instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>przyrząd odniesienia</translation>
     </message>
     <message>
         <source>the name of the site</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwa miejsca</translation>
     </message>
     <message>
         <source>the name of the limits profile</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwa zestawu wartości dopuszczalnych</translation>
     </message>
     <message>
         <source>the name of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwa przyrządu</translation>
     </message>
     <message>
         <source>swing</source>
@@ -2938,83 +3497,83 @@
     </message>
     <message>
         <source>reading of the swing</source>
-        <translation type="unfinished"></translation>
+        <translation>odczyt pomiaru</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no record id; expected one, or its beginning, as `lubberline swings` lists them</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest identyfikatorem zapisu; oczekiwano identyfikatora lub jego początku, jak wymienia `lubberline swings`</translation>
     </message>
     <message>
         <source>there is no swing whose record id begins with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma pomiaru o identyfikatorze zaczynającym się od %1</translation>
     </message>
     <message>
         <source>several swings have record ids that begin with %1; expected more of it</source>
-        <translation type="unfinished"></translation>
+        <translation>kilka pomiarów ma identyfikatory zaczynające się od %1; oczekiwano dłuższego</translation>
     </message>
     <message>
         <source>the state of a swing is no particular; expected it to be completed, opened again with a reason, or signed</source>
-        <translation type="unfinished"></translation>
+        <translation>stan pomiaru nie jest daną; oczekiwano ukończenia, ponownego otwarcia z powodem albo podpisu</translation>
     </message>
     <message>
         <source>somebody has signed this swing; it stays on record</source>
-        <translation type="unfinished"></translation>
+        <translation>ktoś podpisał ten pomiar; pozostaje w zapisie</translation>
     </message>
     <message>
         <source>only a draft can be removed; this swing is complete</source>
-        <translation type="unfinished"></translation>
+        <translation>usunąć można tylko szkic; ten pomiar jest ukończony</translation>
     </message>
     <message>
         <source>this reading has been changed elsewhere to: %1; nothing was overwritten, look at it again</source>
-        <translation type="unfinished"></translation>
+        <translation>ten odczyt zmieniono gdzie indziej na: %1; niczego nie nadpisano, obejrzyj ponownie</translation>
     </message>
     <message>
         <source>cancelled; nothing was exported</source>
-        <translation type="unfinished"></translation>
+        <translation>anulowano; niczego nie wyeksportowano</translation>
     </message>
     <message>
         <source>the guided swing of %1, %2, %3 has gone on here and elsewhere in different ways (record %4); nothing was stored</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar prowadzony %1, %2, %3 posunął się tu i gdzie indziej w różny sposób (zapis %4); niczego nie zapisano</translation>
     </message>
     <message>
         <source>the swing of %1, %2, %3 is in the database already with other contents (record %4); nothing was stored</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar %1, %2, %3 jest już w bazie z inną treścią (zapis %4); niczego nie zapisano</translation>
     </message>
     <message>
         <source>cancelled; nothing was stored</source>
-        <translation type="unfinished"></translation>
+        <translation>anulowano; niczego nie zapisano</translation>
     </message>
     <message>
         <source>integrity: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>spójność: %1</translation>
     </message>
     <message>
         <source>foreign key: a row of %1 refers to a missing row of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>klucz obcy: wiersz %1 odwołuje się do brakującego wiersza %2</translation>
     </message>
     <message>
         <source>order: two readings of the swing %1 are in one place</source>
-        <translation type="unfinished"></translation>
+        <translation>kolejność: dwa odczyty pomiaru %1 są w jednym miejscu</translation>
     </message>
     <message>
         <source>figure: %1 of the record %2 is not a real number</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba: %1 zapisu %2 nie jest rzeczywista</translation>
     </message>
     <message>
         <source>sensor model: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>model czujnika: %1</translation>
     </message>
     <message>
         <source>signature: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>podpis: %1</translation>
     </message>
     <message>
         <source>results: the state kept for %1, %2 is not that of its latest swing</source>
-        <translation type="unfinished"></translation>
+        <translation>wyniki: zachowany stan %1, %2 nie odpowiada ostatniemu pomiarowi</translation>
     </message>
     <message>
         <source>results: those kept for the swing of %1 (record %2) are not what its readings give</source>
-        <translation type="unfinished"></translation>
+        <translation>wyniki: zachowane dla pomiaru z %1 (zapis %2) nie wynikają z jego odczytów</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -3022,15 +3581,19 @@
     </message>
     <message>
         <source>there is a file of this name already; expected a new name for the backup</source>
-        <translation type="unfinished"></translation>
+        <translation>plik o tej nazwie już istnieje; oczekiwano nowej nazwy kopii</translation>
     </message>
     <message>
         <source>the backup could not be written to its place; expected a folder that may be written</source>
-        <translation type="unfinished"></translation>
+        <translation>kopii nie można było zapisać na miejsce; oczekiwano folderu do zapisu</translation>
     </message>
     <message>
         <source>status</source>
-        <translation type="unfinished"></translation>
+        <translation>stan</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos;</source>
+        <translation>%1 &apos;%2&apos;</translation>
     </message>
 </context>
 <context>
@@ -3153,7 +3716,7 @@
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>Largest (°)</source>
@@ -3169,7 +3732,7 @@
     </message>
     <message>
         <source>%1 · </source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · </translation>
     </message>
     <message>
         <source> · DEMONSTRATION</source>
@@ -3182,6 +3745,14 @@
     <message>
         <source>there is no compass base %1; expected one of: %2</source>
         <translation>nie ma kręgu dewiacyjnego %1; oczekiwano jednego z: %2</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Statek powietrzny</translation>
+    </message>
+    <message>
+        <source>Particulars, compasses and events of an aircraft at the left, the swings of the chosen compass and its coefficients over the years at the right. Enter opens the swing that is marked. Record lightning strikes, engine changes and the like as events: what is due follows from them.</source>
+        <translation>Po lewej dane, busole i zdarzenia statku powietrznego, po prawej pomiary wybranej busoli i jej współczynniki w kolejnych latach. Enter otwiera zaznaczony pomiar. Uderzenia pioruna, wymiany silnika i podobne zapisuj jako zdarzenia: z nich wynika, co jest do wykonania.</translation>
     </message>
 </context>
 <context>
@@ -3215,15 +3786,15 @@
     <name>lubberline::ui::BenchDrawing</name>
     <message>
         <source>The bench from above and from the side</source>
-        <translation type="unfinished"></translation>
+        <translation>Stanowisko z góry i z boku</translation>
     </message>
     <message>
         <source>from above (nose left, starboard up)</source>
-        <translation type="unfinished"></translation>
+        <translation>z góry (nos w lewo, prawa burta w górę)</translation>
     </message>
     <message>
         <source>from the port side (nose left)</source>
-        <translation type="unfinished"></translation>
+        <translation>z lewej burty (nos w lewo)</translation>
     </message>
     <message>
         <source>sensor</source>
@@ -3231,11 +3802,11 @@
     </message>
     <message>
         <source>%1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>%1: %2 m forward, %3 m starboard, %4 m down</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 m w przód, %3 m w prawo, %4 m w dół</translation>
     </message>
 </context>
 <context>
@@ -3243,12 +3814,14 @@
     <message>
         <source>hard iron P %1, Q %2, R %3 nT
 soft iron S:</source>
-        <translation type="unfinished"></translation>
+        <translation>żelazo twarde P %1, Q %2, R %3 nT
+żelazo miękkie S:</translation>
     </message>
     <message>
         <source>
 %1, %2 A, %3: S %4, T %5, V %6 nT</source>
-        <translation type="unfinished"></translation>
+        <translation>
+%1, %2 A, %3: S %4, T %5, V %6 nT</translation>
     </message>
     <message>
         <source>on</source>
@@ -3260,150 +3833,150 @@ soft iron S:</source>
     </message>
     <message>
         <source>&amp;Parts&apos; shares</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Udział części</translation>
     </message>
     <message>
         <source>&amp;Coefficients</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Współczynniki</translation>
     </message>
     <message>
         <source>part</source>
-        <translation type="unfinished"></translation>
+        <translation>część</translation>
     </message>
     <message>
         <source>distance (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>odległość (m)</translation>
     </message>
     <message>
         <source>by</source>
-        <translation type="unfinished"></translation>
+        <translation>przez</translation>
     </message>
     <message>
         <source>P (nT)</source>
-        <translation type="unfinished"></translation>
+        <translation>P (nT)</translation>
     </message>
     <message>
         <source>Q (nT)</source>
-        <translation type="unfinished"></translation>
+        <translation>Q (nT)</translation>
     </message>
     <message>
         <source>R (nT)</source>
-        <translation type="unfinished"></translation>
+        <translation>R (nT)</translation>
     </message>
     <message>
         <source>c</source>
-        <translation type="unfinished"></translation>
+        <translation>c</translation>
     </message>
     <message>
         <source>f</source>
-        <translation type="unfinished"></translation>
+        <translation>f</translation>
     </message>
     <message>
         <source>Each part&apos;s share</source>
-        <translation type="unfinished"></translation>
+        <translation>Udział każdej części</translation>
     </message>
     <message>
         <source>dipole</source>
-        <translation type="unfinished"></translation>
+        <translation>dipol</translation>
     </message>
     <message>
         <source>tensor</source>
-        <translation type="unfinished"></translation>
+        <translation>tensor</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::BenchRows</name>
     <message>
         <source>row %1: %2</source>
-        <translation type="unfinished">wiersz %1, %2 {1:?}</translation>
+        <translation>wiersz %1: %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest liczbą</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has %2 numbers; expected %3 apart by spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” ma liczb: %2; oczekiwano %3 oddzielonych odstępami</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no shape; expected box, cylinder, ellipsoid or sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest kształtem; oczekiwano: box, cylinder, ellipsoid lub sphere</translation>
     </message>
     <message>
         <source>a loop has 8 numbers: centre x y z; normal x y z; diameter; turns</source>
-        <translation type="unfinished"></translation>
+        <translation>pętla ma 8 liczb: środek x y z; normalna x y z; średnica; zwoje</translation>
     </message>
     <message>
         <source>a loop has a whole number of turns, 1 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>pętla ma całkowitą liczbę zwojów, co najmniej 1</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no conductor; expected loop or wire</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest przewodem; oczekiwano: loop lub wire</translation>
     </message>
     <message>
         <source>a wire has points x y z; x y z; … two at least</source>
-        <translation type="unfinished"></translation>
+        <translation>przewód ma punkty x y z; x y z; … co najmniej dwa</translation>
     </message>
     <message>
         <source>the first row has no name</source>
-        <translation type="unfinished"></translation>
+        <translation>pierwszy wiersz nie ma nazwy</translation>
     </message>
     <message>
         <source>the first conductor has no circuit</source>
-        <translation type="unfinished"></translation>
+        <translation>pierwszy przewód nie ma obwodu</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no state of a circuit; expected on or off</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest stanem obwodu; oczekiwano: on lub off</translation>
     </message>
     <message>
         <source>part</source>
-        <translation type="unfinished"></translation>
+        <translation>część</translation>
     </message>
     <message>
         <source>shape</source>
-        <translation type="unfinished"></translation>
+        <translation>kształt</translation>
     </message>
     <message>
         <source>size (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>wymiary (m)</translation>
     </message>
     <message>
         <source>χ</source>
-        <translation type="unfinished"></translation>
+        <translation>χ</translation>
     </message>
     <message>
         <source>remanence (T)</source>
-        <translation type="unfinished"></translation>
+        <translation>remanencja (T)</translation>
     </message>
     <message>
         <source>group</source>
-        <translation type="unfinished"></translation>
+        <translation>grupa</translation>
     </message>
     <message>
         <source>state</source>
-        <translation type="unfinished"></translation>
+        <translation>stan</translation>
     </message>
     <message>
         <source>centre x y z (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>środek x y z (m)</translation>
     </message>
     <message>
         <source>roll pitch yaw (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>przechylenie pochylenie odchylenie (°)</translation>
     </message>
     <message>
         <source>circuit</source>
-        <translation type="unfinished"></translation>
+        <translation>obwód</translation>
     </message>
     <message>
         <source>current (A)</source>
-        <translation type="unfinished"></translation>
+        <translation>prąd (A)</translation>
     </message>
     <message>
         <source>on/off</source>
-        <translation type="unfinished"></translation>
+        <translation>wł./wył.</translation>
     </message>
     <message>
         <source>kind</source>
@@ -3411,77 +3984,77 @@ soft iron S:</source>
     </message>
     <message>
         <source>geometry (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>geometria (m)</translation>
     </message>
     <message>
         <source>new part</source>
-        <translation type="unfinished"></translation>
+        <translation>nowa część</translation>
     </message>
     <message>
         <source>new circuit</source>
-        <translation type="unfinished"></translation>
+        <translation>nowy obwód</translation>
     </message>
     <message>
         <source>sensor: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>czujnik: %1</translation>
     </message>
     <message>
         <source>(circuits) %1</source>
-        <translation type="unfinished"></translation>
+        <translation>(obwody) %1</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::BenchTables</name>
     <message>
         <source>Ferrous parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Części ferromagnetyczne</translation>
     </message>
     <message>
         <source>Loops and wires</source>
-        <translation type="unfinished"></translation>
+        <translation>Pętle i przewody</translation>
     </message>
     <message>
         <source>Sens&amp;or x y z (m, forward, starboard, down):</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Czujnik x y z (m, w przód, w prawo, w dół):</translation>
     </message>
     <message>
         <source>Add part</source>
-        <translation type="unfinished"></translation>
+        <translation>Dodaj część</translation>
     </message>
     <message>
         <source>Add conductor</source>
-        <translation type="unfinished"></translation>
+        <translation>Dodaj przewód</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Powiel</translation>
     </message>
     <message>
         <source>Remove row</source>
-        <translation type="unfinished"></translation>
+        <translation>Usuń wiersz</translation>
     </message>
     <message>
         <source>%1 (copy)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (kopia)</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::CardPanel</name>
     <message>
         <source>&amp;Write this card…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zapisz tę tablicę…</translation>
     </message>
     <message>
         <source>every %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>co %1°</translation>
     </message>
     <message>
         <source>magnetic heading: what to steer</source>
-        <translation type="unfinished"></translation>
+        <translation>kurs magnetyczny: co utrzymywać</translation>
     </message>
     <message>
         <source>compass heading: which magnetic</source>
-        <translation type="unfinished"></translation>
+        <translation>kurs kompasowy: jaki magnetyczny</translation>
     </message>
     <message>
         <source>exact fit</source>
@@ -3489,51 +4062,51 @@ soft iron S:</source>
     </message>
     <message>
         <source>nearest reading</source>
-        <translation type="unfinished"></translation>
+        <translation>najbliższy odczyt</translation>
     </message>
     <message>
         <source>Correction card</source>
-        <translation type="unfinished"></translation>
+        <translation>Tablica dewiacji</translation>
     </message>
     <message>
         <source>Taken out mechanically after the swing: the card is then no longer what was signed</source>
-        <translation type="unfinished"></translation>
+        <translation>Usunięte mechanicznie po pomiarze: tablica nie jest już wtedy tym, co podpisano</translation>
     </message>
     <message>
         <source>Rows:</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersze:</translation>
     </message>
     <message>
         <source>By:</source>
-        <translation type="unfinished"></translation>
+        <translation>Według:</translation>
     </message>
     <message>
         <source>From:</source>
-        <translation type="unfinished"></translation>
+        <translation>Z:</translation>
     </message>
     <message>
         <source>Without:</source>
-        <translation type="unfinished"></translation>
+        <translation>Bez:</translation>
     </message>
     <message>
         <source>Between rows:</source>
-        <translation type="unfinished"></translation>
+        <translation>Między wierszami:</translation>
     </message>
     <message>
         <source>COMPASS</source>
-        <translation type="unfinished"></translation>
+        <translation>BUSOLA</translation>
     </message>
     <message>
         <source>MAGNETIC</source>
-        <translation type="unfinished"></translation>
+        <translation>MAGNETYCZNY</translation>
     </message>
     <message>
         <source>deviation (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>dewiacja (°)</translation>
     </message>
     <message>
         <source>± 95 % (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>± 95 % (°)</translation>
     </message>
     <message>
         <source>FOR</source>
@@ -3545,30 +4118,30 @@ soft iron S:</source>
     </message>
     <message>
         <source>%1. %2.</source>
-        <translation type="unfinished">%1: %2 {1,?} {1.?} {2.?}</translation>
+        <translation>%1. %2.</translation>
     </message>
     <message>
         <source>* nobody read near this row, ! over the limit</source>
-        <translation type="unfinished"></translation>
+        <translation>* w pobliżu tego wiersza nikt nie odczytał, ! ponad granicą</translation>
     </message>
     <message>
         <source>STEER %1 between the rows</source>
-        <translation type="unfinished"></translation>
+        <translation>UTRZYMUJ %1 między wierszami</translation>
     </message>
     <message>
         <source>MAGNETIC %1 between the rows</source>
-        <translation type="unfinished"></translation>
+        <translation>MAGNETYCZNY %1 między wierszami</translation>
     </message>
     <message>
         <source>, %1 by the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 z krzywej</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::ChartHistoryPlot</name>
     <message>
         <source>Coefficients over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Współczynniki w czasie</translation>
     </message>
 </context>
 <context>
@@ -3602,42 +4175,42 @@ soft iron S:</source>
     </message>
     <message>
         <source>Name of the circuit</source>
-        <translation type="unfinished"></translation>
+        <translation>Nazwa obwodu</translation>
     </message>
     <message>
         <source>Remove this circuit</source>
-        <translation type="unfinished"></translation>
+        <translation>Usuń ten obwód</translation>
     </message>
     <message>
         <source>%1 switched on</source>
-        <translation type="unfinished"></translation>
+        <translation>włączono %1</translation>
     </message>
     <message>
         <source>%1 switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>wyłączono %1</translation>
     </message>
     <message>
         <source>a circuit must have a name, as “landing light”</source>
-        <translation type="unfinished"></translation>
+        <translation>obwód musi mieć nazwę, np. „reflektor do lądowania”</translation>
     </message>
     <message>
         <source>name of a circuit</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwa obwodu</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::Clipboard</name>
     <message>
         <source>row %1 of what is pasted has text behind a closing quote</source>
-        <translation type="unfinished"></translation>
+        <translation>wiersz %1 wklejanych danych ma tekst za cudzysłowem zamykającym</translation>
     </message>
     <message>
         <source>more than %1 rows are to be pasted; expected a table of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>wklejanych wierszy jest więcej niż %1; oczekiwano tabeli odczytów</translation>
     </message>
     <message>
         <source>a quote that begins in row %1 of what is pasted is not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>cudzysłów otwarty w wierszu %1 wklejanych danych nie jest zamknięty</translation>
     </message>
 </context>
 <context>
@@ -3692,7 +4265,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>N = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>N = %1</translation>
     </message>
     <message>
         <source>rms residual %1° (exact %2°)</source>
@@ -3793,7 +4366,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>δ (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>δ (°)</translation>
     </message>
     <message>
         <source>res. (°)</source>
@@ -4044,11 +4617,11 @@ soft iron S:</source>
     </message>
     <message>
         <source>2</source>
-        <translation type="unfinished"></translation>
+        <translation>2</translation>
     </message>
     <message>
         <source>3</source>
-        <translation type="unfinished"></translation>
+        <translation>3</translation>
     </message>
     <message>
         <source>comp. 1</source>
@@ -4056,7 +4629,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>d °</source>
-        <translation type="unfinished"></translation>
+        <translation>d °</translation>
     </message>
     <message>
         <source>do here, and what it read after</source>
@@ -4144,7 +4717,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>(2) − (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>(2) − (1)</translation>
     </message>
     <message>
         <source>Residual</source>
@@ -4164,7 +4737,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>(3) − (4)</source>
-        <translation type="unfinished"></translation>
+        <translation>(3) − (4)</translation>
     </message>
     <message>
         <source>M to C</source>
@@ -4172,7 +4745,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>(4) − (3)</source>
-        <translation type="unfinished"></translation>
+        <translation>(4) − (3)</translation>
     </message>
     <message>
         <source>no font is installed, and a document without one would be blank; install the package fonts-dejavu-core</source>
@@ -4260,19 +4833,19 @@ soft iron S:</source>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>S</source>
-        <translation type="unfinished"></translation>
+        <translation>S</translation>
     </message>
     <message>
         <source>E</source>
-        <translation type="unfinished"></translation>
+        <translation>E</translation>
     </message>
     <message>
         <source>W</source>
-        <translation type="unfinished"></translation>
+        <translation>W</translation>
     </message>
     <message>
         <source>%1 m above the ellipsoid</source>
@@ -4352,11 +4925,11 @@ soft iron S:</source>
     </message>
     <message>
         <source>N–S (C)</source>
-        <translation type="unfinished"></translation>
+        <translation>N–S (C)</translation>
     </message>
     <message>
         <source>E–W (B)</source>
-        <translation type="unfinished"></translation>
+        <translation>E–W (B)</translation>
     </message>
     <message>
         <source>index (A)</source>
@@ -4676,7 +5249,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>%1 (UTC)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (UTC)</translation>
     </message>
     <message>
         <source>%1 to %2 UTC</source>
@@ -4912,7 +5485,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>t</source>
-        <translation type="unfinished"></translation>
+        <translation>t</translation>
     </message>
     <message>
         <source>studentised</source>
@@ -4940,19 +5513,19 @@ soft iron S:</source>
     </message>
     <message>
         <source>B  sin</source>
-        <translation type="unfinished"></translation>
+        <translation>B  sin</translation>
     </message>
     <message>
         <source>C  cos</source>
-        <translation type="unfinished"></translation>
+        <translation>C  cos</translation>
     </message>
     <message>
         <source>D  sin 2×</source>
-        <translation type="unfinished"></translation>
+        <translation>D  sin 2×</translation>
     </message>
     <message>
         <source>E  cos 2×</source>
-        <translation type="unfinished"></translation>
+        <translation>E  cos 2×</translation>
     </message>
     <message>
         <source>%1 points, %2</source>
@@ -5052,7 +5625,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>forward</source>
@@ -5060,7 +5633,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>starboard</source>
@@ -5068,7 +5641,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>down</source>
@@ -5096,7 +5669,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>%1, %2 A, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 A, %3</translation>
     </message>
     <message>
         <source>Misalignment: roll, pitch, yaw</source>
@@ -5164,43 +5737,43 @@ soft iron S:</source>
     </message>
     <message>
         <source>the card has no headings; expected one every 10°, 15°, 30° or 45°</source>
-        <translation type="unfinished"></translation>
+        <translation>tablica nie ma kursów; oczekiwano co 10°, 15°, 30° lub 45°</translation>
     </message>
     <message>
         <source>the two STEER columns are made in different ways; expected the same headings and the same method</source>
-        <translation type="unfinished"></translation>
+        <translation>obie kolumny STEER sporządzono różnie; oczekiwano tych samych kursów i tej samej metody</translation>
     </message>
     <message>
         <source>the two STEER columns are of different compasses; expected two swings of one compass of one aircraft</source>
-        <translation type="unfinished"></translation>
+        <translation>obie kolumny STEER dotyczą różnych busol; oczekiwano dwóch pomiarów jednej busoli jednego statku powietrznego</translation>
     </message>
     <message>
         <source>the two STEER columns are both “%1”; expected columns that can be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>obie kolumny STEER to „%1”; oczekiwano kolumn, które można odróżnić</translation>
     </message>
     <message>
         <source>It holds in the attitude in which it was swung, which was not level, and in the configuration that it names.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obowiązuje w położeniu, w jakim wykonano pomiar (nie poziomym), i w podanej konfiguracji.</translation>
     </message>
     <message>
         <source>It holds for level flight in the configuration that it names.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obowiązuje w locie poziomym w podanej konfiguracji.</translation>
     </message>
     <message>
         <source>It holds in the configuration that it names; the attitude in which it was swung is not stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obowiązuje w podanej konfiguracji; położenia podczas pomiaru nie podano.</translation>
     </message>
     <message>
         <source>Print at 100 %, check the line of 50 mm, cut along the marks, fix it on or near the compass and take the old card away. %1 Between two headings, interpolate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drukuj w skali 100 %, sprawdź linię 50 mm, wytnij po znakach, umieść na busoli lub przy niej i usuń starą tablicę. %1 Między dwoma kursami interpoluj.</translation>
     </message>
     <message>
         <source>record %1, data SHA-256 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis %1, dane SHA-256 %2</translation>
     </message>
     <message>
         <source>Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>Jakość</translation>
     </message>
     <message>
         <source>Remarks</source>
@@ -5208,19 +5781,19 @@ soft iron S:</source>
     </message>
     <message>
         <source>nothing: as found, before any adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>nic: stan zastany, przed jakąkolwiek kompensacją</translation>
     </message>
     <message>
         <source>The figures before rounding, and half-way to the next row</source>
-        <translation type="unfinished"></translation>
+        <translation>Liczby przed zaokrągleniem i w połowie drogi do następnego wiersza</translation>
     </message>
     <message>
         <source>COMPASS</source>
-        <translation type="unfinished"></translation>
+        <translation>BUSOLA</translation>
     </message>
     <message>
         <source>MAGNETIC</source>
-        <translation type="unfinished"></translation>
+        <translation>MAGNETYCZNY</translation>
     </message>
     <message>
         <source>95 % band</source>
@@ -5228,35 +5801,35 @@ soft iron S:</source>
     </message>
     <message>
         <source>±</source>
-        <translation type="unfinished"></translation>
+        <translation>±</translation>
     </message>
     <message>
         <source>Half-way</source>
-        <translation type="unfinished"></translation>
+        <translation>W połowie</translation>
     </message>
     <message>
         <source>by the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>z krzywej</translation>
     </message>
     <message>
         <source>Interpolated</source>
-        <translation type="unfinished"></translation>
+        <translation>Interpolowane</translation>
     </message>
     <message>
         <source>is off by</source>
-        <translation type="unfinished"></translation>
+        <translation>różni się o</translation>
     </message>
     <message>
         <source>Next swing due %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Następny pomiar: %1</translation>
     </message>
     <message>
         <source>When the compass reads COMPASS, the magnetic heading is MAGNETIC.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gdy busola wskazuje BUSOLA, kurs magnetyczny wynosi MAGNETYCZNY.</translation>
     </message>
     <message>
         <source>DRAFT</source>
-        <translation type="unfinished"></translation>
+        <translation>SZKIC</translation>
     </message>
     <message>
         <source>STEER</source>
@@ -5264,35 +5837,35 @@ soft iron S:</source>
     </message>
     <message>
         <source>Performed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykonał %1</translation>
     </message>
     <message>
         <source>Inspected %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprawdził %1</translation>
     </message>
     <message>
         <source>Released %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dopuścił %1</translation>
     </message>
     <message>
         <source>%1 to %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 do %2°</translation>
     </message>
     <message>
         <source>%1: DRAFT — NOT SIGNED</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: SZKIC — NIEPODPISANY</translation>
     </message>
     <message>
         <source>AMENDED SINCE: NOT VALID</source>
-        <translation type="unfinished"></translation>
+        <translation>PÓŹNIEJ ZMIENIONO: NIEWAŻNE</translation>
     </message>
     <message>
         <source>%1: AMENDED SINCE, NOT VALID</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: PÓŹNIEJ ZMIENIONO, NIEWAŻNE</translation>
     </message>
     <message>
         <source>Record %1%2 · data %3 · %4</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapis %1%2 · dane %3 · %4</translation>
     </message>
     <message>
         <source>signed</source>
@@ -5300,119 +5873,119 @@ soft iron S:</source>
     </message>
     <message>
         <source>Not signed: figures without %1, which was taken out after what was signed</source>
-        <translation type="unfinished"></translation>
+        <translation>Niepodpisane: liczby bez %1, usuniętego po tym, co podpisano</translation>
     </message>
     <message>
         <source>Not signed: the record is not what was signed</source>
-        <translation type="unfinished"></translation>
+        <translation>Niepodpisane: zapis nie jest tym, co podpisano</translation>
     </message>
     <message>
         <source>Not signed: a draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Niepodpisane: szkic</translation>
     </message>
     <message>
         <source>Not signed: complete, signatures are wanting</source>
-        <translation type="unfinished"></translation>
+        <translation>Niepodpisane: ukończone, brak podpisów</translation>
     </message>
     <message>
         <source>Signed before signatures were kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Podpisane, zanim przechowywano podpisy</translation>
     </message>
     <message>
         <source>By the exact fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Z dopasowania dokładnego</translation>
     </message>
     <message>
         <source>By the nearest reading</source>
-        <translation type="unfinished"></translation>
+        <translation>Z najbliższego odczytu</translation>
     </message>
     <message>
         <source>%1, 95 % band ±%2°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, pas 95 % ±%2°</translation>
     </message>
     <message>
         <source>%1, band not known</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, pas nieznany</translation>
     </message>
     <message>
         <source>%1° on %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1° na %2</translation>
     </message>
     <message>
         <source>Largest residual %1; largest reading %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Największa reszta %1; największy odczyt %2</translation>
     </message>
     <message>
         <source>! OVER THE LIMIT of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>! PONAD GRANICĘ %1</translation>
     </message>
     <message>
         <source>* nobody read between (compass) %1</source>
-        <translation type="unfinished"></translation>
+        <translation>* nikt nie odczytał między (busola) %1</translation>
     </message>
     <message>
         <source>SUSPECT reading used, on %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Użyto PODEJRZANEGO odczytu na %1</translation>
     </message>
     <message>
         <source>NOT LEVEL: pitch %1, roll %2</source>
-        <translation type="unfinished"></translation>
+        <translation>NIE W POZIOMIE: pochylenie %1, przechylenie %2</translation>
     </message>
     <message>
         <source>Between rows up to %1° off</source>
-        <translation type="unfinished"></translation>
+        <translation>Między wierszami różnica do %1°</translation>
     </message>
     <message>
         <source>%1: better every %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: lepiej co %2°</translation>
     </message>
     <message>
         <source>Without %1, taken out after the swing</source>
-        <translation type="unfinished"></translation>
+        <translation>Bez %1, usuniętego po pomiarze</translation>
     </message>
     <message>
         <source>MAGNETIC = COMPASS + deviation, to whole degrees; %1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>MAGNETYCZNY = BUSOLA + dewiacja, do pełnych stopni; %1%2</translation>
     </message>
     <message>
         <source>%1 V</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 V</translation>
     </message>
     <message>
         <source>%1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°</translation>
     </message>
     <message>
         <source>normal %1, reversed %2, mean %3</source>
-        <translation type="unfinished"></translation>
+        <translation>normalnie %1, odwrotnie %2, średnio %3</translation>
     </message>
     <message>
         <source>N–S %1°, E–W %2°, index %3°; pairs 0/180 %4°, 90/270 %5°: %6</source>
-        <translation type="unfinished"></translation>
+        <translation>N–S %1°, E–W %2°, indeks %3°; pary 0/180 %4°, 90/270 %5°: %6</translation>
     </message>
     <message>
         <source>agree within 0.2° (TM 11-4920-292-15)</source>
-        <translation type="unfinished"></translation>
+        <translation>zgodne w granicach 0,2° (TM 11-4920-292-15)</translation>
     </message>
     <message>
         <source>DO NOT AGREE within 0.2° (TM 11-4920-292-15)</source>
-        <translation type="unfinished"></translation>
+        <translation>NIEZGODNE w granicach 0,2° (TM 11-4920-292-15)</translation>
     </message>
     <message>
         <source>not made</source>
-        <translation type="unfinished"></translation>
+        <translation>nie wykonano</translation>
     </message>
     <message>
         <source>largest %1′, mean %2′: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>największy %1′, średni %2′: %3</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>zaliczone</translation>
     </message>
     <message>
         <source>NOT PASSED</source>
-        <translation type="unfinished"></translation>
+        <translation>NIEZALICZONE</translation>
     </message>
     <message>
         <source>Date</source>
@@ -5420,139 +5993,139 @@ soft iron S:</source>
     </message>
     <message>
         <source>North–south line</source>
-        <translation type="unfinished"></translation>
+        <translation>Linia północ–południe</translation>
     </message>
     <message>
         <source>Calibrator</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrator</translation>
     </message>
     <message>
         <source>Sensor sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Karta czujnika</translation>
     </message>
     <message>
         <source>E1</source>
-        <translation type="unfinished"></translation>
+        <translation>E1</translation>
     </message>
     <message>
         <source>E2</source>
-        <translation type="unfinished"></translation>
+        <translation>E2</translation>
     </message>
     <message>
         <source>Controls</source>
-        <translation type="unfinished"></translation>
+        <translation>Pokrętła</translation>
     </message>
     <message>
         <source>MISAL %1, δ180 %2, δ270 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>MISAL %1, δ180 %2, δ270 %3</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Przed</translation>
     </message>
     <message>
         <source>Self-check</source>
-        <translation type="unfinished"></translation>
+        <translation>Samosprawdzenie</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Otwarte</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>nic</translation>
     </message>
     <message>
         <source>Table F1</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabela F1</translation>
     </message>
     <message>
         <source>Selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Nastawiony</translation>
     </message>
     <message>
         <source>indicated</source>
-        <translation type="unfinished"></translation>
+        <translation>wskazany</translation>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished"></translation>
+        <translation>błąd</translation>
     </message>
     <message>
         <source>The headings</source>
-        <translation type="unfinished"></translation>
+        <translation>Kursy</translation>
     </message>
     <message>
         <source>Electrical</source>
-        <translation type="unfinished"></translation>
+        <translation>Elektrycznie</translation>
     </message>
     <message>
         <source>Turntable</source>
-        <translation type="unfinished"></translation>
+        <translation>Stół obrotowy</translation>
     </message>
     <message>
         <source>Signed by hand; performer and inspector are two people</source>
-        <translation type="unfinished"></translation>
+        <translation>Podpisy odręczne; wykonawca i kontroler to dwie osoby</translation>
     </message>
     <message>
         <source>role</source>
-        <translation type="unfinished">rola</translation>
+        <translation>rola</translation>
     </message>
     <message>
         <source>name, licence</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwisko, licencja</translation>
     </message>
     <message>
         <source>date (UTC)</source>
-        <translation type="unfinished"></translation>
+        <translation>data (UTC)</translation>
     </message>
     <message>
         <source>Performer</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykonawca</translation>
     </message>
     <message>
         <source>Electrical swing: record</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomiar elektryczny: protokół</translation>
     </message>
     <message>
         <source>NOT FINISHED: OPEN POINTS</source>
-        <translation type="unfinished"></translation>
+        <translation>NIEUKOŃCZONE: OTWARTE PUNKTY</translation>
     </message>
     <message>
         <source>On this sheet error = indicated − selected; deviation (magnetic − compass, easterly positive) is its negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na tej karcie błąd = wskazany − nastawiony; dewiacja (magnetyczny − busoli, wschodnia dodatnia) ma znak przeciwny.</translation>
     </message>
     <message>
         <source>read as found</source>
-        <translation type="unfinished"></translation>
+        <translation>odczyt w stanie zastanym</translation>
     </message>
     <message>
         <source>then zero the compensator: dots on the screws in line with those on the case; from here on nothing is as found</source>
-        <translation type="unfinished"></translation>
+        <translation>potem wyzeruj kompensator: kropki na śrubach naprzeciw kropek na obudowie; odtąd nic nie jest w stanie zastanym</translation>
     </message>
     <message>
         <source>done ____</source>
-        <translation type="unfinished"></translation>
+        <translation>wykonano ____</translation>
     </message>
     <message>
         <source>Only where the compensator is to be zeroed: after the readings as found</source>
-        <translation type="unfinished"></translation>
+        <translation>Tylko gdy kompensator ma być wyzerowany: po odczytach stanu zastanego</translation>
     </message>
     <message>
         <source>datum °</source>
-        <translation type="unfinished"></translation>
+        <translation>wzorzec °</translation>
     </message>
     <message>
         <source>compass °</source>
-        <translation type="unfinished"></translation>
+        <translation>busola °</translation>
     </message>
     <message>
         <source>adjusted by (performer)</source>
-        <translation type="unfinished"></translation>
+        <translation>kompensował (wykonawca)</translation>
     </message>
     <message>
         <source>Inspector: another person than who adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontroler: inna osoba niż ta, która kompensowała</translation>
     </message>
     <message>
         <source>inspected by</source>
@@ -5560,79 +6133,467 @@ soft iron S:</source>
     </message>
     <message>
         <source>licence, stamp</source>
-        <translation type="unfinished"></translation>
+        <translation>licencja, pieczęć</translation>
     </message>
     <message>
         <source>%1° (from %2° to %3°)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1° (od %2° do %3°)</translation>
     </message>
     <message>
         <source>, over %1 of 8 headings only</source>
-        <translation type="unfinished"></translation>
+        <translation>, tylko na %1 z 8 kursów</translation>
     </message>
     <message>
         <source>before compensation %1</source>
-        <translation type="unfinished"></translation>
+        <translation>przed kompensacją %1</translation>
     </message>
     <message>
         <source>within</source>
-        <translation type="unfinished"></translation>
+        <translation>w granicach</translation>
     </message>
     <message>
         <source>BEYOND</source>
-        <translation type="unfinished"></translation>
+        <translation>POZA</translation>
     </message>
     <message>
         <source>residual swing %1: %2 the %3° that are allowed (TM 1-1500-204-23-4)</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar końcowy %1: %2 dopuszczalnych %3° (TM 1-1500-204-23-4)</translation>
     </message>
     <message>
         <source>signed before signatures were kept</source>
-        <translation type="unfinished"></translation>
+        <translation>podpisane, zanim przechowywano podpisy</translation>
     </message>
     <message>
         <source>signed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>podpisano %1</translation>
     </message>
     <message>
         <source>none is known: columns (1) and (2) are empty</source>
-        <translation type="unfinished"></translation>
+        <translation>nieznana: kolumny (1) i (2) są puste</translation>
     </message>
     <message>
         <source>as the guided swing of this record read it, before any control was turned</source>
-        <translation type="unfinished"></translation>
+        <translation>jak odczytał pomiar prowadzony tego zapisu, przed obróceniem czegokolwiek</translation>
     </message>
     <message>
         <source>record %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis %1</translation>
     </message>
     <message>
         <source>data %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dane %1</translation>
     </message>
     <message>
         <source>Spread</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozrzut</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>Metoda</translation>
     </message>
     <message>
         <source>every figure is of the reading nearest to its heading, within 22.5°; a placard by the fit may differ by how far that reading lies off the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>każda liczba pochodzi z odczytu najbliższego kursowi, w granicach 22,5°; tablica z dopasowania może się różnić o odległość tego odczytu od krzywej</translation>
     </message>
     <message>
         <source>on this sheet, as on the form: DEV = compass − magnetic, positive where the compass reads more. The deviation of all other documents, and of the remarks, is magnetic − compass, easterly positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>na tej karcie, jak na formularzu: DEV = busola − magnetyczny, dodatnia, gdy busola wskazuje więcej. Dewiacja we wszystkich innych dokumentach i w uwagach to magnetyczny − busola, wschodnia dodatnia.</translation>
     </message>
     <message>
         <source>swung %1</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar %1</translation>
     </message>
     <message>
         <source>by the nearest reading</source>
+        <translation>z najbliższego odczytu</translation>
+    </message>
+    <message>
+        <source>Mean deviation and spread against magnetic heading</source>
+        <translation>Średnia dewiacja i rozrzut względem kursu magnetycznego</translation>
+    </message>
+    <message>
+        <source>The same, polar; amplitudes by order as found and as left</source>
+        <translation>To samo biegunowo; amplitudy według rzędów, stan zastany i końcowy</translation>
+    </message>
+    <message>
+        <source>How the figures were made</source>
+        <translation>Jak powstały liczby</translation>
+    </message>
+    <message>
+        <source>In short</source>
+        <translation>W skrócie</translation>
+    </message>
+    <message>
+        <source>The same, polar</source>
+        <translation>To samo biegunowo</translation>
+    </message>
+    <message>
+        <source>Amplitudes by order</source>
+        <translation>Amplitudy według rzędów</translation>
+    </message>
+    <message>
+        <source>swung at</source>
+        <translation>miejsce pomiaru</translation>
+    </message>
+    <message>
+        <source>based at</source>
+        <translation>baza</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>od</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>do</translation>
+    </message>
+    <message>
+        <source>all swings</source>
+        <translation>wszystkie pomiary</translation>
+    </message>
+    <message>
+        <source>%1 swings of %2 aircraft are used, of %3 in the selection.</source>
+        <translation>Użyto pomiarów: %1, statków powietrznych: %2, z wyboru %3.</translation>
+    </message>
+    <message>
+        <source>The mean deviation is highest at %1 and lowest at %2.</source>
+        <translation>Średnia dewiacja jest największa na %1, najmniejsza na %2.</translation>
+    </message>
+    <message>
+        <source>Aircraft differ most at %1.</source>
+        <translation>Statki powietrzne różnią się najbardziej na %1.</translation>
+    </message>
+    <message>
+        <source>Of %1 pairs of swings (as left, next as found) %2 were beyond the limit when found: %3 % (%4 to %5 % at 95 % confidence).</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No jump is told at a false discovery rate of 10 %.</source>
+        <translation>Nie stwierdzono skoku przy odsetku fałszywych odkryć 10 %.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n jump(s) told at a false discovery rate of 10 %.</source>
+        <translation>
+            <numerusform>Stwierdzono %n skok przy odsetku fałszywych odkryć 10 %.</numerusform>
+            <numerusform>Stwierdzono %n skoki przy odsetku fałszywych odkryć 10 %.</numerusform>
+            <numerusform>Stwierdzono %n skoków przy odsetku fałszywych odkryć 10 %.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Swing next: %1 · %2, %3 % to be out of limits by %4 (%5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One aircraft has one vote: the mean of its swings.</source>
+        <translation>Jeden statek powietrzny ma jeden głos: średnią swoich pomiarów.</translation>
+    </message>
+    <message>
+        <source>Each swing has one vote; aircraft with many swings weigh more.</source>
+        <translation>Każdy pomiar ma jeden głos; statki powietrzne o wielu pomiarach ważą więcej.</translation>
+    </message>
+    <message>
+        <source>A reading enters a heading of the grid moved along its own swing&apos;s curve, its residual kept; a swing without a reading within half a step enters by its curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread as found: standard deviation of what was read. Between aircraft: the same with the fits&apos; own error taken out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exceedance is told from pairs: a compass as left, and the same compass as found next. The interval is exact (Clopper and Pearson).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expected share: chance that the largest deviation over all headings of the next swing is beyond the limit, by Student&apos;s prediction from those that were found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three-sigma share: mean and standard deviation of the worst single heading taken as if they were known, as in the source paper; too small for few swings and for many headings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variance components by restricted maximum likelihood; intervals by profile of the likelihood at 95 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A jump&apos;s date is the interval between two swings. One in ten of the jumps that are told may be false.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who next: chance of being out of limits at some time up to the date, by level, drift and wander of each coefficient since the last swing, shrunk to its type.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern of the population by magnetic heading</source>
+        <translation>Wzorzec populacji według kursu magnetycznego</translation>
+    </message>
+    <message>
+        <source>aircraft</source>
+        <translation>statek powietrzny</translation>
+    </message>
+    <message>
+        <source>swings</source>
+        <translation>pomiary</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>średnia</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>odch. std.</translation>
+    </message>
+    <message>
+        <source>between aircraft</source>
+        <translation>między statkami powietrznymi</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>50 %</source>
+        <translation>50 %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Coefficients of the population</source>
+        <translation>Współczynniki populacji</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>współczynnik</translation>
+    </message>
+    <message>
+        <source>votes</source>
+        <translation>głosy</translation>
+    </message>
+    <message>
+        <source>standard error</source>
+        <translation>błąd standardowy</translation>
+    </message>
+    <message>
+        <source>far from the others</source>
+        <translation>daleko od pozostałych</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>i jeszcze %n</numerusform>
+            <numerusform>i jeszcze %n</numerusform>
+            <numerusform>i jeszcze %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Harmonics of the mean and of the standard deviation</source>
+        <translation>Harmoniczne średniej i odchylenia standardowego</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>wielkość</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>rząd</translation>
+    </message>
+    <message>
+        <source>sin</source>
+        <translation>sin</translation>
+    </message>
+    <message>
+        <source>cos</source>
+        <translation>cos</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>amplituda</translation>
+    </message>
+    <message>
+        <source>standard deviation</source>
+        <translation>odchylenie standardowe</translation>
+    </message>
+    <message>
+        <source>mean, as found</source>
+        <translation>średnia, stan zastany</translation>
+    </message>
+    <message>
+        <source>mean, as left</source>
+        <translation>średnia, stan końcowy</translation>
+    </message>
+    <message>
+        <source>Beyond the limit at the next inspection, from pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pairs</source>
+        <translation>pary</translation>
+    </message>
+    <message>
+        <source>beyond</source>
+        <translation>poza</translation>
+    </message>
+    <message>
+        <source>observed</source>
+        <translation>zaobserwowane</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>przedział 95 %</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>oczekiwane</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>three sigma</source>
+        <translation>trzy sigma</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>wszystkie</translation>
+    </message>
+    <message>
+        <source>limit %1°</source>
+        <translation>granica %1°</translation>
+    </message>
+    <message>
+        <source>each its own limit</source>
+        <translation>każda własna granica</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>typ</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>baza</translation>
+    </message>
+    <message>
+        <source>crew</source>
+        <translation>załoga</translation>
+    </message>
+    <message>
+        <source>Where it comes from: standard deviations by component, with 95 % intervals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>swing to swing</source>
+        <translation>z pomiaru na pomiar</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>nieokreślone</translation>
+    </message>
+    <message>
+        <source>A as human error, by base and crew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean |A|</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jumps, at a false discovery rate of 10 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>między</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>przez</translation>
+    </message>
+    <message>
+        <source>1 se</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>p</translation>
+    </message>
+    <message>
+        <source>event, likely part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drifts, at a false discovery rate of 10 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a year</source>
+        <translation>rocznie</translation>
+    </message>
+    <message>
+        <source>Who next: out of limits before the next date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chance</source>
+        <translation>prawdopodobieństwo</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>największa</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>granica</translation>
+    </message>
+    <message>
+        <source>last swing</source>
+        <translation>ostatni pomiar</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>powód</translation>
+    </message>
+    <message>
+        <source>The fleet by what is expected, as a share of the limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest expected deviation</source>
+        <translation>największa oczekiwana dewiacja</translation>
+    </message>
+    <message>
+        <source>compasses</source>
+        <translation>busole</translation>
+    </message>
+    <message>
+        <source>up to a quarter</source>
+        <translation>do jednej czwartej</translation>
+    </message>
+    <message>
+        <source>a quarter to a half</source>
+        <translation>od ćwierci do połowy</translation>
+    </message>
+    <message>
+        <source>a half to three quarters</source>
+        <translation>od połowy do trzech czwartych</translation>
+    </message>
+    <message>
+        <source>three quarters to the limit</source>
+        <translation>od trzech czwartych do granicy</translation>
+    </message>
+    <message>
+        <source>beyond the limit</source>
+        <translation>poza granicą</translation>
     </message>
 </context>
 <context>
@@ -5658,39 +6619,39 @@ soft iron S:</source>
     <name>lubberline::ui::DuePage</name>
     <message>
         <source>&amp;Waive</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Odstąp</translation>
     </message>
     <message>
         <source>&amp;Open the compass</source>
-        <translation type="unfinished"></translation>
+        <translation>Ot&amp;wórz busolę</translation>
     </message>
     <message>
         <source>What is due</source>
-        <translation type="unfinished"></translation>
+        <translation>Do wykonania</translation>
     </message>
     <message>
         <source>Calendar rules</source>
-        <translation type="unfinished"></translation>
+        <translation>Reguły kalendarzowe</translation>
     </message>
     <message>
         <source>due now</source>
-        <translation type="unfinished"></translation>
+        <translation>do wykonania teraz</translation>
     </message>
     <message>
         <source>due now or soon</source>
-        <translation type="unfinished"></translation>
+        <translation>do wykonania teraz lub wkrótce</translation>
     </message>
     <message>
         <source>everything</source>
-        <translation type="unfinished"></translation>
+        <translation>wszystko</translation>
     </message>
     <message>
         <source>aircraft, compass or reason</source>
-        <translation type="unfinished"></translation>
+        <translation>statek powietrzny, busola lub powód</translation>
     </message>
     <message>
         <source>Write a &amp;calendar (.ics)…</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisz &amp;kalendarz (.ics)…</translation>
     </message>
     <message>
         <source>State</source>
@@ -5710,39 +6671,39 @@ soft iron S:</source>
     </message>
     <message>
         <source>Since</source>
-        <translation type="unfinished"></translation>
+        <translation>Od</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Powód</translation>
     </message>
     <message>
         <source>Last signed</source>
-        <translation type="unfinished"></translation>
+        <translation>Ostatnio podpisana</translation>
     </message>
     <message>
         <source>By calendar</source>
-        <translation type="unfinished"></translation>
+        <translation>Według kalendarza</translation>
     </message>
     <message>
         <source>why no swing is needed, as: two headings 90° apart show no change</source>
-        <translation type="unfinished"></translation>
+        <translation>dlaczego pomiar nie jest potrzebny, np.: dwa kursy odległe o 90° nie wykazują zmiany</translation>
     </message>
     <message>
         <source>who answers for it</source>
-        <translation type="unfinished"></translation>
+        <translation>kto za to odpowiada</translation>
     </message>
     <message>
         <source>A waiver is kept for ever and answers this one event</source>
-        <translation type="unfinished"></translation>
+        <translation>Odstąpienie pozostaje na zawsze i dotyczy tego jednego zdarzenia</translation>
     </message>
     <message>
         <source>Its page, where swings are begun and events recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>Jej strona, gdzie rozpoczyna się pomiary i zapisuje zdarzenia</translation>
     </message>
     <message>
         <source>all types</source>
-        <translation type="unfinished"></translation>
+        <translation>wszystkie typy</translation>
     </message>
     <message>
         <source>none</source>
@@ -5750,173 +6711,181 @@ soft iron S:</source>
     </message>
     <message>
         <source>%1 of %2 compasses, on %3</source>
-        <translation type="unfinished"></translation>
+        <translation>busol: %1 z %2, dnia %3</translation>
     </message>
     <message>
         <source>. No calendar rule is set: see the second tab.</source>
-        <translation type="unfinished"></translation>
+        <translation>. Nie ustawiono reguły kalendarzowej: zob. drugą kartę.</translation>
     </message>
     <message>
         <source>. Not predicted after a move: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>. Bez prognozy po przebazowaniu: %1</translation>
     </message>
     <message>
         <source>Only an event is waived; a calendar rule or a move is answered by a swing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Odstąpić można tylko od zdarzenia; na regułę kalendarzową i przebazowanie odpowiada pomiar.</translation>
     </message>
     <message>
         <source>A waiver is kept for ever: state why no swing is needed, and who answers for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Odstąpienie pozostaje na zawsze: podaj, dlaczego pomiar nie jest potrzebny i kto za to odpowiada.</translation>
     </message>
     <message>
         <source>Write a calendar</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisywanie kalendarza</translation>
     </message>
     <message>
         <source>Calendar (*.ics)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalendarz (*.ics)</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n dates</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n termin</numerusform>
+            <numerusform>%1: %n terminy</numerusform>
+            <numerusform>%1: %n terminów</numerusform>
         </translation>
     </message>
     <message>
         <source>What is &amp;due</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Do wykonania</translation>
     </message>
     <message>
         <source>Ctrl+J</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>What calls for a swing, and since when: by the calendar rules, by an event such as a lightning strike, or by a move. Enter opens the compass. An event that needs no swing is waived, with a reason and a name that stay on the record.</source>
+        <translation>Co wymaga pomiaru i od kiedy: reguła kalendarzowa, zdarzenie, np. uderzenie pioruna, albo przebazowanie. Enter otwiera busolę. Od zdarzenia, które nie wymaga pomiaru, odstępuje się z powodem i nazwiskiem, które pozostają w zapisie.</translation>
+    </message>
+    <message>
+        <source>Write the &amp;calendar (.ics)…</source>
+        <translation>Zapisz &amp;kalendarz (.ics)…</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::DueRulesTable</name>
     <message>
         <source>all</source>
-        <translation type="unfinished"></translation>
+        <translation>wszystkie</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not allowed for %2; expected a whole number from %3 on</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” jest niedozwolone dla: %2; oczekiwano liczby całkowitej od %3</translation>
     </message>
     <message>
         <source>&amp;Remove the rule</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Usuń regułę</translation>
     </message>
     <message>
         <source>Take over &amp;known rules</source>
-        <translation type="unfinished"></translation>
+        <translation>Przejmij &amp;znane reguły</translation>
     </message>
     <message>
         <source>Rule</source>
-        <translation type="unfinished"></translation>
+        <translation>Reguła</translation>
     </message>
     <message>
         <source>Months</source>
-        <translation type="unfinished"></translation>
+        <translation>Miesiące</translation>
     </message>
     <message>
         <source>Grace (days)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwłoka (dni)</translation>
     </message>
     <message>
         <source>Warn (days)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ostrzeżenie (dni)</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished"></translation>
+        <translation>Dokument</translation>
     </message>
     <message>
         <source>Issue</source>
-        <translation type="unfinished"></translation>
+        <translation>Wydanie</translation>
     </message>
     <message>
         <source>Aircraft type</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ statku powietrznego</translation>
     </message>
     <message>
         <source>24 months (CASA) and 12 months (South Africa): the only calendar rules whose source could be read</source>
-        <translation type="unfinished"></translation>
+        <translation>24 miesiące (CASA) i 12 miesięcy (RPA): jedyne reguły kalendarzowe, których źródło można było przeczytać</translation>
     </message>
     <message>
         <source>a type without compasses</source>
-        <translation type="unfinished"></translation>
+        <translation>typ bez busol</translation>
     </message>
     <message>
         <source>Type a name to make a new rule</source>
-        <translation type="unfinished"></translation>
+        <translation>Wpisz nazwę, aby utworzyć nową regułę</translation>
     </message>
     <message>
         <source>months</source>
-        <translation type="unfinished"></translation>
+        <translation>miesiące</translation>
     </message>
     <message>
         <source>days of grace</source>
-        <translation type="unfinished"></translation>
+        <translation>dni zwłoki</translation>
     </message>
     <message>
         <source>days of warning</source>
-        <translation type="unfinished"></translation>
+        <translation>dni ostrzeżenia</translation>
     </message>
     <message>
         <source>there is no aircraft type %1; expected one of the fleet, or all</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma typu %1; oczekiwano typu z floty albo: wszystkie</translation>
     </message>
     <message>
         <source>change of the rule %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zmiana reguły %1</translation>
     </message>
     <message>
         <source>new rule</source>
-        <translation type="unfinished"></translation>
+        <translation>nowa reguła</translation>
     </message>
     <message>
         <source>removal of the rule %1</source>
-        <translation type="unfinished"></translation>
+        <translation>usunięcie reguły %1</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::EarthFieldPage</name>
     <message>
         <source>%1, %2 to %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 do %3</translation>
     </message>
     <message>
         <source>51.55 N</source>
-        <translation type="unfinished"></translation>
+        <translation>51.55 N</translation>
     </message>
     <message>
         <source>21.89 E</source>
-        <translation type="unfinished"></translation>
+        <translation>21.89 E</translation>
     </message>
     <message>
         <source>0</source>
-        <translation type="unfinished"></translation>
+        <translation>0</translation>
     </message>
     <message>
         <source>year-month-day, or 2026.5</source>
-        <translation type="unfinished"></translation>
+        <translation>rok-miesiąc-dzień albo 2026.5</translation>
     </message>
     <message>
         <source>Ma&amp;p of:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mapa:</translation>
     </message>
     <message>
         <source>WMM in its years, else IGRF</source>
-        <translation type="unfinished"></translation>
+        <translation>WMM w jego latach, poza tym IGRF</translation>
     </message>
     <message>
         <source>From a file …</source>
-        <translation type="unfinished"></translation>
+        <translation>Z pliku …</translation>
     </message>
     <message>
         <source>Coefficient files: WMM and WMMHR (.COF), tables of the IGRF</source>
-        <translation type="unfinished"></translation>
+        <translation>Pliki współczynników: WMM i WMMHR (.COF), tablice IGRF</translation>
     </message>
     <message>
         <source>&amp;Site:</source>
@@ -5924,15 +6893,15 @@ soft iron S:</source>
     </message>
     <message>
         <source>&amp;Latitude:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Szerokość geogr.:</translation>
     </message>
     <message>
         <source>L&amp;ongitude:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Długość geogr.:</translation>
     </message>
     <message>
         <source>&amp;Height (m):</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wysokość (m):</translation>
     </message>
     <message>
         <source>&amp;Date (UTC):</source>
@@ -5940,11 +6909,11 @@ soft iron S:</source>
     </message>
     <message>
         <source>&amp;Model:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Model:</translation>
     </message>
     <message>
         <source>Above the WGS84 ellipsoid; a height above the sea will do</source>
-        <translation type="unfinished"></translation>
+        <translation>Nad elipsoidą WGS84; wysokość nad poziomem morza wystarczy</translation>
     </message>
     <message>
         <source>Earth&apos;s field</source>
@@ -5952,42 +6921,46 @@ soft iron S:</source>
     </message>
     <message>
         <source>as typed below</source>
-        <translation type="unfinished"></translation>
+        <translation>jak wpisano niżej</translation>
     </message>
     <message>
         <source>Coefficients of the Earth&apos;s field</source>
-        <translation type="unfinished"></translation>
+        <translation>Współczynniki pola Ziemi</translation>
     </message>
     <message>
         <source>Coefficients (*.COF *.cof *.txt);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Współczynniki (*.COF *.cof *.txt);;Wszystkie pliki (*)</translation>
     </message>
     <message>
         <source>Pick a site, or type latitude and longitude.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wybierz miejsce albo wpisz szerokość i długość geograficzną.</translation>
     </message>
     <message>
         <source>&amp;Earth&apos;s field</source>
-        <translation type="unfinished"></translation>
+        <translation>Pole Pole &amp;ziemskieZiemi</translation>
     </message>
     <message>
         <source>Ctrl+Shift+F</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>The Earth&apos;s field at a site or any place, on a day: variation, dip and strength, how sure the model is, and how a compass can be used there. The map shows one element over the whole world, with the place on it.</source>
+        <translation>Pole Ziemi w miejscu dewiacji lub gdziekolwiek, w danym dniu: deklinacja, inklinacja i natężenie, pewność modelu oraz przydatność busoli. Mapa pokazuje jeden element na całym świecie z zaznaczonym miejscem.</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::ElectricalPage</name>
     <message>
         <source>&apos;%1&apos; is not allowed; expected a number from −%2 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” jest niedozwolone; oczekiwano liczby od −%2 do %2</translation>
     </message>
     <message>
         <source>&amp;New electrical swing</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nowy pomiar elektryczny</translation>
     </message>
     <message>
         <source>As a &amp;swing</source>
-        <translation type="unfinished"></translation>
+        <translation>Jako p&amp;omiar</translation>
     </message>
     <message>
         <source>before</source>
@@ -5995,7 +6968,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished"></translation>
+        <translation>błąd</translation>
     </message>
     <message>
         <source>after</source>
@@ -6003,11 +6976,11 @@ soft iron S:</source>
     </message>
     <message>
         <source>indicated</source>
-        <translation type="unfinished"></translation>
+        <translation>wskazany</translation>
     </message>
     <message>
         <source>by turntable</source>
-        <translation type="unfinished"></translation>
+        <translation>ze stołu obrotowego</translation>
     </message>
     <message>
         <source>Date:</source>
@@ -6015,51 +6988,51 @@ soft iron S:</source>
     </message>
     <message>
         <source>North–south line:</source>
-        <translation type="unfinished"></translation>
+        <translation>Linia północ–południe:</translation>
     </message>
     <message>
         <source>Calibrator:</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrator:</translation>
     </message>
     <message>
         <source>Its serial number:</source>
-        <translation type="unfinished"></translation>
+        <translation>Jego numer seryjny:</translation>
     </message>
     <message>
         <source>Sensor sheet:</source>
-        <translation type="unfinished"></translation>
+        <translation>Karta czujnika:</translation>
     </message>
     <message>
         <source>E1 normal (V):</source>
-        <translation type="unfinished"></translation>
+        <translation>E1 normalnie (V):</translation>
     </message>
     <message>
         <source>E1 reversed (V):</source>
-        <translation type="unfinished"></translation>
+        <translation>E1 odwrotnie (V):</translation>
     </message>
     <message>
         <source>E2 normal (V):</source>
-        <translation type="unfinished"></translation>
+        <translation>E2 normalnie (V):</translation>
     </message>
     <message>
         <source>E2 reversed (V):</source>
-        <translation type="unfinished"></translation>
+        <translation>E2 odwrotnie (V):</translation>
     </message>
     <message>
         <source>MISAL (°):</source>
-        <translation type="unfinished"></translation>
+        <translation>MISAL (°):</translation>
     </message>
     <message>
         <source>δ180 (°):</source>
-        <translation type="unfinished"></translation>
+        <translation>δ180 (°):</translation>
     </message>
     <message>
         <source>δ270 (°):</source>
-        <translation type="unfinished"></translation>
+        <translation>δ270 (°):</translation>
     </message>
     <message>
         <source>By:</source>
-        <translation type="unfinished"></translation>
+        <translation>Według:</translation>
     </message>
     <message>
         <source>Note:</source>
@@ -6067,15 +7040,15 @@ soft iron S:</source>
     </message>
     <message>
         <source>Table F1 (error = indicated − selected; deviation is its negative):</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabela F1 (błąd = wskazany − nastawiony; dewiacja ma znak przeciwny):</translation>
     </message>
     <message>
         <source>Electrical swings · %1 · %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomiary elektryczne · %1 · %2</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Przed</translation>
     </message>
     <message>
         <source>After</source>
@@ -6083,55 +7056,55 @@ soft iron S:</source>
     </message>
     <message>
         <source>%1: N–S %2°, E–W %3°, index %4°; pairs 0/180 %5°, 90/270 %6°: %7</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: N–S %2°, E–W %3°, indeks %4°; pary 0/180 %5°, 90/270 %6°: %7</translation>
     </message>
     <message>
         <source>agree within 0.2° (TM 11-4920-292-15)</source>
-        <translation type="unfinished"></translation>
+        <translation>zgodne w granicach 0,2° (TM 11-4920-292-15)</translation>
     </message>
     <message>
         <source>do NOT agree within 0.2° (TM 11-4920-292-15)</source>
-        <translation type="unfinished"></translation>
+        <translation>NIEzgodne w granicach 0,2° (TM 11-4920-292-15)</translation>
     </message>
     <message>
         <source>E1 mean %1 V</source>
-        <translation type="unfinished"></translation>
+        <translation>E1 średnio %1 V</translation>
     </message>
     <message>
         <source>E2 mean %1 V</source>
-        <translation type="unfinished"></translation>
+        <translation>E2 średnio %1 V</translation>
     </message>
     <message>
         <source>Set self-check: largest %1′, mean %2′: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Samosprawdzenie zestawu: największy %1′, średni %2′: %3</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>zaliczone</translation>
     </message>
     <message>
         <source>NOT passed</source>
-        <translation type="unfinished"></translation>
+        <translation>NIEzaliczone</translation>
     </message>
     <message>
         <source>open: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>otwarte: %1</translation>
     </message>
     <message>
         <source>electrical swing of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar elektryczny z %1</translation>
     </message>
     <message>
         <source>new electrical swing</source>
-        <translation type="unfinished"></translation>
+        <translation>nowy pomiar elektryczny</translation>
     </message>
     <message>
         <source>&amp;Electrical swings of this compass</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomiary &amp;elektryczne tej busoli</translation>
     </message>
     <message>
         <source>Ctrl+Shift+L</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+L</translation>
     </message>
     <message>
         <source>select %1, turn %2: %3 → %4</source>
@@ -6139,27 +7112,27 @@ soft iron S:</source>
     </message>
     <message>
         <source>half of the error out with N–S</source>
-        <translation type="unfinished"></translation>
+        <translation>połowę błędu usunąć przez N–S</translation>
     </message>
     <message>
         <source>all of it out with E–W</source>
-        <translation type="unfinished"></translation>
+        <translation>cały błąd usunąć przez E–W</translation>
     </message>
     <message>
         <source>half of it out with E–W</source>
-        <translation type="unfinished"></translation>
+        <translation>połowę błędu usunąć przez E–W</translation>
     </message>
     <message>
         <source>Write the &amp;record…</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisz &amp;protokół…</translation>
     </message>
     <message>
         <source>%1 electrical swing %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pomiar elektryczny %2</translation>
     </message>
     <message>
         <source>Write the record of the electrical swing</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisywanie protokołu pomiaru elektrycznego</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
@@ -6167,7 +7140,19 @@ soft iron S:</source>
     </message>
     <message>
         <source>Record written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisano protokół: %1</translation>
+    </message>
+    <message>
+        <source>Electrical swings</source>
+        <translation>Pomiary elektryczne</translation>
+    </message>
+    <message>
+        <source>There is no electrical swing of this compass yet: begin one first.</source>
+        <translation>Tej busoli nie mierzono jeszcze elektrycznie: najpierw rozpocznij pomiar.</translation>
+    </message>
+    <message>
+        <source>The data sheet of an electrical swing: type what the compass indicates at each selected heading; the errors, what to turn and the verdict follow. Errors on this sheet are indicated − selected, the negative of the deviation elsewhere in the program.</source>
+        <translation>Karta pomiaru elektrycznego: wpisz wskazanie busoli na każdym nastawionym kursie; błędy, elementy do obrócenia i ocena wynikną same. Błędy na tej karcie to wskazany − nastawiony, czyli dewiacja ze znakiem przeciwnym.</translation>
     </message>
 </context>
 <context>
@@ -6314,58 +7299,89 @@ soft iron S:</source>
     <name>lubberline::ui::FieldValues</name>
     <message>
         <source>Elements of the Earth&apos;s field</source>
-        <translation type="unfinished"></translation>
+        <translation>Elementy pola Ziemi</translation>
     </message>
     <message>
         <source>value</source>
-        <translation type="unfinished"></translation>
+        <translation>wartość</translation>
     </message>
     <message>
         <source>a year</source>
-        <translation type="unfinished"></translation>
+        <translation>rocznie</translation>
     </message>
     <message>
         <source>± 1 σ</source>
-        <translation type="unfinished"></translation>
+        <translation>± 1 σ</translation>
     </message>
     <message>
         <source>X north (nT)</source>
-        <translation type="unfinished"></translation>
+        <translation>X północ (nT)</translation>
     </message>
     <message>
         <source>Y east (nT)</source>
-        <translation type="unfinished"></translation>
+        <translation>Y wschód (nT)</translation>
     </message>
     <message>
         <source>Z down (nT)</source>
-        <translation type="unfinished"></translation>
+        <translation>Z w dół (nT)</translation>
     </message>
     <message>
         <source>H horizontal (nT)</source>
-        <translation type="unfinished"></translation>
+        <translation>H poziome (nT)</translation>
     </message>
     <message>
         <source>F total (nT)</source>
-        <translation type="unfinished"></translation>
+        <translation>F całkowite (nT)</translation>
     </message>
     <message>
         <source>D east + (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>D wschodnia + (°)</translation>
     </message>
     <message>
         <source>I down + (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>I w dół + (°)</translation>
     </message>
     <message>
         <source>This model states no uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Ten model nie podaje niepewności</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::FleetDrawing</name>
+    <message>
+        <source>Nothing to draw: no swing of the selection tells a deviation here.</source>
+        <translation>Nie ma czego narysować: żaden wybrany pomiar nie mówi tu o dewiacji.</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>średnia</translation>
+    </message>
+    <message>
+        <source>± 1 sd between aircraft</source>
+        <translation>± 1 odch. std. między statkami powietrznymi</translation>
+    </message>
+    <message>
+        <source>5 and 95 %</source>
+        <translation>5 i 95 %</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>granica</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>stan zastany</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>stan końcowy</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::FleetModel</name>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>, rev. %1</source>
@@ -6385,7 +7401,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>%1 · %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · %2 %3</translation>
     </message>
     <message>
         <source>aircraft: %1</source>
@@ -6413,7 +7429,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>%1 · readings: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · odczytów: %2</translation>
     </message>
 </context>
 <context>
@@ -6452,10 +7468,6 @@ soft iron S:</source>
     <message>
         <source>the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)</source>
         <translation>wzorzec wskazuje %1°, co nie jest odczytem na kursie %2°; obróć na ten kurs albo pomiń go z podaniem powodu (F4)</translation>
-    </message>
-    <message>
-        <source>the aircraft stands %1° from %2; within 5° is wanted</source>
-        <translation>statek powietrzny stoi %1° od %2; wymagane jest najwyżej 5°</translation>
     </message>
 </context>
 <context>
@@ -6526,7 +7538,15 @@ soft iron S:</source>
     </message>
     <message>
         <source>Ctrl+Shift+G</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Guided swing</source>
+        <translation>Pomiar prowadzony</translation>
+    </message>
+    <message>
+        <source>One step a page: turn to the heading, type what datum and compass read, Enter. F2 repeats a step, F4 leaves it out, F8 reports a fault, F11 shows the crew&apos;s display, F12 listens to instruments. Every figure is stored as it is typed; an interrupted swing goes on where it stood.</source>
+        <translation>Jeden krok na stronie: ustaw kurs, wpisz odczyt wzorca i busoli, Enter. F2 powtarza krok, F4 go pomija, F8 zgłasza usterkę, F11 pokazuje ekran załogi, F12 nasłuchuje przyrządów. Każda liczba jest zapisywana od razu; przerwany pomiar podejmuje się tam, gdzie stanął.</translation>
     </message>
 </context>
 <context>
@@ -6758,10 +7778,6 @@ soft iron S:</source>
         <translation>Anuluj</translation>
     </message>
     <message>
-        <source>Guided swing · %1 · %2</source>
-        <translation>Pomiar prowadzony · %1 · %2</translation>
-    </message>
-    <message>
         <source>not stated</source>
         <translation>nie podano</translation>
     </message>
@@ -6857,10 +7873,6 @@ soft iron S:</source>
         <translation>. Enter zapisuje, jak odczytano.</translation>
     </message>
     <message>
-        <source>kept as read: %1</source>
-        <translation>zapisano, jak odczytano: %1</translation>
-    </message>
-    <message>
         <source>What does the compass read now? One figure is expected.</source>
         <translation>Co wskazuje teraz busola? Oczekiwano jednej wartości.</translation>
     </message>
@@ -6945,7 +7957,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>NE</source>
@@ -6953,7 +7965,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>E</source>
-        <translation type="unfinished"></translation>
+        <translation>E</translation>
     </message>
     <message>
         <source>SE</source>
@@ -6961,7 +7973,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>S</source>
-        <translation type="unfinished"></translation>
+        <translation>S</translation>
     </message>
     <message>
         <source>SW</source>
@@ -6969,7 +7981,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>W</source>
-        <translation type="unfinished"></translation>
+        <translation>W</translation>
     </message>
     <message>
         <source>NW</source>
@@ -7020,11 +8032,11 @@ soft iron S:</source>
     </message>
     <message>
         <source>date of the swing</source>
-        <translation type="unfinished"></translation>
+        <translation>data pomiaru</translation>
     </message>
     <message>
         <source>coefficient, deviation (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>współczynnik, dewiacja (°)</translation>
     </message>
     <message>
         <source>limit</source>
@@ -7036,18 +8048,18 @@ soft iron S:</source>
     </message>
     <message>
         <source>No swings with results yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brak jeszcze pomiarów z wynikami.</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::InstrumentsPage</name>
     <message>
         <source>Where it shows %1, the aircraft heads %2° magnetic</source>
-        <translation type="unfinished"></translation>
+        <translation>Gdy wskazuje %1, kurs magnetyczny wynosi %2°</translation>
     </message>
     <message>
         <source> at a variation of %1° east</source>
-        <translation type="unfinished"></translation>
+        <translation> przy deklinacji %1° wschodniej</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -7055,11 +8067,11 @@ soft iron S:</source>
     </message>
     <message>
         <source>&amp;New instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nowy przyrząd</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Usuń</translation>
     </message>
     <message>
         <source>Name:</source>
@@ -7083,27 +8095,27 @@ soft iron S:</source>
     </message>
     <message>
         <source>From ahead it reads:</source>
-        <translation type="unfinished"></translation>
+        <translation>Od przodu wskazuje:</translation>
     </message>
     <message>
         <source>Its figures are from:</source>
-        <translation type="unfinished"></translation>
+        <translation>Jego wskazania są od:</translation>
     </message>
     <message>
         <source>magnetic north</source>
-        <translation type="unfinished"></translation>
+        <translation>północy magnetycznej</translation>
     </message>
     <message>
         <source>true north</source>
-        <translation type="unfinished"></translation>
+        <translation>północy geograficznej</translation>
     </message>
     <message>
         <source>Added to every figure (°):</source>
-        <translation type="unfinished"></translation>
+        <translation>Dodawane do każdego odczytu (°):</translation>
     </message>
     <message>
         <source>Read to (°):</source>
-        <translation type="unfinished"></translation>
+        <translation>Odczyt co (°):</translation>
     </message>
     <message>
         <source>Note:</source>
@@ -7111,46 +8123,54 @@ soft iron S:</source>
     </message>
     <message>
         <source>No instrument yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brak jeszcze przyrządu.</translation>
     </message>
     <message>
         <source>▲ its calibration was due on %1: a swing with it needs a reason</source>
-        <translation type="unfinished"></translation>
+        <translation>▲ termin wzorcowania minął %1: pomiar z nim wymaga uzasadnienia</translation>
     </message>
     <message>
         <source>New instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Nowy przyrząd</translation>
     </message>
     <message>
         <source>New instrument %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nowy przyrząd %1</translation>
     </message>
     <message>
         <source>new instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>nowy przyrząd</translation>
     </message>
     <message>
         <source>removal of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>usunięcie %1</translation>
     </message>
     <message>
         <source>&amp;Datum instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Przyrządy odniesienia</translation>
     </message>
     <message>
         <source>Ctrl+Shift+M</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+M</translation>
+    </message>
+    <message>
+        <source>Datum instruments</source>
+        <translation>Przyrządy odniesienia</translation>
+    </message>
+    <message>
+        <source>The datum instruments, and what their figures mean: the example under the form shows what heading a figure stands for, which makes a wrong setting plain.</source>
+        <translation>Przyrządy odniesienia i znaczenie ich wskazań: przykład pod formularzem pokazuje, jaki kurs oznacza dany odczyt, co ujawnia błędne ustawienie.</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::IronBenchPage</name>
     <message>
         <source>&amp;Iron bench of this compass</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Stanowisko żelaza tej busoli</translation>
     </message>
     <message>
         <source>Ctrl+Shift+B</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+B</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -7158,196 +8178,204 @@ soft iron S:</source>
     </message>
     <message>
         <source>Load…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wczytaj…</translation>
     </message>
     <message>
         <source>Save…</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisz…</translation>
     </message>
     <message>
         <source>Iron bench · %1 · %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Stanowisko żelaza · %1 · %2</translation>
     </message>
     <message>
         <source>The computation was cancelled; nothing was stored.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obliczenie przerwano; niczego nie zapisano.</translation>
     </message>
     <message numerus="yes">
         <source>… and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>… i jeszcze %n</numerusform>
+            <numerusform>… i jeszcze %n</numerusform>
+            <numerusform>… i jeszcze %n</numerusform>
         </translation>
     </message>
     <message>
         <source>iron bench</source>
-        <translation type="unfinished"></translation>
+        <translation>stanowisko żelaza</translation>
     </message>
     <message>
         <source>Make an iron bench</source>
-        <translation type="unfinished"></translation>
+        <translation>Utworzenie stanowiska żelaza</translation>
     </message>
     <message>
         <source>Load a bench</source>
-        <translation type="unfinished"></translation>
+        <translation>Wczytywanie stanowiska</translation>
     </message>
     <message>
         <source>Save the bench</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisywanie stanowiska</translation>
     </message>
     <message>
-        <source>✗ Not stored: %1</source>
-        <translation>✗ Nie zapisano: %1</translation>
+        <source>Describe the ferrous parts, loops and wires round the compass in the tables, or drag them in the drawing: what they do to it is computed at once. The bench is stored with the compass as a sensor model. A state in which parts are moved or switched is ticked above the tables.</source>
+        <translation>Opisz w tabelach części ferromagnetyczne, pętle i przewody wokół busoli albo przeciągaj je na rysunku: ich wpływ jest obliczany od razu. Stanowisko jest zapisywane przy busoli jako model czujnika. Stan, w którym części są przesunięte lub włączone, zaznacza się nad tabelami.</translation>
+    </message>
+    <message>
+        <source>Save the &amp;bench…</source>
+        <translation>Zapisz &amp;stanowisko…</translation>
+    </message>
+    <message>
+        <source>Not stored: %1</source>
+        <translation>Nie zapisano: %1</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::LiveInput</name>
     <message>
         <source>closed</source>
-        <translation type="unfinished"></translation>
+        <translation>zamknięte</translation>
     </message>
     <message>
         <source>%1 cannot be opened: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>nie można otworzyć %1: %2</translation>
     </message>
     <message>
         <source>the serial port has vanished</source>
-        <translation type="unfinished"></translation>
+        <translation>port szeregowy zniknął</translation>
     </message>
     <message>
         <source>listening on %1 at %2 baud</source>
-        <translation type="unfinished"></translation>
+        <translation>nasłuch na %1, %2 bodów</translation>
     </message>
     <message>
         <source>UDP port %1 cannot be used: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>nie można użyć portu UDP %1: %2</translation>
     </message>
     <message>
         <source>listening on UDP port %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nasłuch na porcie UDP %1</translation>
     </message>
     <message>
         <source>replaying %1</source>
-        <translation type="unfinished"></translation>
+        <translation>odtwarzanie %1</translation>
     </message>
     <message>
         <source>the log has ended</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis się skończył</translation>
     </message>
     <message>
         <source>%1; trying again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; ponawianie</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::LivePanel</name>
     <message>
         <source>Take as datum (F6)</source>
-        <translation type="unfinished"></translation>
+        <translation>Przyjmij jako wzorzec (F6)</translation>
     </message>
     <message>
         <source>Take as compass (F7)</source>
-        <translation type="unfinished"></translation>
+        <translation>Przyjmij jako busolę (F7)</translation>
     </message>
     <message>
         <source>serial port</source>
-        <translation type="unfinished"></translation>
+        <translation>port szeregowy</translation>
     </message>
     <message>
         <source>UDP port</source>
-        <translation type="unfinished"></translation>
+        <translation>port UDP</translation>
     </message>
     <message>
         <source>replay of a log</source>
-        <translation type="unfinished"></translation>
+        <translation>odtwarzanie zapisu</translation>
     </message>
     <message>
         <source>A serial port with its baud rate, as /dev/ttyUSB0 4800; a UDP port, as 10110; or the path of a log</source>
-        <translation type="unfinished"></translation>
+        <translation>Port szeregowy z prędkością, np. /dev/ttyUSB0 4800; port UDP, np. 10110; albo ścieżka zapisu</translation>
     </message>
     <message>
         <source>Where does it come from? A port or the path of a log is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skąd mają płynąć dane? Oczekiwano portu albo ścieżki zapisu.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no UDP port; expected a number from 1 to 65535</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest portem UDP; oczekiwano liczby od 1 do 65535</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no baud rate; expected one as 4800 or 38400</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest prędkością transmisji; oczekiwano np. 4800 lub 38400</translation>
     </message>
     <message>
         <source>&amp;Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Połącz</translation>
     </message>
     <message>
         <source>Dis&amp;connect</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rozłącz</translation>
     </message>
     <message>
         <source>silent for %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>cisza od %1 s</translation>
     </message>
     <message numerus="yes">
         <source>%n wrong checksums</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n błędna suma kontrolna</numerusform>
+            <numerusform>%n błędne sumy kontrolne</numerusform>
+            <numerusform>%n błędnych sum kontrolnych</numerusform>
         </translation>
     </message>
     <message>
         <source>%1° %2</source>
-        <translation type="unfinished">%1: %2 {1°?}</translation>
+        <translation>%1° %2</translation>
     </message>
     <message>
         <source>✓</source>
-        <translation type="unfinished"></translation>
+        <translation>✓</translation>
     </message>
     <message>
         <source>±%1</source>
-        <translation type="unfinished"></translation>
+        <translation>±%1</translation>
     </message>
     <message>
         <source> true</source>
-        <translation type="unfinished"></translation>
+        <translation> rzeczywisty</translation>
     </message>
     <message>
         <source>Nothing is heard: a heading is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nic nie słychać: oczekiwano kursu.</translation>
     </message>
     <message>
         <source>The heading has not settled yet: it moves by %1° within the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurs jeszcze się nie ustalił: zmienia się o %1° w oknie pomiaru.</translation>
     </message>
     <message>
         <source>steady</source>
-        <translation type="unfinished"></translation>
+        <translation>ustalony</translation>
     </message>
     <message>
         <source>clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>w prawo</translation>
     </message>
     <message>
         <source>counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>w lewo</translation>
     </message>
     <message>
         <source>turns %1 at %2°/s: too fast, slow down to %3 … %4°/s</source>
-        <translation type="unfinished"></translation>
+        <translation>obrót %1, %2°/s: za szybko, zwolnij do %3 … %4°/s</translation>
     </message>
     <message>
         <source>turns %1 at %2°/s: within %3 … %4°/s</source>
-        <translation type="unfinished"></translation>
+        <translation>obrót %1, %2°/s: w granicach %3 … %4°/s</translation>
     </message>
     <message numerus="yes">
         <source>%n headings are negative or beyond 360 and left out.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n kurs jest ujemny lub powyżej 360 i został pominięty.</numerusform>
+            <numerusform>%n kursy są ujemne lub powyżej 360 i zostały pominięte.</numerusform>
+            <numerusform>%n kursów jest ujemnych lub powyżej 360 i zostało pominiętych.</numerusform>
         </translation>
     </message>
 </context>
@@ -7451,7 +8479,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>Ctrl+I</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+I</translation>
     </message>
     <message>
         <source>This &amp;aircraft…</source>
@@ -7475,15 +8503,11 @@ soft iron S:</source>
     </message>
     <message>
         <source>Ctrl+T</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+T</translation>
     </message>
     <message>
         <source>&amp;Back up the database…</source>
         <translation>Kopia zapasowa &amp;bazy danych…</translation>
-    </message>
-    <message>
-        <source>&amp;Entering readings by keyboard</source>
-        <translation>&amp;Wpisywanie odczytów z klawiatury</translation>
     </message>
     <message>
         <source>&amp;About Lubberline</source>
@@ -7515,7 +8539,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>Ctrl+M</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+M</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
@@ -7523,11 +8547,11 @@ soft iron S:</source>
     </message>
     <message>
         <source>Ctrl+Shift+D</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+D</translation>
     </message>
     <message>
         <source>F9</source>
-        <translation type="unfinished"></translation>
+        <translation>F9</translation>
     </message>
     <message>
         <source>Main tools</source>
@@ -7610,21 +8634,39 @@ soft iron S:</source>
         <translation>Zapisano kopię zapasową: %1</translation>
     </message>
     <message>
-        <source>Type the magnetic heading, Enter, the compass reading, Enter: the next row follows. Angles as 3.25, 3.25W, 3°15&apos;W, 3 15 W; decimal point or comma.
-In the deviation column, W and E (or a sign) give the compass heading. = or Ctrl+D takes the nominal heading as read. Delete empties a cell.
-Cells and blocks are copied, cut and pasted as in a spreadsheet (Ctrl+C, X, V), with or without a first row of headings.
-Ctrl+Z undoes everything, across swings. Ctrl+E leaves a reading out, with a reason that stays on the record.</source>
-        <translation>Wpisz kurs magnetyczny, Enter, odczyt busoli, Enter: następuje kolejny wiersz. Kąty jako 3.25, 3.25W, 3°15&apos;W, 3 15 W; kropka lub przecinek dziesiętny.
-W kolumnie dewiacji litery W i E (albo znak) wyznaczają kurs kompasowy. = lub Ctrl+D przyjmuje kurs nominalny jako odczytany. Delete opróżnia komórkę.
-Komórki i bloki kopiuje się, wycina i wkleja jak w arkuszu (Ctrl+C, X, V), z pierwszym wierszem nagłówków lub bez niego.
-Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem, który pozostaje w zapisie.</translation>
+        <source>&amp;Reset the zoom</source>
+        <translation>&amp;Przywróć skalę</translation>
+    </message>
+    <message>
+        <source>Ctrl+0</source>
+        <translation>Ctrl+0</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y the plot</source>
+        <translation>&amp;Kopiuj wykres</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>E&amp;xport the plot…</source>
+        <translation>&amp;Eksportuj wykres…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this page</source>
+        <translation>&amp;Pomoc do tej strony</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::MapChart</name>
     <message>
         <source>contours</source>
-        <translation type="unfinished"></translation>
+        <translation>warstwice</translation>
     </message>
     <message>
         <source>limit</source>
@@ -7632,11 +8674,11 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     </message>
     <message>
         <source>extremes ▲▼</source>
-        <translation type="unfinished"></translation>
+        <translation>ekstrema ▲▼</translation>
     </message>
     <message>
         <source>There is no map yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapy jeszcze nie ma.</translation>
     </message>
     <message>
         <source>limit ±%1°</source>
@@ -7647,74 +8689,74 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     <name>lubberline::ui::MapControls</name>
     <message>
         <source>the angle that is held</source>
-        <translation type="unfinished"></translation>
+        <translation>kąt utrzymywany stale</translation>
     </message>
     <message>
         <source>Axes of the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Osie mapy</translation>
     </message>
     <message>
         <source>heading × pitch, roll held</source>
-        <translation type="unfinished"></translation>
+        <translation>kurs × pochylenie, stałe przechylenie</translation>
     </message>
     <message>
         <source>heading × roll, pitch held</source>
-        <translation type="unfinished"></translation>
+        <translation>kurs × przechylenie, stałe pochylenie</translation>
     </message>
     <message>
         <source>pitch × roll, heading held</source>
-        <translation type="unfinished"></translation>
+        <translation>pochylenie × przechylenie, stały kurs</translation>
     </message>
     <message>
         <source>Compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>Porównaj z</translation>
     </message>
     <message>
         <source>Which of the two is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Który z dwóch jest pokazany</translation>
     </message>
     <message>
         <source>difference</source>
-        <translation type="unfinished"></translation>
+        <translation>różnica</translation>
     </message>
     <message>
         <source>this model</source>
-        <translation type="unfinished"></translation>
+        <translation>ten model</translation>
     </message>
     <message>
         <source>the other</source>
-        <translation type="unfinished"></translation>
+        <translation>drugi</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Eksportuj…</translation>
     </message>
     <message>
         <source>&amp;compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>po&amp;równaj z</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>nic</translation>
     </message>
     <message>
         <source>%1 off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wył.</translation>
     </message>
     <message>
         <source>%1 on</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wł.</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished">%1: %2 {1,?}</translation>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::MapPlot</name>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa</translation>
     </message>
 </context>
 <context>
@@ -7725,11 +8767,11 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     </message>
     <message>
         <source>pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>pochylenie</translation>
     </message>
     <message>
         <source>roll</source>
-        <translation type="unfinished"></translation>
+        <translation>przechylenie</translation>
     </message>
     <message>
         <source>magnetic heading (°)</source>
@@ -7737,23 +8779,23 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     </message>
     <message>
         <source>pitch (°, nose up +)</source>
-        <translation type="unfinished"></translation>
+        <translation>pochylenie (°, nos w górę +)</translation>
     </message>
     <message>
         <source>roll (°, starboard down +)</source>
-        <translation type="unfinished"></translation>
+        <translation>przechylenie (°, w prawo +)</translation>
     </message>
     <message>
         <source>MEASURED</source>
-        <translation type="unfinished"></translation>
+        <translation>ZMIERZONA</translation>
     </message>
     <message>
         <source>MODELLED</source>
-        <translation type="unfinished"></translation>
+        <translation>Z MODELU</translation>
     </message>
     <message>
         <source>difference of deviations (°, east +)</source>
-        <translation type="unfinished"></translation>
+        <translation>różnica dewiacji (°, wschodnia +)</translation>
     </message>
     <message>
         <source>deviation (°, east +)</source>
@@ -7761,11 +8803,11 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     </message>
     <message>
         <source>horizontal field vanishes</source>
-        <translation type="unfinished"></translation>
+        <translation>pole poziome zanika</translation>
     </message>
     <message>
         <source>difference %1</source>
-        <translation type="unfinished"></translation>
+        <translation>różnica %1</translation>
     </message>
     <message>
         <source>deviation %1</source>
@@ -7773,7 +8815,7 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     </message>
     <message>
         <source>%1, %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -7908,40 +8950,44 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
         <source>The swing was not stored.</source>
         <translation>Pomiaru nie zapisano.</translation>
     </message>
+    <message>
+        <source>Pick the aircraft and its compass, or type new ones; Enter goes on to the next field. The readings are typed on the page that follows.</source>
+        <translation>Wybierz statek powietrzny i jego busolę albo wpisz nowe; Enter przechodzi do następnego pola. Odczyty wpisuje się na następnej stronie.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::NmeaImportPage</name>
     <message>
         <source>Swing from an &amp;NMEA log…</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomiar z zapisu &amp;NMEA…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+I</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+I</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not allowed for %2; expected a number from 0 on</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” jest niedozwolone dla: %2; oczekiwano liczby od 0</translation>
     </message>
     <message>
         <source>log</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis</translation>
     </message>
     <message>
         <source>model</source>
-        <translation type="unfinished"></translation>
+        <translation>model</translation>
     </message>
     <message>
         <source>%1 pairs of headings, %2 used; %3 slower than %4 kt, %5 in a turn faster than %6°/s</source>
-        <translation type="unfinished"></translation>
+        <translation>par kursów: %1, użyto %2; %3 wolniej niż %4 kt, %5 w zakręcie szybszym niż %6°/s</translation>
     </message>
     <message>
         <source>, %1 left out for another cause (see below)</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 pominięto z innej przyczyny (zob. niżej)</translation>
     </message>
     <message>
         <source>&amp;Open a log…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Otwórz zapis…</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -7949,111 +8995,119 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     </message>
     <message>
         <source>&amp;Make a swing of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Utwórz &amp;z niego pomiar</translation>
     </message>
     <message>
         <source>empty: the log&apos;s, else the model&apos;s; log; model; or degrees, E +</source>
-        <translation type="unfinished"></translation>
+        <translation>puste: z zapisu, inaczej z modelu; log; model; albo stopnie, E +</translation>
     </message>
     <message>
         <source>as HC; empty: the only one</source>
-        <translation type="unfinished"></translation>
+        <translation>np. HC; puste: jedyny</translation>
     </message>
     <message>
         <source>&amp;Reference:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Odniesienie:</translation>
     </message>
     <message>
         <source>&amp;Variation:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Deklinacja:</translation>
     </message>
     <message>
         <source>&amp;Slowest used (kt):</source>
-        <translation type="unfinished"></translation>
+        <translation>Najwolniej &amp;użyte (kt):</translation>
     </message>
     <message>
         <source>&amp;Fastest turn used (°/s):</source>
-        <translation type="unfinished"></translation>
+        <translation>Najszybszy użyty &amp;zakręt (°/s):</translation>
     </message>
     <message>
         <source>Compass &amp;talker:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nadajnik busoli:</translation>
     </message>
     <message>
         <source>&amp;Kind of swing:</source>
-        <translation type="unfinished"></translation>
+        <translation>Rodzaj p&amp;omiaru:</translation>
     </message>
     <message>
         <source>A log of a slow turn as a swing of %1 · %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapis powolnego zakrętu jako pomiar %1 · %2</translation>
     </message>
     <message>
         <source>Open a log</source>
-        <translation type="unfinished"></translation>
+        <translation>Otwieranie zapisu</translation>
     </message>
     <message>
         <source>NMEA 0183 logs (*.nmea *.log *.txt);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisy NMEA 0183 (*.nmea *.log *.txt);;Wszystkie pliki (*)</translation>
     </message>
     <message>
         <source>the slowest speed</source>
-        <translation type="unfinished"></translation>
+        <translation>najmniejsza prędkość</translation>
     </message>
     <message>
         <source>the fastest turn</source>
-        <translation type="unfinished"></translation>
+        <translation>najszybszy zakręt</translation>
     </message>
     <message>
         <source>Reading %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>Czytanie %1 …</translation>
     </message>
     <message>
         <source>%1: %2 sentences, %3 with a wrong checksum, %4 lines that are none.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: zdań %2, z błędną sumą kontrolną %3, wierszy niebędących zdaniami %4.</translation>
     </message>
     <message>
         <source>Variation %1° (E +): %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Deklinacja %1° (E +): %2.</translation>
     </message>
     <message>
         <source>taken out in flight</source>
-        <translation type="unfinished"></translation>
+        <translation>usuwany w locie</translation>
     </message>
     <message>
         <source>taken out always (afloat)</source>
-        <translation type="unfinished"></translation>
+        <translation>usuwany zawsze (na wodzie)</translation>
     </message>
     <message>
         <source>none (on wheels)</source>
-        <translation type="unfinished"></translation>
+        <translation>brak (na kołach)</translation>
     </message>
     <message>
         <source>standard error, where you know of one: survey, magnetic storm</source>
-        <translation type="unfinished"></translation>
+        <translation>błąd standardowy, jeśli jest znany: pomiar, burza magnetyczna</translation>
     </message>
     <message>
         <source>YYYY-MM-DD, where the log&apos;s own is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>RRRR-MM-DD, gdy data zapisu jest błędna</translation>
     </message>
     <message>
         <source>&amp;Wind on a track:</source>
-        <translation type="unfinished"></translation>
+        <translation>W&amp;iatr na kącie drogi:</translation>
     </message>
     <message>
         <source>Variation sure to (°):</source>
-        <translation type="unfinished"></translation>
+        <translation>Deklinacja pewna do (°):</translation>
     </message>
     <message>
         <source>&amp;Date of the log:</source>
-        <translation type="unfinished"></translation>
+        <translation>D&amp;ata zapisu:</translation>
     </message>
     <message>
         <source>how sure the variation is</source>
-        <translation type="unfinished"></translation>
+        <translation>pewność deklinacji</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no date; expected YYYY-MM-DD</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest datą; oczekiwano RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>Open a log of a slow turn through all headings: what of it is used, what is cut off and why, and the curve that it gives. Say what the compass is held against, and the variation where the log has none; then make a swing of it.</source>
+        <translation>Otwórz zapis powolnego zakrętu przez wszystkie kursy: co z niego użyto, co odcięto i dlaczego, oraz wynikająca krzywa. Podaj, z czym porównuje się busolę, i deklinację, gdy zapis jej nie ma; potem utwórz z niego pomiar.</translation>
+    </message>
+    <message>
+        <source>A log of a slow turn as a swing</source>
+        <translation>Zapis powolnego zakrętu jako pomiar</translation>
     </message>
 </context>
 <context>
@@ -8064,7 +9118,7 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     </message>
     <message>
         <source>Alt+Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+Home</translation>
     </message>
     <message>
         <source>Aircraft</source>
@@ -8114,20 +9168,24 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
         <source>All aircraft of this type</source>
         <translation>Wszystkie statki powietrzne tego typu</translation>
     </message>
+    <message>
+        <source>The fleet and the state of its aircraft: that of the newest swing of each compass, held against its limits. Click an aircraft to open it; Ctrl+F finds one by name.</source>
+        <translation>Flota i stan jej statków powietrznych: wynik najnowszego pomiaru każdej busoli wobec jej wartości dopuszczalnych. Kliknij statek powietrzny, aby go otworzyć; Ctrl+F znajduje po nazwie.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::PlaceText</name>
     <message>
         <source>“%1” is no latitude; expected 90 S to 90 N, as 51.55 N, 51°33&apos;N or -33.9</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest szerokością geograficzną; oczekiwano od 90 S do 90 N, np. 51.55 N, 51°33&apos;N lub -33.9</translation>
     </message>
     <message>
         <source>“%1” is no longitude; expected degrees, east positive, as 21.89 E, 21°53&apos;E or -70.67</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest długością geograficzną; oczekiwano stopni, wschodnia dodatnia, np. 21.89 E, 21°53&apos;E lub -70.67</translation>
     </message>
     <message>
         <source>“%1” is no height; expected metres, as 118</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest wysokością; oczekiwano metrów, np. 118</translation>
     </message>
 </context>
 <context>
@@ -8161,11 +9219,11 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     </message>
     <message>
         <source>a plot needs a width and a height of at least 1 pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>wykres musi mieć szerokość i wysokość co najmniej 1 piksela</translation>
     </message>
     <message>
         <source>no font is installed, so the plot would have no text; install one (fonts-dejavu-core)</source>
-        <translation type="unfinished"></translation>
+        <translation>nie zainstalowano czcionki, więc wykres nie miałby opisów; zainstaluj ją (fonts-dejavu-core)</translation>
     </message>
 </context>
 <context>
@@ -8202,7 +9260,7 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     <name>lubberline::ui::Plots</name>
     <message>
         <source>%1 t = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 t = %2</translation>
     </message>
     <message>
         <source>magnetic %1</source>
@@ -8222,7 +9280,7 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     </message>
     <message>
         <source>t = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>t = %1</translation>
     </message>
     <message>
         <source>suspect</source>
@@ -8258,7 +9316,7 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     </message>
     <message>
         <source>only its cosine can be told (order = half the number of headings)</source>
-        <translation type="unfinished"></translation>
+        <translation>można określić tylko jego cosinus (rząd = połowa liczby kursów)</translation>
     </message>
     <message>
         <source>phase %1</source>
@@ -8267,17 +9325,20 @@ Ctrl+Z cofa wszystko, także w innych pomiarach. Ctrl+E pomija odczyt, z powodem
     <message>
         <source>Enter readings: a magnetic and a compass heading in each row.
 Three headings give a first result.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wpisz odczyty: kurs magnetyczny i kurs kompasowy w każdym wierszu.
+Trzy kursy dają pierwszy wynik.</translation>
     </message>
     <message>
         <source>deviation (°)
 outward = east (+)</source>
-        <translation type="unfinished"></translation>
+        <translation>dewiacja (°)
+na zewnątrz = wschodnia (+)</translation>
     </message>
     <message>
         <source>magnetic
 heading (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>kurs
+magnetyczny (°)</translation>
     </message>
     <message>
         <source>deviation (°, east +)</source>
@@ -8328,10 +9389,229 @@ heading (°)</source>
     </message>
 </context>
 <context>
+    <name>lubberline::ui::PopulationPage</name>
+    <message>
+        <source>Years of swings of a type looked at together: choose a type, then Compute. A click on a heading of the plot lists the swings behind it; the other tabs tell which compass to swing next, the history of one compass as a film, and the tables of the report.</source>
+        <translation>Lata pomiarów jednego typu oglądane razem: wybierz typ, potem Oblicz. Kliknięcie kursu na wykresie wymienia pomiary, które za nim stoją; inne karty mówią, którą busolę mierzyć następną, pokazują historię jednej busoli jak film oraz tabele raportu.</translation>
+    </message>
+    <message>
+        <source>Save the fleet &amp;report…</source>
+        <translation>Zapisz &amp;raport o flocie…</translation>
+    </message>
+    <message>
+        <source>Years as a po&amp;pulation</source>
+        <translation>Lata jako po&amp;pulacja</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+P</source>
+        <translation>Ctrl+Alt+P</translation>
+    </message>
+    <message>
+        <source>&amp;Compute</source>
+        <translation>&amp;Oblicz</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>&amp;Anuluj</translation>
+    </message>
+    <message>
+        <source>&amp;Save the report…</source>
+        <translation>&amp;Zapisz raport…</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>Od&amp;twórz</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Wzorzec</translation>
+    </message>
+    <message>
+        <source>Who next</source>
+        <translation>Kto następny</translation>
+    </message>
+    <message>
+        <source>History of a compass</source>
+        <translation>Historia busoli</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabele</translation>
+    </message>
+    <message>
+        <source>Years as a population</source>
+        <translation>Lata jako populacja</translation>
+    </message>
+    <message>
+        <source>found and left</source>
+        <translation>zastany i końcowy</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>stan zastany</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>stan końcowy</translation>
+    </message>
+    <message>
+        <source>one aircraft, one vote</source>
+        <translation>jeden statek powietrzny, jeden głos</translation>
+    </message>
+    <message>
+        <source>one swing, one vote</source>
+        <translation>jeden pomiar, jeden głos</translation>
+    </message>
+    <message>
+        <source> headings</source>
+        <translation> kursów</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>data</translation>
+    </message>
+    <message>
+        <source>aircraft</source>
+        <translation>statek powietrzny</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>busola</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>dewiacja</translation>
+    </message>
+    <message>
+        <source>how</source>
+        <translation>jak</translation>
+    </message>
+    <message>
+        <source>Click a heading: the swings behind it stand here.</source>
+        <translation>Kliknij kurs: tu pojawią się pomiary, które za nim stoją.</translation>
+    </message>
+    <message>
+        <source>%1°: mean %2°, between aircraft ± %3°, %4 votes</source>
+        <translation>%1°: średnia %2°, między statkami powietrznymi ± %3°, głosów: %4</translation>
+    </message>
+    <message>
+        <source>The swings one after the other</source>
+        <translation>Pomiary jeden po drugim</translation>
+    </message>
+    <message>
+        <source>all types</source>
+        <translation>wszystkie typy</translation>
+    </message>
+    <message>
+        <source>all bases</source>
+        <translation>wszystkie bazy</translation>
+    </message>
+    <message>
+        <source>all compass systems</source>
+        <translation>wszystkie systemy busoli</translation>
+    </message>
+    <message>
+        <source>The fleet has changed since: compute again.</source>
+        <translation>Flota zmieniła się od tego czasu: oblicz ponownie.</translation>
+    </message>
+    <message>
+        <source>A first look at a part of the swings…</source>
+        <translation>Pierwsze spojrzenie na część pomiarów…</translation>
+    </message>
+    <message>
+        <source>All swings are read and computed…</source>
+        <translation>Wszystkie pomiary są wczytywane i obliczane…</translation>
+    </message>
+    <message>
+        <source>Cancelled: what was computed before stays.</source>
+        <translation>Anulowano: pozostaje to, co obliczono wcześniej.</translation>
+    </message>
+    <message>
+        <source>%1 swings of %2 aircraft.</source>
+        <translation>Pomiary: %1, statki powietrzne: %2.</translation>
+    </message>
+    <message>
+        <source>A first look at %1 swings; all are being computed. </source>
+        <translation>Pierwsze spojrzenie na pomiary (%1); wszystkie są obliczane. </translation>
+    </message>
+    <message>
+        <source>Coefficients</source>
+        <translation>Współczynniki</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Harmoniczne</translation>
+    </message>
+    <message>
+        <source>Exceedance</source>
+        <translation>Przekroczenia</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Składowe</translation>
+    </message>
+    <message>
+        <source>Bases and crews</source>
+        <translation>Bazy i załogi</translation>
+    </message>
+    <message>
+        <source>Jumps</source>
+        <translation>Skoki</translation>
+    </message>
+    <message>
+        <source>Drifts</source>
+        <translation>Dryfy</translation>
+    </message>
+    <message>
+        <source>Bins</source>
+        <translation>Przedziały</translation>
+    </message>
+    <message>
+        <source>%1 drifts by %2° a year (95 %: %3 to %4).</source>
+        <translation>%1 dryfuje o %2° rocznie (95 %: %3 do %4).</translation>
+    </message>
+    <message>
+        <source>Its limit is reached by %1 in half of the futures, by %2 in one of twenty.</source>
+        <translation>Granicę osiągnie do %1 w połowie przypadków, do %2 w jednym na dwadzieścia.</translation>
+    </message>
+    <message>
+        <source>No jump and no drift of it is told.</source>
+        <translation>Nie stwierdzono jej skoku ani dryfu.</translation>
+    </message>
+    <message>
+        <source>Filled: as found; open or dashed: as left. Bars: 95 % by the readings.</source>
+        <translation>Wypełnione: stan zastany; puste lub przerywane: końcowy. Słupki: 95 % z odczytów.</translation>
+    </message>
+    <message>
+        <source>%1 swings at %2°, those farthest from the mean first; Enter opens one.</source>
+        <translation>Pomiary na %2°: %1, najpierw najdalsze od średniej; Enter otwiera.</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>odczytana</translation>
+    </message>
+    <message>
+        <source>by its own curve</source>
+        <translation>z własnej krzywej</translation>
+    </message>
+    <message>
+        <source>Save the fleet report</source>
+        <translation>Zapisywanie raportu o flocie</translation>
+    </message>
+    <message>
+        <source>Report (*.pdf);;Page (*.html);;Tables (*.csv);;Figures (*.json)</source>
+        <translation>Raport (*.pdf);;Strona (*.html);;Tabele (*.csv);;Liczby (*.json)</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>zapisano %1</translation>
+    </message>
+</context>
+<context>
     <name>lubberline::ui::PredictionChart</name>
     <message>
         <source>possible</source>
-        <translation type="unfinished"></translation>
+        <translation>możliwa</translation>
     </message>
     <message>
         <source>magnetic heading (°)</source>
@@ -8343,19 +9623,19 @@ heading (°)</source>
     </message>
     <message>
         <source>here</source>
-        <translation type="unfinished"></translation>
+        <translation>tutaj</translation>
     </message>
     <message>
         <source>there</source>
-        <translation type="unfinished"></translation>
+        <translation>tam</translation>
     </message>
     <message>
         <source>expected there</source>
-        <translation type="unfinished"></translation>
+        <translation>oczekiwana tam</translation>
     </message>
     <message>
         <source>possible there</source>
-        <translation type="unfinished"></translation>
+        <translation>możliwa tam</translation>
     </message>
     <message>
         <source>limit</source>
@@ -8371,145 +9651,153 @@ heading (°)</source>
     </message>
     <message>
         <source> · the horizontal field vanishes</source>
-        <translation type="unfinished"></translation>
+        <translation> · pole poziome zanika</translation>
     </message>
     <message>
         <source> · there %1</source>
-        <translation type="unfinished"></translation>
+        <translation> · tam %1</translation>
     </message>
     <message>
         <source> (%1 … %2)</source>
-        <translation type="unfinished"></translation>
+        <translation> (%1 … %2)</translation>
     </message>
     <message>
         <source> · here %1</source>
-        <translation type="unfinished"></translation>
+        <translation> · tutaj %1</translation>
     </message>
     <message>
         <source>possible there: %1 % if c, f ~ %2; P, Q ~ %3 nT; magnets ~ %4 nT</source>
-        <translation type="unfinished"></translation>
+        <translation>możliwa tam: %1 %, jeśli c, f ~ %2; P, Q ~ %3 nT; magnesy ~ %4 nT</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::PredictionPage</name>
     <message>
         <source>What it will read at another &amp;base</source>
-        <translation type="unfinished"></translation>
+        <translation>Co wskaże w innej &amp;bazie</translation>
     </message>
     <message>
         <source>Ctrl+B</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+B</translation>
     </message>
     <message>
         <source>Up to %1° expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Oczekiwane do %1°</translation>
     </message>
     <message>
         <source>● In limits. %1; allowed %2°.</source>
-        <translation type="unfinished"></translation>
+        <translation>● W granicach. %1; dopuszczalne %2°.</translation>
     </message>
     <message>
         <source>▲ May leave its limits. %1; allowed %2°.</source>
-        <translation type="unfinished"></translation>
+        <translation>▲ Może przekroczyć granice. %1; dopuszczalne %2°.</translation>
     </message>
     <message>
         <source>▲ OUT OF LIMITS. %1; allowed %2°.</source>
-        <translation type="unfinished"></translation>
+        <translation>▲ POZA GRANICAMI. %1; dopuszczalne %2°.</translation>
     </message>
     <message>
         <source>○ %1; no limits are set for this compass.</source>
-        <translation type="unfinished"></translation>
+        <translation>○ %1; dla tej busoli nie ustalono granic.</translation>
     </message>
     <message>
         <source>Choose a swing, then the base that the aircraft moves to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wybierz pomiar, potem bazę, do której przenosi się statek powietrzny.</translation>
     </message>
     <message>
         <source>all swings of this compass at different places</source>
-        <translation type="unfinished"></translation>
+        <translation>wszystkie pomiary tej busoli w różnych miejscach</translation>
     </message>
     <message>
         <source>&amp;From:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Z:</translation>
     </message>
     <message>
         <source>&amp;Base:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Baza:</translation>
     </message>
     <message>
         <source>&amp;Latitude:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Szerokość geogr.:</translation>
     </message>
     <message>
         <source>L&amp;ongitude:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Długość geogr.:</translation>
     </message>
     <message>
         <source>&amp;Date:</source>
-        <translation type="unfinished"></translation>
+        <translation>D&amp;ata:</translation>
     </message>
     <message>
         <source>Field there:</source>
-        <translation type="unfinished"></translation>
+        <translation>Pole tam:</translation>
     </message>
     <message>
         <source>What the swings tell (✓) and what they cannot (–):</source>
-        <translation type="unfinished"></translation>
+        <translation>Co mówią pomiary (✓), a czego nie mogą (–):</translation>
     </message>
     <message>
         <source>(typed below)</source>
-        <translation type="unfinished"></translation>
+        <translation>(wpisano niżej)</translation>
     </message>
     <message>
         <source>What it will read elsewhere: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Co wskaże gdzie indziej: %1</translation>
     </message>
     <message>
         <source>Choose a swing first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Najpierw wybierz pomiar.</translation>
     </message>
     <message>
         <source>Choose the base, or type its latitude and longitude.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wybierz bazę albo wpisz jej szerokość i długość geograficzną.</translation>
     </message>
     <message>
         <source>H %1 nT, dip %2° (down +)</source>
-        <translation type="unfinished"></translation>
+        <translation>H %1 nT, inklinacja %2° (w dół +)</translation>
     </message>
     <message>
         <source>Swing again after the move: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Po przebazowaniu wykonać pomiar: %1.</translation>
     </message>
     <message>
         <source>No new swing is needed for the move: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przebazowanie nie wymaga nowego pomiaru: %1.</translation>
     </message>
     <message>
         <source>From %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Z %1.</translation>
     </message>
     <message>
         <source>Mind: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uwaga: %1.</translation>
     </message>
     <message>
         <source>, up to %1° possible (95 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>, możliwe do %1° (95 %)</translation>
     </message>
     <message>
         <source>this swing alone</source>
-        <translation type="unfinished"></translation>
+        <translation>tylko ten pomiar</translation>
     </message>
     <message>
         <source>The band holds the whole curve with a probability of %1 %, assuming %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas obejmuje całą krzywą z prawdopodobieństwem %1 %, przy założeniu: %2.</translation>
+    </message>
+    <message>
+        <source>Choose the base that the aircraft moves to, or type its place: the deviation that is expected there, how sure it is, and whether a new swing is needed. From several swings at different places hard and soft iron are told apart, and the prediction is surer.</source>
+        <translation>Wybierz bazę, do której przenosi się statek powietrzny, albo wpisz jej położenie: oczekiwana tam dewiacja, jej pewność i potrzeba nowego pomiaru. Z kilku pomiarów w różnych miejscach rozdziela się żelazo twarde i miękkie, a prognoza jest pewniejsza.</translation>
+    </message>
+    <message>
+        <source>What it will read elsewhere</source>
+        <translation>Co wskaże gdzie indziej</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::PredictionPlot</name>
     <message>
         <source>Prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Prognoza</translation>
     </message>
 </context>
 <context>
@@ -8653,7 +9941,7 @@ heading (°)</source>
     </message>
     <message>
         <source>t = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>t = %1</translation>
     </message>
     <message>
         <source>excluded: %1</source>
@@ -8697,19 +9985,19 @@ heading (°)</source>
     </message>
     <message>
         <source>pasting of a row</source>
-        <translation type="unfinished"></translation>
+        <translation>wklejenie wiersza</translation>
     </message>
     <message>
         <source>pasting of %1 rows</source>
-        <translation type="unfinished"></translation>
+        <translation>wklejenie wierszy: %1</translation>
     </message>
     <message>
         <source>One row pasted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wklejono jeden wiersz.</translation>
     </message>
     <message>
         <source>%1 rows pasted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wklejono wierszy: %1.</translation>
     </message>
 </context>
 <context>
@@ -8728,7 +10016,7 @@ heading (°)</source>
     </message>
     <message>
         <source>Ctrl+Shift+C</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+C</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
@@ -8759,144 +10047,144 @@ heading (°)</source>
     </message>
     <message>
         <source>the swing with the radio in the other state (record %1): %2</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar przy radiu w drugim stanie (zapis %1): %2</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SensorActions</name>
     <message>
         <source>Sensor model (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Model czujnika (*.json)</translation>
     </message>
     <message>
         <source>Es&amp;timate from swings</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Oszacuj z pomiarów</translation>
     </message>
     <message>
         <source>&amp;Iron bench…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Stanowisko żelaza…</translation>
     </message>
     <message>
         <source>Loa&amp;d model…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wczytaj model…</translation>
     </message>
     <message>
         <source>Save &amp;model…</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisz &amp;model…</translation>
     </message>
     <message>
         <source>Newest swing, B and C as &amp;hard iron</source>
-        <translation type="unfinished"></translation>
+        <translation>Najnowszy pomiar, B i C jako żelazo &amp;twarde</translation>
     </message>
     <message>
         <source>Newest swing, B and C as &amp;vertical soft iron</source>
-        <translation type="unfinished"></translation>
+        <translation>Najnowszy pomiar, B i C jako pionowe żelazo &amp;miękkie</translation>
     </message>
     <message>
         <source>Swings at several &amp;places, separated</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomiary w kilku &amp;miejscach, rozdzielone</translation>
     </message>
     <message>
         <source>estimate from swings</source>
-        <translation type="unfinished"></translation>
+        <translation>oszacowanie z pomiarów</translation>
     </message>
     <message>
         <source>Load a sensor model</source>
-        <translation type="unfinished"></translation>
+        <translation>Wczytywanie modelu czujnika</translation>
     </message>
     <message>
         <source>load %1</source>
-        <translation type="unfinished"></translation>
+        <translation>wczytanie %1</translation>
     </message>
     <message>
         <source>The model was loaded; its field was not: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Model wczytano; jego pola nie: %1</translation>
     </message>
     <message>
         <source>Save the sensor model</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisywanie modelu czujnika</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SensorChooser</name>
     <message>
         <source>Sensor models of this compass</source>
-        <translation type="unfinished"></translation>
+        <translation>Modele czujnika tej busoli</translation>
     </message>
     <message>
         <source>New</source>
-        <translation type="unfinished"></translation>
+        <translation>Nowy</translation>
     </message>
     <message>
         <source>A new model, all zero</source>
-        <translation type="unfinished"></translation>
+        <translation>Nowy model, same zera</translation>
     </message>
     <message>
         <source>model</source>
-        <translation type="unfinished"></translation>
+        <translation>model</translation>
     </message>
     <message>
         <source>new sensor model</source>
-        <translation type="unfinished"></translation>
+        <translation>nowy model czujnika</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Powiel</translation>
     </message>
     <message>
         <source>A copy of this model, to be compared with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopia tego modelu do porównania</translation>
     </message>
     <message>
         <source>duplicate of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>kopia %1</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Usuń</translation>
     </message>
     <message>
         <source>Remove this model (can be undone)</source>
-        <translation type="unfinished"></translation>
+        <translation>Usuń ten model (można cofnąć)</translation>
     </message>
     <message>
         <source>a model must have a name</source>
-        <translation type="unfinished"></translation>
+        <translation>model musi mieć nazwę</translation>
     </message>
     <message>
         <source>another model of this compass has this name</source>
-        <translation type="unfinished"></translation>
+        <translation>inny model tej busoli ma tę nazwę</translation>
     </message>
     <message>
         <source>&amp;Name:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nazwa:</translation>
     </message>
     <message>
         <source>N&amp;ote:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Uwaga:</translation>
     </message>
     <message>
         <source>The database can only be read: sliders play, nothing is stored.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bazę można tylko czytać: suwaki działają, nic nie jest zapisywane.</translation>
     </message>
     <message>
         <source>This compass has no model yet. The first figure that you set makes one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta busola nie ma jeszcze modelu. Utworzy go pierwsza ustawiona liczba.</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SensorEditor</name>
     <message>
         <source>new model</source>
-        <translation type="unfinished"></translation>
+        <translation>nowy model</translation>
     </message>
     <message>
         <source>model</source>
-        <translation type="unfinished"></translation>
+        <translation>model</translation>
     </message>
     <message>
         <source>new sensor model</source>
-        <translation type="unfinished"></translation>
+        <translation>nowy model czujnika</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -8904,132 +10192,104 @@ heading (°)</source>
     </message>
     <message>
         <source>remove %1</source>
-        <translation type="unfinished"></translation>
+        <translation>usunięcie %1</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SensorEstimate</name>
     <message>
-        <source>swings %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>no swing of this compass tells all five exact coefficients; expected one with five or more headings all round</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>hard iron</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>vertical soft iron</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>swing %1: B and C taken as all %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>; the swing states no field: H %1 nT, dip %2° as set on this page</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation type="unfinished">%1: %2 {1,?}</translation>
+        <translation>żaden pomiar tej busoli nie określa wszystkich pięciu współczynników dokładnych; oczekiwano pomiaru na co najmniej pięciu kursach dookoła</translation>
     </message>
     <message numerus="yes">
         <source>swings at %n place(s) with a known field; expected two or more where H and dip differ (sites need latitude and longitude)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>pomiary w %n miejscu o znanym polu; oczekiwano co najmniej dwóch o różnych H i inklinacji (miejsca wymagają szerokości i długości)</numerusform>
+            <numerusform>pomiary w %n miejscach o znanym polu; oczekiwano co najmniej dwóch o różnych H i inklinacji (miejsca wymagają szerokości i długości)</numerusform>
+            <numerusform>pomiary w %n miejscach o znanym polu; oczekiwano co najmniej dwóch o różnych H i inklinacji (miejsca wymagają szerokości i długości)</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>separated, %1 places</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SensorFieldForm</name>
     <message>
         <source>Site of the field</source>
-        <translation type="unfinished"></translation>
+        <translation>Miejsce pola</translation>
     </message>
     <message>
         <source>typed</source>
-        <translation type="unfinished"></translation>
+        <translation>wpisane</translation>
     </message>
     <message>
         <source>Date of the field</source>
-        <translation type="unfinished"></translation>
+        <translation>Data pola</translation>
     </message>
     <message>
         <source>H</source>
-        <translation type="unfinished"></translation>
+        <translation>H</translation>
     </message>
     <message>
         <source>horizontal field H</source>
-        <translation type="unfinished"></translation>
+        <translation>pole poziome H</translation>
     </message>
     <message>
         <source>dip</source>
-        <translation type="unfinished"></translation>
+        <translation>inklinacja</translation>
     </message>
     <message>
         <source>dip, positive down</source>
-        <translation type="unfinished"></translation>
+        <translation>inklinacja, dodatnia w dół</translation>
     </message>
     <message>
         <source>Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Z</translation>
     </message>
     <message>
         <source>vertical field Z, positive down</source>
-        <translation type="unfinished"></translation>
+        <translation>pole pionowe Z, dodatnie w dół</translation>
     </message>
     <message>
         <source>No field: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brak pola: %1.</translation>
     </message>
     <message>
         <source>%1: F %2 nT</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: F %2 nT</translation>
     </message>
     <message>
         <source> · H below %1 nT: a compass is unreliable here</source>
-        <translation type="unfinished"></translation>
+        <translation> · H poniżej %1 nT: busola jest tu niepewna</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SensorForm</name>
     <message>
         <source>&amp;Add a circuit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dodaj obwód</translation>
     </message>
     <message>
         <source>Hard iron</source>
-        <translation type="unfinished"></translation>
+        <translation>Żelazo twarde</translation>
     </message>
     <message>
         <source>Soft iron</source>
-        <translation type="unfinished"></translation>
+        <translation>Żelazo miękkie</translation>
     </message>
     <message>
         <source>Electrical circuits</source>
-        <translation type="unfinished"></translation>
+        <translation>Obwody elektryczne</translation>
     </message>
     <message>
         <source>Misalignment of the sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Niewspółosiowość czujnika</translation>
     </message>
     <message>
         <source>Soft constants (act as hard iron does)</source>
-        <translation type="unfinished"></translation>
+        <translation>Stałe miękkie (działają jak żelazo twarde)</translation>
     </message>
     <message>
         <source>as si&amp;ze and direction</source>
-        <translation type="unfinished"></translation>
+        <translation>jako &amp;wielkość i kierunek</translation>
     </message>
     <message>
         <source>circuit %1</source>
@@ -9037,26 +10297,26 @@ heading (°)</source>
     </message>
     <message>
         <source>new circuit</source>
-        <translation type="unfinished"></translation>
+        <translation>nowy obwód</translation>
     </message>
     <message>
         <source>%1 removed</source>
-        <translation type="unfinished"></translation>
+        <translation>usunięto %1</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SensorMaps</name>
     <message>
         <source>Ma&amp;p</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mapa</translation>
     </message>
     <message>
         <source>S&amp;urface</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Powierzchnia</translation>
     </message>
     <message>
         <source>Level swin&amp;g</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Obrót w poziomie</translation>
     </message>
 </context>
 <context>
@@ -9067,7 +10327,7 @@ heading (°)</source>
     </message>
     <message>
         <source>Sensor model · %1 · %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Model czujnika · %1 · %2</translation>
     </message>
     <message>
         <source> · DEMONSTRATION</source>
@@ -9075,7 +10335,7 @@ heading (°)</source>
     </message>
     <message>
         <source>No field: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Brak pola: %1</translation>
     </message>
     <message>
         <source>Export the plot</source>
@@ -9083,15 +10343,23 @@ heading (°)</source>
     </message>
     <message>
         <source>PNG picture (*.png);;SVG drawing (*.svg);;PDF document (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz PNG (*.png);;Rysunek SVG (*.svg);;Dokument PDF (*.pdf)</translation>
     </message>
     <message>
         <source>&amp;Sensor model of this compass</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Model czujnika tej busoli</translation>
     </message>
     <message>
         <source>Ctrl+L</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Sensor model</source>
+        <translation>Model czujnika</translation>
+    </message>
+    <message>
+        <source>What stands between the Earth&apos;s field and the compass: turn the figures and the maps of its deviation over heading, pitch and roll follow. The table below says which figure causes how much of each coefficient. Estimate takes the figures from the swings of this compass.</source>
+        <translation>Co stoi między polem Ziemi a busolą: zmieniaj liczby, a mapy dewiacji względem kursu, pochylenia i przechylenia podążą za nimi. Tabela poniżej mówi, która liczba ile wnosi do każdego współczynnika. Oszacowanie bierze liczby z pomiarów tej busoli.</translation>
     </message>
 </context>
 <context>
@@ -9102,7 +10370,7 @@ heading (°)</source>
     </message>
     <message>
         <source>to starboard</source>
-        <translation type="unfinished"></translation>
+        <translation>w prawo</translation>
     </message>
     <message>
         <source>down</source>
@@ -9110,94 +10378,94 @@ heading (°)</source>
     </message>
     <message>
         <source>soft iron %1: field %2 for each nT %3</source>
-        <translation type="unfinished"></translation>
+        <translation>żelazo miękkie %1: pole %2 na każdy nT %3</translation>
     </message>
     <message>
         <source>hard iron P, forward</source>
-        <translation type="unfinished"></translation>
+        <translation>żelazo twarde P, w przód</translation>
     </message>
     <message>
         <source>hard iron Q, to starboard</source>
-        <translation type="unfinished"></translation>
+        <translation>żelazo twarde Q, w prawo</translation>
     </message>
     <message>
         <source>hard iron R, down</source>
-        <translation type="unfinished"></translation>
+        <translation>żelazo twarde R, w dół</translation>
     </message>
     <message>
         <source>size</source>
-        <translation type="unfinished"></translation>
+        <translation>wielkość</translation>
     </message>
     <message>
         <source>size of the hard iron</source>
-        <translation type="unfinished"></translation>
+        <translation>wielkość żelaza twardego</translation>
     </message>
     <message>
         <source>elevation γ of the hard iron, upward from the body&apos;s xy plane</source>
-        <translation type="unfinished"></translation>
+        <translation>elewacja γ żelaza twardego, w górę od płaszczyzny xy płatowca</translation>
     </message>
     <message>
         <source>azimuth δ of the hard iron, from forward towards starboard (not the deviation)</source>
-        <translation type="unfinished"></translation>
+        <translation>azymut δ żelaza twardego, od przodu ku prawej burcie (nie dewiacja)</translation>
     </message>
     <message>
         <source>soft constant D1, forward</source>
-        <translation type="unfinished"></translation>
+        <translation>stała miękka D1, w przód</translation>
     </message>
     <message>
         <source>soft constant D2, to starboard</source>
-        <translation type="unfinished"></translation>
+        <translation>stała miękka D2, w prawo</translation>
     </message>
     <message>
         <source>soft constant D3, down</source>
-        <translation type="unfinished"></translation>
+        <translation>stała miękka D3, w dół</translation>
     </message>
     <message>
         <source>roll</source>
-        <translation type="unfinished"></translation>
+        <translation>przechylenie</translation>
     </message>
     <message>
         <source>the sensor rolled in its mount, starboard side down +</source>
-        <translation type="unfinished"></translation>
+        <translation>czujnik przechylony w mocowaniu, prawa strona w dół +</translation>
     </message>
     <message>
         <source>pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>pochylenie</translation>
     </message>
     <message>
         <source>the sensor pitched in its mount, front up +</source>
-        <translation type="unfinished"></translation>
+        <translation>czujnik pochylony w mocowaniu, przód w górę +</translation>
     </message>
     <message>
         <source>yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>odchylenie</translation>
     </message>
     <message>
         <source>the sensor turned in its mount, clockwise from above +</source>
-        <translation type="unfinished"></translation>
+        <translation>czujnik obrócony w mocowaniu, w prawo patrząc z góry +</translation>
     </message>
     <message>
         <source>current</source>
-        <translation type="unfinished"></translation>
+        <translation>prąd</translation>
     </message>
     <message>
         <source>field %1 for each ampere, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>pole %1 na każdy amper, %2</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SensorPictures</name>
     <message>
         <source>%1 − %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 − %2</translation>
     </message>
     <message>
         <source>MODELLED · %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Z MODELU · %1</translation>
     </message>
     <message>
         <source>MODELLED: %1, level</source>
-        <translation type="unfinished"></translation>
+        <translation>Z MODELU: %1, w poziomie</translation>
     </message>
 </context>
 <context>
@@ -9295,11 +10563,11 @@ heading (°)</source>
     <name>lubberline::ui::SitesPage</name>
     <message>
         <source>&amp;New base</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nowa baza</translation>
     </message>
     <message>
         <source>Variation from the &amp;model, today</source>
-        <translation type="unfinished"></translation>
+        <translation>Deklinacja z &amp;modelu, dziś</translation>
     </message>
     <message>
         <source>Name:</source>
@@ -9307,31 +10575,31 @@ heading (°)</source>
     </message>
     <message>
         <source>a base must have a name</source>
-        <translation type="unfinished"></translation>
+        <translation>baza musi mieć nazwę</translation>
     </message>
     <message>
         <source>Owner:</source>
-        <translation type="unfinished"></translation>
+        <translation>Właściciel:</translation>
     </message>
     <message>
         <source>Latitude:</source>
-        <translation type="unfinished"></translation>
+        <translation>Szerokość geogr.:</translation>
     </message>
     <message>
         <source>Longitude:</source>
-        <translation type="unfinished"></translation>
+        <translation>Długość geogr.:</translation>
     </message>
     <message>
         <source>Elevation (m):</source>
-        <translation type="unfinished"></translation>
+        <translation>Wzniesienie (m):</translation>
     </message>
     <message>
         <source>Variation (°, E +):</source>
-        <translation type="unfinished"></translation>
+        <translation>Deklinacja (°, E +):</translation>
     </message>
     <message>
         <source>Variation by:</source>
-        <translation type="unfinished"></translation>
+        <translation>Deklinacja według:</translation>
     </message>
     <message>
         <source>none</source>
@@ -9339,39 +10607,39 @@ heading (°)</source>
     </message>
     <message>
         <source>class %1: within %2° (%3)</source>
-        <translation type="unfinished"></translation>
+        <translation>klasa %1: w granicach %2° (%3)</translation>
     </message>
     <message>
         <source>Class:</source>
-        <translation type="unfinished"></translation>
+        <translation>Klasa:</translation>
     </message>
     <message>
         <source>Certificate:</source>
-        <translation type="unfinished"></translation>
+        <translation>Świadectwo:</translation>
     </message>
     <message>
         <source>Valid to:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ważne do:</translation>
     </message>
     <message>
         <source>Lines painted with (°, E +):</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie namalowano przy (°, E +):</translation>
     </message>
     <message>
         <source>Painted on:</source>
-        <translation type="unfinished"></translation>
+        <translation>Namalowano:</translation>
     </message>
     <message>
         <source>Surveyed on:</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomierzono:</translation>
     </message>
     <message>
         <source>Surveyed by:</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomierzył:</translation>
     </message>
     <message>
         <source>Surveyed with:</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomierzono przyrządem:</translation>
     </message>
     <message>
         <source>Note:</source>
@@ -9379,15 +10647,15 @@ heading (°)</source>
     </message>
     <message>
         <source>● may be used today</source>
-        <translation type="unfinished"></translation>
+        <translation>● można dziś użyć</translation>
     </message>
     <message>
         <source>▲ not to be used today: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>▲ dziś nie używać: %1</translation>
     </message>
     <message>
         <source>Painted lines: the variation is %1° today, so that %2° is to be added to what a line says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie namalowane: deklinacja wynosi dziś %1°, więc do opisu linii należy dodać %2°.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9395,15 +10663,15 @@ heading (°)</source>
     </message>
     <message>
         <source>New base</source>
-        <translation type="unfinished"></translation>
+        <translation>Nowa baza</translation>
     </message>
     <message>
         <source>New base %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nowa baza %1</translation>
     </message>
     <message>
         <source>new base</source>
-        <translation type="unfinished"></translation>
+        <translation>nowa baza</translation>
     </message>
     <message>
         <source>variation</source>
@@ -9411,111 +10679,95 @@ heading (°)</source>
     </message>
     <message>
         <source>Compass &amp;bases</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bazy dewiacyjne</translation>
     </message>
     <message>
         <source>Ctrl+Alt+B</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+B</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no number; expected metres, degrees or nT</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” nie jest liczbą; oczekiwano metrów, stopni lub nT</translation>
     </message>
     <message>
         <source>a point of a survey has a declination or a total field</source>
-        <translation type="unfinished"></translation>
+        <translation>punkt pomiaru ma deklinację lub pole całkowite</translation>
     </message>
     <message>
         <source>east (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>wschód (m)</translation>
     </message>
     <message>
         <source>north (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>północ (m)</translation>
     </message>
     <message>
         <source>height (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>wysokość (m)</translation>
     </message>
     <message>
         <source>declination (°, E +)</source>
-        <translation type="unfinished"></translation>
+        <translation>deklinacja (°, E +)</translation>
     </message>
     <message>
         <source>total field (nT)</source>
-        <translation type="unfinished"></translation>
+        <translation>pole całkowite (nT)</translation>
     </message>
     <message>
         <source>From the centre of the base. Paste (Ctrl+V) takes columns from a spreadsheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Od środka bazy. Wklejenie (Ctrl+V) przyjmuje kolumny z arkusza</translation>
     </message>
     <message>
         <source>Declination %1° to %2°, mean %3°, range %4′ of %5 points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Deklinacja %1° do %2°, średnia %3°, rozstęp %4′ z punktów: %5.</translation>
     </message>
     <message>
         <source>Total field %1 to %2 nT, mean %3, range %4 nT.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pole całkowite %1 do %2 nT, średnie %3, rozstęp %4 nT.</translation>
     </message>
     <message>
         <source>Half of that range turns a needle by %1° at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>Połowa tego rozstępu obraca igłę najwyżej o %1°.</translation>
     </message>
     <message>
         <source>Meets no class.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie spełnia żadnej klasy.</translation>
     </message>
     <message>
         <source>Meets class %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spełnia klasę %1.</translation>
     </message>
     <message>
         <source>Range within 12′ (MIL-STD-765A, per CNATRAINST 11130.1D).</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozstęp w granicach 12′ (MIL-STD-765A, wg CNATRAINST 11130.1D).</translation>
     </message>
     <message>
         <source>Range beyond 12′ (MIL-STD-765A, per CNATRAINST 11130.1D).</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozstęp powyżej 12′ (MIL-STD-765A, wg CNATRAINST 11130.1D).</translation>
     </message>
     <message>
         <source>Row %1 is not stored yet: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersz %1 jeszcze niezapisany: %2</translation>
     </message>
     <message>
         <source>survey</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar</translation>
     </message>
     <message>
         <source>Line %1 of what is pasted: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersz %1 wklejanych danych: %2</translation>
+    </message>
+    <message>
+        <source>Compass bases</source>
+        <translation>Bazy dewiacyjne</translation>
+    </message>
+    <message>
+        <source>Compass bases: place, class and certificate, the lines that are painted there, and the survey. Paste the survey&apos;s points from a spreadsheet with Ctrl+V: whether the base is fit, and for what, follows.</source>
+        <translation>Bazy dewiacyjne: położenie, klasa i świadectwo, namalowane linie oraz pomiar. Punkty pomiaru wklej z arkusza przez Ctrl+V: wyniknie, czy i do czego baza się nadaje.</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SlipWords</name>
-    <message>
-        <source>swapped digits</source>
-        <translation>zamienione cyfry</translation>
-    </message>
-    <message>
-        <source>the reciprocal</source>
-        <translation>kurs przeciwny</translation>
-    </message>
-    <message>
-        <source>a 10° slip</source>
-        <translation>pomyłka o 10°</translation>
-    </message>
-    <message>
-        <source>a 100° slip</source>
-        <translation>pomyłka o 100°</translation>
-    </message>
-    <message>
-        <source>a deviation applied with the wrong sign</source>
-        <translation>dewiacja uwzględniona z niewłaściwym znakiem</translation>
-    </message>
-    <message>
-        <source>the wrong row</source>
-        <translation>niewłaściwy wiersz</translation>
-    </message>
     <message>
         <source>Look again: most likely the wrong row, as it fits %1 (%2)</source>
         <translation>Sprawdź ponownie: najpewniej niewłaściwy wiersz, bo pasuje do %1 (%2)</translation>
@@ -9537,14 +10789,6 @@ heading (°)</source>
         <translation>Sprawdź ponownie: nie tłumaczy tego żadna zwykła pomyłka</translation>
     </message>
     <message>
-        <source>a 5° slip</source>
-        <translation>pomyłka o 5°</translation>
-    </message>
-    <message>
-        <source>no usual slip</source>
-        <translation>żadna zwykła pomyłka</translation>
-    </message>
-    <message>
         <source>on %1 the compass reads %2.</source>
         <translation>na kursie %1 busola wskazuje %2.</translation>
     </message>
@@ -9554,14 +10798,14 @@ heading (°)</source>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SmithTermsPanel</name>
     <message>
         <source>Coefficients and the terms that they come from</source>
-        <translation type="unfinished"></translation>
+        <translation>Współczynniki i składniki, z których powstają</translation>
     </message>
     <message>
         <source>exact</source>
@@ -9573,23 +10817,23 @@ heading (°)</source>
     </message>
     <message>
         <source>comes from</source>
-        <translation type="unfinished"></translation>
+        <translation>pochodzi z</translation>
     </message>
     <message>
         <source>What a level swing can tell and what it cannot</source>
-        <translation type="unfinished"></translation>
+        <translation>Co pomiar w poziomie może powiedzieć, a czego nie</translation>
     </message>
     <message>
         <source>What a level swing here can tell</source>
-        <translation type="unfinished"></translation>
+        <translation>Co może tu powiedzieć pomiar w poziomie</translation>
     </message>
     <message>
         <source>No coefficients: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brak współczynników: %1.</translation>
     </message>
     <message>
         <source>λ = %1: a level compass is held by %2 % of H on the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>λ = %1: busolę w poziomie utrzymuje średnio %2 % H.</translation>
     </message>
 </context>
 <context>
@@ -9653,6 +10897,10 @@ heading (°)</source>
         <source>Name the aircraft and its compass, then type the readings: curve and coefficients follow every key.</source>
         <translation>Podaj statek powietrzny i jego busolę, potem wpisuj odczyty: krzywa i współczynniki nadążają za każdym klawiszem.</translation>
     </message>
+    <message>
+        <source>The database is empty. Look around in the demonstration fleet, import a file, or name an aircraft and type its first swing.</source>
+        <translation>Baza jest pusta. Rozejrzyj się we flocie pokazowej, zaimportuj plik albo nazwij statek powietrzny i wpisz jego pierwszy pomiar.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::StationStrip</name>
@@ -9681,55 +10929,57 @@ heading (°)</source>
     <name>lubberline::ui::SurfaceChart</name>
     <message>
         <source>There is no map yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapy jeszcze nie ma.</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SurfacePlot</name>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Powierzchnia</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::SurveyDrawing</name>
     <message>
         <source>%1′</source>
-        <translation type="unfinished"></translation>
+        <translation>%1′</translation>
     </message>
     <message>
         <source>%1 nT</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nT</translation>
     </message>
     <message>
         <source>No survey yet: type or paste its points into the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Brak jeszcze pomiaru: wpisz lub wklej jego punkty do tabeli</translation>
     </message>
     <message>
         <source>declination − mean (′), east +; true north up</source>
-        <translation type="unfinished"></translation>
+        <translation>deklinacja − średnia (′), wschodnia +; północ geograficzna w górę</translation>
     </message>
     <message>
         <source>total field − mean (nT); true north up</source>
-        <translation type="unfinished"></translation>
+        <translation>pole całkowite − średnie (nT); północ geograficzna w górę</translation>
     </message>
     <message>
         <source>10 m</source>
-        <translation type="unfinished"></translation>
+        <translation>10 m</translation>
     </message>
     <message>
         <source>%1 m east, %2 m north</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m na wschód, %2 m na północ</translation>
     </message>
     <message>
         <source>
 declination %1° (E +)</source>
-        <translation type="unfinished"></translation>
+        <translation>
+deklinacja %1° (E +)</translation>
     </message>
     <message>
         <source>
 total field %1 nT</source>
-        <translation type="unfinished"></translation>
+        <translation>
+pole całkowite %1 nT</translation>
     </message>
 </context>
 <context>
@@ -9869,12 +11119,8 @@ total field %1 nT</source>
         <translation>Nie ma jeszcze wyniku: %1.</translation>
     </message>
     <message>
-        <source>✗ Not stored: %1</source>
-        <translation>✗ Nie zapisano: %1</translation>
-    </message>
-    <message>
         <source>◉ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>◉ %1</translation>
     </message>
     <message>
         <source>Enter: next cell · = accepts the nominal heading · deviation may be typed as 3.5W</source>
@@ -9898,7 +11144,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+R</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+R</translation>
     </message>
     <message>
         <source>&amp;Print preview of the report…</source>
@@ -9910,7 +11156,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+K</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+K</translation>
     </message>
     <message>
         <source>Correction card, every &amp;45°…</source>
@@ -9918,7 +11164,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+Shift+K</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+K</translation>
     </message>
     <message>
         <source>Print preview of the car&amp;d…</source>
@@ -9926,7 +11172,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+Shift+P</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+P</translation>
     </message>
     <message>
         <source>&amp;Job card to carry out…</source>
@@ -9934,7 +11180,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+Alt+J</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+J</translation>
     </message>
     <message>
         <source>Sheet in DD &amp;1613 style…</source>
@@ -9954,7 +11200,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+D</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+D</translation>
     </message>
     <message>
         <source>&amp;Insert a row above</source>
@@ -9962,7 +11208,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+Ins</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Ins</translation>
     </message>
     <message>
         <source>&amp;Delete the selected rows</source>
@@ -9970,7 +11216,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+Del</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Del</translation>
     </message>
     <message>
         <source>&amp;Exclude the reading…</source>
@@ -9978,7 +11224,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>Mark &amp;complete, or open again</source>
@@ -9986,7 +11232,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+Return</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Return</translation>
     </message>
     <message>
         <source>&amp;Sign or amend</source>
@@ -9994,7 +11240,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+Shift+S</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+S</translation>
     </message>
     <message>
         <source>&amp;Remove this draft swing</source>
@@ -10006,7 +11252,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+G</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+G</translation>
     </message>
     <message>
         <source>Go to the &amp;aircraft of this swing</source>
@@ -10014,7 +11260,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>Ctrl+U</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+U</translation>
     </message>
     <message>
         <source>&amp;Polar plot</source>
@@ -10033,40 +11279,34 @@ total field %1 nT</source>
         <translation>&amp;Składowe</translation>
     </message>
     <message>
-        <source>&amp;Reset the zoom</source>
-        <translation>P&amp;rzywróć skalę</translation>
-    </message>
-    <message>
-        <source>Ctrl+0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cop&amp;y the plot</source>
-        <translation>Kop&amp;iuj wykres</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+C</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>E&amp;xport the plot…</source>
-        <translation>&amp;Eksportuj wykres…</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+E</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Ca&amp;rd</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tablica</translation>
     </message>
     <message>
         <source>Correction card on the page, in &amp;other steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Tablica dewiacji na stronie, &amp;inne kroki</translation>
     </message>
     <message>
         <source>Ctrl+Alt+K</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+K</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Pomiar</translation>
+    </message>
+    <message>
+        <source>Not stored: %1</source>
+        <translation>Nie zapisano: %1</translation>
+    </message>
+    <message>
+        <source>Type the magnetic heading, Enter, the compass reading, Enter: the next row follows. Angles as 3.25, 3.25W, 3°15&apos;W, 3 15 W; decimal point or comma.
+In the deviation column, W and E (or a sign) give the compass heading. = or Ctrl+D takes the nominal heading as read. Delete empties a cell.
+Cells and blocks are copied, cut and pasted as in a spreadsheet (Ctrl+C, X, V), with or without a first row of headings.
+Ctrl+Z undoes everything, across swings. Ctrl+E leaves a reading out, with a reason that stays on the record.</source>
+        <translation>Wpisz kurs magnetyczny, Enter, odczyt busoli, Enter: następuje kolejny wiersz. Kąty jako 3.25, 3.25W, 3°15&apos;W, 3 15 W; kropka lub przecinek dziesiętny.
+W kolumnie dewiacji W i E (albo znak) dają kurs kompasowy. = lub Ctrl+D przyjmuje kurs nominalny jako odczytany. Delete opróżnia komórkę.
+Komórki i bloki kopiuje się, wycina i wkleja jak w arkuszu (Ctrl+C, X, V), z pierwszym wierszem nagłówków lub bez.
+Ctrl+Z cofa wszystko, we wszystkich pomiarach. Ctrl+E pomija odczyt, z powodem, który pozostaje w zapisie.</translation>
     </message>
 </context>
 <context>
@@ -10101,7 +11341,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>3.5E</source>
-        <translation type="unfinished"></translation>
+        <translation>3.5E</translation>
     </message>
     <message>
         <source>Radio:</source>
@@ -10188,11 +11428,11 @@ total field %1 nT</source>
     </message>
     <message>
         <source>%1: %2 (%3).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 (%3).</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source> A reading is suspect: look again before these figures are used.</source>
@@ -10204,7 +11444,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source> Not read: %1 (compass).</source>
-        <translation type="unfinished"></translation>
+        <translation> Nie odczytano: %1 (busola).</translation>
     </message>
 </context>
 <context>
@@ -10226,81 +11466,81 @@ total field %1 nT</source>
     <name>lubberline::ui::WorldFieldChart</name>
     <message>
         <source>%1, %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2, %3</translation>
     </message>
     <message>
         <source>The field is being computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pole jest obliczane.</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::WorldFieldPlot</name>
     <message>
         <source>World map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa świata</translation>
     </message>
 </context>
 <context>
     <name>lubberline::ui::WorldFieldText</name>
     <message>
         <source>declination</source>
-        <translation type="unfinished"></translation>
+        <translation>deklinacja</translation>
     </message>
     <message>
         <source>inclination</source>
-        <translation type="unfinished"></translation>
+        <translation>inklinacja</translation>
     </message>
     <message>
         <source>horizontal field H</source>
-        <translation type="unfinished"></translation>
+        <translation>pole poziome H</translation>
     </message>
     <message>
         <source>vertical field Z</source>
-        <translation type="unfinished"></translation>
+        <translation>pole pionowe Z</translation>
     </message>
     <message>
         <source>total field F</source>
-        <translation type="unfinished"></translation>
+        <translation>pole całkowite F</translation>
     </message>
     <message>
         <source>°, east +</source>
-        <translation type="unfinished"></translation>
+        <translation>°, wschodnia +</translation>
     </message>
     <message>
         <source>°, down +</source>
-        <translation type="unfinished"></translation>
+        <translation>°, w dół +</translation>
     </message>
     <message>
         <source>nT, down +</source>
-        <translation type="unfinished"></translation>
+        <translation>nT, w dół +</translation>
     </message>
     <message>
         <source>nT</source>
-        <translation type="unfinished"></translation>
+        <translation>nT</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>S</source>
-        <translation type="unfinished"></translation>
+        <translation>S</translation>
     </message>
     <message>
         <source>E</source>
-        <translation type="unfinished"></translation>
+        <translation>E</translation>
     </message>
     <message>
         <source>W</source>
-        <translation type="unfinished"></translation>
+        <translation>W</translation>
     </message>
     <message>
         <source> nT</source>
-        <translation type="unfinished"></translation>
+        <translation> nT</translation>
     </message>
     <message>
         <source>%1, %2: %3 %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: %3 %4</translation>
     </message>
 </context>
 <context>
@@ -10311,7 +11551,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>%1, %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: %3</translation>
     </message>
     <message>
         <source>the calibration of %1 was due on %2</source>
@@ -10343,7 +11583,7 @@ total field %1 nT</source>
     </message>
     <message>
         <source>a swing (CSV), an exchange file (JSON) or a report (PDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar (CSV), plik wymiany (JSON) albo raport (PDF)</translation>
     </message>
     <message>
         <source>from ahead: direct</source>
@@ -10372,6 +11612,34 @@ total field %1 nT</source>
     <message>
         <source>another magnetic heading (HDM, HDG)</source>
         <translation>inny kurs magnetyczny (HDM, HDG)</translation>
+    </message>
+    <message>
+        <source>the aircraft stands %1° from %2; within 5° is wanted</source>
+        <translation>statek powietrzny stoi %1° od %2; pożądane jest 5°</translation>
+    </message>
+    <message>
+        <source>swings %1</source>
+        <translation>pomiary %1</translation>
+    </message>
+    <message>
+        <source>hard iron</source>
+        <translation>żelazo twarde</translation>
+    </message>
+    <message>
+        <source>vertical soft iron</source>
+        <translation>pionowe żelazo miękkie</translation>
+    </message>
+    <message>
+        <source>swing %1: B and C taken as all %2</source>
+        <translation>pomiar %1: B i C w całości jako %2</translation>
+    </message>
+    <message>
+        <source>; the swing states no field: H %1 nT, dip %2° as set on this page</source>
+        <translation>; pomiar nie podaje pola: H %1 nT, inklinacja %2° jak ustawiono na tej stronie</translation>
+    </message>
+    <message>
+        <source>separated, %1 places</source>
+        <translation>rozdzielone, miejsc: %1</translation>
     </message>
 </context>
 </TS>
