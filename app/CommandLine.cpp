@@ -3,7 +3,9 @@
 #include <memory>
 
 #include "app/Console.h"
+#include "app/OpenStores.h"
 #include "app/Outputs.h"
+#include "app/QtSession.h"
 #include "app/Window.h"
 #include "app/commands/Command.h"
 
@@ -13,6 +15,18 @@ void addDatabaseOption(CLI::App& command, Invocation& invocation)
 {
     command.add_option(
         "--db", invocation.database, "the database (SQLite file); default: LUBBERLINE_DB, else fleet.lubberline in the user's data folder");
+}
+
+void actOnStores(CLI::App& command, Invocation& invocation, db::OpenMode mode, std::function<int(db::Stores&)> act)
+{
+    addDatabaseOption(command, invocation);
+    command.callback([&invocation, mode, act] {
+        invocation.action = [&invocation, mode, act] {
+            const auto session = makeDrawingSession();
+            auto stores = openStores(invocation.database, mode);
+            return stores ? act(**stores) : fail(stores.error());
+        };
+    });
 }
 
 void addRemoveOption(CLI::App& command, CoefficientSet& removed, const std::string& help)

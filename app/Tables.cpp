@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/Console.h"
+#include "core/deviation/SlipWords.h"
 #include "core/swing/CardRemarks.h"
 #include "ui/report/card/CardWords.h"
 
@@ -39,21 +40,6 @@ std::string readingsTable(const Analysis& analysis)
     return out;
 }
 
-const char* wordsOf(Slip slip)
-{
-    switch (slip) {
-    case Slip::SwappedDigits: return "swapped digits";
-    case Slip::Reciprocal: return "the reciprocal";
-    case Slip::FiveDegrees: return "a 5 deg slip";
-    case Slip::TenDegrees: return "a 10 deg slip";
-    case Slip::HundredDegrees: return "a 100 deg slip";
-    case Slip::WrongSign: return "a deviation applied with the wrong sign";
-    case Slip::WrongRow: return "the wrong row";
-    case Slip::Unexplained: break;
-    }
-    return "no slip that has a name";
-}
-
 std::string slipsTable(const Analysis& analysis)
 {
     std::string out;
@@ -64,8 +50,9 @@ std::string slipsTable(const Analysis& analysis)
             100 * slip.probability);
         for (const auto& candidate : slip.candidates)
             out += candidate.slip == Slip::Unexplained
-                ? text("; %s %.0f %%", wordsOf(candidate.slip), 100 * candidate.probability)
-                : text("; %s, %.1f meant, %.0f %%", wordsOf(candidate.slip), candidate.meant_deg, 100 * candidate.probability);
+                ? text("; %s %.0f %%", wordFor(candidate.slip).english().c_str(), 100 * candidate.probability)
+                : text("; %s, %.1f meant, %.0f %%", wordFor(candidate.slip).english().c_str(), candidate.meant_deg,
+                    100 * candidate.probability);
         out += "\n";
     }
     return out;

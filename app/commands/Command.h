@@ -9,6 +9,11 @@
 
 #include "core/deviation/Smith.h"
 
+namespace lubberline::db {
+class Stores;
+enum class OpenMode;
+} // namespace lubberline::db
+
 namespace lubberline::app {
 
 /// What all commands share.
@@ -67,6 +72,9 @@ void addRemoveOption(CLI::App& command, CoefficientSet& removed, const std::stri
 
 /// Adds `--db FILE` to a command that uses the database.
 void addDatabaseOption(CLI::App& command, Invocation& invocation);
+
+/// The action of a command that uses the database: adds `--db FILE`, and opens it before `act`, which returns the exit status.
+void actOnStores(CLI::App& command, Invocation& invocation, db::OpenMode mode, std::function<int(db::Stores&)> act);
 
 /// Adds an option that names a file to write, with the endings that it may have; another one is a usage error. "-" writes the first of them
 /// to standard output, or what --format says, which is added where there are several. Before its command runs, the name is held against

@@ -1,7 +1,5 @@
 #include "app/Console.h"
-#include "app/OpenStores.h"
 #include "app/Outputs.h"
-#include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/base/OutputFile.h"
 #include "core/format/exchange/Exchange.h"
@@ -16,20 +14,16 @@ struct ExportArguments {
     Output output;
 };
 
-int exportCommand(const ExportArguments& options, const std::string& database)
+int exportCommand(db::Stores& stores, const ExportArguments& options)
 {
-    const auto session = makeDrawingSession();
-    auto stores = openStores(database, db::OpenMode::ReadOnly);
-    if (!stores)
-        return fail(stores.error());
     std::vector<AircraftId> aircraft;
     for (const auto& registration : options.aircraft) {
-        const auto id = (*stores)->fleet.aircraftNamed(registration);
+        const auto id = stores.fleet.aircraftNamed(registration);
         if (!id)
             return fail(id.error());
         aircraft.push_back(*id);
     }
-    const auto fleet = db::exportFleet((*stores)->database(), aircraft, consoleProgress("exporting"));
+    const auto fleet = db::exportFleet(stores.database(), aircraft, consoleProgress("exporting"));
     if (!fleet)
         return fail(fleet.error());
     if (const auto written = writeWholeFile(options.output.path, writeExchange(*fleet)); !written)
@@ -47,9 +41,7 @@ void addExport(CLI::App& app, Invocation& invocation)
     auto* command = app.add_subcommand("export", "write aircraft with all their swings as exchange JSON (.lubberline.json)");
     command->add_option("--aircraft", options->aircraft, "registrations (default: the whole fleet)");
     addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".json"})->required();
-    addDatabaseOption(*command, invocation);
-    command->callback(
-        [options, &invocation] { invocation.action = [options, &invocation] { return exportCommand(*options, invocation.database); }; });
+    actOnStores(*command, invocation, db::OpenMode::ReadOnly, [options](db::Stores& stores) { return exportCommand(stores, *options); });
 }
 
 } // namespace lubberline::app

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/Console.h"
-#include "app/QtSession.h"
 #include "app/SwingList.h"
 #include "app/commands/Command.h"
 #include "core/record/RecordWords.h"
@@ -41,13 +40,9 @@ std::string jsonOf(const std::vector<ListedSwing>& swings)
     return nlohmann::ordered_json{{"swings", array}}.dump(2);
 }
 
-int swingsCommand(const SwingsArguments& options, const std::string& database)
+int swingsCommand(db::Stores& stores, const SwingsArguments& options)
 {
-    const auto session = makeDrawingSession();
-    auto stores = openStores(database, db::OpenMode::ReadOnly);
-    if (!stores)
-        return fail(stores.error());
-    const auto swings = listSwings(**stores, options.aircraft);
+    const auto swings = listSwings(stores, options.aircraft);
     if (!swings)
         return fail(swings.error());
     if (options.json) {
@@ -71,9 +66,7 @@ void addSwings(CLI::App& app, Invocation& invocation)
     auto* command = app.add_subcommand("swings", "list the swings of the database with their record ids");
     command->add_option("--aircraft", options->aircraft, "of this registration only");
     command->add_flag("--json", options->json, "one JSON object on standard output");
-    addDatabaseOption(*command, invocation);
-    command->callback(
-        [options, &invocation] { invocation.action = [options, &invocation] { return swingsCommand(*options, invocation.database); }; });
+    actOnStores(*command, invocation, db::OpenMode::ReadOnly, [options](db::Stores& stores) { return swingsCommand(stores, *options); });
 }
 
 } // namespace lubberline::app

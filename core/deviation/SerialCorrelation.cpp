@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Cholesky>
+
+#include "core/base/Contract.h"
 
 namespace lubberline {
 
@@ -16,29 +19,46 @@ struct Likelihood {
     double variance = 0;
 };
 
-Likelihood likelihoodOf(const Eigen::MatrixXd& design, const Eigen::VectorXd& observed, double rho, double white)
+/// Five coefficients and what is observed: of a size that is known beforehand, as some eighty likelihoods are asked for of 20,000 rows.
+constexpr int kMostColumns = 6;
+using FilterRow = Eigen::Matrix<double, kMostColumns, 1>;
+using FilterRows = std::vector<FilterRow, Eigen::aligned_allocator<FilterRow>>;
+
+/// The design's columns, then the observations; zeros beyond.
+FilterRows filterRowsOf(const Eigen::MatrixXd& design, const Eigen::VectorXd& observed)
 {
-    const auto n = design.rows(), p = design.cols();
+    LUBBERLINE_EXPECT(design.cols() < kMostColumns, "five coefficients at most");
+    FilterRows rows(static_cast<std::size_t>(design.rows()), FilterRow::Zero());
+    for (Eigen::Index i = 0; i < design.rows(); ++i) {
+        rows[static_cast<std::size_t>(i)].head(design.cols()) = design.row(i).transpose();
+        rows[static_cast<std::size_t>(i)](design.cols()) = observed(i);
+    }
+    return rows;
+}
+
+Likelihood likelihoodOf(const FilterRows& rows, Eigen::Index p, double rho, double white)
+{
     // One filter over the observations and each column of the design; the gain is the same for all.
-    Eigen::VectorXd state = Eigen::VectorXd::Zero(p + 1), row(p + 1);
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(p + 1, p + 1);
-    double variance = 1.0 - white, logDeterminant = 0;
-    for (Eigen::Index i = 0; i < n; ++i) {
-        row.head(p) = design.row(i).transpose();
-        row(p) = observed(i);
-        const double total = variance + white;
-        row -= state;
-        normal.selfadjointView<Eigen::Lower>().rankUpdate(row, 1.0 / total);
-        logDeterminant += std::log(total);
+    FilterRow state = FilterRow::Zero();
+    Eigen::Matrix<double, kMostColumns, kMostColumns> normal = Eigen::Matrix<double, kMostColumns, kMostColumns>::Zero();
+    double variance = 1.0 - white, logDeterminant = 0, total = 0, logTotal = 0;
+    for (const FilterRow& each : rows) {
+        const FilterRow row = each - state;
+        if (variance + white != total) { // soon it stays
+            total = variance + white;
+            logTotal = std::log(total);
+        }
+        normal.noalias() += row * (row / total).transpose();
+        logDeterminant += logTotal;
         const double gain = variance / total;
         state = rho * (state + gain * row);
         variance = rho * rho * variance * (1.0 - gain) + (1.0 - rho * rho) * (1.0 - white);
     }
-    const Eigen::MatrixXd whole = normal.selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd whole = normal;
     const Eigen::LLT<Eigen::MatrixXd> solver(whole.topLeftCorner(p, p));
     const Eigen::VectorXd side = whole.col(p).head(p);
     const double squares = std::max(whole(p, p) - side.dot(solver.solve(side)), 1e-30);
-    const double freedom = static_cast<double>(n - p);
+    const double freedom = static_cast<double>(static_cast<Eigen::Index>(rows.size()) - p);
     const double normalDeterminant = 2.0 * solver.matrixLLT().diagonal().array().log().sum();
     return {-(freedom * std::log(squares) + logDeterminant + normalDeterminant), squares / freedom};
 }
@@ -52,8 +72,9 @@ std::optional<SerialCorrelation> serialCorrelation(const Eigen::MatrixXd& design
     constexpr double kTwiceLogRatio = 10.6; // 0.5 % point of χ² with two degrees of freedom
     // The slow part's memory in readings, −1/ln ρ, in steps of a factor; then halved steps about the best.
     const auto rhoOf = [](double step) { return std::exp(-std::exp(-step)); };
-    const auto at = [&](double step, double white) { return likelihoodOf(design, observed, rhoOf(step), white); };
-    const Likelihood independent = likelihoodOf(design, observed, 0.0, 1.0);
+    const FilterRows rows = filterRowsOf(design, observed);
+    const auto at = [&](double step, double white) { return likelihoodOf(rows, design.cols(), rhoOf(step), white); };
+    const Likelihood independent = likelihoodOf(rows, design.cols(), 0.0, 1.0);
     Likelihood best{-1e300, 0};
     double bestStep = 0, bestWhite = 0;
     const auto consider = [&](double step, double white) {

@@ -22,12 +22,12 @@ Result<MeridianField> fieldAt(const Site& base, Date today)
 
 } // namespace
 
-Result<Message> whySwingAfterMove(const SwingRecord& last, const Site& base, Date today)
+Result<Message> whySwingAfterMove(const SwingRecord& last, const Site& base, Date today, const SwingJob* job)
 {
     const auto there = fieldAt(base, today);
     if (!there)
         return there.error();
-    const auto swing = swingAtPlace(last);
+    const auto swing = swingAtPlace(last, job);
     if (!swing)
         return swing.error();
     const auto predicted = predict(*swing, *there);

@@ -5,7 +5,7 @@
 
 namespace lubberline {
 
-Result<SwingAtPlace> swingAtPlace(const SwingRecord& record)
+Result<SwingAtPlace> swingAtPlace(const SwingRecord& record, const SwingJob* job)
 {
     const std::string label = (record.site ? record.site->name + ", " : std::string()) + record.swing.date.text();
     const auto stamp = record.swing.field ? record.swing.field : stampFor(record.swing, record.site);
@@ -14,7 +14,7 @@ Result<SwingAtPlace> swingAtPlace(const SwingRecord& record)
             {MARKED("core",
                  "the Earth's field of the swing of %1 is not known; expected a site with latitude and longitude, and a date within the magnetic models"),
                 label}};
-    const auto result = resultOf(record, nullptr, {.maxOrder = 0, .findSlips = false}); // neither harmonics nor slips are asked for
+    const auto result = resultOf(record, job, {.maxOrder = 0, .findSlips = false}); // neither harmonics nor slips are asked for
     if (!result)
         return result.error();
     return swingAtPlace(result->exact, stamp->field.meridian(), label);

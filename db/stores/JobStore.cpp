@@ -113,6 +113,20 @@ Result<Analysis> JobStore::resultOf(const SwingRecord& record)
     return lubberline::resultOf(record, *job ? &(*job)->job : nullptr);
 }
 
+Result<Analysis> JobStore::resultOf(SwingId swing)
+{
+    const auto record = SwingStore(m_database).record(swing);
+    return record ? resultOf(*record) : Result<Analysis>(record.error());
+}
+
+Result<SwingAtPlace> JobStore::placeOf(const SwingRecord& record)
+{
+    const auto job = jobOf(record.swing.id);
+    if (!job)
+        return job.error();
+    return swingAtPlace(record, *job ? &(*job)->job : nullptr);
+}
+
 Result<std::vector<JobRecord>> JobStore::all()
 {
     Statement statement(m_database, kSelectJob + "ORDER BY j.id");

@@ -7,6 +7,7 @@
 #include "core/record/Fleet.h"
 #include "core/record/FleetRows.h"
 #include "core/swing/Analysis.h"
+#include "core/swing/SwingPlaces.h"
 #include "db/engine/Database.h"
 
 namespace lubberline::db {
@@ -22,6 +23,9 @@ public:
     /// The one result of a stored swing (core/swing/SwingResult.h), with the divisions of the guided swing that it came from.
     /// Errors: those of resultOf(); Corrupt when that guided swing does not read: without it the result would look surer than it is.
     Result<Analysis> resultOf(const SwingRecord& record);
+    Result<Analysis> resultOf(SwingId swing);
+    /// Likewise: its coefficients with their errors, in its field. Errors: those of swingAtPlace() besides.
+    Result<SwingAtPlace> placeOf(const SwingRecord& record);
     Result<std::vector<JobRecord>> all(); ///< of every swing, without particulars: for the exchange file
 
     /// A new draft for the job, and the job with its first events; the particulars are those of the swing.

@@ -40,6 +40,7 @@ int main(int argc, char** argv)
     };
     readAll();
     const auto timing = bench::compare(analyseAll, readAll, 3);
-    std::printf("%d swings, mean rms %.3f deg, %.1f us a swing\n", swings, toDegrees(sum) / (4.0 * swings), timing.ours_s * 1e6 / swings);
+    std::fprintf(
+        stderr, "%d swings, mean rms %.3f deg, %.1f us a swing\n", swings, toDegrees(sum) / (4.0 * swings), timing.ours_s * 1e6 / swings);
     return bench::report("analyse all swings", timing, "reading them from SQLite", 2.0) ? 0 : 1;
 }

@@ -102,7 +102,7 @@ private:
 
 bool reportMilliseconds(const char* what, double ms)
 {
-    std::printf("%-44s %9.2f ms  wanted < %.0f: %s\n", what, ms, kWanted_ms, ms < kWanted_ms ? "kept" : "MISSED (is the machine busy?)");
+    bench::row(what, ms, kWanted_ms, "what is wanted; on a busy machine no fault", 1.0);
     return ms < kWanted_ms;
 }
 

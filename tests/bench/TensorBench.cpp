@@ -72,7 +72,7 @@ int main()
         tensor, [&] { bare.run(); }, 15);
     const auto pruned = bench::compare(
         transforms, [&] { bare.run(); }, 15);
-    std::printf("%d cells a side, padded to %d; %.0f MiB; checksum %g; our transforms alone: %.2f x the bare ones\n", kCells, 2 * kCells,
-        static_cast<double>(memoryFor({kCells, 1})) / (1 << 20), sum, pruned.ratio());
+    std::fprintf(stderr, "%d cells a side, padded to %d; %.0f MiB; checksum %g; our transforms alone: %.2f x the bare ones\n", kCells,
+        2 * kCells, static_cast<double>(memoryFor({kCells, 1})) / (1 << 20), sum, pruned.ratio());
     return bench::report("demagnetisation tensor", timing, "six bare transforms", 1.3) ? 0 : 1;
 }

@@ -23,9 +23,11 @@ std::vector<std::string> placesOf(const std::vector<std::string>& folders, const
 TEST(Words, aTextOfAWidgetIsMarked)
 {
     const std::regex unmarked("\\b(setText|setToolTip|setWindowTitle|setTitle|setStatusTip|setPlaceholderText|addAction|addTab|addRow|"
-                              "addItem|setWhatsThis|setAccessibleName|QLabel|QPushButton|QCheckBox|QGroupBox|QAction)"
+                              "addItem|setWhatsThis|setAccessibleName|QLabel|QPushButton|QCheckBox|QGroupBox|QAction|say|refuse)"
                               "\\(\\s*(QStringLiteral\\(|QLatin1String\\()?\"[^\"]*[A-Za-z]{3}");
     for (const auto& place : placesOf({"ui"}, unmarked))
+        ADD_FAILURE() << place << "… is not marked by tr()";
+    for (const auto& place : placesOf({"ui"}, std::regex("\\.help\\s*=\\s*(QStringLiteral\\()?\"")))
         ADD_FAILURE() << place << "… is not marked by tr()";
 }
 

@@ -56,7 +56,10 @@ Result<DueNews> dueNews(db::Stores& stores, Date today, const Progress& progress
             return last.error();
         if (!*last)
             continue;
-        const auto why = whySwingAfterMove(**last, *base, today);
+        const auto job = stores.jobs.jobOf((*last)->swing.id);
+        if (!job)
+            return job.error();
+        const auto why = whySwingAfterMove(**last, *base, today, *job ? &(*job)->job : nullptr);
         if (!why)
             news.warnings.push_back({MARKED("ui", "%1, %2: %3"), compass.registration, compass.compassName, why.error().message});
         else

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
+#include "core/base/Number.h"
+#include "core/deviation/SlipWords.h"
 #include "core/swing/SwingResult.h"
 #include "ui/plots/swing/PictureOf.h"
 
@@ -76,6 +78,8 @@ Result<void> GuidedJob::tell(job::What what)
     return {};
 }
 
+std::string GuidedJob::Prepared::keptNote() const { return keptAsRead(judgement) + (note.empty() ? std::string() : "; " + note.english()); }
+
 Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
 {
     const StationState* here = station();
@@ -100,9 +104,8 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     prepared.datumSpread_deg = heading->spread_deg;
     prepared.compassSpread_deg = compass->spread_deg;
     if (off > kNearEnough_deg)
-        prepared.note = tr("the aircraft stands %1° from %2; within 5° is wanted")
-                            .arg(off, 0, 'f', 1)
-                            .arg(here->station.nominal_deg, 3, 'f', 0, QChar('0'));
+        prepared.note = {MARKED("ui", "the aircraft stands %1° from %2; within 5° is wanted"), figureText(off, 1),
+            formatHeading(here->station.nominal_deg, AngleStyle::DecimalDegrees, 0)};
 
     std::vector<Observation> earlier;
     std::vector<double> nominals;

@@ -56,7 +56,9 @@ public:
         job::ReadingTaken reading;
         SlipJudgement judgement;
         double datumSpread_deg = 0, compassSpread_deg = 0;
-        QString note; ///< the aircraft stands more than 5° from the nominal heading; ahead and astern differ
+        Message note; ///< the aircraft stands more than 5° from the nominal heading; ahead and astern differ
+        /// What is stored with the reading where it is kept in spite of that: in English, whatever the window's language.
+        [[nodiscard]] std::string keptNote() const;
     };
     Result<Prepared> prepare(const Entry& entry) const;
 

@@ -184,7 +184,7 @@ Result<void> GuidedPage::takeUp(SwingId swing)
     std::shared_ptr<const Analysis> analysis;
     QString label;
     if (const auto previous = m_stores.swings.previous(swing); previous && *previous)
-        if (auto made = analyse(observationsOf(**previous))) {
+        if (auto made = m_stores.jobs.resultOf((*previous)->id)) {
             analysis = std::make_shared<const Analysis>(std::move(made.value()));
             label = toText((*previous)->date);
         }

@@ -295,8 +295,8 @@ void GuidedStation::takeReading()
         reading.compass = CompassHeading::fromDegrees(prepared->reading.compass_deg);
         doubts += slipSentence(prepared->judgement, reading, AngleStyle::DecimalDegrees);
     }
-    if (!prepared->note.isEmpty())
-        doubts += prepared->note;
+    if (!prepared->note.empty())
+        doubts += toText(prepared->note);
     if (!doubts.isEmpty() && figures != m_kept) {
         m_kept = figures;
         say(doubts.join(QStringLiteral(". ")) + tr(". Enter keeps it as it is read."), true);
@@ -305,7 +305,7 @@ void GuidedStation::takeReading()
         return;
     }
     if (!doubts.isEmpty())
-        prepared->reading.note = tr("kept as read: %1").arg(doubts.join(QStringLiteral(". "))).toStdString();
+        prepared->reading.note = prepared->keptNote();
     tell(std::move(prepared->reading));
 }
 

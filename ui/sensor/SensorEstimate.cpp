@@ -1,13 +1,12 @@
 #include "ui/sensor/SensorEstimate.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 
 #include <algorithm>
 
+#include "core/base/Number.h"
 #include "core/swing/Analysis.h"
 #include "core/swing/SwingPlaces.h"
-#include "core/swing/SwingResult.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -27,9 +26,9 @@ struct EstimatedSwing {
 };
 
 /// None where the readings do not tell all five coefficients.
-std::optional<EstimatedSwing> estimated(const SwingRecord& record)
+std::optional<EstimatedSwing> estimated(db::Stores& stores, const SwingRecord& record)
 {
-    const auto result = resultOf(record, nullptr, {0}); // no harmonics are asked for
+    const auto result = stores.jobs.resultOf(record);
     if (!result)
         return std::nullopt;
     const auto& stamp = record.swing.field;
@@ -50,7 +49,7 @@ Result<std::vector<EstimatedSwing>> swingsOf(
         const auto record = stores.swings.record((*rows)[i].id);
         if (!record)
             return record.error();
-        if (auto swing = estimated(*record))
+        if (auto swing = estimated(stores, *record))
             swings.push_back(std::move(*swing));
     }
     return swings;
@@ -69,34 +68,34 @@ std::vector<SwingAtPlace> newestOfEachPlace(const std::vector<EstimatedSwing>& s
     return chosen;
 }
 
-SensorRecord recordOf(const QString& name, const QString& note, SensorModel model)
+/// What is stored with a model is English, whoever reads it later (core/base/Message.h).
+SensorRecord recordOf(std::string name, std::string note, SensorModel model)
 {
     SensorRecord record;
-    record.name = name.toStdString();
-    record.note = note.toStdString();
+    record.name = std::move(name);
+    record.note = std::move(note);
     record.origin = ModelOrigin::EstimatedFromSwings;
     record.model = std::move(model);
     return record;
 }
 
-QString estimateText(const QString& name, const Estimate& estimate, int decimals)
+std::string estimateText(const char* name, const Estimate& estimate, int decimals)
 {
-    return QStringLiteral("%1 %2 ± %3").arg(name, signedNumber(estimate.value, decimals)).arg(estimate.standardError, 0, 'f', decimals);
+    return std::string("; ") + name + " " + signedFigureText(estimate.value, decimals) + " ± "
+        + figureText(estimate.standardError, decimals);
 }
 
-QString separationNote(const IronSeparation& separation, const std::vector<SwingAtPlace>& swings)
+std::string separationNote(const IronSeparation& separation, const std::vector<SwingAtPlace>& swings)
 {
-    QStringList labels, parts;
+    std::string labels;
     for (const SwingAtPlace& swing : swings)
-        labels += toText(swing.label);
-    parts += SensorEstimateTexts::tr("swings %1").arg(labels.join(QStringLiteral(", ")));
-    parts += estimateText(QStringLiteral("P"), separation.P_nT, 0) + QStringLiteral(" nT");
-    parts += estimateText(QStringLiteral("Q"), separation.Q_nT, 0) + QStringLiteral(" nT");
-    parts += estimateText(QStringLiteral("c"), separation.c, 4);
-    parts += estimateText(QStringLiteral("f"), separation.f, 4);
+        labels += (labels.empty() ? "" : ", ") + swing.label;
+    std::string note = Message{MARKED("ui", "swings %1"), labels}.english();
+    note += estimateText("P", separation.P_nT, 0) + " nT" + estimateText("Q", separation.Q_nT, 0) + " nT";
+    note += estimateText("c", separation.c, 4) + estimateText("f", separation.f, 4);
     for (const auto& warning : separation.warnings)
-        parts += toText(warning);
-    return parts.join(QStringLiteral("; "));
+        note += "; " + warning.english();
+    return note;
 }
 
 } // namespace
@@ -117,14 +116,13 @@ Result<SensorRecord> estimateFromNewest(db::Stores& stores, CompassId compass, O
     auto model = modelOf(newest.atPlace.exact, there, origin);
     if (!model)
         return model.error();
-    const QString label = toText(newest.atPlace.label);
-    const QString kind = origin == Origin::HardIron ? SensorEstimateTexts::tr("hard iron") : SensorEstimateTexts::tr("vertical soft iron");
-    QString note = SensorEstimateTexts::tr("swing %1: B and C taken as all %2").arg(label, kind);
+    const Message kind = origin == Origin::HardIron ? MARKED("ui", "hard iron") : MARKED("ui", "vertical soft iron");
+    std::string note = Message{MARKED("ui", "swing %1: B and C taken as all %2"), newest.atPlace.label, kind}.english();
     if (!newest.stamp)
-        note += SensorEstimateTexts::tr("; the swing states no field: H %1 nT, dip %2° as set on this page")
-                    .arg(there.horizontal_nT, 0, 'f', 0)
-                    .arg(toDegrees(there.inclination_rad()), 0, 'f', 1);
-    return recordOf(SensorEstimateTexts::tr("%1, %2").arg(label, kind), note, std::move(model.value()));
+        note += Message{MARKED("ui", "; the swing states no field: H %1 nT, dip %2° as set on this page"),
+            figureText(there.horizontal_nT, 0), figureText(toDegrees(there.inclination_rad()), 1)}
+                    .english();
+    return recordOf(newest.atPlace.label + ", " + kind.english(), std::move(note), std::move(model.value()));
 }
 
 Result<SensorRecord> estimateBySeparation(db::Stores& stores, CompassId compass)
@@ -142,7 +140,7 @@ Result<SensorRecord> estimateBySeparation(db::Stores& stores, CompassId compass)
     if (!separation)
         return separation.error();
     return recordOf(
-        SensorEstimateTexts::tr("separated, %1 places").arg(swings.size()), separationNote(*separation, swings), modelOf(*separation));
+        Message{MARKED("ui", "separated, %1 places"), swings.size()}.english(), separationNote(*separation, swings), modelOf(*separation));
 }
 
 } // namespace lubberline::ui

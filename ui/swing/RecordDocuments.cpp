@@ -206,8 +206,12 @@ Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& made
     auto superseded = withRecord(stores, record->compass.id, record->swing.supersedes);
     if (!previous || !sensors || !job || !superseded)
         return !previous ? previous.error() : !sensors ? sensors.error() : !job ? job.error() : superseded.error();
+    auto previousJob = *previous ? stores.jobs.jobOf((*previous)->id) : Result<std::optional<JobRecord>>(std::nullopt);
+    if (!previousJob)
+        return previousJob.error();
     ReportInput input;
     input.record = std::move(record.value());
+    input.previousJob = std::move(previousJob.value());
     input.analysis = std::move(analysis.value());
     input.previous = std::move(previous.value());
     input.sensors = std::move(sensors.value());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/deviation/SlipWords.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/SwingEditor.h"
 
@@ -30,29 +31,14 @@ QString percent(double probability)
     return SlipWordsTexts::tr("%1 %").arg(std::min(99L, whole));
 }
 
-QString nameOf(Slip slip)
-{
-    switch (slip) {
-    case Slip::SwappedDigits: return SlipWordsTexts::tr("swapped digits");
-    case Slip::Reciprocal: return SlipWordsTexts::tr("the reciprocal");
-    case Slip::FiveDegrees: return SlipWordsTexts::tr("a 5° slip");
-    case Slip::TenDegrees: return SlipWordsTexts::tr("a 10° slip");
-    case Slip::HundredDegrees: return SlipWordsTexts::tr("a 100° slip");
-    case Slip::WrongSign: return SlipWordsTexts::tr("a deviation applied with the wrong sign");
-    case Slip::WrongRow: return SlipWordsTexts::tr("the wrong row");
-    case Slip::Unexplained: return SlipWordsTexts::tr("no usual slip");
-    }
-    return {};
-}
-
 QString candidateWords(const SlipCandidate& candidate, AngleStyle style)
 {
     const QString meant = figure(candidate.meant_deg, style), chance = percent(candidate.probability);
     if (candidate.slip == Slip::WrongRow)
         return SlipWordsTexts::tr("Look again: most likely the wrong row, as it fits %1 (%2)").arg(meant, chance);
     const QString whose = candidate.figure == SlippedFigure::Datum
-        ? SlipWordsTexts::tr("%1 in the magnetic heading").arg(nameOf(candidate.slip))
-        : nameOf(candidate.slip);
+        ? SlipWordsTexts::tr("%1 in the magnetic heading").arg(toText(wordFor(candidate.slip)))
+        : toText(wordFor(candidate.slip));
     return SlipWordsTexts::tr("Look again: most likely %1, %2 meant (%3)").arg(whose, meant, chance);
 }
 

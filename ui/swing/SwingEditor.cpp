@@ -104,7 +104,7 @@ void SwingEditor::analysePrevious()
     m_previous = std::move(previous.value());
     if (!m_previous)
         return;
-    if (auto result = analyse(observationsOf(*m_previous)); result)
+    if (auto result = m_context.stores.jobs.resultOf(m_previous->id); result)
         m_previousAnalysis = std::make_shared<const Analysis>(std::move(result.value()));
 }
 

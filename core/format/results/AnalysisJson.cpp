@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/deviation/SlipWords.h"
 #include "core/swing/CardRemarks.h"
 
 namespace lubberline {
@@ -91,21 +92,6 @@ Json readingJson(const AnalysedReading& reading)
         {"deviation_deg", clean(reading.deviation.degrees())}, {"residual_approximate_deg", degrees(reading.residualApproximate_rad)},
         {"residual_exact_deg", degrees(reading.residualExact_rad)}, {"studentised_residual", plain(reading.studentised)},
         {"outlier", reading.suspect}};
-}
-
-const char* codeOf(Slip slip)
-{
-    switch (slip) {
-    case Slip::SwappedDigits: return "swapped_digits";
-    case Slip::Reciprocal: return "reciprocal";
-    case Slip::FiveDegrees: return "five_degrees";
-    case Slip::TenDegrees: return "ten_degrees";
-    case Slip::HundredDegrees: return "hundred_degrees";
-    case Slip::WrongSign: return "wrong_sign";
-    case Slip::WrongRow: return "wrong_row";
-    case Slip::Unexplained: break;
-    }
-    return "unexplained";
 }
 
 /// Rows count from 1, in the order of `readings`.

@@ -21,7 +21,8 @@ struct ReportInput {
     std::optional<Swing> previous;          ///< last swing of the same compass: drawn behind the curve
     std::vector<SensorRecord> sensors = {}; ///< of the compass, newest first: the first is reported, with the swing's field if it keeps one
     std::optional<JobRecord> job = {};      ///< the guided swing that made it
-    std::optional<Swing> superseded = {};   ///< the revision that it amends
+    std::optional<JobRecord> previousJob = {}; ///< likewise of the last swing
+    std::optional<Swing> superseded = {};      ///< the revision that it amends
     AngleStyle angleStyle = AngleStyle::DecimalDegrees;
     QString madeAtUtc;    ///< ISO 8601; printed
     bool archive = false; ///< PDF/A-1b, which may carry no attachment; else PDF 1.6 with the exchange JSON attached

@@ -6,7 +6,7 @@
 #include "core/format/exchange/SignedContent.h"
 #include "core/swing/CardRemarks.h"
 #include "core/swing/Gaps.h"
-#include "core/swing/Observations.h"
+#include "core/swing/SwingResult.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/report/page/DataHash.h"
 #include "ui/report/page/Figures.h"
@@ -20,19 +20,20 @@ namespace {
 /// Without a trailing ".0": limits are printed as their documents print them.
 QString shortDegrees(double angle_deg) { return QString::number(angle_deg, 'g', 6) + QStringLiteral("°"); }
 
-std::shared_ptr<const Analysis> previousAnalysis(const std::optional<Swing>& previous)
+std::shared_ptr<const Analysis> previousAnalysis(const ReportInput& input)
 {
-    if (!previous)
+    if (!input.previous)
         return nullptr;
-    auto analysis = analyse(observationsOf(*previous));
+    SwingRecord before = input.record; // the same compass
+    before.swing = *input.previous;
+    auto analysis = resultOf(before, input.previousJob ? &input.previousJob->job : nullptr);
     return analysis ? std::make_shared<const Analysis>(std::move(*analysis)) : nullptr; // its own report says why there is none
 }
 
 SwingPicture pictureFor(const ReportInput& input)
 {
     const QString label = input.previous ? printable(input.previous->date) : QString();
-    return pictureOf(
-        input.record, std::make_shared<const Analysis>(input.analysis), {}, previousAnalysis(input.previous), label, input.angleStyle);
+    return pictureOf(input.record, std::make_shared<const Analysis>(input.analysis), {}, previousAnalysis(input), label, input.angleStyle);
 }
 
 QString verdictWordOf(Verdict verdict)
@@ -69,7 +70,7 @@ QString sentenceFor(const ReportInput& input)
 /// What changed since last time, by coefficient and by heading: this curve less that one.
 std::optional<Fact> changeFact(const ReportInput& input)
 {
-    const auto before = previousAnalysis(input.previous);
+    const auto before = previousAnalysis(input);
     if (!before || before->exact.parameters != static_cast<int>(kCoefficientCount)
         || input.analysis.exact.parameters != static_cast<int>(kCoefficientCount))
         return {};
