@@ -70,6 +70,8 @@ signals:
     void changed();
 
 private:
+    [[nodiscard]] Result<DatumHeading> headingOf(const RawFigures& raw, QString& note) const;
+
     GuidedServices m_services;
     SwingJob m_job;
     JobState m_state;

@@ -12,6 +12,9 @@
 #include "ui/guided/GuidedPage.h"
 #include "ui/intake/NewSwingPage.h"
 #include "ui/intake/NmeaImportPage.h"
+#include "ui/reference/CheckPage.h"
+#include "ui/reference/ComparePage.h"
+#include "ui/reference/ReferencePage.h"
 #include "ui/sensor/SensorPage.h"
 #include "ui/sites/InstrumentsPage.h"
 #include "ui/sites/SitesPage.h"
@@ -36,6 +39,9 @@ std::vector<PageDescription> allPages(PageContext& context)
         IronBenchPage::description(context),
         PredictionPage::description(context),
         EarthFieldPage::description(context),
+        ReferencePage::description(context),
+        CheckPage::description(context),
+        ComparePage::description(context),
         DuePage::description(context),
         SitesPage::description(context),
         InstrumentsPage::description(context),
