@@ -68,6 +68,8 @@ int runCommandLine(int argc, char** argv)
     addPredict(app, invocation);
     addSeparate(app, invocation);
     addIron(app, invocation);
+    addCheck(app, invocation);
+    addCompare(app, invocation);
     addReference(app, invocation);
     addSun(app, invocation);
     addAlignment(app, invocation);

@@ -2,10 +2,17 @@
 #include <memory>
 
 #include "app/Console.h"
+#include "app/Outputs.h"
 #include "app/commands/Command.h"
+#include "core/angle/Circle.h"
 #include "core/base/Number.h"
+#include "core/base/OutputFile.h"
+#include "core/base/WholeFile.h"
 #include "core/earth/FieldModel.h"
+#include "core/format/csv/SwingCsv.h"
 #include "core/format/reference/ReferenceJson.h"
+#include "core/format/reference/SunCsv.h"
+#include "core/procedure/SunDatum.h"
 #include "core/reference/Grid.h"
 #include "core/reference/VariationTable.h"
 
@@ -15,8 +22,10 @@ namespace {
 
 struct SunArguments {
     double latitude_deg = 0, longitude_deg = 0;
-    std::string time;
+    std::string time, readings;
+    Output output;
     SunSighting sighting;
+    std::optional<double> variation_deg;
     bool json = false;
 };
 
@@ -27,11 +36,89 @@ void printBudget(const ErrorBudget& budget)
     std::printf("  %-22s %8.3f deg (one standard deviation)\n", "in all", budget.total_deg());
 }
 
+struct SunSwing {
+    SwingRecord record;
+    std::vector<Message> warnings;
+};
+
+/// The variation of the day and place by the model, where it is not stated.
+Result<Variation> variationOf(const SunArguments& options, const Place& place, Date day)
+{
+    if (options.variation_deg)
+        return Variation::fromDegrees(*options.variation_deg);
+    const auto stamp = stampField(place, day);
+    return stamp ? Result<Variation>(stamp->field.variation()) : Result<Variation>(stamp.error());
+}
+
+Result<SunSwing> swingBySun(const SunArguments& options, const Place& place)
+{
+    const auto readings = readSunCsvFile(options.readings);
+    if (!readings)
+        return readings.error();
+    if (readings->empty())
+        return Error{ErrorCode::InvalidInput, MARKED("app", "no reading; expected one at least"), nameOfInput(options.readings)};
+    const Date day(std::chrono::year_month_day(std::chrono::floor<std::chrono::days>(readings->front().time)));
+    const auto variation = variationOf(options, place, day);
+    if (!variation)
+        return variation.error();
+    SunSwing made;
+    Swing& swing = made.record.swing;
+    swing.kind = SwingKind::Check;
+    swing.date = day;
+    swing.variation_deg = variation->degrees();
+    swing.datum.instrument = readings->front().ofShadow ? "shadow pin" : "astrocompass";
+    std::vector<UtcTime> times;
+    double worst_deg = 0;
+    for (const SunReading& read : *readings) {
+        const SunPosition sun = sunAt(place, read.time);
+        const ErrorBudget budget = sunBudget(place, read.time, options.sighting);
+        const SunDoubts doubts = doubtsOf(sun, read.time, budget);
+        if (doubts.none)
+            return Error{
+                ErrorCode::InvalidInput, {MARKED("app", "%1: %2"), read.timeText, doubts.warnings.front()}, nameOfInput(options.readings)};
+        for (const Message& warning : doubts.warnings)
+            made.warnings.push_back({MARKED("app", "%1: %2"), read.timeText, warning});
+        worst_deg = std::max(worst_deg, budget.total_deg());
+        Reading reading;
+        reading.trueHeading = headingBySun(sun, read.bearing_deg, read.ofShadow);
+        reading.magnetic = toMagnetic(*reading.trueHeading, *variation);
+        reading.compass = read.compass;
+        reading.timeUtc = read.timeText;
+        swing.readings.push_back(std::move(reading));
+        times.push_back(read.time);
+    }
+    swing.datum.readOut = "the sun; up to " + figureText(worst_deg, 2) + " deg out (one standard deviation)";
+    std::vector<double> deviations;
+    for (const Reading& reading : swing.readings)
+        deviations.push_back(deviationOf(*reading.magnetic, *reading.compass).degrees());
+    if (auto doubt = hourDoubt(place, times, circularMean(deviations).mean_deg); !doubt.empty())
+        made.warnings.push_back(std::move(doubt));
+    return made;
+}
+
+int sunSwing(const SunArguments& options, const Place& place)
+{
+    const auto swing = swingBySun(options, place);
+    if (!swing)
+        return fail(swing.error());
+    warn(swing->warnings);
+    if (!options.output.empty()) {
+        if (const auto written = writeWholeFile(options.output.path, writeSwingCsv(swing->record)); !written)
+            return fail(written.error());
+        sayWritten(options.output);
+        return kDone;
+    }
+    std::fputs(writeSwingCsv(swing->record).c_str(), stdout);
+    return kDone;
+}
+
 int sunCommand(const SunArguments& options)
 {
     const auto place = makePlace(options.latitude_deg, options.longitude_deg);
     if (!place)
         return fail(place.error());
+    if (!options.readings.empty())
+        return sunSwing(options, *place);
     const auto time = readUtcTime(options.time);
     if (!time)
         return fail(time.error());
@@ -166,10 +253,21 @@ void addSun(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<SunArguments>();
     auto* command = app.add_subcommand("sun", "the sun's true azimuth, and what a shadow pin or astrocompass makes of it");
     addPlace(*command, options->latitude_deg, options->longitude_deg, true);
-    command->add_option("--time", options->time, "YYYY-MM-DDTHH:MM:SSZ, or with an offset as +02:00")->required();
+    command->add_option("--time", options->time, "YYYY-MM-DDTHH:MM:SSZ, or with an offset as +02:00");
+    auto* readings = addInputOption(*command, invocation, "--readings", options->readings,
+        "a swing by the sun: columns time_utc, compass_heading_deg, and shadow_bearing_deg or sun_bearing_deg from the nose");
+    command->add_option("--variation", options->variation_deg, "with --readings [deg, east positive] (default: the model's)")
+        ->check(CLI::Range(-180.0, 180.0))
+        ->needs(readings);
+    addOutputOption(*command, invocation, "-o,--output", options->output, "with --readings: write them as a Swing CSV", {".csv"})
+        ->needs(readings);
     addSighting(*command, options->sighting);
     command->add_flag("--json", options->json, "one JSON object on standard output");
-    command->callback([options, &invocation] { invocation.action = [options] { return sunCommand(*options); }; });
+    command->callback([options, &invocation] {
+        if (options->time.empty() == options->readings.empty())
+            throw CLI::ValidationError("expected --time, or --readings, and not both");
+        invocation.action = [options] { return sunCommand(*options); };
+    });
 }
 
 void addAlignment(CLI::App& app, Invocation& invocation)

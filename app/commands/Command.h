@@ -46,6 +46,8 @@ void addField(CLI::App& app, Invocation& invocation);
 void addSmith(CLI::App& app, Invocation& invocation);
 void addMap(CLI::App& app, Invocation& invocation);
 void addReference(CLI::App& app, Invocation& invocation);
+void addCheck(CLI::App& app, Invocation& invocation);   ///< the two-minute check
+void addCompare(CLI::App& app, Invocation& invocation); ///< of two compasses
 void addSun(CLI::App& app, Invocation& invocation);
 void addAlignment(CLI::App& app, Invocation& invocation);
 void addGrid(CLI::App& app, Invocation& invocation);

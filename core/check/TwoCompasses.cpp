@@ -189,7 +189,9 @@ Result<PairVerdict> compareCompasses(
 
 Message inWords(const PairVerdict& verdict)
 {
-    const auto percent = [](double probability) { return figureText(100 * probability, 0); };
+    const auto percent = [](double probability) {
+        return probability > 0.99 ? std::string("> 99") : probability < 0.01 ? std::string("< 1") : figureText(100 * probability, 0);
+    };
     if (!verdict.named)
         return {
             MARKED("core",

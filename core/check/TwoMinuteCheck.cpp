@@ -97,4 +97,17 @@ Result<CheckVerdict> verdictOf(const CompassBelief& belief, std::span<const Obse
     return verdict;
 }
 
+Message inWords(const CheckVerdict& verdict, const CheckOptions& options)
+{
+    const auto percent = [](double probability) {
+        const double share = 100 * probability;
+        return share < 0.1 ? std::string("< 0.1") : figureText(share, share < 1 ? 1 : 0);
+    };
+    if (verdict.holds)
+        return {MARKED("core", "the card holds within %1° on all headings; this is wrong with a probability of %2 %"),
+            figureText(options.tolerance_deg, 1), percent(verdict.errorProbability)};
+    return {MARKED("core", "swing it: with a probability of %1 % the card does not hold within %2° any more; this is wrong with %3 %"),
+        percent(1 - verdict.errorProbability), figureText(options.tolerance_deg, 1), percent(verdict.errorProbability)};
+}
+
 } // namespace lubberline

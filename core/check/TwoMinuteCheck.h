@@ -31,4 +31,7 @@ struct CheckVerdict {
 /// Errors: InvalidInput (no reading).
 Result<CheckVerdict> verdictOf(const CompassBelief& belief, std::span<const Observation> readings, const CheckOptions& options);
 
+/// "the card holds within 3° on all headings: wrong with 2 %", "swing it: …".
+[[nodiscard]] Message inWords(const CheckVerdict& verdict, const CheckOptions& options);
+
 } // namespace lubberline

@@ -6,6 +6,7 @@ namespace {
 
 /// A, B and C and something to tell them by: the four cardinals of a correcting swing.
 constexpr std::size_t kFewestReadings = 4;
+constexpr std::size_t kFewestOfCheck = 2;
 
 } // namespace
 
@@ -27,8 +28,9 @@ Message missingIn(const Swing& swing, Date today)
             i + 1};
     }
     const auto used = usedReadings(swing).size();
-    if (used < kFewestReadings)
-        return Message{MARKED_N("core", "it has %n reading(s) that count; expected at least %1"), used, kFewestReadings};
+    const bool check = swing.kind == SwingKind::Check && swing.procedure == kCheckProcedure;
+    if (const std::size_t fewest = check ? kFewestOfCheck : kFewestReadings; used < fewest)
+        return Message{MARKED_N("core", "it has %n reading(s) that count; expected at least %1"), used, fewest};
     return {};
 }
 

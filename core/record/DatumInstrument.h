@@ -18,6 +18,7 @@ enum class DatumKind {
     Runway,       ///< the runway's surveyed direction, true or magnetic
     Inertial,     ///< INS or GPS: true
     ElectricalCalibrator,
+    ShadowPin, ///< bearing of the sun's shadow from the nose: with place and time a true heading
 };
 
 /// Whether the instrument faces the aircraft's way. Sources differ by instrument, so that it is a setting of each.

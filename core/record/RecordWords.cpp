@@ -65,11 +65,12 @@ struct Words<SignatureRole> {
 };
 template <>
 struct Words<DatumKind> {
-    static constexpr std::array<std::string_view, 9> list{"rose_line", "sighting_compass", "theodolite", "digital_compass", "transfer_gyro",
-        "astrocompass", "runway", "inertial", "electrical_calibrator"};
+    static constexpr std::array<std::string_view, 10> list{"rose_line", "sighting_compass", "theodolite", "digital_compass",
+        "transfer_gyro", "astrocompass", "runway", "inertial", "electrical_calibrator", "shadow_pin"};
     static constexpr std::array shown{MARKED("core", "painted rose line"), MARKED("core", "sighting compass"), MARKED("core", "theodolite"),
         MARKED("core", "digital compass on the aircraft"), MARKED("core", "transfer gyro"), MARKED("core", "astrocompass"),
-        MARKED("core", "runway direction"), MARKED("core", "INS or GPS"), MARKED("core", "electrical calibrator")};
+        MARKED("core", "runway direction"), MARKED("core", "INS or GPS"), MARKED("core", "electrical calibrator"),
+        MARKED("core", "shadow pin (the sun)")};
     static_assert(shown.size() == list.size());
 };
 template <>

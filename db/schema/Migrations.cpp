@@ -182,11 +182,17 @@ const Migration kSixth{6, "kind and stage of a swing, kind and resolution of a c
         " BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
     }};
 
+/// The check of the fourth step knows nine kinds of instrument: a shadow pin stands there as an astrocompass, which it is beside.
+const Migration kSeventh{7, "a datum instrument may be a shadow pin",
+    {
+        "ALTER TABLE datum_instrument ADD COLUMN shadow_pin INTEGER NOT NULL DEFAULT 0 CHECK (shadow_pin IN (0, 1))",
+    }};
+
 } // namespace
 
 const std::vector<Migration>& migrations()
 {
-    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth, kSixth};
+    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh};
     return steps;
 }
 

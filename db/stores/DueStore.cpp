@@ -139,7 +139,8 @@ Result<std::vector<DueCompass>> DueStore::compasses()
         waivers, [](Statement& row) { return row.id<AircraftId>(5); }, waiverFrom);
     if (!waiversOf)
         return waiversOf.error();
-    Statement dates(m_database, "SELECT compass_id, date FROM swing WHERE state = 2 AND date <> '' ORDER BY date DESC");
+    Statement dates(m_database, // A two-minute check says that the card holds; it is no swing.
+        "SELECT compass_id, date FROM swing WHERE state = 2 AND date <> '' AND procedure <> 'two-minute check' ORDER BY date DESC");
     const auto signedOf = groups<CompassId, Date>(
         dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.day(1); });
     if (!signedOf)

@@ -74,15 +74,17 @@ void bindLimits(Statement& statement, const LimitsProfile& profile)
 const Table& instrumentTable()
 {
     static const Table table{MARKED("db", "datum instrument"), "datum_instrument",
-        {"name", "kind", "maker", "serial_number", "calibration_due", "ahead", "gives_true", "zero_deg", "resolution_deg", "note"}};
+        {"name", "kind", "maker", "serial_number", "calibration_due", "ahead", "gives_true", "zero_deg", "resolution_deg", "note",
+            "shadow_pin"}};
     return table;
 }
 
 void bindInstrument(Statement& statement, const DatumInstrument& instrument)
 {
-    statement << instrument.name << static_cast<int>(instrument.kind) << instrument.maker << instrument.serialNumber
-              << instrument.calibrationDue << static_cast<int>(instrument.ahead) << instrument.givesTrue << instrument.zero_deg
-              << instrument.resolution_deg << instrument.note;
+    const bool pin = instrument.kind == DatumKind::ShadowPin; // see the seventh step of the schema
+    statement << instrument.name << static_cast<int>(pin ? DatumKind::Astrocompass : instrument.kind) << instrument.maker
+              << instrument.serialNumber << instrument.calibrationDue << static_cast<int>(instrument.ahead) << instrument.givesTrue
+              << instrument.zero_deg << instrument.resolution_deg << instrument.note << pin;
 }
 
 } // namespace
@@ -124,8 +126,8 @@ Result<std::vector<DatumInstrument>> SiteStore::instruments()
 {
     Statement statement(m_database, "SELECT record, " + instrumentTable().fields.join(", ") + " FROM datum_instrument ORDER BY name");
     return rowsOf<DatumInstrument>(statement, [](Statement& row) {
-        return DatumInstrument{row.text(0), row.text(1), row.as<DatumKind>(2), row.text(3), row.text(4), row.day(5),
-            row.as<SightingDirection>(6), row.integer(7) != 0, row.real(8), row.real(9), row.text(10)};
+        return DatumInstrument{row.text(0), row.text(1), row.integer(11) != 0 ? DatumKind::ShadowPin : row.as<DatumKind>(2), row.text(3),
+            row.text(4), row.day(5), row.as<SightingDirection>(6), row.integer(7) != 0, row.real(8), row.real(9), row.text(10)};
     });
 }
 

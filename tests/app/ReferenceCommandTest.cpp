@@ -78,6 +78,115 @@ TEST(SunCommand, theAlgorithmsExample)
     EXPECT_EQ(sandbox.run({"sun", "--lat", "92", "--lon", "21", "--time", "2026-12-21T22:00:00Z"}).status, 1);
 }
 
+/// A compass with A = +2, swung by a shadow pin: eight headings, the sun moving on; and the same with the clock an hour fast.
+TEST(SunCommand, aSwingAnywhere)
+{
+    const Sandbox sandbox;
+    const auto azimuthAt = [&](const std::string& time) {
+        return sandbox.run({"sun", "--lat", "52", "--lon", "21", "--time", time, "--json"}).json().at("azimuth_deg").get<double>();
+    };
+    const auto fileOf = [&](int hourWritten) {
+        std::string text = "time_utc,compass_heading_deg,shadow_bearing_deg\n";
+        for (int i = 0; i < 8; ++i) {
+            const std::string minutes = (i < 2 ? "0" : "") + std::to_string(5 * i);
+            const double trueHeading = 45 * i, azimuth = azimuthAt("2026-06-01T09:" + minutes + ":00Z");
+            const double compass = trueHeading - 6 - 2; // variation 6° E, deviation +2
+            text += "2026-06-01T" + std::string(hourWritten < 10 ? "0" : "") + std::to_string(hourWritten) + ":" + minutes + ":00Z,"
+                + std::to_string(std::fmod(compass + 360, 360)) + "," + std::to_string(std::fmod(azimuth + 180 - trueHeading + 720, 360))
+                + "\n";
+        }
+        const auto path = sandbox.path("sun" + std::to_string(hourWritten) + ".csv");
+        write(path, text);
+        return path;
+    };
+    const auto swing = sandbox.path("swing.csv");
+    const auto made = sandbox.run({"sun", "--lat", "52", "--lon", "21", "--variation", "6", "--readings", fileOf(9), "-o", swing});
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_EQ(made.err.find("daylight"), std::string::npos) << made.err;
+    const auto analysis = sandbox.run({"analyse", swing, "--json"});
+    ASSERT_EQ(analysis.status, 0) << analysis.err;
+    EXPECT_NEAR(analysis.json().at("approximate").at("A_deg").get<double>(), 2, 1e-3);
+    const auto fast = sandbox.run({"sun", "--lat", "52", "--lon", "21", "--variation", "6", "--readings", fileOf(10)});
+    EXPECT_EQ(fast.status, 0);
+    EXPECT_NE(fast.err.find("an hour fast"), std::string::npos) << fast.err;
+    const auto night = fileOf(23);
+    const auto dark = sandbox.run({"sun", "--lat", "52", "--lon", "21", "--readings", night, "-o", sandbox.path("dark.csv")});
+    EXPECT_EQ(dark.status, 1);
+    EXPECT_NE(dark.err.find("below the horizon"), std::string::npos);
+    EXPECT_EQ(sandbox.run({"sun", "--lat", "52", "--lon", "21"}).status, 2);
+}
+
+TEST(CheckCommand, headingsVerdictAndASwingToSign)
+{
+    const Sandbox sandbox;
+    std::vector<std::string> history;
+    for (int year = 2020; year < 2026; ++year) {
+        std::string text = "# aircraft: SP-ABC\n# compass: standby\n# date: " + std::to_string(year)
+            + "-06-01\nmagnetic_heading_deg,compass_heading_deg\n";
+        for (int heading = 0; heading < 360; heading += 45)
+            text += std::to_string(heading) + "," + std::to_string((heading + 358) % 360) + "\n";
+        history.push_back(sandbox.path("h" + std::to_string(year) + ".csv"));
+        write(history.back(), text);
+    }
+    std::vector<std::string> call{"check", "--date", "2026-03-01"};
+    for (const auto& file : history)
+        call.insert(call.end(), {"--history", file});
+    auto choose = call;
+    choose.push_back("--json");
+    const auto chosen = sandbox.run(choose);
+    ASSERT_EQ(chosen.status, 0) << chosen.err;
+    EXPECT_EQ(chosen.json().at("headings_deg").size(), 3u);
+    EXPECT_EQ(chosen.json().at("history").at("swings"), 6);
+    EXPECT_NEAR(chosen.json().at("history").at("card").at("A_deg").get<double>(), 2, 1e-6);
+    const auto readings = sandbox.path("readings.csv"), out = sandbox.path("check.csv");
+    write(readings,
+        "# date: 2026-03-01\n# aircraft: SP-ABC\n# compass: standby\nmagnetic_heading_deg,compass_heading_deg\n2,0\n122,120\n242,240\n");
+    auto judge = call;
+    judge.insert(judge.end(), {readings, "--json"});
+    const auto holds = sandbox.run(judge);
+    ASSERT_EQ(holds.status, 0) << holds.err;
+    EXPECT_EQ(holds.json().at("verdict"), "holds");
+    EXPECT_LT(holds.json().at("error_probability").get<double>(), 0.05);
+    write(readings,
+        "# date: 2026-03-01\n# aircraft: SP-ABC\n# compass: standby\nmagnetic_heading_deg,compass_heading_deg\n10,0\n130,120\n242,240\n");
+    EXPECT_EQ(sandbox.run(judge).json().at("verdict"), "swing it");
+    judge.back() = "-o";
+    judge.push_back(out);
+    ASSERT_EQ(sandbox.run(judge).status, 0);
+    // The check is a swing that can be completed and signed with its three readings.
+    const auto database = sandbox.path("fleet.lubberline");
+    ASSERT_EQ(sandbox.run({"import", out, "--db", database}).status, 0);
+    const auto swings = sandbox.run({"swings", "--db", database, "--json"}).json();
+    const auto& list = swings.is_array() ? swings : swings.at("swings");
+    const std::string id = list[0].at("record");
+    const auto complete = sandbox.run({"complete", id, "--db", database});
+    EXPECT_EQ(complete.status, 0) << complete.err;
+    const auto sign = sandbox.run({"sign", id, "--role", "performer", "--name", "A. Tech", "--db", database});
+    EXPECT_EQ(sign.status, 0) << sign.err;
+    // Without a history it says what it cannot know.
+    EXPECT_NE(sandbox.run({"check", readings}).err.find("no swing on record"), std::string::npos);
+    EXPECT_EQ(sandbox.run({"check", "--headings", "0"}).status, 2);
+}
+
+TEST(CompareCommand, toldByADatum)
+{
+    const Sandbox sandbox;
+    const auto pairs = sandbox.path("pairs.csv");
+    std::string text = "first_compass_deg;second_compass_deg;magnetic_heading_deg\n";
+    for (int heading = 0; heading < 360; heading += 45)
+        text += std::to_string(heading) + ";" + std::to_string(heading + 8 < 360 ? heading + 8 : heading - 352) + ";"
+            + (heading == 90 || heading == 270 ? std::to_string(heading) : "") + "\n";
+    write(pairs, text);
+    const auto run = sandbox.run({"compare", pairs, "--json"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.json().at("pairs"), 8);
+    EXPECT_EQ(run.json().at("pairs_with_datum"), 2);
+    EXPECT_NEAR(run.json().at("difference").at("A_deg").get<double>(), -8, 0.1);
+    EXPECT_GT(run.json().at("second_fault_probability").get<double>(), 0.9);
+    write(pairs, "first_compass_deg\n3\n");
+    EXPECT_EQ(sandbox.run({"compare", pairs}).status, 1);
+}
+
 TEST(AlignmentCommand, budgets)
 {
     const Sandbox sandbox;

@@ -82,6 +82,11 @@ TEST_F(RecordStores, instrumentsRulesWaiversAndElectricalSwings)
     stored.ahead = SightingDirection::Reciprocal;
     ASSERT_TRUE(save(instruments, stored));
     EXPECT_EQ(*instruments.instruments(), std::vector{stored});
+    for (const DatumKind kind : {DatumKind::ShadowPin, DatumKind::Astrocompass}) { // the one stands beside the other
+        stored.kind = kind;
+        ASSERT_TRUE(save(instruments, stored));
+        EXPECT_EQ(*instruments.instruments(), std::vector{stored});
+    }
     EXPECT_EQ(save(instruments, instrument).error().code, ErrorCode::Conflict); // the name
     ASSERT_TRUE(instruments.removeInstrument(stored.record));
     EXPECT_EQ(instruments.removeInstrument(stored.record).error().code, ErrorCode::NotFound);

@@ -1,6 +1,7 @@
 #include "ui/guided/GuidedJob.h"
 
 #include "core/procedure/Plan.h"
+#include "core/procedure/SunDatum.h"
 
 #include <QRegularExpression>
 
@@ -80,13 +81,35 @@ Result<void> GuidedJob::tell(job::What what)
 
 std::string GuidedJob::Prepared::keptNote() const { return keptAsRead(judgement) + (note.empty() ? std::string() : "; " + note.english()); }
 
+/// By the sun it takes the base's place and the time of now.
+Result<DatumHeading> GuidedJob::headingOf(const RawFigures& raw, Message& note) const
+{
+    const auto& stated = m_job.particulars.variation_deg;
+    const auto variation = stated ? std::optional(Variation::fromDegrees(*stated)) : std::nullopt;
+    if (!needsSun(m_job.datum.kind))
+        return datumHeading(m_job.datum, raw, variation);
+    const auto& site = m_record.site;
+    if (!site || !site->latitude_deg || !site->longitude_deg)
+        return Error{ErrorCode::InvalidInput,
+            said(tr("the sun tells a heading where the place is known; give the base its latitude and longitude"))};
+    const auto time = readUtcTime(m_services.nowUtc());
+    if (!time)
+        return time.error();
+    auto heading = sunHeading(m_job.datum, raw, {*site->latitude_deg, *site->longitude_deg, 0}, *time, variation);
+    if (!heading)
+        return heading.error();
+    for (const Message& warning : heading->warnings)
+        note = warning;
+    return std::move(heading->heading);
+}
+
 Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
 {
     const StationState* here = station();
     LUBBERLINE_EXPECT(here, "a reading is made at a station");
     const RawFigures raw{entry.datum_deg, entry.astern_deg, entry.compass_deg};
-    const auto& stated = m_job.particulars.variation_deg;
-    const auto heading = datumHeading(m_job.datum, raw, stated ? std::optional(Variation::fromDegrees(*stated)) : std::nullopt);
+    QString sunNote;
+    const auto heading = headingOf(raw, sunNote);
     if (!heading)
         return heading.error();
     const auto compass = compassFigure(raw, m_job.resolution_deg);
@@ -103,6 +126,7 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     prepared.reading = {m_state.current, raw, heading->magnetic.degrees(), compass->compass.degrees(), {}};
     prepared.datumSpread_deg = heading->spread_deg;
     prepared.compassSpread_deg = compass->spread_deg;
+    prepared.note = sunNote;
     if (off > kNearEnough_deg)
         prepared.note = {MARKED("ui", "the aircraft stands %1° from %2; within 5° is wanted"), figureText(off, 1),
             formatHeading(here->station.nominal_deg, AngleStyle::DecimalDegrees, 0)};

@@ -72,6 +72,8 @@ signals:
     void changed();
 
 private:
+    [[nodiscard]] Result<DatumHeading> headingOf(const RawFigures& raw, Message& note) const;
+
     GuidedServices m_services;
     SwingJob m_job;
     JobState m_state;

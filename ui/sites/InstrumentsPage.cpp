@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "core/procedure/DatumHeading.h"
+#include "core/procedure/SunDatum.h"
 #include "ui/earth/FieldText.h"
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
@@ -25,7 +25,8 @@ constexpr double kExampleFigure_deg = 358, kExampleVariation_deg = 6;
 void takeKind(DatumInstrument& instrument, int choice)
 {
     instrument.kind = static_cast<DatumKind>(choice);
-    instrument.givesTrue = instrument.kind == DatumKind::Inertial || instrument.kind == DatumKind::Astrocompass;
+    instrument.givesTrue
+        = instrument.kind == DatumKind::Inertial || instrument.kind == DatumKind::Astrocompass || instrument.kind == DatumKind::ShadowPin;
     if (instrument.kind != DatumKind::SightingCompass && instrument.kind != DatumKind::Theodolite)
         instrument.ahead = SightingDirection::Direct;
 }
@@ -34,6 +35,9 @@ void takeKind(DatumInstrument& instrument, int choice)
 
 QString datumExample(const DatumInstrument& instrument)
 {
+    if (needsSun(instrument.kind))
+        return InstrumentsPage::tr(
+            "Its figure is the bearing of the shadow from the nose, clockwise; with place and time of the reading it gives a true heading.");
     const auto heading = datumHeading(instrument, {{kExampleFigure_deg}, {}, {}}, Variation::fromDegrees(kExampleVariation_deg));
     if (!heading)
         return messageOf(heading.error());

@@ -15,6 +15,9 @@
 #include "ui/inflight/WindsPage.h"
 #include "ui/intake/NewSwingPage.h"
 #include "ui/intake/NmeaImportPage.h"
+#include "ui/reference/CheckPage.h"
+#include "ui/reference/ComparePage.h"
+#include "ui/reference/ReferencePage.h"
 #include "ui/sensor/SensorPage.h"
 #include "ui/sites/InstrumentsPage.h"
 #include "ui/sites/SitesPage.h"
@@ -42,6 +45,9 @@ std::vector<PageDescription> allPages(PageContext& context)
         CalibrationPage::description(context),
         PredictionPage::description(context),
         EarthFieldPage::description(context),
+        ReferencePage::description(context),
+        CheckPage::description(context),
+        ComparePage::description(context),
         DuePage::description(context),
         SitesPage::description(context),
         InstrumentsPage::description(context),

@@ -1,0 +1,32 @@
+#pragma once
+/// The sun as a datum: a shadow pin or an astrocompass on the aircraft, anywhere.
+
+#include <span>
+
+#include "core/procedure/DatumHeading.h"
+#include "core/reference/Sun.h"
+
+namespace lubberline {
+
+/// Whether the figures of this kind of instrument are bearings of the sun's shadow from the nose, and so need place and time.
+[[nodiscard]] bool needsSun(DatumKind kind);
+
+/// heading = azimuth of the sun − its bearing from the nose (clockwise); that of a shadow less 180°.
+[[nodiscard]] TrueHeading headingBySun(const SunPosition& sun, double bearing_deg, bool ofShadow);
+
+/// Of the figures of a shadow pin at one place and time: the magnetic heading, uncertain by the sun's own error, too
+/// (core/reference/Sun.h). The instrument's zero is added to the heading, not to the bearing.
+/// Errors: those of datumHeading(); InvalidInput: no variation; the sun is below the horizon.
+struct SunHeading {
+    DatumHeading heading;
+    std::vector<Message> warnings; ///< the sun stands so high that it tells little, or so low that its shadow is faint
+};
+Result<SunHeading> sunHeading(const DatumInstrument& instrument, const RawFigures& raw, const Place& place, UtcTime time,
+    std::optional<Variation> variation, const SunSighting& sighting = {});
+
+/// What a clock that is an hour fast adds to A (magnetic − compass) of a swing read at these times [deg]; slow: about the opposite.
+[[nodiscard]] double hourInA_deg(const Place& place, std::span<const UtcTime> times, int hours = 1);
+/// Says so where an A looks like daylight saving; else empty.
+[[nodiscard]] Message hourDoubt(const Place& place, std::span<const UtcTime> times, double A_deg);
+
+} // namespace lubberline

@@ -1,0 +1,410 @@
+#include "ui/reference/ReferencePage.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSlider>
+#include <QSplitter>
+#include <QTableWidget>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle/Angle.h"
+#include "core/base/OutputFile.h"
+#include "core/format/reference/ReferenceJson.h"
+#include "core/format/reference/ScenarioJson.h"
+#include "core/reference/LevellingLoop.h"
+#include "ui/kit/Words.h"
+#include "ui/reference/Painted.h"
+#include "ui/report/forms/ReferenceSheet.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr int kSliderSteps = 1000;
+constexpr double kShownSteps = 4000; ///< more are not seen, and a slider is to follow the hand
+constexpr int kFrame_ms = 40;
+constexpr std::size_t kFilmFrames = 600;
+
+/// What a visitor finds: turns, an acceleration, a climb; a light aircraft with a slaved gyro.
+Scenario firstScenario()
+{
+    Scenario scenario;
+    scenario.latitude_deg = 52;
+    scenario.dip_deg = 67;
+    scenario.speed_m_s = 62;
+    scenario.heading_deg = 350;
+    scenario.step_s = 0.1;
+    scenario.duration_s = 600;
+    scenario.manoeuvres = {{30, 60, 0, 1, 0}, {90, 180, 0, 0, 5}, {220, 280, 3, 0, 0}, {340, 460, -3, 0, 0}};
+    scenario.vertical = VerticalGyro{};
+    scenario.gyro = HeadingGyro{};
+    scenario.gyro->drift_deg_h = 3;
+    scenario.gyro->apparentDrift = true;
+    scenario.gyro->slavingTau_s = 60;
+    return scenario;
+}
+
+QString manoeuvreFigure(double value) { return value == 0 ? QString() : plainNumber(value, value == std::round(value) ? 0 : 2); }
+
+} // namespace
+
+ReferencePage::ReferencePage(FileQuestions files, QWidget* parent)
+    : Page(parent)
+    , m_files(std::move(files))
+    , m_scenario(firstScenario())
+    , m_loop(new QComboBox)
+    , m_compass(new QComboBox)
+    , m_table(new QTableWidget)
+    , m_time(new Painted({420, 220}))
+    , m_gain(new Painted({240, 170}))
+    , m_dials(new Painted({300, 170}))
+    , m_film(new QPushButton(tr("&Film")))
+    , m_worker([this](Result<ReferenceRun> run) { take(std::move(run)); })
+{
+    setObjectName(QStringLiteral("referencePage"));
+    build();
+    showControls();
+    run();
+}
+
+void ReferencePage::addKnob(QFormLayout& form, const QString& title, const char* name, Knob knob)
+{
+    knob.slider = new QSlider(Qt::Horizontal);
+    knob.slider->setObjectName(QString::fromLatin1(name));
+    knob.slider->setRange(0, kSliderSteps);
+    knob.value = new QLabel;
+    knob.value->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0000 deg")));
+    auto* row = new QHBoxLayout;
+    row->addWidget(knob.slider, 1);
+    row->addWidget(knob.value);
+    auto* label = new QLabel(title);
+    label->setBuddy(knob.slider);
+    form.addRow(label, row);
+    connect(knob.slider, &QSlider::valueChanged, this, &ReferencePage::turned);
+    m_knobs.push_back(std::move(knob));
+}
+
+QWidget* ReferencePage::buildControls()
+{
+    auto* panel = new QWidget;
+    auto* form = new QFormLayout(panel);
+    m_loop->setObjectName(QStringLiteral("referenceLoop"));
+    m_loop->addItems(
+        {tr("no vertical gyro"), tr("first order"), tr("second order, damped"), tr("second order, integral"), tr("third order")});
+    form->addRow(tr("&Levelling:"), m_loop);
+    const auto vertical = [](double VerticalGyro::*member) {
+        return Knob{nullptr, nullptr, 1, 3000, true, QStringLiteral("s"),
+            [member](const Scenario& s) { return (s.vertical.value_or(VerticalGyro{})).*member; },
+            [member](Scenario& s, double value) {
+                if (s.vertical)
+                    (*s.vertical).*member = value;
+            }};
+    };
+    addKnob(*form, tr("τ&1:"), "referenceTau1", vertical(&VerticalGyro::tau1_s));
+    addKnob(*form, tr("τ&2:"), "referenceTau2", vertical(&VerticalGyro::tau2_s));
+    addKnob(*form, tr("τ&3:"), "referenceTau3", vertical(&VerticalGyro::tau3_s));
+    addKnob(*form, tr("&Slaving τ:"), "referenceSlaving",
+        {nullptr, nullptr, 1, 3000, true, QStringLiteral("s"),
+            [](const Scenario& s) { return s.gyro ? s.gyro->slavingTau_s.value_or(3000) : 60; },
+            [](Scenario& s, double value) {
+                if (s.gyro)
+                    s.gyro->slavingTau_s = value;
+            }});
+    addKnob(*form, tr("L&atitude:"), "referenceLatitude",
+        {nullptr, nullptr, -90, 90, false, QStringLiteral("°"), [](const Scenario& s) { return s.latitude_deg; },
+            [](Scenario& s, double value) { s.latitude_deg = value; }});
+    addKnob(*form, tr("&Dip:"), "referenceDip",
+        {nullptr, nullptr, -89, 89, false, QStringLiteral("°"), [](const Scenario& s) { return s.dip_deg; },
+            [](Scenario& s, double value) { s.dip_deg = value; }});
+    addKnob(*form, tr("S&peed:"), "referenceSpeed",
+        {nullptr, nullptr, 0, 300, false, QStringLiteral("m/s"), [](const Scenario& s) { return s.speed_m_s; },
+            [](Scenario& s, double value) { s.speed_m_s = value; }});
+    // The bank of all turns: their rates are scaled to it, each keeping its side.
+    addKnob(*form, tr("&Bank:"), "referenceBank",
+        {nullptr, nullptr, 0, 60, false, QStringLiteral("°"),
+            [](const Scenario& s) {
+                double most = 0;
+                for (const Manoeuvre& one : s.manoeuvres)
+                    most = std::max(most, std::abs(one.turnRate_deg_s));
+                return toDegrees(std::atan(s.speed_m_s * toRadians(most) / kGravity_m_s2));
+            },
+            [](Scenario& s, double value) {
+                const double rate = s.speed_m_s > 0 ? toDegrees(std::tan(toRadians(value)) * kGravity_m_s2 / s.speed_m_s) : 0;
+                for (Manoeuvre& one : s.manoeuvres)
+                    if (one.turnRate_deg_s != 0)
+                        one.turnRate_deg_s = std::copysign(std::clamp(rate, 0.01, 30.0), one.turnRate_deg_s);
+            }});
+    m_compass->setObjectName(QStringLiteral("referenceCompass"));
+    m_compass->addItems({tr("needle"), tr("flux valve"), tr("flux valve, slaved gyro")});
+    form->addRow(tr("&Compass:"), m_compass);
+    m_table->setObjectName(QStringLiteral("referenceTable"));
+    m_table->setColumnCount(5);
+    m_table->setHorizontalHeaderLabels({tr("from s"), tr("to s"), tr("turn °/s"), tr("m/s²"), tr("climb m/s")});
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->setMinimumHeight(140);
+    m_table->setToolTip(tr("A manoeuvre a row; one more may be typed in the last row. An empty row is taken out."));
+    form->addRow(m_table);
+    connect(m_loop, &QComboBox::activated, this, &ReferencePage::turned);
+    connect(m_compass, &QComboBox::activated, this, &ReferencePage::turned);
+    connect(m_table, &QTableWidget::cellChanged, this, &ReferencePage::takeTable);
+    return panel;
+}
+
+void ReferencePage::build()
+{
+    setTitle(tr("Heading references in flight"));
+    auto* load = new QPushButton(tr("&Open scenario…"));
+    load->setObjectName(QStringLiteral("referenceLoad"));
+    m_film->setObjectName(QStringLiteral("referenceFilm"));
+    m_film->setCheckable(true);
+    head().addStretch(1);
+    head().addWidget(load);
+    head().addWidget(m_film);
+    connect(load, &QPushButton::clicked, this, &ReferencePage::load);
+    connect(m_film, &QPushButton::toggled, this, [this](bool on) {
+        if (on && m_picture.at_s >= (m_picture.time_s.empty() ? 0 : m_picture.time_s.back()))
+            m_picture.at_s = 0;
+        on ? m_clock.start(kFrame_ms) : m_clock.stop();
+    });
+    connect(&m_clock, &QTimer::timeout, this, &ReferencePage::showFrame);
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(buildControls());
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFixedWidth(360);
+    auto* below = new QHBoxLayout;
+    below->addWidget(m_gain, 1);
+    below->addWidget(m_dials, 1);
+    auto* right = new QVBoxLayout;
+    right->addWidget(m_time, 2);
+    right->addLayout(below, 1);
+    auto* across = new QHBoxLayout;
+    across->addWidget(scroll);
+    across->addLayout(right, 1);
+    body().addLayout(across, 1);
+    setFocusProxy(m_loop);
+}
+
+void ReferencePage::showScenario(const Scenario& scenario)
+{
+    m_scenario = scenario;
+    showControls();
+    run();
+}
+
+void ReferencePage::showControls()
+{
+    m_showing = true;
+    m_loop->setCurrentIndex(m_scenario.vertical ? static_cast<int>(m_scenario.vertical->loop) + 1 : 0);
+    m_compass->setCurrentIndex(m_scenario.gyro ? 2 : m_scenario.compass.type == CompassType::FluxValve ? 1 : 0);
+    for (const Knob& knob : m_knobs) {
+        const double value = std::clamp(knob.show(m_scenario), knob.least, knob.most);
+        const double part = knob.logarithmic ? std::log(value / knob.least) / std::log(knob.most / knob.least)
+                                             : (value - knob.least) / (knob.most - knob.least);
+        knob.slider->setValue(static_cast<int>(std::lround(part * kSliderSteps)));
+        knob.value->setText(QStringLiteral("%1 %2").arg(plainNumber(value, value < 10 ? 1 : 0), knob.unit));
+    }
+    m_table->setRowCount(static_cast<int>(m_scenario.manoeuvres.size()) + 1);
+    for (int row = 0; row < m_table->rowCount(); ++row)
+        for (int column = 0; column < 5; ++column)
+            m_table->setItem(row, column, new QTableWidgetItem);
+    int row = 0;
+    for (const Manoeuvre& one : m_scenario.manoeuvres) {
+        const QStringList figures{plainNumber(one.from_s, 0), plainNumber(one.to_s, 0), manoeuvreFigure(one.turnRate_deg_s),
+            manoeuvreFigure(one.acceleration_m_s2), manoeuvreFigure(one.climb_m_s)};
+        for (int column = 0; column < 5; ++column)
+            m_table->item(row, column)->setText(figures[column]);
+        ++row;
+    }
+    m_showing = false;
+}
+
+void ReferencePage::turned()
+{
+    if (m_showing)
+        return;
+    if (m_loop->currentIndex() == 0) {
+        m_scenario.vertical.reset();
+    } else {
+        if (!m_scenario.vertical)
+            m_scenario.vertical = VerticalGyro{};
+        m_scenario.vertical->loop = static_cast<LoopKind>(m_loop->currentIndex() - 1);
+    }
+    m_scenario.compass.type = m_compass->currentIndex() == 0 ? CompassType::Needle : CompassType::FluxValve;
+    if (m_compass->currentIndex() < 2)
+        m_scenario.gyro.reset();
+    else if (!m_scenario.gyro) {
+        m_scenario.gyro = HeadingGyro{};
+        m_scenario.gyro->slavingTau_s = 60;
+    }
+    for (const Knob& knob : m_knobs)
+        if (knob.slider == sender()) {
+            const double part = knob.slider->value() / double(kSliderSteps);
+            knob.take(m_scenario,
+                knob.logarithmic ? knob.least * std::pow(knob.most / knob.least, part) : knob.least + part * (knob.most - knob.least));
+        }
+    showControls();
+    run();
+}
+
+void ReferencePage::takeTable()
+{
+    if (m_showing)
+        return;
+    std::vector<Manoeuvre> manoeuvres;
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        std::array<double, 5> figures{};
+        bool any = false;
+        for (int column = 0; column < 5; ++column) {
+            const QString text = m_table->item(row, column) ? m_table->item(row, column)->text().trimmed() : QString();
+            if (text.isEmpty())
+                continue;
+            const auto number = typedNumber(text);
+            if (!number) {
+                refuse(tr("“%1” is no number").arg(text));
+                return;
+            }
+            figures[static_cast<std::size_t>(column)] = *number;
+            any = true;
+        }
+        if (any)
+            manoeuvres.push_back({figures[0], figures[1], figures[2], figures[3], figures[4]});
+    }
+    Scenario changed = m_scenario;
+    changed.manoeuvres = std::move(manoeuvres);
+    if (const auto fine = checkScenario(changed); !fine) {
+        refuse(messageOf(fine.error())); // half a row may be being typed
+        return;
+    }
+    m_scenario = std::move(changed);
+    showControls();
+    run();
+}
+
+void ReferencePage::run()
+{
+    Scenario shown = m_scenario;
+    shown.step_s = std::max(shown.step_s, shown.duration_s / kShownSteps);
+    m_worker.start([shown](const Progress& progress) { return runScenario(shown, progress); });
+}
+
+void ReferencePage::take(Result<ReferenceRun> run)
+{
+    if (!run) {
+        if (run.error().code != ErrorCode::Cancelled)
+            refuse(messageOf(run.error()));
+        return;
+    }
+    const double at_s = m_picture.at_s;
+    m_run = std::move(run.value());
+    m_picture = pictureOf(*m_run);
+    m_picture.at_s = std::min(at_s, m_run->time_s.back());
+    QStringList sentences;
+    for (const Message& warning : m_run->warnings)
+        sentences.append(toText(warning));
+    if (m_scenario.vertical) {
+        const LoopCharacter loop = characterOf(*m_scenario.vertical);
+        sentences.prepend(tr("Levelling: natural period %1 s, damping %2, largest gain %3; standoff %4°.")
+                              .arg(plainNumber(2 * kPi / loop.natural_rad_s, 0), plainNumber(loop.damping, 2),
+                                  plainNumber(loop.largestGain, 2), plainNumber(toDegrees(m_run->standoff_rad.value_or(0)), 3)));
+    }
+    if (m_run->slavingStandoff_rad)
+        sentences.append(tr("Slaving leaves %1° of the drift.").arg(signedNumber(toDegrees(*m_run->slavingStandoff_rad), 3)));
+    say(sentences.join(QStringLiteral("\n")));
+    showPictures();
+}
+
+void ReferencePage::showPictures()
+{
+    m_time->setPaint(
+        [this](QPainter& painter, const QRectF& rect, const PlotColours& colours) { paintTimePicture(painter, rect, m_picture, colours); });
+    m_gain->setVisible(m_scenario.vertical.has_value());
+    m_gain->setPaint([this](QPainter& painter, const QRectF& rect, const PlotColours& colours) {
+        if (m_scenario.vertical)
+            paintGain(painter, rect, *m_scenario.vertical, colours);
+    });
+    m_dials->setPaint([this](QPainter& painter, const QRectF& rect, const PlotColours& colours) {
+        if (!m_run)
+            return;
+        const auto later = std::upper_bound(m_run->time_s.begin(), m_run->time_s.end(), m_picture.at_s);
+        const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - m_run->time_s.begin() - 1, 0));
+        paintDials(painter, rect, toDegrees(m_run->heading_rad[i]), toDegrees(m_run->headingError_rad[i]), m_run->tilt[i], colours);
+    });
+}
+
+void ReferencePage::showFrame()
+{
+    if (!m_run)
+        return;
+    m_picture.at_s += m_run->time_s.back() / double(kFilmFrames);
+    if (m_picture.at_s >= m_run->time_s.back()) {
+        m_picture.at_s = m_run->time_s.back();
+        m_film->setChecked(false);
+    }
+    m_time->update();
+    m_dials->update();
+}
+
+void ReferencePage::load()
+{
+    const QString path = m_files.open(tr("A flight and its heading references"), tr("Scenarios (*.json *.csv);;All files (*)"));
+    if (path.isEmpty())
+        return;
+    const auto scenario = readScenarioFile(path.toStdString());
+    scenario ? showScenario(*scenario) : emit failed(messageOf(scenario.error()));
+}
+
+void ReferencePage::save()
+{
+    const QString path
+        = m_files.save(tr("Save the scenario"), QStringLiteral("scenario.json"), tr("Scenarios (*.json);;Run as a table (*.csv)"));
+    if (path.isEmpty())
+        return;
+    if (!path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)) {
+        if (const auto written = writeWholeFile(path.toStdString(), writeScenarioJson(m_scenario)); !written)
+            emit failed(messageOf(written.error()));
+    } else if (m_run) {
+        if (const auto written = writeWholeFile(path.toStdString(), toCsv(*m_run)); !written)
+            emit failed(messageOf(written.error()));
+    }
+}
+
+void ReferencePage::writeReport()
+{
+    if (!m_run)
+        return;
+    const QString path = m_files.save(tr("Report"), QStringLiteral("heading-references.pdf"), tr("PDF (*.pdf)"));
+    if (path.isEmpty())
+        return;
+    ReferenceSheet sheet;
+    sheet.title = tr("Heading references in flight");
+    sheet.text = message().split(u'\n');
+    sheet.text.prepend(
+        tr("Latitude %1°, dip %2°, %3 m/s, %4 s; error is read − magnetic; a share is the run with all less the run without it.")
+            .arg(plainNumber(m_scenario.latitude_deg, 1), plainNumber(m_scenario.dip_deg, 1), plainNumber(m_scenario.speed_m_s, 1),
+                plainNumber(m_scenario.duration_s, 0)));
+    const TimePicture picture = m_picture;
+    sheet.pictures.push_back(
+        {90, [picture](QPainter& painter, const QRectF& rect) { paintTimePicture(painter, rect, picture, paperColours()); }});
+    if (m_scenario.vertical)
+        sheet.pictures.push_back(
+            {60, [loop = *m_scenario.vertical](QPainter& painter, const QRectF& rect) { paintGain(painter, rect, loop, paperColours()); }});
+    sheet.table = {tr("Manoeuvres"),
+        {{tr("from"), {}, QStringLiteral("s")}, {tr("to"), {}, QStringLiteral("s")}, {tr("turn"), {}, QStringLiteral("°/s")},
+            {tr("acceleration"), {}, QStringLiteral("m/s²")}, {tr("climb"), {}, QStringLiteral("m/s")}},
+        {}};
+    for (const Manoeuvre& one : m_scenario.manoeuvres)
+        sheet.table.rows.push_back({{plainNumber(one.from_s, 1), plainNumber(one.to_s, 1), signedNumber(one.turnRate_deg_s, 2),
+            signedNumber(one.acceleration_m_s2, 2), signedNumber(one.climb_m_s, 1)}});
+    if (const auto written = writeReferenceSheet(sheet, path); !written)
+        emit failed(messageOf(written.error()));
+}
+
+} // namespace lubberline::ui

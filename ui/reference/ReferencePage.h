@@ -1,0 +1,75 @@
+#pragma once
+/// What a flight does to a vertical and a heading reference: a table of manoeuvres, sliders, the error against time with the shares of its
+/// sources, the loop's gain, and a film of the instrument beside the truth.
+
+#include <QTimer>
+
+#include "core/reference/ReferenceRun.h"
+#include "ui/kit/FileQuestions.h"
+#include "ui/kit/Page.h"
+#include "ui/kit/Worker.h"
+#include "ui/reference/TimePicture.h"
+
+class QCheckBox;
+class QComboBox;
+class QPushButton;
+class QSlider;
+class QTableWidget;
+
+namespace lubberline::ui {
+
+class Painted;
+
+class ReferencePage : public Page {
+    Q_OBJECT
+
+public:
+    explicit ReferencePage(FileQuestions files, QWidget* parent = nullptr);
+
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem&) override { return {}; }
+    [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
+
+    [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
+    void showScenario(const Scenario& scenario);
+    void load();
+    void save();
+    void writeReport();
+
+private:
+    void build();
+    QWidget* buildControls();
+    /// A slider over a figure of the scenario, logarithmic where it spans decades.
+    struct Knob {
+        QSlider* slider;
+        class QLabel* value;
+        double least, most;
+        bool logarithmic;
+        QString unit;
+        std::function<double(const Scenario&)> show;
+        std::function<void(Scenario&, double)> take;
+    };
+    void addKnob(class QFormLayout& form, const QString& title, const char* name, Knob knob);
+    void turned();
+    void takeTable();
+    void showControls();
+    void run();
+    void take(Result<ReferenceRun> run);
+    void showPictures();
+    void showFrame();
+
+    FileQuestions m_files;
+    Scenario m_scenario;
+    std::optional<ReferenceRun> m_run;
+    TimePicture m_picture;
+    std::vector<Knob> m_knobs;
+    QComboBox *m_loop, *m_compass;
+    QTableWidget* m_table;
+    Painted *m_time, *m_gain, *m_dials;
+    QPushButton* m_film;
+    QTimer m_clock;
+    bool m_showing = false;
+    Worker<ReferenceRun> m_worker;
+};
+
+} // namespace lubberline::ui

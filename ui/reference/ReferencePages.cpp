@@ -1,0 +1,67 @@
+// How the window reaches heading references, the two-minute check and two compasses compared.
+
+#include "ui/kit/PageDescription.h"
+#include "ui/reference/CheckPage.h"
+#include "ui/reference/ComparePage.h"
+#include "ui/reference/ReferencePage.h"
+
+namespace lubberline::ui {
+
+PageDescription ReferencePage::description(PageContext& context)
+{
+    PageDescription page{QStringLiteral("reference"), [&context] { return new ReferencePage(context.files); }};
+    page.commands = {{MenuId::Model, 140, tr("Heading &references in flight"), tr("Ctrl+Alt+R"), "reference",
+        [&context](Page&) { context.go({"reference"}); }}};
+    page.help = tr(
+        "Type manoeuvres, turn the sliders, and see what a vertical gyro, a needle or a slaved gyro makes of them: the error read − magnetic with the share of each source "
+        "(the run with all less the run without it), and the loop's gain against the period of an acceleration. "
+        "Levelling: τ2 dm/dt + m = ε, dσ/dt = −(m + ∫m dt/τ3)/τ1 + ω_D − θ̇; third order needs τ3 > τ2. Slaving: τ_s de/dt + e = e_m + τ_s d. "
+        "A tilted sensor is wrong by −(φ cos ψ − θ sin ψ) tan I. Source: Kayton and Fried, Avionics Navigation Systems, chapter 9; where it is misprinted, "
+        "recomputed.");
+    page.outputs = {{MenuId::File, 200, tr("Save the &scenario or its run…"), {}, "saveScenario",
+                        [](Page& shown) { dynamic_cast<ReferencePage&>(shown).save(); }},
+        {MenuId::File, 210, tr("Write the &report…"), {}, "referenceReport",
+            [](Page& shown) { dynamic_cast<ReferencePage&>(shown).writeReport(); }}};
+    return page;
+}
+
+PageDescription CheckPage::description(PageContext& context)
+{
+    PageDescription page{
+        QStringLiteral("check"), [&context] {
+            auto* check = new CheckPage(context.stores, context.files);
+            connect(check, &CheckPage::makeSwing, &context.window, [&context](const Swing& swing) { context.makeSwing(swing); });
+            return check;
+        }};
+    page.commands = {{MenuId::Swing, 220, tr("T&wo-minute check of this compass"), tr("Ctrl+Alt+C"), "twoMinuteCheck",
+        [&context](Page& shown) {
+            context.go({"check", shown.shown().compass});
+        },
+        needsCompass}};
+    page.help = tr(
+        "Turn to the headings that are named, which are those that tell most about this compass given how it changed so far, and type what datum and compass read: "
+        "whether its card still holds, and how probably that verdict is wrong. Each coefficient is believed to wander, N(0, σ²t) with σ learnt from its swings, and to "
+        "jump now and then; the readings are weighed by Bayes' rule. Stored, it is a check swing with the verdict in its note, completed and signed as any other; it "
+        "is no swing for the calendar.");
+    page.outputs = {{MenuId::File, 200, tr("Write the &report…"), {}, "checkReport",
+        [](Page& shown) { dynamic_cast<CheckPage&>(shown).writeReport(); }}};
+    return page;
+}
+
+PageDescription ComparePage::description(PageContext& context)
+{
+    PageDescription page{QStringLiteral("compare"), [&context] { return new ComparePage(context.stores, context.files); }};
+    page.commands = {{MenuId::Swing, 230, tr("C&ompare with another compass"), tr("Ctrl+Alt+O"), "compareCompasses",
+        [&context](Page& shown) {
+            context.go({"compare", shown.shown().compass});
+        },
+        needsCompass}};
+    page.help = tr(
+        "Type what two compasses of one aircraft read together, or read a log of both: which of them moved. Corrected by their cards they differ by −x·Δ1 + x·Δ2, so that "
+        "only how each of them changes, or a reading beside a datum, tells them apart; what moved both alike is not in the difference at all, and it is said.");
+    page.outputs = {{MenuId::File, 200, tr("Write the &report…"), {}, "compareReport",
+        [](Page& shown) { dynamic_cast<ComparePage&>(shown).writeReport(); }}};
+    return page;
+}
+
+} // namespace lubberline::ui
