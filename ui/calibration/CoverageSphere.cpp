@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "core/angle/Angle.h"
 #include "ui/plots/base/PlotColours.h"
 
