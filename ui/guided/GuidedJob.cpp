@@ -108,7 +108,7 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     const StationState* here = station();
     LUBBERLINE_EXPECT(here, "a reading is made at a station");
     const RawFigures raw{entry.datum_deg, entry.astern_deg, entry.compass_deg};
-    QString sunNote;
+    Message sunNote;
     const auto heading = headingOf(raw, sunNote);
     if (!heading)
         return heading.error();
