@@ -1,5 +1,6 @@
 // Guided swings only grow, go to another machine and come back; the next one begins as the last was left.
 
+#include "core/earth/FieldModel.h"
 #include "tests/db/SwingStores.h"
 
 namespace lubberline::test {
@@ -101,16 +102,22 @@ TEST_F(JobStore, aResultHasTheDivisionsOfItsJobOrIsRefused)
     const SwingId id = *save(m_swings, worksheetSwing(m_stored));
     const SwingRecord record = *m_swings.record(id);
     const Analysis alone = *m_jobs.resultOf(record);
+    SwingRecord placed = record; // in a field, as predictions want it
+    placed.swing.field = *stampField(*makePlace(52.2, 20.9, 100), "2026-11-20");
+    const SwingAtPlace placeAlone = *m_jobs.placeOf(placed);
     SwingJob job = smallJob();
     job.datum.resolution_deg = 5;
     ASSERT_TRUE(m_jobs.add(id, job, true)); // the swing itself does not name it, as in files of before
     const Analysis guided = *m_jobs.resultOf(record);
     EXPECT_GT(*guided.approximate.standardError[0], *alone.approximate.standardError[0]);
+    EXPECT_EQ(m_jobs.resultOf(id)->approximate.standardError, guided.approximate.standardError);
+    EXPECT_GT(m_jobs.placeOf(placed)->standardError.A, placeAlone.standardError.A);
 
     ASSERT_TRUE(db::execute(m_database, "UPDATE swing_job SET plan_json = '{'"));
     const auto refused = m_jobs.resultOf(record);
     ASSERT_FALSE(refused); // not as if there had been no datum
     EXPECT_EQ(refused.error().code, ErrorCode::Corrupt);
+    EXPECT_EQ(m_jobs.placeOf(placed).error().code, ErrorCode::Corrupt);
     EXPECT_THAT(refused.error().message.english(), testing::HasSubstr("guided swing"));
 }
 

@@ -128,7 +128,7 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     prepared.compassSpread_deg = compass->spread_deg;
     prepared.note = sunNote;
     if (off > kNearEnough_deg)
-        prepared.note = {MARKED("ui", "the aircraft stands %1° from %2; within 5° is wanted"), figureText(off, 1),
+        prepared.note = {MARKED("ui", "the aircraft stands %1° from %2; within 5° is wanted"), lubberline::figureText(off, 1),
             formatHeading(here->station.nominal_deg, AngleStyle::DecimalDegrees, 0)};
 
     std::vector<Observation> earlier;

@@ -120,7 +120,7 @@ Result<SensorRecord> estimateFromNewest(db::Stores& stores, CompassId compass, O
     std::string note = Message{MARKED("ui", "swing %1: B and C taken as all %2"), newest.atPlace.label, kind}.english();
     if (!newest.stamp)
         note += Message{MARKED("ui", "; the swing states no field: H %1 nT, dip %2° as set on this page"),
-            figureText(there.horizontal_nT, 0), figureText(toDegrees(there.inclination_rad()), 1)}
+            lubberline::figureText(there.horizontal_nT, 0), lubberline::figureText(toDegrees(there.inclination_rad()), 1)}
                     .english();
     return recordOf(newest.atPlace.label + ", " + kind.english(), std::move(note), std::move(model.value()));
 }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/deviation/SlipCheck.h"
+#include "core/deviation/SlipWords.h"
 
 namespace lubberline {
 namespace {
@@ -152,6 +153,18 @@ TEST(SlipCheck, seededSlipsAreFoundAndFewReadingsAreWronglySuspected)
     EXPECT_LT(alarms, right / 100) << alarms << " of " << right;
     EXPECT_GT(found, slips * 80 / 100) << found << " of " << slips;
     EXPECT_GT(named, slips * 90 / 100) << named << " of " << slips;
+}
+
+/// What is stored reads the same in every language of the window.
+TEST(SlipCheck, whatIsKeptIsSaidInCodes)
+{
+    SlipJudgement judgement;
+    judgement.probabilityAsRead = 0.05;
+    judgement.candidates = {{Slip::TenDegrees, SlippedFigure::Compass, 185, 0.93}};
+    EXPECT_EQ(keptAsRead(judgement), "kept as read: ten_degrees 185.0 (0.93)");
+    judgement.candidates = {{Slip::Unexplained, SlippedFigure::Compass, 0, 0.95}};
+    EXPECT_EQ(keptAsRead(judgement), "kept as read: unexplained (0.95)");
+    EXPECT_EQ(keptAsRead({}), "kept as read");
 }
 
 } // namespace
