@@ -1,6 +1,6 @@
 #pragma once
-/// Declination of very many places and times (reports of aircraft): between nodes of 1°, kept as they are asked for. Within 0.02° of the
-/// model up to 75° of latitude; beyond, the model itself is asked.
+/// Declination of very many places and times (reports of aircraft): between nodes of 1°, kept as they are asked for. Within 0.05° of the
+/// model up to 75° of latitude where a compass points (H above 8000 nT); beyond 75° the model itself is asked.
 
 #include <cstdint>
 #include <optional>

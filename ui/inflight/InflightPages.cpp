@@ -13,10 +13,10 @@ PageDescription WindsPage::description(PageContext& context)
                                  context.files, [&context] { return QString::fromStdString(context.stores.clock().nowUtc()); });
                          }};
     page.commands
-        = {{MenuId::Fleet, 160, tr("Deviation from &winds…"), tr("Ctrl+Alt+W"), "winds", [&context](Page&) { context.go({"winds"}); }}};
-    page.outputs = {{MenuId::File, 210, tr("Write the &tables to upload…"), {}, "writeWindTables",
+        = {{MenuId::Fleet, 115, tr("Deviation from &winds…"), tr("Ctrl+Alt+W"), "winds", [&context](Page&) { context.go({"winds"}); }}};
+    page.outputs = {{MenuId::File, 216, tr("Write the &tables to upload…"), {}, "writeWindTables",
                         [](Page& shown) { dynamic_cast<WindsPage&>(shown).writeTables(); }},
-        {MenuId::File, 211, tr("Write the &report as PDF…"), {}, "writeWindReport",
+        {MenuId::File, 217, tr("Write the &report as PDF…"), {}, "writeWindReport",
             [](Page& shown) { dynamic_cast<WindsPage&>(shown).writeReport(); }}};
     page.help = tr(
         "An aircraft's wind is wrong across its track by airspeed times the error of its heading. Each report beside a reference wind gives that error: "
