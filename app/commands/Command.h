@@ -58,10 +58,10 @@ void addReport(CLI::App& app, Invocation& invocation);
 void addImport(CLI::App& app, Invocation& invocation);
 void addExport(CLI::App& app, Invocation& invocation);
 void addFleet(CLI::App& app, Invocation& invocation);
-void addDue(CLI::App& app, Invocation& invocation);  ///< due, event, waive
-void addRule(CLI::App& app, Invocation& invocation); ///< the calendar rules of due
+void addDue(CLI::App& app, Invocation& invocation);         ///< due, event, waive
+void addRule(CLI::App& app, Invocation& invocation);        ///< the calendar rules of due
 void addSensorTests(CLI::App& app, Invocation& invocation); ///< spectrum, coil, interference
-void addSign(CLI::App& app, Invocation& invocation); ///< complete, reopen, sign, amend, audit
+void addSign(CLI::App& app, Invocation& invocation);        ///< complete, reopen, sign, amend, audit
 void addSwings(CLI::App& app, Invocation& invocation);
 void addDb(CLI::App& app, Invocation& invocation);
 void addContinuous(CLI::App& app, Invocation& invocation);

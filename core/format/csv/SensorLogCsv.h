@@ -14,8 +14,9 @@
 namespace lubberline {
 
 struct SensorLogOptions {
-    std::map<std::string, std::string> columns = {}; ///< "bx" → "Feld X": x, y, z, time, heading, pitch, roll; over what would be recognised
-    std::optional<FieldUnit> unit = {};              ///< over what the file says
+    std::map<std::string, std::string> columns
+        = {};                           ///< "bx" → "Feld X": x, y, z, time, heading, pitch, roll; over what would be recognised
+    std::optional<FieldUnit> unit = {}; ///< over what the file says
 };
 
 /// The names of a file's columns, before it is read: for a choice of who is what.
