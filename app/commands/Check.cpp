@@ -249,7 +249,9 @@ void addCheck(CLI::App& app, Invocation& invocation)
     addInputOption(
         *command, invocation, "READINGS.csv", options->readings, "a Swing CSV of the two or three readings; without: which to take");
     addInputOption(*command, invocation, "--history", options->history.files,
-        "a Swing CSV of an earlier swing of the compass; several make its history");
+        "a Swing CSV of an earlier swing of the compass; several make its history")
+        ->take_all()
+        ->expected(1);
     command->add_option("--of", options->history.swing, "a swing of the database: all swings of its compass are the history");
     command->add_option("--headings", options->headings, "how many headings to choose; also for a swing of n")
         ->check(CLI::Range(1, 24))
@@ -271,8 +273,10 @@ void addCompare(CLI::App& app, Invocation& invocation)
     addInputOption(*command, invocation, "PAIRS.csv", options->pairs,
         "columns first_compass_deg, second_compass_deg, and magnetic_heading_deg where a datum told it")
         ->required();
-    addInputOption(*command, invocation, "--first-history", options->first.files, "a Swing CSV of an earlier swing of the first compass");
-    addInputOption(*command, invocation, "--second-history", options->second.files, "the same of the second");
+    addInputOption(*command, invocation, "--first-history", options->first.files, "a Swing CSV of an earlier swing of the first compass")
+        ->take_all()
+        ->expected(1);
+    addInputOption(*command, invocation, "--second-history", options->second.files, "the same of the second")->take_all()->expected(1);
     command->add_option("--first-of", options->first.swing, "a swing of the database: all swings of its compass are the first's history");
     command->add_option("--second-of", options->second.swing, "the same of the second");
     addCommon(*command, invocation, options->common);
