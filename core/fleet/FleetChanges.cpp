@@ -19,6 +19,10 @@ struct Increment {
     double squared, variance, years;
     bool later; ///< both swings after the crews' day
 };
+struct Increments {
+    std::vector<Increment> next; ///< from a swing to the next
+    std::vector<Increment> far;  ///< over half of a run of swings without a correction
+};
 
 double medianOf(std::vector<double>& values)
 {
@@ -37,13 +41,41 @@ double swingVarianceOf(const std::vector<Increment>& increments, bool later)
     return candidates.empty() ? 0.0 : std::max(0.0, medianOf(candidates));
 }
 
-ChangeScatter scatterOf(const std::vector<Increment>& increments, std::optional<int> crews_day)
+double medianYears(const std::vector<Increment>& increments)
 {
+    std::vector<double> years;
+    for (const auto& each : increments)
+        years.push_back(each.years);
+    return medianOf(years);
+}
+
+/// What changes grow by over longer times is wandered: the rest of a change is there at once. Takes the wandered part out of the swings'.
+void tellWander(const Increments& increments, ChangeScatter& scatter)
+{
+    if (increments.far.size() < kEnoughIncrements || increments.next.size() < kEnoughIncrements)
+        return;
+    const double near = medianYears(increments.next), longer = medianYears(increments.far) - near;
+    std::vector<double> grown;
+    for (const auto& each : increments.far)
+        grown.push_back(
+            each.squared / kMedianOfChiSquare - each.variance - 2 * (each.later ? scatter.laterVariance_deg2 : scatter.swingVariance_deg2));
+    const double excess = medianOf(grown);
+    if (!(excess > 0) || !(longer > 0.5 * near))
+        return;
+    scatter.wanderVariance_deg2_year = excess / longer;
+    for (double* each : {&scatter.swingVariance_deg2, &scatter.laterVariance_deg2})
+        *each = std::max(0.0, *each - 0.5 * near * scatter.wanderVariance_deg2_year);
+}
+
+ChangeScatter scatterOf(const Increments& all, std::optional<int> crews_day)
+{
+    const auto& increments = all.next;
     ChangeScatter scatter;
     scatter.crews_day = crews_day;
     scatter.increments = increments.size();
     scatter.swingVariance_deg2 = swingVarianceOf(increments, false);
     scatter.laterVariance_deg2 = swingVarianceOf(increments, true);
+    tellWander(all, scatter);
     double beyond = 0, years = 0;
     for (const auto& each : increments) {
         beyond += each.squared - each.variance - 2 * (each.later ? scatter.laterVariance_deg2 : scatter.swingVariance_deg2);
@@ -54,11 +86,33 @@ ChangeScatter scatterOf(const std::vector<Increment>& increments, std::optional<
     return scatter;
 }
 
+Increment incrementOf(const DatedValue& before, const DatedValue& after, std::optional<int> crews_day)
+{
+    return {std::pow(after.value - before.value, 2), before.variance + after.variance, (after.day - before.day) / kDaysPerYear,
+        crews_day && before.day >= *crews_day};
+}
+
+/// Two changes of each run, from its first swing to its middle and from there to its last.
+void addFar(std::span<const DatedValue> series, std::optional<int> crews_day, std::vector<Increment>& far)
+{
+    constexpr std::size_t fewest = 3; // swings in a half
+    for (std::size_t first = 0, next = 0; first < series.size(); first = next) {
+        for (next = first + 1; next < series.size() && !series[next].corrected;)
+            ++next;
+        const std::size_t half = (next - first - 1) / 2;
+        if (half + 1 < fewest)
+            continue;
+        for (const std::size_t from : {first, first + half})
+            if (series[from + half].day > series[from].day)
+                far.push_back(incrementOf(series[from], series[from + half], crews_day));
+    }
+}
+
 std::vector<std::array<ChangeScatter, 5>> scattersOf(
     const FleetSwings& fleet, const FleetCurves& curves, std::span<const CompassHistory> histories, std::optional<int> crews_day)
 {
     const auto kinds = static_cast<std::size_t>(curves.kinds);
-    std::vector<std::array<std::vector<Increment>, 5>> increments(kinds);
+    std::vector<std::array<Increments, 5>> increments(kinds);
     for (const auto& history : histories) {
         auto& mine = increments[static_cast<std::size_t>(curves.kindOf[static_cast<std::size_t>(history.compass)])];
         for (std::size_t c = 0; c < 5; ++c) {
@@ -69,9 +123,9 @@ std::vector<std::array<ChangeScatter, 5>> scattersOf(
             for (std::size_t i = 1; i < series.values.size(); ++i) {
                 const auto &before = series.values[i - 1], &after = series.values[i];
                 if (!after.corrected && after.day > before.day)
-                    mine[c].push_back({std::pow(after.value - before.value, 2), before.variance + after.variance,
-                        (after.day - before.day) / kDaysPerYear, day && before.day >= *day});
+                    mine[c].next.push_back(incrementOf(before, after, day));
             }
+            addFar(series.values, day, mine[c].far);
         }
     }
     std::vector<std::array<ChangeScatter, 5>> scatters(kinds);
@@ -86,6 +140,7 @@ JumpOptions optionsFor(const ChangeScatter& scatter)
     JumpOptions options;
     options.scale = scatter.known ? ErrorScale::Known : ErrorScale::Unknown;
     options.leastSegment = scatter.known ? 1 : 2;
+    options.walk_year = scatter.known ? scatter.wanderVariance_deg2_year : 0.0;
     return options;
 }
 
@@ -119,7 +174,7 @@ bool driftIsCommon(const FleetSwings& fleet, const FleetCurves& curves, std::spa
     for (const auto& history : histories) {
         if (curves.kindOf[static_cast<std::size_t>(history.compass)] != kind)
             continue;
-        if (const auto drift = driftOf(seriesOf(fleet, curves, history, c, scatter).values, {}))
+        if (const auto drift = driftOf(seriesOf(fleet, curves, history, c, scatter).values, optionsFor(scatter)))
             squares.push_back(std::pow(drift->perYear / drift->standardError, 2));
     }
     if (squares.size() < enough)

@@ -12,9 +12,10 @@ namespace lubberline {
 /// Of one kind of compass and one coefficient, from what happened between swings without a correction between them.
 struct ChangeScatter {
     std::size_t increments = 0;
-    double swingVariance_deg2 = 0;     ///< of a swing beyond its fit; by the median, which jumps do not move
-    double walkVariance_deg2_year = 0; ///< by which a coefficient wanders in a year, jumps included
-    bool known = false;                ///< enough increments to take the first as known
+    double swingVariance_deg2 = 0;       ///< of a swing beyond its fit; by the median, which jumps do not move
+    double walkVariance_deg2_year = 0;   ///< by which a coefficient wanders in a year, jumps included
+    double wanderVariance_deg2_year = 0; ///< likewise by the median, which jumps do not move: what is wandered is no jump and no drift
+    bool known = false;                  ///< enough increments to take the first as known
     /// Trends are larger than their errors throughout the kind: then a jump is only what no trend explains.
     bool driftIsCommon = false;
     /// Of A where crews were trained: from this day on their errors are others, and what it does at that day is theirs.

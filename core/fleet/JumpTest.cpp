@@ -33,48 +33,58 @@ bool addTo(Eigen::MatrixXd& basis, Eigen::VectorXd column)
     return true;
 }
 
-Eigen::VectorXd weightsOf(std::span<const DatedValue> series)
+/// L⁻¹ of the covariance LLᵀ: errors of each figure, and what it wanders by from the first day on (which the level takes up).
+Eigen::MatrixXd whitenerOf(std::span<const DatedValue> series, double walk_year)
 {
-    Eigen::VectorXd weight(static_cast<Eigen::Index>(series.size()));
-    for (std::size_t i = 0; i < series.size(); ++i)
-        weight[static_cast<Eigen::Index>(i)] = 1.0 / std::sqrt(series[i].variance);
-    return weight;
+    const auto n = static_cast<Eigen::Index>(series.size());
+    if (!(walk_year > 0)) {
+        Eigen::VectorXd weight(n);
+        for (Eigen::Index i = 0; i < n; ++i)
+            weight[i] = 1.0 / std::sqrt(series[static_cast<std::size_t>(i)].variance);
+        return weight.asDiagonal();
+    }
+    Eigen::MatrixXd covariance(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j <= i; ++j) {
+            const auto& first = series[static_cast<std::size_t>(j)];
+            covariance(i, j) = walk_year * (first.day - series.front().day) / kDaysPerYear + (i == j ? first.variance : 0.0);
+        }
+    const Eigen::LLT<Eigen::MatrixXd> whole(covariance); // looks at the lower half
+    return whole.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
 }
 
-Eigen::VectorXd stepAt(const Eigen::VectorXd& weight, std::size_t place)
+Eigen::VectorXd stepAt(const Eigen::MatrixXd& whitener, std::size_t place)
 {
-    Eigen::VectorXd step = weight;
-    step.head(static_cast<Eigen::Index>(place)).setZero();
-    return step;
+    return whitener.rightCols(whitener.cols() - static_cast<Eigen::Index>(place)).rowwise().sum();
 }
 
-Eigen::VectorXd yearsOf(std::span<const DatedValue> series, const Eigen::VectorXd& weight)
+Eigen::VectorXd yearsOf(std::span<const DatedValue> series, const Eigen::MatrixXd& whitener)
 {
-    Eigen::VectorXd years(weight.size());
+    Eigen::VectorXd years(whitener.cols());
     for (std::size_t i = 0; i < series.size(); ++i)
-        years[static_cast<Eigen::Index>(i)] = (series[i].day - series.front().day) / kDaysPerYear * weight[static_cast<Eigen::Index>(i)];
-    return years;
+        years[static_cast<Eigen::Index>(i)] = (series[i].day - series.front().day) / kDaysPerYear;
+    return whitener * years;
 }
 
 /// Level, corrections and known jumps.
-Eigen::MatrixXd levelsOf(std::span<const DatedValue> series, const JumpOptions& options, const Eigen::VectorXd& weight)
+Eigen::MatrixXd levelsOf(std::span<const DatedValue> series, const JumpOptions& options, const Eigen::MatrixXd& whitener)
 {
-    Eigen::MatrixXd basis(weight.size(), 0);
-    addTo(basis, weight);
+    Eigen::MatrixXd basis(whitener.rows(), 0);
+    addTo(basis, stepAt(whitener, 0));
     for (std::size_t i = 1; i < series.size(); ++i)
         if (series[i].corrected)
-            addTo(basis, stepAt(weight, i));
+            addTo(basis, stepAt(whitener, i));
     for (const auto place : options.at)
-        addTo(basis, stepAt(weight, place));
+        addTo(basis, stepAt(whitener, place));
     return basis;
 }
 
-Eigen::VectorXd whitened(std::span<const DatedValue> series, const Eigen::VectorXd& weight)
+Eigen::VectorXd whitened(std::span<const DatedValue> series, const Eigen::MatrixXd& whitener)
 {
-    Eigen::VectorXd values(weight.size());
+    Eigen::VectorXd values(whitener.cols());
     for (std::size_t i = 0; i < series.size(); ++i)
-        values[static_cast<Eigen::Index>(i)] = (series[i].value - series.front().value) * weight[static_cast<Eigen::Index>(i)];
-    return values;
+        values[static_cast<Eigen::Index>(i)] = series[i].value - series.front().value;
+    return whitener * values;
 }
 
 double twoSided(double statistic, ErrorScale scale, int freedom)
@@ -93,20 +103,20 @@ JumpDesign::JumpDesign(std::span<const DatedValue> series, const JumpOptions& op
 {
     if (series.size() < 3)
         return;
-    m_weight = weightsOf(series);
-    m_null = levelsOf(series, options, m_weight);
+    m_whitener = whitenerOf(series, options.walk_year);
+    m_null = levelsOf(series, options, m_whitener);
     if (options.trend)
-        addTo(m_null, yearsOf(series, m_weight));
-    m_freedom = static_cast<int>(m_weight.size() - m_null.cols());
+        addTo(m_null, yearsOf(series, m_whitener));
+    m_freedom = static_cast<int>(m_whitener.rows() - m_null.cols());
     if (m_freedom < (m_scale == ErrorScale::Known ? 2 : 3)) // one is no choice of places, or no scatter
         return;
     const auto n = series.size(), edge = static_cast<std::size_t>(options.leastSegment);
-    m_steps.resize(static_cast<Eigen::Index>(n), m_weight.size());
+    m_steps.resize(static_cast<Eigen::Index>(n), m_whitener.rows());
     m_length.resize(static_cast<Eigen::Index>(n));
     for (std::size_t place = edge; place + edge <= n; ++place) {
         if (series[place].corrected || series[place].day == series[place - 1].day)
             continue;
-        Eigen::VectorXd step = stepAt(m_weight, place);
+        Eigen::VectorXd step = stepAt(m_whitener, place);
         const double whole = step.norm();
         orthogonalise(m_null, step);
         const double length = step.norm();
@@ -123,7 +133,7 @@ JumpDesign::JumpDesign(std::span<const DatedValue> series, const JumpOptions& op
 
 double JumpDesign::knownBeyond(double c, int draws, double stopAbove) const
 {
-    const auto count = static_cast<Eigen::Index>(m_places.size()), n = m_weight.size();
+    const auto count = static_cast<Eigen::Index>(m_places.size()), n = m_whitener.rows();
     ContentSeed seed;
     for (Eigen::Index i = 0; i < m_steps.size(); ++i)
         seed.add(std::round(m_steps.data()[i] * 1e6)); // of the dates, not of their rounding
@@ -153,7 +163,7 @@ std::vector<double> JumpDesign::simulated(int draws) const
         seed.add(std::round(m_steps.data()[i] * 1e6));
     FleetRandom random(seed.value());
     std::vector<double> statistics;
-    Eigen::VectorXd noise(m_weight.size());
+    Eigen::VectorXd noise(m_whitener.rows());
     for (int draw = 0; draw < draws; ++draw) {
         for (Eigen::Index i = 0; i < noise.size(); ++i)
             noise[i] = random.normal();
@@ -195,7 +205,7 @@ struct JumpFinder {
         const JumpDesign design(series, options);
         if (design.m_places.empty())
             return {};
-        const Eigen::VectorXd values = whitened(series, design.m_weight);
+        const Eigen::VectorXd values = whitened(series, design.m_whitener);
         const Eigen::VectorXd z = design.m_steps * values;
         Eigen::Index best = 0;
         z.array().abs().maxCoeff(&best);
@@ -229,18 +239,18 @@ std::optional<Drift> driftOf(std::span<const DatedValue> series, const JumpOptio
 {
     if (series.size() < 3)
         return {};
-    const Eigen::VectorXd weight = weightsOf(series);
-    Eigen::MatrixXd basis = levelsOf(series, options, weight);
+    const Eigen::MatrixXd whitener = whitenerOf(series, options.walk_year);
+    Eigen::MatrixXd basis = levelsOf(series, options, whitener);
     const auto levels = basis.cols();
-    Eigen::VectorXd years = yearsOf(series, weight);
+    Eigen::VectorXd years = yearsOf(series, whitener);
     const double whole = years.norm();
     orthogonalise(basis, years);
     const double length = years.norm();
     if (!(length > kInSpan * whole))
         return {};
-    const Eigen::VectorXd values = whitened(series, weight);
+    const Eigen::VectorXd values = whitened(series, whitener);
     const double z = years.dot(values) / length;
-    const int freedom = static_cast<int>(weight.size() - levels) - 1;
+    const int freedom = static_cast<int>(whitener.rows() - levels) - 1;
     double sigma = 1;
     if (options.scale == ErrorScale::Unknown) {
         if (freedom < 2)

@@ -27,8 +27,9 @@ enum class ErrorScale { Known, Unknown };
 struct JumpOptions {
     ErrorScale scale = ErrorScale::Known;
     bool trend = true;
-    int leastSegment = 1;        ///< figures on either side of a place
-    std::vector<std::size_t> at; ///< jumps that are known already, by the place after them
+    int leastSegment = 1;             ///< figures on either side of a place
+    std::vector<std::size_t> at = {}; ///< jumps that are known already, by the place after them
+    double walk_year = 0;             ///< variance by which the figure itself wanders in a year: steps of it are no jumps
 };
 
 /// What the dates allow; no figures are in it.
@@ -50,10 +51,10 @@ private:
     [[nodiscard]] std::vector<double> simulated(int draws) const; ///< sorted |t|
     ErrorScale m_scale;
     std::vector<std::size_t> m_places;
-    Eigen::MatrixXd m_null;   ///< orthonormal columns of the null model, whitened
-    Eigen::MatrixXd m_steps;  ///< a row a place: its step less the null, whitened, of length 1
-    Eigen::VectorXd m_length; ///< that was taken out of the rows
-    Eigen::VectorXd m_weight; ///< 1/σ of each figure
+    Eigen::MatrixXd m_null;     ///< orthonormal columns of the null model, whitened
+    Eigen::MatrixXd m_steps;    ///< a row a place: its step less the null, whitened, of length 1
+    Eigen::VectorXd m_length;   ///< that was taken out of the rows
+    Eigen::MatrixXd m_whitener; ///< L⁻¹ of the figures' covariance LLᵀ
     int m_freedom = 0;
 };
 
