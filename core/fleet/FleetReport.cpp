@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/Number.h"
+#include "core/fleet/SignCheck.h"
 
 namespace lubberline {
 
@@ -170,6 +171,13 @@ Result<FleetReport> fleetReportOf(const FleetSwings& fleet, const FleetOptions& 
             return cancelled();
     }
     warnOfMixture(fleet, report.warnings);
+    constexpr std::size_t mostSuspicions = 10;
+    const auto suspicions = suspectSigns(fleet, *curves);
+    for (std::size_t i = 0; i < suspicions.size() && i < mostSuspicions; ++i)
+        report.warnings.push_back(inWords(suspicions[i], fleet));
+    if (suspicions.size() > mostSuspicions)
+        report.warnings.push_back(
+            {MARKED_N("core", "%n more compass(es) whose records are suspect of the other sign"), suspicions.size() - mostSuspicions});
     warnOfWhatIsMissing(report, report.warnings);
     report.curves = std::move(curves.value());
     return report;
