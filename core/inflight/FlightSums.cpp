@@ -28,6 +28,33 @@ FlightSums& FlightSums::operator+=(const FlightSums& other)
     return *this;
 }
 
+void FlightSums::add(const Report& report)
+{
+    ++count;
+    double* const plain = normal.data();
+    double* const whole = turned.data();
+    double* const across = turnedAcross.data();
+    for (int j = 0; j < kWindColumns; ++j) {
+        const double x = report.row[static_cast<std::size_t>(j)];
+        for (int i = j; i < kWindColumns; ++i) {
+            const double outer = x * report.row[static_cast<std::size_t>(i)];
+            const int place = j * kWindColumns + i;
+            plain[place] += report.weight * outer;
+            whole[place] += report.turned * outer;
+            across[place] += report.turnedAcross * outer;
+        }
+        product(j) += report.weight * report.error_deg * x;
+        error(j) += report.product * x;
+        errorAcross(j) += report.productAcross * x;
+    }
+    squares += report.weight * report.error_deg * report.error_deg;
+    squaredError += report.squaredError;
+    squaredAcross += report.squaredAcross;
+    airspeedOffset += report.airspeedOffset;
+    airspeedSquares += report.airspeedOffset * report.airspeedOffset;
+    airspeed += report.airspeed;
+}
+
 WindRmse WindSquares::rmse() const
 {
     const double n = static_cast<double>(std::max<std::int64_t>(count, 1));

@@ -29,6 +29,18 @@ struct FlightSums {
     std::int64_t withoutTold = 0; ///< reports whose declination is not known
 
     FlightSums& operator+=(const FlightSums& other);
+    /// One report more; only the lower triangles are kept.
+    struct Report;
+    void add(const Report& report);
+};
+
+struct FlightSums::Report {
+    std::array<double, kWindColumns> row{}; ///< x
+    double weight = 0, error_deg = 0;
+    double turned = 0, turnedAcross = 0;   ///< k² + d·V_A
+    double product = 0, productAcross = 0; ///< k d
+    double squaredError = 0, squaredAcross = 0;
+    double airspeedOffset = 0, airspeed = 0;
 };
 
 struct WindRmse {

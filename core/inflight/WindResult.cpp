@@ -401,8 +401,8 @@ WindResult WindStudy::finish() const
                     MARKED("core", "heading_deg is magnetic here, and not true: it agrees with the winds once the declination is added"));
         }
         result.used += one.used;
-        airspeed += aircraft->all.airspeed;
-        count += aircraft->all.count;
+        airspeed += aircraft->airspeed;
+        count += aircraft->used;
         result.aircraft.push_back(std::move(one));
     }
     result.common = commonOf(result.aircraft);

@@ -48,12 +48,13 @@ WindRow windRow(double sine, double cosine)
 }
 
 /// The running fit of the first order; what the headings do not tell yet stays near 0.
-WindRow runningFit(const FlightSums& sums)
+template <class Sums>
+WindRow runningFit(const Sums& sums)
 {
-    Eigen::Matrix3d normal = sums.normal.topLeftCorner<3, 3>().selfadjointView<Eigen::Lower>();
+    Eigen::Matrix3d normal = sums.normal.template selfadjointView<Eigen::Lower>();
     normal.diagonal().array() += 1e-3 * normal(0, 0) + 1e-9;
     WindRow row = WindRow::Zero();
-    row.head<3>() = normal.ldlt().solve(sums.product.head<3>());
+    row.head<3>() = normal.ldlt().solve(sums.product);
     return row;
 }
 
@@ -173,7 +174,7 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
     const double error_deg = toDegrees(std::atan2(cross, use.airReference.dot(use.air)));
     double sine = use.air.x() / airspeed, cosine = use.air.y() / airspeed;
     const Eigen::Vector2d right(cosine, -sine);
-    FlightSums one;
+    FlightSums::Report one;
     const auto declination_deg = known(report.latitude_deg) && known(report.longitude_deg) && known(report.time_s)
         ? m_declination.at(report.latitude_deg, report.longitude_deg, yearAt(report.time_s))
         : std::nullopt;
@@ -186,10 +187,10 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
         aircraft.declinationErrors += *declination_deg * error_deg;
         aircraft.errors += error_deg;
         ++aircraft.declined;
-        one.declination = *declination_deg;
-        one.declined = 1;
+        flight.sums.declination += *declination_deg;
+        ++flight.sums.declined;
     } else {
-        one.withoutTold = 1;
+        ++flight.sums.withoutTold;
     }
     const WindRow row = windRow(sine, cosine);
     const double read_deg = wrap360(toDegrees(std::atan2(sine, cosine)));
@@ -214,27 +215,24 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
     const double ground = std::max(use.ground.norm(), 1e-9);
     const Eigen::Vector2d acrossTrack = rightOf(use.ground) / ground;
     const double along = right.dot(acrossTrack), across = apart.dot(acrossTrack);
-    const WindMatrix outer = row * row.transpose();
-    one.count = 1;
-    one.normal = weight * outer;
-    one.product = weight * error_deg * row;
-    one.squares = weight * error_deg * error_deg;
+    for (int column = 0; column < kWindColumns; ++column)
+        one.row[static_cast<std::size_t>(column)] = row(column);
+    one.weight = weight;
+    one.error_deg = error_deg;
     // To the second order: the turned air velocity is shorter along its old direction.
-    one.turned = (airspeed * airspeed + apart.dot(use.air)) * outer;
-    one.turnedAcross = (std::pow(airspeed * along, 2) + across * use.air.dot(acrossTrack)) * outer;
-    one.error = airspeed * right.dot(apart) * row;
-    one.errorAcross = airspeed * along * across * row;
+    one.turned = airspeed * airspeed + apart.dot(use.air);
+    one.turnedAcross = airspeed * along * airspeed * along + across * use.air.dot(acrossTrack);
+    one.product = airspeed * right.dot(apart);
+    one.productAcross = airspeed * along * across;
     one.squaredError = apart.squaredNorm();
     one.squaredAcross = across * across;
-    const double offset = (known(report.tas_kt) ? report.tas_kt : airspeed) - use.airReference.norm();
-    one.airspeedOffset = offset;
-    one.airspeedSquares = offset * offset;
+    one.airspeedOffset = (known(report.tas_kt) ? report.tas_kt : airspeed) - use.airReference.norm();
     one.airspeed = airspeed;
-    flight.sums += one;
-    aircraft.all += one;
+    flight.sums.add(one);
+    aircraft.add(one);
     ++aircraft.used;
     if (aircraft.used == aircraft.refitAt) {
-        aircraft.running = runningFit(aircraft.all);
+        aircraft.running = runningFit(aircraft);
         aircraft.refitAt += aircraft.refitAt;
     }
     if (known(report.altitude_m)) {

@@ -29,7 +29,10 @@ struct WindStudy::Aircraft {
     double latest_s = -std::numeric_limits<double>::infinity();
     std::int64_t observations = 0, used = 0;
     std::array<std::int64_t, kLeftOut.size()> leftOut{};
-    FlightSums all;
+    // Of all flights: for the running fit, and the mean airspeed.
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d product = Eigen::Vector3d::Zero();
+    double airspeed = 0;
     WindRow running = WindRow::Zero(); ///< fit so far [deg]
     std::int64_t refitAt = 32;
     double median_deg = 1.5; ///< of what is left, running
@@ -41,6 +44,17 @@ struct WindStudy::Aircraft {
     double declinations = 0, declinationSquares = 0, declinationErrors = 0, errors = 0;
     std::int64_t declined = 0;
     std::array<WindSector, 36> sectors{}; ///< sums
+
+    void add(const FlightSums::Report& report)
+    {
+        for (int j = 0; j < 3; ++j) {
+            const double weighted = report.weight * report.row[static_cast<std::size_t>(j)];
+            for (int i = j; i < 3; ++i)
+                normal(i, j) += weighted * report.row[static_cast<std::size_t>(i)];
+            product(j) += weighted * report.error_deg;
+        }
+        airspeed += report.airspeed;
+    }
 };
 
 struct WindStudy::Source {
