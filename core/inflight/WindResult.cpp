@@ -253,6 +253,9 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
 
 namespace {
 
+/// "p = 0.012", "p < 0.0001".
+std::string chanceText(double p) { return p < 1e-4 ? "p < 0.0001" : "p = " + figureText(p, p < 0.001 ? 4 : 3); }
+
 void warnOfCoverage(AircraftWinds& result)
 {
     const ClusteredFit& fit = result.fit.fit;
@@ -268,14 +271,14 @@ void warnOfCoverage(AircraftWinds& result)
     if (!result.secondOrderTold)
         result.warnings.push_back(MARKED("core", "the headings that were flown do not tell D and E"));
     else if (!result.secondOrderUsed())
-        result.warnings.push_back({MARKED("core", "D and E are told, and are not surely there (p = %1): the table is that of A, B and C"),
-            figureText(result.secondOrderP, 3)});
+        result.warnings.push_back({MARKED("core", "D and E are told, and are not surely there (%1): the table is that of A, B and C"),
+            chanceText(result.secondOrderP)});
     else
-        result.warnings.push_back({MARKED("core", "D and E are there (p = %1): the table is no sine"), figureText(result.secondOrderP, 3)});
+        result.warnings.push_back({MARKED("core", "D and E are there (%1): the table is no sine"), chanceText(result.secondOrderP)});
     for (const auto& change : result.changes)
         result.warnings.push_back(
-            {MARKED("core", "the deviation changed between the flights %1 and %2 (p = %3); the fit is of the flights since"),
-                change.afterFlight, change.beforeFlight, figureText(change.p, 4)});
+            {MARKED("core", "the deviation changed between the flights %1 and %2 (%3); the fit is of the flights since"),
+                change.afterFlight, change.beforeFlight, chanceText(change.p)});
     if (result.leftOut[static_cast<std::size_t>(LeftOut::Duplicate)] > 0)
         result.warnings.push_back(
             {MARKED_N("core", "%n report(s) came twice and count once"), result.leftOut[static_cast<std::size_t>(LeftOut::Duplicate)]});

@@ -46,7 +46,7 @@ std::vector<Fact> windFacts(const WindSheet& sheet)
                                           : Words::tr("above %1°: %2").arg(bin.from_deg).arg(bin.aircraft);
     for (const std::size_t row : result.outliers)
         outliers += printable(result.aircraft[row].aircraft);
-    facts.push_back({Words::tr("Aircraft by size of error"), bins.join(QStringLiteral("; "))});
+    facts.push_back({Words::tr("By size of error"), bins.join(QStringLiteral("; "))});
     facts.push_back({Words::tr("Out of line"), outliers.isEmpty() ? Words::tr("none") : outliers.join(QStringLiteral(", "))});
     for (const auto& warning : result.warnings)
         facts.push_back({Words::tr("Note"), printable(warning)});
