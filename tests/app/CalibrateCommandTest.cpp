@@ -116,29 +116,6 @@ TEST(CalibrateCommand, attitude)
     EXPECT_EQ(sandbox.run({"calibrate", "log.csv", "--method", "attitude"}).status, 1);
 }
 
-/// A level turn of a sensor that is turned by 5° in its mount: A of Smith; the iron along z cannot be told.
-TEST(CalibrateCommand, attitude)
-{
-    const Sandbox sandbox;
-    std::string log = "bx_nT,by_nT,bz_nT,heading_deg,pitch_deg,roll_deg\n";
-    const double degree = 3.14159265358979 / 180;
-    for (int heading = 0; heading < 360; heading += 15)
-        log += std::to_string(1000 + 20000 * std::cos((heading + 5) * degree)) + ","
-            + std::to_string(-20000 * std::sin((heading + 5) * degree)) + ",34641.016," + std::to_string(heading) + ",0,0\n";
-    const auto outcome = sandbox.run(
-        {"calibrate", sandbox.write("log.csv", log), "--method", "attitude", "--field-nT", "40000", "--dip-deg", "60", "--json"});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    const auto json = outcome.json();
-    EXPECT_EQ(json.at("rank"), 9);
-    EXPECT_TRUE(json.at("hard_iron_nT")[0].is_null());
-    EXPECT_TRUE(json.at("soft_iron")[0][2].is_null());
-    EXPECT_NEAR(json.at("soft_iron")[0][1], std::sin(5 * degree), 1e-6);
-    EXPECT_THAT(json.at("not_separable")[0].get<std::string>(), HasSubstr("c and P"));
-    EXPECT_EQ(json.at("validation").at("blocks"), 8);
-    EXPECT_LT(json.at("validation").at("rms_deg"), 1e-3);
-    EXPECT_EQ(sandbox.run({"calibrate", "log.csv", "--method", "attitude"}).status, 1);
-}
-
 TEST(CalibrateCommand, whatItRefuses)
 {
     const Sandbox sandbox;
