@@ -46,7 +46,7 @@ Result<std::optional<ContinuousState>> lastState(const std::string& path)
 {
     if (path.empty() || !std::filesystem::exists(path))
         return std::optional<ContinuousState>();
-    const auto content = readWholeFile(path, MARKED("core", "the state of a continuous swing"));
+    const auto content = readWholeFile(path, MARKED("app", "the state of a continuous swing"));
     if (!content)
         return content.error();
     auto state = readStateJson(*content, path);

@@ -180,7 +180,7 @@ TEST(SwingCsv, shippedSamplesAreRead)
 {
     int samples = 0;
     for (const auto& entry : std::filesystem::directory_iterator(LUBBERLINE_SAMPLES)) {
-        if (entry.path().extension() != ".csv")
+        if (entry.path().extension() != ".csv" || entry.path().stem() == "example-scenario") // a flight, no swing
             continue;
         ++samples;
         const auto file = readSwingCsvFile(entry.path().string());

@@ -68,8 +68,10 @@ private slots:
         QVERIFY(open.page.run());
         QVERIFY2(open.words().contains("Good"), qPrintable(open.words()));
         QVERIFY((open.page.run()->model->hardIron_nT - Eigen::Vector3d(3000, -2000, 1500)).norm() < 30);
-        const auto plots = open.page.findChildren<SeriesPlot*>();
+        auto plots = open.page.findChildren<SeriesPlot*>();
         QCOMPARE(plots.size(), 2);
+        if (plots[0]->picture().series.size() == 2) // the log's three axes first
+            std::swap(plots[0], plots[1]);
         QCOMPARE(plots[0]->picture().series.size(), std::size_t{3});
         QVERIFY(plots[0]->chart()->drawnPoints(0) >= 600);
         QCOMPARE(plots[1]->picture().series.size(), std::size_t{2});
@@ -91,7 +93,7 @@ private slots:
         open.page.openLog(open.log("time_s,bx_uT,by_uT,bz_uT", 300, true));
         open.finish();
         QVERIFY2(open.words().contains("Not determined"), qPrintable(open.words()));
-        QVERIFY(open.words().contains("in a plane"));
+        QVERIFY2(open.words().contains("in a plane"), qPrintable(open.words()));
         QVERIFY(open.words().contains("turn the sensor through all attitudes"));
         QVERIFY(!open.page.findChild<QPushButton*>("calibrationSave")->isEnabled());
     }
