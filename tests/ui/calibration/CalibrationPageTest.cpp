@@ -31,7 +31,7 @@ struct OpenCalibration {
         {[](const QString&, const QString&) { return QString(); },
             [this](const QString&, const QString&, const QString&) { return saveAs; }}};
 
-    /// Hard iron (3000, −2000, 1500) nT in a field of 48 000 nT, all attitudes. @param flat the sensor stays level
+    /// Hard iron (3000, −2000, 1500) nT in a field of 48 000 nT, all attitudes. @param flat the sensor stays level, but for its noise
     QString log(const QByteArray& header, int samples, bool flat = false) const
     {
         std::mt19937 random(3);
@@ -42,7 +42,7 @@ struct OpenCalibration {
             const double size = 48 / std::hypot(b[0], b[1], b[2]);
             text += QByteArray::number(0.1 * i) + ',' + QByteArray::number(b[0] * size + 3 + 0.05 * normal(random), 'f', 4) + ','
                 + QByteArray::number(b[1] * size - 2 + 0.05 * normal(random), 'f', 4) + ','
-                + QByteArray::number(b[2] * size + 1.5 + (flat ? 0.0 : 0.05 * normal(random)), 'f', 4) + '\n';
+                + QByteArray::number(b[2] * size + 1.5 + 0.05 * normal(random), 'f', 4) + '\n';
         }
         QFile file(folder.filePath("log.csv"));
         if (file.open(QIODevice::WriteOnly))
