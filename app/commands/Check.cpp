@@ -251,7 +251,7 @@ void addCheck(CLI::App& app, Invocation& invocation)
     addInputOption(*command, invocation, "--history", options->history.files,
         "a Swing CSV of an earlier swing of the compass; several make its history")
         ->take_all()
-        ->expected(1);
+        ->allow_extra_args(false);
     command->add_option("--of", options->history.swing, "a swing of the database: all swings of its compass are the history");
     command->add_option("--headings", options->headings, "how many headings to choose; also for a swing of n")
         ->check(CLI::Range(1, 24))
@@ -275,8 +275,10 @@ void addCompare(CLI::App& app, Invocation& invocation)
         ->required();
     addInputOption(*command, invocation, "--first-history", options->first.files, "a Swing CSV of an earlier swing of the first compass")
         ->take_all()
-        ->expected(1);
-    addInputOption(*command, invocation, "--second-history", options->second.files, "the same of the second")->take_all()->expected(1);
+        ->allow_extra_args(false);
+    addInputOption(*command, invocation, "--second-history", options->second.files, "the same of the second")
+        ->take_all()
+        ->allow_extra_args(false);
     command->add_option("--first-of", options->first.swing, "a swing of the database: all swings of its compass are the first's history");
     command->add_option("--second-of", options->second.swing, "the same of the second");
     addCommon(*command, invocation, options->common);

@@ -173,7 +173,8 @@ void ContinuousSwing::watch(const Kept& kept)
         m_product += kept.white * m_previous;
         ++m_pairs;
         if (rho > 0)
-            own.white = (kept.white - rho * m_previous) / std::sqrt(1.0 - rho * rho);
+            own.white
+                = std::clamp((kept.white - rho * m_previous) / std::sqrt(1.0 - rho * rho), -kGate, kGate); // one update alone names nothing
     }
     m_square += kept.white * kept.white;
     m_previous = kept.white;
