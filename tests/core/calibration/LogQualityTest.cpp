@@ -15,8 +15,8 @@ SensorLog turning(int samples)
         const double turn = 0.002 * i, noise = (i * 7919) % 13 - 6;
         log.time_s.push_back(0.01 * i);
         log.field[0].push_back(std::round(30000 * std::cos(turn)) + noise);
-        log.field[1].push_back(std::round(30000 * std::sin(turn)) + (i * 104729) % 11 - 5);
-        log.field[2].push_back(std::round(20000 * std::cos(3 * turn)) + (i * 1299709) % 17 - 8);
+        log.field[1].push_back(std::round(30000 * std::sin(turn)) + (i * 9) % 11 - 5);
+        log.field[2].push_back(std::round(20000 * std::cos(3 * turn)) + (i * 8) % 17 - 8);
     }
     return log;
 }
