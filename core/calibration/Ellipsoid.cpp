@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/angle/Angle.h"
+#include "core/base/Middle.h"
 #include "core/base/Number.h"
 #include "core/calibration/LogQuality.h"
 #include "core/calibration/QuadricFit.h"
@@ -34,13 +35,6 @@ std::vector<std::size_t> someRows(const std::vector<std::uint8_t>& used, std::si
         if (used[row] != 0 && seen++ % step == 0)
             rows.push_back(row);
     return rows;
-}
-
-double medianOf(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// Distance from the quadric, to first order, in the unit of the points: (|V d| − 1)/|V n|.
@@ -118,7 +112,7 @@ std::optional<Quadric> consensusSphere(const SensorLog& log, const std::vector<s
         std::vector<double> away;
         for (const auto row : rows)
             away.push_back(std::abs(distanceFrom(sphere, log.at(row))));
-        if (const double middle = medianOf(std::move(away)); middle < least) {
+        if (const double middle = middleOf(std::move(away)); middle < least) {
             least = middle;
             best = sphere;
         }
@@ -138,7 +132,7 @@ double scatterOf(const SensorLog& log, const Quadric& quadric, const std::vector
     away.reserve(rows.size());
     for (const auto row : rows)
         away.push_back(std::abs(distanceFrom(quadric, log.at(row))));
-    return 1.4826 * medianOf(std::move(away));
+    return 1.4826 * middleOf(std::move(away));
 }
 
 /// Rows of `offered` within the trimming limit of a quadric.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/FileText.h"
+#include "core/base/Middle.h"
 #include "core/base/Number.h"
 #include "core/calibration/LogQuality.h"
 
@@ -29,9 +30,7 @@ double middleAlong(const SensorLog& log, std::size_t axis, const std::vector<std
     std::vector<double> values;
     for (const auto row : rows)
         values.push_back(size ? std::abs(log.field[axis][row] - from) : log.field[axis][row] - from);
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return middleOf(std::move(values));
 }
 
 /// Field per ampere: the aircraft stands still, so the field is a constant and what the currents make.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/Middle.h"
 #include "core/base/Number.h"
 
 namespace lubberline {
@@ -18,13 +19,6 @@ void note(LogQuality& quality, std::size_t row, SampleFault fault)
         quality.faults[row] = fault;
 }
 
-double medianInPlace(std::vector<double>& values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 void findGaps(const SensorLog& log, LogQuality& quality)
 {
     std::vector<double> steps;
@@ -34,7 +28,7 @@ void findGaps(const SensorLog& log, LogQuality& quality)
             steps.push_back(log.time_s[row] - log.time_s[row - 1]);
     if (steps.empty())
         return;
-    const double step = medianInPlace(steps);
+    const double step = middleOf(std::move(steps));
     quality.rate_hz = 1.0 / step;
     double longest = 0, lost = 0;
     for (std::size_t row = 1; row < log.time_s.size(); ++row) {
@@ -170,7 +164,7 @@ void findSpikes(const SensorLog& log, LogQuality& quality)
                     off.push_back(std::abs(bend));
             }
         }
-        limit[axis] = off.empty() ? std::numeric_limits<double>::max() : kSpikeScatters * kMedianToSigma * medianInPlace(off);
+        limit[axis] = off.empty() ? std::numeric_limits<double>::max() : kSpikeScatters * kMedianToSigma * middleOf(std::move(off));
     }
     for (std::size_t row = 2; row + 2 < log.size(); ++row)
         for (std::size_t axis = 0; axis < 3; ++axis)

@@ -5,6 +5,7 @@
 
 #include "core/angle/Angle.h"
 #include "core/base/FileText.h"
+#include "core/base/Middle.h"
 #include "core/base/Number.h"
 #include "core/calibration/LogQuality.h"
 #include "core/calibration/Welch.h"
@@ -73,13 +74,6 @@ std::size_t segmentFor(const std::vector<std::vector<double>>& runs)
 struct Peak {
     double frequency_hz = 0, amplitude = 0;
 };
-
-double middleOf(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 std::vector<Peak> peaksOf(const WelchSpectrum& spectrum)
 {

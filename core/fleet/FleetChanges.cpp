@@ -1,5 +1,7 @@
 #include "core/fleet/FleetChanges.h"
 
+#include "core/base/Middle.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,13 +26,6 @@ struct Increments {
     std::vector<Increment> far;  ///< over half of a run of swings without a correction
 };
 
-double medianOf(std::vector<double>& values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
 /// d² of N(0, v + 2τ²) has its median at 0.4549 (v + 2τ²).
 double swingVarianceOf(const std::vector<Increment>& increments, bool later)
 {
@@ -38,7 +33,7 @@ double swingVarianceOf(const std::vector<Increment>& increments, bool later)
     for (const auto& each : increments)
         if (each.later == later)
             candidates.push_back(0.5 * (each.squared / kMedianOfChiSquare - each.variance));
-    return candidates.empty() ? 0.0 : std::max(0.0, medianOf(candidates));
+    return candidates.empty() ? 0.0 : std::max(0.0, middleOf(candidates));
 }
 
 double medianYears(const std::vector<Increment>& increments)
@@ -46,7 +41,7 @@ double medianYears(const std::vector<Increment>& increments)
     std::vector<double> years;
     for (const auto& each : increments)
         years.push_back(each.years);
-    return medianOf(years);
+    return middleOf(years);
 }
 
 /// What changes grow by over longer times is wandered: the rest of a change is there at once. Takes the wandered part out of the swings'.
@@ -59,7 +54,7 @@ void tellWander(const Increments& increments, ChangeScatter& scatter)
     for (const auto& each : increments.far)
         grown.push_back(
             each.squared / kMedianOfChiSquare - each.variance - 2 * (each.later ? scatter.laterVariance_deg2 : scatter.swingVariance_deg2));
-    const double excess = medianOf(grown);
+    const double excess = middleOf(grown);
     if (!(excess > 0) || !(longer > 0.5 * near))
         return;
     scatter.wanderVariance_deg2_year = excess / longer;
@@ -180,7 +175,7 @@ bool driftIsCommon(const FleetSwings& fleet, const FleetCurves& curves, std::spa
     if (squares.size() < enough)
         return true;
     // of fewer series the median itself scatters more
-    return medianOf(squares) > kMedianOfChiSquare * (wider + 3.0 / std::sqrt(static_cast<double>(squares.size())));
+    return middleOf(squares) > kMedianOfChiSquare * (wider + 3.0 / std::sqrt(static_cast<double>(squares.size())));
 }
 
 /// One series in which jumps are looked for.

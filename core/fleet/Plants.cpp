@@ -194,12 +194,6 @@ std::optional<DateComparison> trainingOf(std::span<const FigureOfA> figures, std
     return comparison;
 }
 
-double medianOfSorted(std::vector<double> values)
-{
-    std::ranges::sort(values);
-    return percentileOf(values, 0.5);
-}
-
 void watch(std::span<const FigureOfA> figures, std::int32_t FigureOfA::*level, const std::vector<std::string>& names, bool crew,
     ChartWatch& charts)
 {
@@ -238,10 +232,10 @@ std::optional<ChartWatch> chartsOf(const FleetSwings& fleet, std::span<const Fig
     for (const auto& each : figures)
         values.push_back(each.A_deg);
     ChartWatch charts;
-    charts.centre_deg = medianOfSorted(values);
+    charts.centre_deg = medianOf(values);
     for (const double value : values)
         distances.push_back(std::abs(value - charts.centre_deg));
-    charts.sigma_deg = 1.4826 * medianOfSorted(distances);
+    charts.sigma_deg = 1.4826 * medianOf(distances);
     if (!(charts.sigma_deg > 0))
         return {};
     static const auto lengths = [limits = ChartLimits{}] {

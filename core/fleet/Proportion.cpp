@@ -53,6 +53,12 @@ double percentileOf(std::span<const double> sorted, double q)
     return std::lerp(sorted[below], sorted[below + 1], place - static_cast<double>(below));
 }
 
+double medianOf(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return percentileOf(values, 0.5);
+}
+
 double nextOutside(int n, double factor)
 {
     LUBBERLINE_EXPECT(n >= 2, "two before the next");

@@ -17,6 +17,7 @@ struct Interval {
 
 /// Quantile of order statistics, with linear interpolation between them: place q(n − 1). @param values sorted, not empty
 [[nodiscard]] double percentileOf(std::span<const double> sorted, double q);
+[[nodiscard]] double medianOf(std::vector<double> values); ///< percentileOf(…, 0.5) of what need not be sorted
 
 /// Chance that the next of a normal population is outside mean ± factor·s, both of n before it: Student with n − 1 degrees, scale
 /// s√(1 + 1/n). @param n ≥ 2

@@ -14,12 +14,6 @@ constexpr std::size_t kD = 3, kFewestSiblings = 4;
 constexpr double kClear = 4.0; ///< standard deviations by which the type's D must be from nothing
 constexpr double kNormalOfMad = 1.4826;
 
-double middleOf(std::vector<double> values)
-{
-    std::ranges::sort(values);
-    return percentileOf(values, 0.5);
-}
-
 struct KindOfD {
     double median_deg = 0, spread_deg = 0;
 };
@@ -36,11 +30,11 @@ std::optional<KindOfD> kindOf(const std::vector<double>& medians_deg)
             most.push_back(d);
     if (most.size() < kFewestSiblings)
         return {};
-    KindOfD kind{middleOf(most), 0};
+    KindOfD kind{medianOf(most), 0};
     std::vector<double> distance;
     for (const double d : most)
         distance.push_back(std::abs(d - kind.median_deg));
-    kind.spread_deg = kNormalOfMad * middleOf(distance);
+    kind.spread_deg = kNormalOfMad * medianOf(distance);
     return kind;
 }
 
@@ -58,7 +52,7 @@ std::vector<SignSuspicion> suspectSigns(const FleetSwings& fleet, const FleetCur
         std::vector<double> values;
         for (const auto row : rows)
             values.push_back(valueOf(row));
-        medians[static_cast<std::size_t>(curves.kindOf[static_cast<std::size_t>(compass)])].push_back(middleOf(values));
+        medians[static_cast<std::size_t>(curves.kindOf[static_cast<std::size_t>(compass)])].push_back(medianOf(values));
     }
     std::vector<SignSuspicion> suspicions;
     for (const auto& [compass, rows] : rowsOf) {
@@ -80,7 +74,7 @@ std::vector<SignSuspicion> suspectSigns(const FleetSwings& fleet, const FleetCur
         }
         if (turned.empty())
             continue;
-        suspicion.D_deg = middleOf(turned);
+        suspicion.D_deg = medianOf(turned);
         suspicions.push_back(std::move(suspicion));
     }
     return suspicions;

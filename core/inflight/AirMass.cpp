@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/Middle.h"
 #include "core/inflight/WindVector.h"
 
 namespace lubberline {
@@ -68,9 +69,7 @@ double medianSize(std::vector<double> values)
 {
     for (double& value : values)
         value = std::abs(value);
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return middleOf(std::move(values));
 }
 
 /// Least squares of the distances from the circle.

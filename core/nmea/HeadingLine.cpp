@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angle/Angle.h"
+#include "core/base/Middle.h"
 
 namespace lubberline {
 
@@ -77,9 +78,7 @@ double HeadingLine::step_s() const
             steps.push_back(step);
     if (steps.empty())
         return 1.0;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return middleOf(std::move(steps));
 }
 
 std::vector<std::optional<double>> turnRates(const std::vector<TimedHeading>& headings)

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/angle/Angle.h"
+#include "core/base/Middle.h"
 
 namespace lubberline {
 
@@ -41,9 +42,8 @@ double unevenness_deg(const HeadingLine& reference)
                 - wrap180(*headings[i - 1].heading_deg - *headings[i - 2].heading_deg)));
     if (bends.empty())
         return 0.0;
-    const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
-    std::nth_element(bends.begin(), middle, bends.end());
-    return 1.4826 * *middle / std::sqrt(6.0); // median → standard deviation; 1 + 4 + 1 parts of it in a second difference
+    return 1.4826 * middleOf(std::move(bends))
+        / std::sqrt(6.0); // median → standard deviation; 1 + 4 + 1 parts of it in a second difference
 }
 
 /// What that makes of a slope [deg/s].

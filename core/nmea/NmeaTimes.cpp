@@ -1,5 +1,7 @@
 #include "core/nmea/NmeaTimes.h"
 
+#include "core/base/Middle.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,9 +49,7 @@ NmeaTimes::NmeaTimes(const NmeaLog& log, const NmeaStream& reference)
             steps.push_back(m_marks[i].seconds - m_marks[i - 1].seconds);
     if (steps.empty())
         return;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    m_typical_s = *middle;
+    m_typical_s = middleOf(std::move(steps));
 }
 
 void NmeaTimes::takeClock(const NmeaMarks& clock)

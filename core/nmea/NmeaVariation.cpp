@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/Middle.h"
 #include "core/base/Number.h"
 #include "core/earth/FieldModel.h"
 
@@ -65,13 +66,6 @@ std::string whereOf(const FieldAnswer& answer, Date date)
     std::snprintf(where.data(), where.size(), " at %.2f° %c, %.2f° %c on ", std::abs(answer.place.latitude_deg),
         answer.place.latitude_deg < 0 ? 'S' : 'N', std::abs(answer.place.longitude_deg), answer.place.longitude_deg < 0 ? 'W' : 'E');
     return answer.model + where.data() + date.text();
-}
-
-double middleOf(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 std::string listed(const std::vector<NmeaVariations>& variations)

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "core/record/Completeness.h"
 #include "db/stores/Saving.h"
 
 namespace lubberline::db {
@@ -140,7 +141,8 @@ Result<std::vector<DueCompass>> DueStore::compasses()
     if (!waiversOf)
         return waiversOf.error();
     Statement dates(m_database, // A two-minute check says that the card holds; it is no swing.
-        "SELECT compass_id, date FROM swing WHERE state = 2 AND date <> '' AND procedure_name <> 'two-minute check' ORDER BY date DESC");
+        "SELECT compass_id, date FROM swing WHERE state = 2 AND date <> '' AND procedure_name <> ? ORDER BY date DESC");
+    dates << std::string(kCheckProcedure);
     const auto signedOf = groups<CompassId, Date>(
         dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.day(1); });
     if (!signedOf)

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/base/FileText.h"
+#include "core/base/Middle.h"
 #include "core/base/Number.h"
 
 namespace lubberline::csv {
@@ -92,9 +93,7 @@ double medianSize(const SensorLog& log)
             sizes.push_back(log.at(row).norm());
     if (sizes.empty())
         return 0;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return *middle;
+    return middleOf(std::move(sizes));
 }
 
 bool wholeNumbers(const SensorLog& log)
