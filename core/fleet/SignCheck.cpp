@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/Number.h"
+#include "core/fleet/Proportion.h"
 
 namespace lubberline {
 
