@@ -1,5 +1,7 @@
 #include "ui/kit/Page.h"
 
+#include <QScrollArea>
+
 #include "ui/plots/base/Plot.h"
 
 namespace lubberline::ui {
@@ -11,27 +13,51 @@ FleetItem Shown::item() const
     return aircraft.valid() ? FleetItem(aircraft) : FleetItem();
 }
 
+namespace {
+
+/// A page that is larger than its window is scrolled: it never makes the window larger than the screen.
+QScrollArea* scrolled(QVBoxLayout& body)
+{
+    auto* inner = new QWidget;
+    inner->setLayout(&body);
+    body.setContentsMargins(0, 0, 0, 0);
+    body.setSpacing(4);
+    auto* scroll = new QScrollArea;
+    scroll->setObjectName(QStringLiteral("pageScroll"));
+    scroll->setWidget(inner);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // it stands in nobody's way from field to field
+    inner->setAutoFillBackground(false);
+    scroll->viewport()->setAutoFillBackground(false);
+    return scroll;
+}
+
+} // namespace
+
 Page::Page(QWidget* parent)
     : QWidget(parent)
     , m_title(new QLabel)
     , m_message(new QLabel)
     , m_head(new QHBoxLayout)
-    , m_body(new QVBoxLayout(this))
+    , m_body(new QVBoxLayout)
 {
     m_title->setObjectName(QStringLiteral("pageTitle"));
     QFont large = font();
     large.setPointSizeF(large.pointSizeF() * 1.15);
     large.setBold(true);
     m_title->setFont(large);
-    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long one makes no page wider
+    m_title->setWordWrap(true); // whose record it is can always be read, and makes no page wider
     m_message->setObjectName(QStringLiteral("pageMessage"));
     m_message->setWordWrap(true);
     m_message->hide();
     m_head->addWidget(m_title, 1);
-    m_body->setContentsMargins(8, 6, 8, 6);
-    m_body->setSpacing(4);
-    m_body->addLayout(m_head);
-    m_body->addWidget(m_message);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(8, 6, 8, 6);
+    outer->setSpacing(4);
+    outer->addLayout(m_head);
+    outer->addWidget(m_message);
+    outer->addWidget(scrolled(*m_body), 1);
 }
 
 /// A field that has the focus loses it while the page goes, and says once more that it was left: to nobody then, as the part of the page

@@ -72,7 +72,7 @@ protected:
     void follow(Plot& plot);
 
     [[nodiscard]] QHBoxLayout& head() { return *m_head; } ///< the title's line; buttons stand at its right
-    [[nodiscard]] QVBoxLayout& body() { return *m_body; } ///< title and message; all else comes beneath
+    [[nodiscard]] QVBoxLayout& body() { return *m_body; } ///< all beneath title and message: scrolled where the window is too small for it
     [[nodiscard]] QLabel& titleLine() { return *m_title; }
     [[nodiscard]] QLabel& messageLine() { return *m_message; }
 

@@ -189,7 +189,7 @@ void SwingPage::showParticulars(bool visible)
     m_showParticulars->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
     if (!m_particulars) {
         m_particulars = new SwingParticulars(*m_editor);
-        static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_particulars);
+        body().insertWidget(0, m_particulars);
         setTabOrder(m_complete, m_particulars);
     }
     m_particulars->setVisible(visible);
@@ -201,7 +201,7 @@ void SwingPage::showSigning(bool visible)
     m_showSigning->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
     if (!m_signing) {
         m_signing = new SigningPanel(m_context, *m_editor);
-        static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_signing);
+        body().insertWidget(0, m_signing);
         setTabOrder(m_showSigning, m_signing);
         connect(m_signing, &SigningPanel::failed, this, &SwingPage::failed);
         connect(m_signing, &SigningPanel::openSwing, this, &SwingPage::openSwing);
@@ -216,7 +216,7 @@ void SwingPage::showCard(bool visible)
     m_showCard->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
     if (!m_card) {
         m_card = new CardPanel;
-        static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_card);
+        body().insertWidget(0, m_card);
         setTabOrder(m_showCard, m_card);
         connect(m_card, &CardPanel::writeCard, this, &SwingPage::writeCard);
     }
