@@ -144,7 +144,10 @@ std::string tableOf(const ui::CardInput& input)
     const auto& columns = input.columns;
     const bool byCompass = columns.front().card.options.by == CardBy::Compass;
     const auto figureOf = [byCompass](const CardRow& row) { return byCompass ? row.magneticRounded_deg() : row.steerRounded_deg(); };
-    std::string out = byCompass ? "COMPASS" : "    FOR";
+    std::string out;
+    if (const QString banner = ui::cardBanner(input); !banner.isEmpty() && !input.record().swing.record.empty())
+        out = banner.toStdString() + "\n"; // of a file nobody asks whether it is signed
+    out += byCompass ? "COMPASS" : "    FOR";
     for (const auto& column : columns)
         out += text("  %12s  +-95%%", byCompass && columns.size() == 1 ? "MAGNETIC" : column.heading.toStdString().c_str());
     out += "\n";

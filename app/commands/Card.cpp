@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -35,6 +36,7 @@ nlohmann::ordered_json jsonOf(const ui::CardColumn& column)
     object["data_sha256"] = ui::dataHash(column.record).toStdString();
     object["state"] = std::string(fileWord(column.record.swing.state));
     object["signed"] = column.isSigned();
+    object["out_of_limits"] = column.outOfLimits();
     return object;
 }
 
@@ -72,12 +74,25 @@ std::string textOf(const ui::CardInput& input, const std::vector<BetweenRows>& b
     return out;
 }
 
-int writeCardFile(const CardArguments& options, ui::CardInput input)
+/// A signed card that is written is the first or a reprint: the database remembers. One that cannot be written to is none the worse.
+void noteWritten(const ui::CardInput& input, const std::string& database)
+{
+    if (std::none_of(input.columns.begin(), input.columns.end(), [](const ui::CardColumn& column) { return column.isSigned(); }))
+        return;
+    auto stores = openStores(database, db::OpenMode::ReadWriteCreate);
+    const auto noted = stores ? ui::noteCards(**stores, input) : Result<void>(stores.error());
+    if (!noted)
+        say("the next card of it will not be called a reprint: " + describe(noted.error()));
+}
+
+int writeCardFile(const CardArguments& options, ui::CardInput input, const std::string& database)
 {
     input.madeAtUtc = nowUtc();
     if (const auto written = ui::writeCard(input, QString::fromStdString(options.output.path)); !written)
         return fail(written.error());
     sayWritten(options.output);
+    if (!options.swing.empty())
+        noteWritten(input, database);
     return kDone;
 }
 
@@ -158,12 +173,12 @@ int cardCommand(CardArguments options, const std::string& database)
         between.push_back(*one);
     }
     if (options.output.toStandardOutput())
-        return writeCardFile(options, sheet->input);
+        return writeCardFile(options, sheet->input, database);
     if (options.json)
         std::printf("%s\n", jsonOf(sheet->input, between, options.at_deg).c_str());
     else if (options.output.empty())
         std::fputs((tableOf(sheet->input) + (options.at_deg ? textOf(sheet->input, between, *options.at_deg) : "")).c_str(), stdout);
-    return options.output.empty() ? kDone : writeCardFile(options, sheet->input);
+    return options.output.empty() ? kDone : writeCardFile(options, sheet->input, database);
 }
 
 } // namespace

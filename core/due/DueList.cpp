@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <tuple>
 
+#include "core/base/Number.h"
 #include "core/record/RecordWords.h"
 
 namespace lubberline {
@@ -56,9 +59,49 @@ Message reasonOf(const Event& event)
     return {MARKED("core", "%1 (%2)"), event.kind, shownWord(event.cause)};
 }
 
+/// Of the swings of one day: those as left, where there are any; the worst of them (a swing for each configuration).
+const LimitsFinding* worstOfDay(std::span<const LimitsFinding> findings, Date day)
+{
+    const auto weight = [](const LimitsFinding& one) {
+        return std::tuple(one.stage == SwingStage::AsLeft, one.status, one.maxAbsDeviation_deg.value_or(0));
+    };
+    const LimitsFinding* worst = nullptr;
+    for (const auto& one : findings)
+        if (one.date == day && one.status != Status::NotKnown && (!worst || weight(one) > weight(*worst)))
+            worst = &one;
+    return worst;
+}
+
+Message outOfLimitsWords(const LimitsFinding& finding, const DueCompass& compass)
+{
+    const std::string source = compass.limitDocument.empty() ? std::string() : " (" + compass.limitDocument + ")";
+    if (!finding.maxAbsDeviation_deg || !compass.limit_deg || *finding.maxAbsDeviation_deg <= *compass.limit_deg)
+        return {MARKED("core", "OUT OF LIMITS by the swing of %1"), finding.date};
+    return {MARKED("core", "OUT OF LIMITS by the swing of %1: up to %2°, %3° is allowed%4"), finding.date,
+        figureText(*finding.maxAbsDeviation_deg, 1), shortestNumber(*compass.limit_deg), source};
+}
+
 Date dayOf(const DueLine& line) { return line.answer.flags.empty() ? line.answer.nextByCalendar : line.answer.flags.front().since; }
 
 } // namespace
+
+std::optional<LimitsFinding> outOfLimits(std::span<const LimitsFinding> newestFirst)
+{
+    const auto isSigned = [](const LimitsFinding& one) { return one.isSigned && one.status != Status::NotKnown; };
+    const auto newest = std::find_if(newestFirst.begin(), newestFirst.end(), isSigned);
+    std::vector<LimitsFinding> signedOnes;
+    std::copy_if(newestFirst.begin(), newestFirst.end(), std::back_inserter(signedOnes), isSigned);
+    if (newest != newestFirst.end())
+        if (const auto* worst = worstOfDay(signedOnes, newest->date); worst->status == Status::OutOfLimits)
+            return *worst;
+    for (const auto& one : newestFirst) { // the newest day after it
+        if (newest != newestFirst.end() && one.date <= newest->date)
+            break;
+        if (const auto* worst = worstOfDay(newestFirst, one.date))
+            return worst->status == Status::OutOfLimits ? std::optional(*worst) : std::nullopt;
+    }
+    return {};
+}
 
 DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today)
 {
@@ -70,6 +113,10 @@ DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std
     input.waivers = compass.waivers;
     input.rule = ruleFor(rules, compass.typeRecord);
     input.installed = compass.installed;
+    if (const auto finding = outOfLimits(compass.findings)) {
+        input.outOfLimitsSince = finding->date;
+        input.outOfLimitsReason = outOfLimitsWords(*finding, compass);
+    }
     const auto move = std::find_if(
         moves.begin(), moves.end(), [&](const MovePrediction& one) { return one.compass == compass.compass && !one.reason.empty(); });
     if (move != moves.end()) {

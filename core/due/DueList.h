@@ -22,6 +22,10 @@ struct DueLine {
     DueAnswer answer;
 };
 
+/// The swing by which a compass is out of its limits; none: it is within them as far as is known. Of the signed swings those of the
+/// newest day decide, as left before as found; a newer one that is complete and not signed can only say that it is out.
+[[nodiscard]] std::optional<LimitsFinding> outOfLimits(std::span<const LimitsFinding> newestFirst);
+
 /// Events and waivers of the compass's aircraft as the rules take them. @param moves of any compasses; its own is looked for.
 [[nodiscard]] DueInput inputFor(
     const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today);

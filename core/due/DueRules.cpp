@@ -60,6 +60,8 @@ DueAnswer dueOf(const DueInput& input)
             continue; // before this compass was on the aircraft
         answer.flags.push_back({DueState::Due, event.date, event.reason, event.record});
     }
+    if (!input.outOfLimitsSince.empty())
+        answer.flags.push_back({DueState::Due, input.outOfLimitsSince, input.outOfLimitsReason, {}});
     if (input.predictedOutOfLimits)
         answer.flags.push_back({DueState::Due, input.today, input.predictedReason, {}});
     std::stable_sort(answer.flags.begin(), answer.flags.end(),

@@ -31,6 +31,8 @@ struct DueInput {
     Date installed;                    ///< since when the compass is on the aircraft; empty: not stated
     bool predictedOutOfLimits = false; ///< where the aircraft is based now (core/swing/Prediction.h)
     Message predictedReason;
+    Date outOfLimitsSince = {}; ///< the day of the swing that says so; empty: it is within its limits, or they are not known
+    Message outOfLimitsReason = {};
 };
 
 enum class DueState { NotDue, DueSoon, Due, Overdue };
@@ -53,6 +55,7 @@ struct DueAnswer {
 /// the grace has passed, too. Never signed: due. Events: open while no signed swing is dated after the event's day, and no
 /// waiver answers them; a swing of the same day does not tell whether it came after, so it does not clear (a waiver does).
 /// Installed after the last signed swing: due, until one of that day or later is signed.
+/// Out of limits: due, whatever is signed, until a signed swing says that it is within them.
 [[nodiscard]] DueAnswer dueOf(const DueInput& input);
 
 /// The rule for an aircraft type: its own, else one for all, else none. The first of several.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/Number.h"
 #include "core/deviation/SmithFit.h"
 
 namespace lubberline {
@@ -34,8 +35,10 @@ private:
     Fault take(const job::Faulted& event);
     Fault take(const job::Mended& event);
     Fault take(const job::Abandoned& event);
+    Fault take(const job::DatumChanged& event);
 
     Fault checkStation(int station) const;
+    Fault takeUpSkipped(StationState& station);
     void voidCheckSwing(Control control);
     std::optional<double> cardinal_deg(double nominal_deg) const;
     std::optional<double> coefficient_deg(Control control) const;
@@ -47,7 +50,7 @@ private:
     const SwingJob& m_job;
     JobState m_state;
     std::vector<double> m_compassNow_deg; ///< what the compass was last made to read at a station
-    bool m_prepared = false, m_accepted = false, m_abandoned = false;
+    bool m_prepared = false, m_accepted = false, m_abandoned = false, m_turned = false;
 };
 
 Fold::Fold(const SwingJob& job) : m_job(job)
@@ -56,6 +59,7 @@ Fold::Fold(const SwingJob& job) : m_job(job)
         m_state.stations.push_back({std::move(station), {}, {}, 0, false});
     m_compassNow_deg.resize(m_state.stations.size());
     m_state.openItems = job.checklist;
+    m_state.datum = job.datum;
 }
 
 Result<JobState> Fold::run()
@@ -110,15 +114,21 @@ Fold::Fault Fold::take(const job::ReadingTaken& event)
     auto& station = m_state.stations[event.station];
     if (station.reading && !station.voided)
         return MARKED("core", "the station has a reading that was not put aside");
-    station.reading = Observation{MagneticHeading::fromDegrees(event.magnetic_deg), CompassHeading::fromDegrees(event.compass_deg)};
+    double compass_deg = event.compass_deg;
+    if (station.station.phase == StationPhase::Check && m_state.indexRemoved_deg) {
+        // The compass has been turned in its mount since the others were read: they are of one compass again without that.
+        compass_deg = wrap360(compass_deg - *m_state.indexRemoved_deg);
+        m_state.notes.push_back(
+            {MARKED("core", "%1° was read after the compass was turned by %2° in its mount: that is taken off what it read"),
+                figureText(station.station.nominal_deg, 0), signedFigureText(*m_state.indexRemoved_deg, 1)});
+    }
+    station.reading = Observation{MagneticHeading::fromDegrees(event.magnetic_deg), CompassHeading::fromDegrees(compass_deg)};
     station.voided = false;
     station.skipped.clear();
     m_compassNow_deg[event.station] = event.compass_deg;
     m_accepted = false;
-    if (station.station.phase == StationPhase::Check) { // A is of the whole check swing
-        m_state.indexRemoved_deg.reset();
-        m_state.indexLeft.clear();
-    }
+    if (station.station.phase == StationPhase::Check)
+        m_state.indexLeft.clear(); // A is of the whole check swing
     return {};
 }
 
@@ -127,12 +137,27 @@ Fold::Fault Fold::take(const job::ReadingRejected& event)
     if (const auto fault = checkStation(event.station))
         return fault;
     auto& station = m_state.stations[event.station];
+    if (!station.skipped.empty())
+        return takeUpSkipped(station);
     if (!station.reading)
         return MARKED("core", "the station has no reading");
     if (station.correctionsDone > 0)
         return MARKED("core", "a control was turned on this reading");
     station.reading.reset();
     station.voided = false;
+    m_accepted = false;
+    return {};
+}
+
+/// What the compass read before a control was turned nobody can read after that.
+Fold::Fault Fold::takeUpSkipped(StationState& station)
+{
+    const bool beforeTurning = station.station.phase == StationPhase::AsFound || station.station.phase == StationPhase::Correct;
+    if (beforeTurning && m_turned)
+        return MARKED("core",
+            "a control was turned since this heading was skipped, so that it cannot be read as it was found; the check swing reads it");
+    station.skipped.clear();
+    station.correctionsDone = 0;
     m_accepted = false;
     return {};
 }
@@ -192,6 +217,7 @@ Fold::Fault Fold::take(const job::Adjusted& event)
     const auto& corrections = station.station.corrections;
     if (station.correctionsDone < corrections.size() && corrections[station.correctionsDone].control == event.control)
         ++station.correctionsDone;
+    m_turned = true;
     m_compassNow_deg[event.station] = event.after_deg;
     voidCheckSwing(event.control);
     return {};
@@ -259,9 +285,16 @@ Fold::Fault Fold::take(const job::Mended&)
     return {};
 }
 
-Fold::Fault Fold::take(const job::Abandoned&)
+Fold::Fault Fold::take(const job::Abandoned& event)
 {
     m_abandoned = true;
+    m_state.abandoned = event.reason;
+    return {};
+}
+
+Fold::Fault Fold::take(const job::DatumChanged& event)
+{
+    m_state.datum = event.datum;
     return {};
 }
 

@@ -44,6 +44,8 @@ struct JobState {
     std::optional<double> indexRemoved_deg; ///< what was taken out by turning the compass after the check swing
     std::string indexLeft;                  ///< why it was left in
     std::string fault;
+    std::string abandoned;      ///< why; empty: it is not, or nobody said
+    DatumInstrument datum;      ///< that the next reading is made with
     std::vector<Message> notes; ///< what was voided by what
     [[nodiscard]] int done() const;
 };

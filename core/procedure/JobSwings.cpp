@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/procedure/JobState.h"
 
+#include "core/base/Number.h"
 #include "core/record/Completeness.h"
 
 namespace lubberline {
@@ -19,6 +21,10 @@ void addRaw(Reading& reading, const SwingJob& job, std::size_t station)
             reading.raw = taken->raw;
             reading.timeUtc = event->timeUtc;
             reading.note = taken->note;
+            if (reading.compass && std::abs(wrap180(reading.compass->degrees() - taken->compass_deg)) > 1e-9)
+                reading.note += (reading.note.empty() ? "" : "; ")
+                    + ("read after the compass was turned in its mount, by "
+                        + signedFigureText(wrap180(taken->compass_deg - reading.compass->degrees()), 1) + "° more than it says here");
             return;
         }
 }
@@ -36,6 +42,46 @@ Reading toReading(const SwingJob& job, const JobState& state, std::size_t place)
     if (!station.skipped.empty())
         reading.note = "skipped: " + station.skipped;
     return reading;
+}
+
+/// Where the instrument was changed on the way, every one that was used is named, with its headings.
+template <class Wanted>
+void nameDatums(Swing& swing, const SwingJob& job, const JobState& state, Wanted wanted)
+{
+    const DatumInstrument* datum = &job.datum;
+    std::map<int, const DatumInstrument*> usedAt; // of the reading that counts
+    for (const JobEvent& event : job.events) {
+        if (const auto* changed = std::get_if<job::DatumChanged>(&event.what))
+            datum = &changed->datum;
+        else if (const auto* taken = std::get_if<job::ReadingTaken>(&event.what))
+            usedAt[taken->station] = datum;
+    }
+    std::vector<std::pair<const DatumInstrument*, std::string>> used; // each once, with its headings
+    for (const auto& [place, instrument] : usedAt) {
+        const Station& station = state.stations[static_cast<std::size_t>(place)].station;
+        if (!wanted(station))
+            continue;
+        const auto found
+            = std::find_if(used.begin(), used.end(), [&, one = instrument](const auto& other) { return *other.first == *one; });
+        const std::string heading = figureText(station.nominal_deg, 0) + "°";
+        if (found == used.end())
+            used.emplace_back(instrument, heading);
+        else
+            found->second += ", " + heading;
+    }
+    if (used.empty() || (used.size() == 1 && *used.front().first == job.datum))
+        return;
+    swing.datum = {};
+    for (const auto& [instrument, headings] : used) {
+        const std::string where = used.size() > 1 ? " (" + headings + ")" : std::string();
+        const auto join = [](std::string& all, const std::string& more) { all += (all.empty() || more.empty() ? "" : "; ") + more; };
+        join(swing.datum.instrument, instrument->name + where);
+        join(swing.datum.serialNumber, instrument->serialNumber);
+        if (!instrument->calibrationDue.empty()
+            && (swing.datum.calibrationDue.empty() || instrument->calibrationDue < swing.datum.calibrationDue))
+            swing.datum.calibrationDue = instrument->calibrationDue;
+    }
+    swing.datum.readOut = job.particulars.datum.readOut;
 }
 
 /// Whether turning this control changes what the compass reads on a heading.
@@ -100,6 +146,10 @@ Swing asLeftSwing(const SwingJob& job, const JobState& state, int configuration)
     }
     if (configuration == 0)
         swing.indexRemoved_deg = state.indexRemoved_deg;
+    nameDatums(swing, job, state, [&](const Station& station) {
+        return station.phase == (configuration > 0 ? StationPhase::Configuration : StationPhase::Check)
+            && station.configuration == configuration;
+    });
     for (std::size_t place = 0; place < state.stations.size(); ++place) {
         const auto& station = state.stations[place];
         const bool wanted = station.station.phase == (configuration > 0 ? StationPhase::Configuration : StationPhase::Check)

@@ -54,6 +54,7 @@ struct SwingRow {
     int revision = 1;
     bool superseded = false; ///< a later revision amends it
     bool guided = false;     ///< its guided swing is not finished
+    bool abandoned = false;  ///< or it was abandoned
 };
 
 /// A guided swing that can be taken up.
@@ -65,10 +66,25 @@ struct JobRow {
     int events = 0;
 };
 
+/// A swing with its names, where those of several compasses stand in one list.
+struct NewestSwing {
+    SwingRow row;
+    std::string registration, compass;
+};
+
 struct AuditRow {
     std::string timeUtc;
     std::string what; ///< "changed reading"
     std::string detail;
+};
+
+/// What a swing that is at least complete says of its compass against its limits.
+struct LimitsFinding {
+    Date date;
+    SwingStage stage = SwingStage::AsFound;
+    bool isSigned = false;
+    Status status = Status::NotKnown;
+    std::optional<double> maxAbsDeviation_deg;
 };
 
 /// What the due rules look at, for one compass system.
@@ -78,11 +94,14 @@ struct DueCompass {
     CompassId compass;
     RecordId typeRecord, compassRecord;
     std::string typeName, registration, compassName;
-    Date installed;                 ///< empty: not stated
-    SiteId base;                    ///< of the aircraft
-    std::vector<Date> signedSwings; ///< the days of signed swings, newest first
-    std::vector<Event> events;      ///< of the aircraft
-    std::vector<Waiver> waivers;    ///< that answer those
+    Date installed;                           ///< empty: not stated
+    SiteId base;                              ///< of the aircraft
+    std::vector<Date> signedSwings;           ///< the days of signed swings, newest first
+    std::vector<Event> events;                ///< of the aircraft
+    std::vector<Waiver> waivers;              ///< that answer those
+    std::vector<LimitsFinding> findings = {}; ///< of complete and signed swings that no later revision amends, newest first
+    std::optional<double> limit_deg = {};     ///< the largest deviation that is allowed; none: no limit is set
+    std::string limitDocument = {};
 };
 
 struct SearchHit {

@@ -39,7 +39,7 @@ struct ReadingTaken {
     std::string note;
     bool operator==(const ReadingTaken&) const = default;
 };
-/// The station is read again; the reading that is put aside stays on the record.
+/// The station is read again, or after all where it was skipped; the reading that is put aside stays on the record.
 struct ReadingRejected {
     int station = 0;
     std::string reason;
@@ -92,8 +92,14 @@ struct Abandoned {
     bool operator==(const Abandoned&) const = default;
 };
 
+/// The aircraft's heading is told by another instrument from here on.
+struct DatumChanged {
+    DatumInstrument datum;
+    bool operator==(const DatumChanged&) const = default;
+};
+
 using What = std::variant<Ticked, InterferenceRead, Prepared, ReadingTaken, ReadingRejected, StationSkipped, Adjusted, NotAdjusted,
-    IndexRemoved, IndexLeft, Accepted, Faulted, Mended, Abandoned>;
+    IndexRemoved, IndexLeft, Accepted, Faulted, Mended, Abandoned, DatumChanged>;
 
 } // namespace job
 

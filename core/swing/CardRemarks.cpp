@@ -98,10 +98,34 @@ bool overLimit(const CardRow& row, const std::optional<LimitsProfile>& limits)
     return limits && limits->maxDeviation_deg && std::abs(row.residual.degrees()) > *limits->maxDeviation_deg + kRoundingOfLimits_deg;
 }
 
+bool skippedNear(const CardRow& row, const Swing& swing)
+{
+    double read_deg = 360, skipped_deg = 360;
+    for (const auto& reading : swing.readings) {
+        const double here_deg = row.magnetic.degrees();
+        if (reading.used())
+            read_deg = std::min(read_deg, std::abs(wrap180(reading.magnetic->degrees() - here_deg)));
+        else if (reading.nominal_deg)
+            skipped_deg = std::min(skipped_deg, std::abs(wrap180(*reading.nominal_deg - here_deg)));
+    }
+    return skipped_deg < read_deg;
+}
+
+bool outOfLimits(const Card& card, const std::optional<LimitsProfile>& limits)
+{
+    std::vector<Message> remarks;
+    remarkLimits(remarks, card, limits);
+    return !remarks.empty();
+}
+
 std::vector<Message> remarksOn(const Card& card, const SwingRecord& record)
 {
     std::vector<Message> remarks;
     remarkLimits(remarks, card, record.limits);
+    for (const auto& reading : record.swing.readings)
+        if (reading.nominal_deg && !reading.complete())
+            remarks.push_back({reading.note.empty() ? MARKED("core", "not read on %1") : MARKED("core", "not read on %1 (%2)"),
+                remarkHeading(*reading.nominal_deg), reading.note});
     for (const auto& suspect : card.suspects)
         remarks.push_back({MARKED("core", "SUSPECT reading used: on %1, %2 off the curve of the others"),
             remarkHeading(suspect.at.degrees()), tenthsOfDegree(std::abs(suspect.deviation.degrees()))});

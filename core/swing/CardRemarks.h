@@ -27,6 +27,12 @@ inline constexpr double kLevel_deg = 1;
 /// Whether the deviation of a row is over the limit; false without one.
 [[nodiscard]] bool overLimit(const CardRow& row, const std::optional<LimitsProfile>& limits);
 
+/// Whether a row stands nearer to a heading that was to be read and was not than to any that was.
+[[nodiscard]] bool skippedNear(const CardRow& row, const Swing& swing);
+
+/// Whether a row, the spread of the rows or a reading is over what is allowed; false without limits.
+[[nodiscard]] bool outOfLimits(const Card& card, const std::optional<LimitsProfile>& limits);
+
 /// In the order of their weight: rows over the limit, the spread, suspect readings that were used, arcs where nobody read, what
 /// interpolation misses, rows far from their readings, an attitude that is not level, no band.
 [[nodiscard]] std::vector<Message> remarksOn(const Card& card, const SwingRecord& record);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/angle/Angle.h"
+#include "core/base/Number.h"
 #include "core/earth/FieldModel.h"
 
 namespace lubberline {
@@ -52,6 +54,50 @@ StampState stateOf(const Swing& swing, const std::optional<Site>& site)
     if (!now || sameField(now->field, swing.field->field))
         return StampState::Current;
     return samePlace(*now, *swing.field) ? StampState::ModelChanged : StampState::PlaceChanged;
+}
+
+namespace {
+
+/// The mean declination of the survey's points; none where none was measured.
+std::optional<double> surveyed_deg(const Site& site)
+{
+    double first_deg = 0, sum_deg = 0;
+    int count = 0;
+    for (const auto& point : site.survey)
+        if (point.declination_deg) {
+            if (count++ == 0)
+                first_deg = *point.declination_deg;
+            sum_deg += wrap180(*point.declination_deg - first_deg);
+        }
+    return count > 0 ? std::optional(wrap180(first_deg + sum_deg / count)) : std::nullopt;
+}
+
+} // namespace
+
+Message variationDisagreement(const std::optional<Site>& site, const std::optional<FieldStamp>& model, std::optional<double> swing_deg)
+{
+    std::vector<double> said_deg;
+    std::vector<Message> words;
+    const auto add = [&](const Pattern& who, std::optional<double> deg) {
+        if (!deg || !std::isfinite(*deg))
+            return;
+        said_deg.push_back(*deg);
+        words.push_back({who, signedFigureText(*deg, 2) + "°"});
+    };
+    if (site) {
+        add(MARKED("core", "the base states %1"), site->variation_deg);
+        add(MARKED("core", "its survey found %1"), surveyed_deg(*site));
+    }
+    if (model)
+        add(MARKED("core", "the model has %1"), model->field.variation().degrees());
+    add(MARKED("core", "the swing states %1"), swing_deg);
+    double apart_deg = 0;
+    for (std::size_t i = 0; i < said_deg.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            apart_deg = std::max(apart_deg, std::abs(wrap180(said_deg[i] - said_deg[j])));
+    if (apart_deg < kDoubtfulVariation_deg - 1e-9)
+        return {};
+    return {MARKED("core", "VARIATION in doubt, by %1: %2"), figureText(apart_deg, 1) + "°", together(std::move(words))};
 }
 
 std::optional<double> variationBeyondStamp_deg(const Swing& swing)

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "core/base/Message.h"
 #include "core/record/Site.h"
 #include "core/record/Swing.h"
 
@@ -32,5 +33,11 @@ inline constexpr double kSameField_nT = 0.05;
 [[nodiscard]] std::optional<double> variationBeyondStamp_deg(const Swing& swing);
 /// More than models and charts differ by: one of the two is wrong.
 inline constexpr double kDoubtfulVariation_deg = 1.0;
+
+/// What the base states, what its survey found (the mean of its points), what the model has there and then, and what the swing states, in
+/// words, where two of them are a degree or more apart; empty: they agree, or only one is known.
+/// @param model none: not known; swing_deg [deg, east positive].
+[[nodiscard]] Message variationDisagreement(
+    const std::optional<Site>& site, const std::optional<FieldStamp>& model, std::optional<double> swing_deg = {});
 
 } // namespace lubberline

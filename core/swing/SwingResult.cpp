@@ -9,11 +9,25 @@
 
 namespace lubberline {
 
+namespace {
+
+/// The coarsest of the instruments that were used.
+double datumDivision_deg(const SwingJob& job)
+{
+    double division_deg = job.datum.resolution_deg;
+    for (const JobEvent& event : job.events)
+        if (const auto* changed = std::get_if<job::DatumChanged>(&event.what))
+            division_deg = std::max(division_deg, changed->datum.resolution_deg);
+    return division_deg;
+}
+
+} // namespace
+
 Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options)
 {
     AnalysisOptions own = options;
     own.resolution_deg = record.compass.resolution_deg;
-    own.readingError_rad = readingError_rad(record.compass.resolution_deg, job ? job->datum.resolution_deg : 0.0);
+    own.readingError_rad = readingError_rad(record.compass.resolution_deg, job ? datumDivision_deg(*job) : 0.0);
     auto analysis = analyse(observationsOf(record.swing), own);
     if (analysis)
         for (const auto& gap : gapsOf(*analysis)) // with the band that the reading error leaves

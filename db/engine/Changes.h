@@ -56,6 +56,13 @@ public:
     void ended(bool committed);
     /// Another connection has stored much (an import on a worker).
     void announceFleet() { emit fleetChanged(); }
+    /// Another window or a command has stored something: nobody knows what.
+    void announceAll()
+    {
+        emit fleetChanged();
+        emit sitesChanged();
+        emit dueChanged();
+    }
 
 signals:
     void fleetChanged();

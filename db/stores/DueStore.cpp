@@ -147,15 +147,30 @@ Result<std::vector<DueCompass>> DueStore::compasses()
         dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.day(1); });
     if (!signedOf)
         return signedOf.error();
+    Statement findings(m_database,
+        "SELECT s.compass_id, s.date, s.stage, s.state = 2, s.status, s.max_abs_deviation_deg FROM swing s"
+        " WHERE s.state >= 1 AND s.date <> '' AND s.max_abs_deviation_deg IS NOT NULL AND s.procedure_name <> ?"
+        " AND NOT EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = s.record AND n.state = 2) ORDER BY s.date DESC, s.id DESC");
+    findings << std::string(kCheckProcedure);
+    const auto findingsOf = groups<CompassId, LimitsFinding>(
+        findings, [](Statement& row) { return row.id<CompassId>(0); },
+        [](Statement& row) {
+            return LimitsFinding{row.day(1), row.as<SwingStage>(2), row.integer(3) != 0, row.as<Status>(4), row.optionalReal(5)};
+        });
+    if (!findingsOf)
+        return findingsOf.error();
     Statement statement(m_database,
-        "SELECT t.id, a.id, c.id, t.record, c.record, t.name, a.registration, c.name, c.installed, a.base_id"
+        "SELECT t.id, a.id, c.id, t.record, c.record, t.name, a.registration, c.name, c.installed, a.base_id, l.max_deviation_deg,"
+        " COALESCE(NULLIF(l.document, ''), l.name, '')"
         " FROM compass c JOIN aircraft a ON a.id = c.aircraft_id JOIN aircraft_type t ON t.id = a.type_id"
+        " LEFT JOIN limits_profile l ON l.id = c.limits_id"
         " ORDER BY t.name, a.registration, c.name");
     return rowsOf<DueCompass>(statement, [&](Statement& row) {
         const auto aircraft = row.id<AircraftId>(1);
         const auto compass = row.id<CompassId>(2);
         return DueCompass{row.id<AircraftTypeId>(0), aircraft, compass, row.text(3), row.text(4), row.text(5), row.text(6), row.text(7),
-            row.day(8), row.id<SiteId>(9), of(*signedOf, compass), of(*eventsOf, aircraft), of(*waiversOf, aircraft)};
+            row.day(8), row.id<SiteId>(9), of(*signedOf, compass), of(*eventsOf, aircraft), of(*waiversOf, aircraft),
+            of(*findingsOf, compass), row.optionalReal(10), row.text(11)};
     });
 }
 

@@ -188,6 +188,7 @@ Result<void> JobStore::append(SwingId swing, std::size_t place, const JobEvent& 
             file};
     if (const auto done = insertEvent(m_database, row->id, place, event); !done)
         return done;
+    m_database.changes().note(change::OfSwing{swing}); // lists say where it stands
     return transaction->commit();
 }
 

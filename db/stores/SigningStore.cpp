@@ -18,6 +18,12 @@
 
 namespace lubberline::db {
 
+namespace {
+
+constexpr const char* kWroteCard = "wrote card"; // in the audit trail
+
+}
+
 Result<std::string> SigningStore::hashOf(SwingId id, int contents)
 {
     const auto record = SwingStore(m_database).record(id);
@@ -202,6 +208,25 @@ Result<std::vector<AuditRow>> SigningStore::auditOf(const RecordId& record)
     Statement statement(m_database, "SELECT time_utc, what, detail FROM audit_entry WHERE record = ? ORDER BY id");
     statement << record;
     return rowsOf<AuditRow>(statement, [](Statement& row) { return AuditRow{row.text(0), row.text(1), row.text(2)}; });
+}
+
+Result<void> SigningStore::noteCard(SwingId id)
+{
+    const auto swing = SwingStore(m_database).swing(id);
+    if (!swing)
+        return swing.error();
+    if (swing->state != SwingState::Signed)
+        return Error{ErrorCode::InvalidInput, MARKED("db", "the swing is not signed; only a signed card can be printed again")};
+    return audit(m_database, kWroteCard, swing->record, {});
+}
+
+Result<bool> SigningStore::cardWasWritten(SwingId id)
+{
+    Statement statement(
+        m_database, "SELECT 1 FROM audit_entry a JOIN swing s ON s.record = a.record WHERE s.id = ? AND a.what = ? LIMIT 1");
+    statement << id << std::string(kWroteCard);
+    const auto found = firstOf<int>(statement, [](Statement& row) { return static_cast<int>(row.integer(0)); });
+    return found ? Result<bool>(found->has_value()) : found.error();
 }
 
 Result<std::vector<Message>> SigningStore::faults()

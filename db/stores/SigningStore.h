@@ -25,6 +25,9 @@ public:
     /// Errors: InvalidInput (not signed, no reason), Conflict (superseded already).
     Result<SwingId> amend(SwingId id, const std::string& reason);
     Result<std::vector<AuditRow>> auditOf(const RecordId& record); ///< oldest first
+    /// That a card of it was written, as it is signed now: one that is written after is a reprint.
+    Result<void> noteCard(SwingId id);
+    Result<bool> cardWasWritten(SwingId id);
     /// Signed swings of which a deciding signature does not hold: for verify().
     Result<std::vector<Message>> faults();
 

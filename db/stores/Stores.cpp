@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "db/engine/Statement.h"
 #include "db/schema/Schema.h"
 
 namespace lubberline::db {
@@ -38,6 +39,16 @@ Stores::Stores(Database database)
     , due(m_database)
     , electrical(m_database)
 {
+}
+
+Result<bool> Stores::changedElsewhere()
+{
+    Statement statement(m_database, "PRAGMA data_version"); // SQLite: another value when another connection has committed
+    const auto version = firstOf<std::int64_t>(statement, [](Statement& row) { return row.integer(0); });
+    if (!version)
+        return version.error();
+    const std::int64_t before = std::exchange(m_dataVersion, version->value_or(0));
+    return before != 0 && before != m_dataVersion;
 }
 
 Result<std::unique_ptr<Stores>> Stores::openForWorker() const

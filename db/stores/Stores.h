@@ -4,6 +4,7 @@
 /// Several calls are made one by a Transaction around them. Calls take well under 100 ms; long work (import, export) is done on a
 /// worker with openForWorker().
 
+#include <cstdint>
 #include <memory>
 
 #include "db/engine/Changes.h"
@@ -33,12 +34,16 @@ public:
     [[nodiscard]] const Clock& clock() const { return m_database.clock(); } ///< for all who work with these stores
     [[nodiscard]] Result<Transaction> begin() { return Transaction::begin(m_database); }
 
+    /// Whether another connection (another window, a command) has stored something since this was asked last.
+    Result<bool> changedElsewhere();
+
     /// A connection of its own to the same database, to be made, used and destroyed on one worker thread. Nobody is told of what it
     /// stores: the caller calls Changes::announceFleet() on the window's stores when the worker is done.
     [[nodiscard]] Result<std::unique_ptr<Stores>> openForWorker() const;
 
 private:
     Database m_database;
+    std::int64_t m_dataVersion = 0; ///< when it was asked last; 0: never
 
 public:
     FleetStore fleet;

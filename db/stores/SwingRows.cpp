@@ -120,7 +120,8 @@ QString swingRowColumns()
 {
     return "id, compass_id, date, CASE kind_stated WHEN 1 THEN kind ELSE 4 END, CASE stage_stated WHEN 1 THEN stage ELSE 2 END, state,"
            " reading_count, max_abs_deviation_deg, a_deg, b_deg, c_deg, d_deg, e_deg, status, revision,"
-           " EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = swing.record), EXISTS (SELECT 1 FROM swing_job j WHERE j.swing_id = swing.id AND j.state = 0)";
+           " EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = swing.record), EXISTS (SELECT 1 FROM swing_job j WHERE j.swing_id = swing.id AND j.state = 0),"
+           " EXISTS (SELECT 1 FROM swing_job j WHERE j.swing_id = swing.id AND j.state = 2)";
 }
 
 SwingRow swingRowFrom(const Statement& row)
@@ -128,7 +129,7 @@ SwingRow swingRowFrom(const Statement& row)
     return {row.id<SwingId>(0), row.id<CompassId>(1), row.day(2), row.as<SwingKind>(3), row.as<SwingStage>(4), row.as<SwingState>(5),
         static_cast<int>(row.integer(6)), row.optionalReal(7),
         {row.optionalReal(8), row.optionalReal(9), row.optionalReal(10), row.optionalReal(11), row.optionalReal(12)}, row.as<Status>(13),
-        static_cast<int>(row.integer(14)), row.integer(15) != 0, row.integer(16) != 0};
+        static_cast<int>(row.integer(14)), row.integer(15) != 0, row.integer(16) != 0, row.integer(17) != 0};
 }
 
 void bindParticulars(Statement& statement, const Swing& swing)

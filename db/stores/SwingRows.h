@@ -18,6 +18,7 @@ namespace lubberline::db {
 
 /// A line of a list with its cached results, for SELECT … FROM swing.
 [[nodiscard]] QString swingRowColumns();
+inline constexpr int kSwingRowColumns = 18;
 [[nodiscard]] SwingRow swingRowFrom(const Statement& row);
 
 /// Binds the particulars in the order of swingFields(), from compass to the index that was removed.

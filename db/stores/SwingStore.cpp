@@ -85,6 +85,18 @@ Result<std::vector<SwingRow>> SwingStore::swingsOf(CompassId compass)
     return rowsOf<SwingRow>(statement, swingRowFrom);
 }
 
+Result<std::vector<NewestSwing>> SwingStore::newest(int count)
+{
+    Statement statement(m_database,
+        "SELECT " + swingRowColumns()
+            + ", (SELECT a.registration FROM compass c JOIN aircraft a ON a.id = c.aircraft_id WHERE c.id = swing.compass_id),"
+              " (SELECT c.name FROM compass c WHERE c.id = swing.compass_id) FROM swing ORDER BY id DESC LIMIT ?");
+    statement << count;
+    return rowsOf<NewestSwing>(statement, [](Statement& row) {
+        return NewestSwing{swingRowFrom(row), row.text(kSwingRowColumns), row.text(kSwingRowColumns + 1)};
+    });
+}
+
 Result<Swing> SwingStore::swing(SwingId id)
 {
     const auto snapshot = Transaction::beginReading(m_database);

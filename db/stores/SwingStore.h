@@ -16,6 +16,7 @@ public:
     explicit SwingStore(Database& database) : m_database(database) {}
 
     Result<std::vector<SwingRow>> swingsOf(CompassId compass); ///< newest first
+    Result<std::vector<NewestSwing>> newest(int count);        ///< that were made last, of every compass
     Result<Swing> swing(SwingId id);                           ///< with readings
     Result<SwingRecord> record(SwingId id);                    ///< with compass, aircraft, type, site and limits
     /// The last swing of the same compass that is dated before this one, as left rather than as found; where there is none, the

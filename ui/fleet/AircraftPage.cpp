@@ -2,6 +2,9 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableWidget>
@@ -15,6 +18,8 @@
 #include "ui/fleet/EventsPanel.h"
 #include "ui/fleet/RecordEdits.h"
 #include "ui/kit/Badge.h"
+#include "ui/kit/DueBadge.h"
+#include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/HistoryPlot.h"
 
@@ -22,6 +27,7 @@ namespace lubberline::ui {
 
 namespace {
 
+enum CompassColumn { CompassName, CompassSwings, CompassState, CompassDue, kCompassColumns };
 enum SwingColumn { SwungOn, Kind, Stage, State, Readings, Largest, CoefficientA, Standing = CoefficientA + 5, kSwingColumns };
 
 Result<void> takeBuiltYear(Aircraft& aircraft, const QString& text)
@@ -79,6 +85,8 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
             m_context, after.aircraft, m_compass.record(), after, tr("%1 of %2").arg(field, toText(after.name))));
     })
     , m_events(new EventsPanel(context, stack))
+    , m_compassTable(new QTableWidget(0, kCompassColumns))
+    , m_open(new QVBoxLayout)
     , m_swingTable(new QTableWidget(0, kSwingColumns))
 {
     titleLine().setObjectName(QStringLiteral("aircraftTitle"));
@@ -140,10 +148,7 @@ QWidget* AircraftPage::buildCompassForm()
     m_compassChoice = new QComboBox;
     m_compassChoice->setObjectName(QStringLiteral("compassChoice"));
     form->addRow(tr("Show:"), m_compassChoice);
-    connect(m_compassChoice, &QComboBox::activated, this, [this](int choice) {
-        if (const auto shown = loadCompass(m_compasses[static_cast<std::size_t>(choice)].id); !shown)
-            emit failed(messageOf(shown.error()));
-    });
+    connect(m_compassChoice, &QComboBox::activated, this, [this](int choice) { chooseCompass(choice); });
     m_compass.addLine(
         *form, tr("Name:"), QStringLiteral("compassName"), [](const CompassSystem& record) { return toText(record.name); },
         takeName(&CompassSystem::name, tr("a compass must have a name, as “standby compass”")));
@@ -203,12 +208,27 @@ QWidget* AircraftPage::buildSwings()
     m_swingTable->setAlternatingRowColors(true);
     connect(m_swingTable, &QTableWidget::cellActivated, this,
         [this](int row) { emit swingChosen(m_listed.at(static_cast<std::size_t>(row))); });
+    m_compassTable->setObjectName(QStringLiteral("compassTable"));
+    m_compassTable->setAccessibleName(tr("Compasses of this aircraft"));
+    m_compassTable->setHorizontalHeaderLabels({tr("Compass"), tr("Swings"), tr("State"), tr("Due")});
+    m_compassTable->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_compassTable->horizontalHeader()->setStretchLastSection(true);
+    m_compassTable->verticalHeader()->hide();
+    m_compassTable->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    m_compassTable->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_compassTable->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_compassTable->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_compassTable->setTabKeyNavigation(false);
+    connect(m_compassTable, &QTableWidget::currentCellChanged, this, [this](int row) { chooseCompass(row); });
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_compassTable);
+    layout->addLayout(m_open);
     m_historyPlace = new QVBoxLayout;
     layout->addLayout(m_historyPlace, 3);
     auto* hint = new QLabel(tr("Swings of this compass, newest first. Enter or double click opens one."));
+    hint->setWordWrap(true);
     layout->addWidget(hint);
     layout->addWidget(m_swingTable, 2);
     return page;
@@ -244,18 +264,111 @@ Result<void> AircraftPage::load(AircraftId id, CompassId compass)
     if (!compasses)
         return compasses.error();
     m_aircraft.show(*record, !m_context.stores.readOnly());
-    setTitle(typeName(record->type) + toText(record->registration) + (record->demonstration ? tr(" · DEMONSTRATION") : QString()));
     m_compasses = std::move(compasses.value());
-    m_compassChoice->clear();
-    for (const CompassRow& row : m_compasses)
-        m_compassChoice->addItem(badgeIcon(row.status), tr("%1 (swings: %2)").arg(toText(row.name)).arg(row.swings));
+    listCompasses();
     m_events->showAircraft(id);
     const bool known = std::any_of(m_compasses.begin(), m_compasses.end(), [compass](const CompassRow& row) { return row.id == compass; });
     if (known || !m_compasses.empty())
-        return loadCompass(known ? compass : m_compasses.front().id);
+        return loadCompass(known ? compass : worst());
     m_compass.show({}, false);
+    showTitle();
     showSwings({}, {});
     return {};
+}
+
+/// Whose page it is, down to the compass whose swings are shown.
+void AircraftPage::showTitle()
+{
+    const Aircraft& record = m_aircraft.record();
+    QString title = typeName(record.type) + toText(record.registration);
+    if (compass().valid())
+        title += QStringLiteral(" · ") + toText(m_compass.record().name);
+    setTitle(title + (record.demonstration ? tr(" · DEMONSTRATION") : QString()));
+}
+
+void AircraftPage::listCompasses()
+{
+    const QSignalBlocker quiet(m_compassTable);
+    m_compassChoice->clear();
+    m_compassTable->setRowCount(static_cast<int>(m_compasses.size()));
+    for (int row = 0; row < m_compassTable->rowCount(); ++row) {
+        const CompassRow& compass = m_compasses[static_cast<std::size_t>(row)];
+        m_compassChoice->addItem(badgeIcon(compass.status), tr("%1 (swings: %2)").arg(toText(compass.name)).arg(compass.swings));
+        m_compassTable->setItem(row, CompassName, new QTableWidgetItem(toText(compass.name)));
+        m_compassTable->setItem(row, CompassSwings, new QTableWidgetItem(QString::number(compass.swings)));
+        m_compassTable->setItem(row, CompassState, new QTableWidgetItem(badgeIcon(compass.status), badgeWord(compass.status)));
+        const auto due = m_due.find(compass.id);
+        const DueState state = due == m_due.end() ? DueState::NotDue : due->second;
+        m_compassTable->setItem(
+            row, CompassDue, state == DueState::NotDue ? new QTableWidgetItem : new QTableWidgetItem(dueIcon(state), dueWord(state)));
+    }
+    constexpr int kMostRows = 4;
+    const int rows = std::clamp(m_compassTable->rowCount(), 1, kMostRows);
+    m_compassTable->setFixedHeight(rows * m_compassTable->verticalHeader()->defaultSectionSize()
+        + m_compassTable->horizontalHeader()->sizeHint().height() + 2 * m_compassTable->frameWidth()
+        + m_compassTable->horizontalScrollBar()->sizeHint().height());
+}
+
+CompassId AircraftPage::worst() const
+{
+    const auto weight = [this](const CompassRow& row) {
+        const auto due = m_due.find(row.id);
+        return std::pair(row.status == Status::OutOfLimits, due == m_due.end() ? DueState::NotDue : due->second);
+    };
+    return std::max_element(m_compasses.begin(), m_compasses.end(), [&](const CompassRow& a, const CompassRow& b) {
+        return weight(a) < weight(b);
+    })->id;
+}
+
+void AircraftPage::setDue(std::map<CompassId, DueState> due)
+{
+    m_due = std::move(due);
+    if (!aircraft().valid())
+        return;
+    listCompasses();
+    markCompass();
+}
+
+/// A guided swing that stands half-way is gone on with from here.
+void AircraftPage::offerOpen()
+{
+    while (QLayoutItem* item = m_open->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater(); // it may be the one that was pressed
+        delete item;
+    }
+    const auto open = openSwings(m_context.stores);
+    for (const OpenSwing& one : open ? *open : std::vector<OpenSwing>()) {
+        if (one.compass != compass())
+            continue;
+        auto* button = new QPushButton(one.words);
+        button->setObjectName(QStringLiteral("goOnGuided"));
+        button->setAutoDefault(true);
+        connect(button, &QPushButton::clicked, this, [this, swing = one.swing] { emit swingChosen(swing); });
+        m_open->addWidget(button);
+    }
+}
+
+void AircraftPage::chooseCompass(int row)
+{
+    if (row < 0 || row >= static_cast<int>(m_compasses.size()) || m_compasses[static_cast<std::size_t>(row)].id == compass())
+        return;
+    if (const auto shown = loadCompass(m_compasses[static_cast<std::size_t>(row)].id); !shown)
+        emit failed(messageOf(shown.error()));
+    else {
+        m_asked = compass();
+        emit stateChanged();
+    }
+}
+
+void AircraftPage::markCompass()
+{
+    const QSignalBlocker quiet(m_compassTable);
+    for (std::size_t i = 0; i < m_compasses.size(); ++i)
+        if (m_compasses[i].id == compass()) {
+            m_compassChoice->setCurrentIndex(static_cast<int>(i));
+            m_compassTable->setCurrentCell(static_cast<int>(i), CompassName);
+        }
 }
 
 QString AircraftPage::siteName(SiteId id) const
@@ -307,9 +420,9 @@ Result<void> AircraftPage::loadCompass(CompassId id)
         return swings.error();
     loadLimits();
     m_compass.show(*record, !m_context.stores.readOnly());
-    for (std::size_t i = 0; i < m_compasses.size(); ++i)
-        if (m_compasses[i].id == id)
-            m_compassChoice->setCurrentIndex(static_cast<int>(i));
+    markCompass();
+    showTitle();
+    offerOpen();
     showSwings(*swings, *record);
     return {};
 }

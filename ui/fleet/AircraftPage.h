@@ -2,6 +2,9 @@
 /// One aircraft: particulars that are edited in place, its compasses with their limits, its events, the swings of a compass and
 /// its coefficients over the years.
 
+#include <map>
+
+#include "core/due/DueRules.h"
 #include "core/record/FleetRows.h"
 #include "ui/kit/EditContext.h"
 #include "ui/kit/FormField.h"
@@ -23,7 +26,7 @@ class AircraftPage : public Page {
 public:
     AircraftPage(EditContext& context, QUndoStack& stack, QWidget* parent = nullptr);
 
-    /// @param compass shown first; not valid: the aircraft's first one.
+    /// @param compass shown first; not valid: the one that needs a hand most.
     Result<void> showAircraft(AircraftId id, CompassId compass);
     /// Asks storage again for what is shown.
     void refresh();
@@ -37,6 +40,9 @@ public:
     [[nodiscard]] Shown shown() const override;
     [[nodiscard]] std::vector<FleetItem> path() const override;
 
+    /// What is due, from the window's watch: it stands beside each compass, and decides which is shown first.
+    void setDue(std::map<CompassId, DueState> due);
+
 signals:
     void swingChosen(lubberline::SwingId id);
 
@@ -46,6 +52,12 @@ private:
     QWidget* buildSwings();
     Result<void> load(AircraftId id, CompassId compass);
     Result<void> loadCompass(CompassId id);
+    void listCompasses();
+    void markCompass();
+    void showTitle();
+    void chooseCompass(int row);
+    void offerOpen();
+    [[nodiscard]] CompassId worst() const;
     void showSwings(const std::vector<SwingRow>& swings, const CompassSystem& compass);
     void showHistory(const std::vector<SwingRow>& swings, const CompassSystem& compass);
     void loadLimits();
@@ -60,6 +72,9 @@ private:
     QComboBox* m_compassChoice = nullptr;
     QComboBox* m_limits = nullptr;
     EventsPanel* m_events;
+    QTableWidget* m_compassTable;
+    QVBoxLayout* m_open; ///< a button for each guided swing of the compass that stands half-way
+    std::map<CompassId, DueState> m_due;
     QTableWidget* m_swingTable;
     QVBoxLayout* m_historyPlace = nullptr;
     HistoryPlot* m_history = nullptr;

@@ -5,6 +5,7 @@
 
 #include "ui/kit/Badge.h"
 #include "ui/kit/DueBadge.h"
+#include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -31,7 +32,7 @@ QString swingName(const SwingRow& row)
         name += FleetModel::tr(", rev. %1").arg(row.revision);
     if (row.superseded)
         name += FleetModel::tr(", amended");
-    return row.guided ? name + FleetModel::tr(", guided, in work") : name;
+    return name;
 }
 
 QString swingDetail(const SwingRow& row)
@@ -139,9 +140,20 @@ Result<std::vector<std::unique_ptr<FleetModel::Node>>> FleetModel::ask(const Nod
         if (!rows)
             return rows.error();
         for (const SwingRow& row : *rows)
-            add(row.id, swingName(row), swingDetail(row), row.status, false)->draft = row.state == SwingState::Draft;
+            add(row.id, swingName(row) + guidedWords(row), swingDetail(row), row.status, false)->draft = row.state == SwingState::Draft;
     }
     return nodes;
+}
+
+/// Where a guided swing stands, or that it was abandoned.
+QString FleetModel::guidedWords(const SwingRow& row)
+{
+    if (!row.guided && !row.abandoned)
+        return {};
+    if (row.abandoned)
+        return tr(", guided, abandoned");
+    const auto job = m_stores.jobs.jobOf(row.id);
+    return job && *job ? tr(", guided, at %1").arg(standingWords((*job)->job)) : tr(", guided, in work");
 }
 
 void FleetModel::load(Node& parent)

@@ -52,6 +52,7 @@ private:
     [[nodiscard]] Node* nodeOf(const QModelIndex& index) const;
     [[nodiscard]] QModelIndex indexOf(const Node* node, int column = Name) const;
     [[nodiscard]] Result<std::vector<std::unique_ptr<Node>>> ask(const Node& parent);
+    [[nodiscard]] QString guidedWords(const SwingRow& row);
     void load(Node& parent);
     void removeMissing(Node& parent, const std::vector<std::unique_ptr<Node>>& fresh);
     void merge(Node& parent, std::vector<std::unique_ptr<Node>> fresh);

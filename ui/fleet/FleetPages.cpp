@@ -1,5 +1,6 @@
 // How the window reaches the pages of the fleet: the start, the overview, an aircraft.
 
+#include "ui/due/DueWatch.h"
 #include "ui/fleet/AircraftPage.h"
 #include "ui/fleet/OverviewPage.h"
 #include "ui/fleet/PopulationPage.h"
@@ -7,6 +8,22 @@
 #include "ui/kit/PageDescription.h"
 
 namespace lubberline::ui {
+
+namespace {
+
+/// Tells a page what is due, now and whenever that is found anew.
+template <class Show>
+void followDue(PageContext& context, Page& page, Show show)
+{
+    const auto tell = [&context, show] {
+        if (context.due->news())
+            show(*context.due->news());
+    };
+    QObject::connect(context.due, &DueWatch::ready, &page, tell);
+    tell();
+}
+
+} // namespace
 
 PageDescription StartPage::description(PageContext& context)
 {
@@ -36,6 +53,9 @@ PageDescription OverviewPage::description(PageContext& context)
             connect(overview, &OverviewPage::aircraftChosen, &context.window, [&context](AircraftId id) { context.go({{}, id}); });
             connect(overview, &OverviewPage::newSwingWanted, &context.window, [&context] { context.go({"newSwing"}); });
             connect(overview, &OverviewPage::importWanted, &context.window, [&context] { context.chooseImport(); });
+            connect(overview, &OverviewPage::placeWanted, &context.window, [&context](const FleetItem& item) { context.go({{}, item}); });
+            connect(overview, &OverviewPage::dueWanted, &context.window, [&context] { context.go({"due"}); });
+            followDue(context, *overview, [overview](const DueNews& news) { overview->setDue(news.lines); });
             return overview;
         }};
     page.shows = [](const FleetItem& item) {
@@ -43,7 +63,8 @@ PageDescription OverviewPage::description(PageContext& context)
     };
     page.commands = {{MenuId::Fleet, 100, tr("&Overview"), tr("Alt+Home"), "overview", [&context](Page&) { context.go({}); }}};
     page.help = tr(
-        "The fleet and the state of its aircraft: that of the newest swing of each compass, held against its limits. Click an aircraft to open it; Ctrl+F finds one by name.");
+        "What needs a hand today comes first: guided swings that stand half-way, compasses that are due or out of limits, the newest swings; Enter or a click goes there. "
+        "Beneath it the aircraft that are out of limits: their state is that of the newest swing of each compass, held against its limits. Ctrl+F finds one by name.");
     return page;
 }
 
@@ -85,6 +106,12 @@ PageDescription AircraftPage::description(PageContext& context)
         QStringLiteral("aircraft"), [&context] {
             auto* aircraft = new AircraftPage(context.edits, context.undo);
             connect(aircraft, &AircraftPage::swingChosen, &context.window, [&context](SwingId id) { context.go({{}, id}); });
+            followDue(context, *aircraft, [aircraft](const DueNews& news) {
+                std::map<CompassId, DueState> due;
+                for (const DueLine& line : news.lines)
+                    due.emplace(line.compass.compass, line.answer.state);
+                aircraft->setDue(std::move(due));
+            });
             return aircraft;
         }};
     page.shows = [](const FleetItem& item) { return std::holds_alternative<AircraftId>(item) || std::holds_alternative<CompassId>(item); };

@@ -10,6 +10,9 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include <optional>
+#include <utility>
+
 #include "ui/kit/DueBadge.h"
 #include "ui/kit/Words.h"
 
@@ -82,7 +85,18 @@ void FleetPanel::buildTree()
     m_tree->setUniformRowHeights(true);
     m_tree->setHeaderHidden(true);
     m_tree->setIndentation(12);
-    connect(m_tree, &QTreeView::activated, this, &FleetPanel::itemOpened);
+    m_tree->setTextElideMode(Qt::ElideNone); // what is cut may be what tells one swing from the other: the tree scrolls
+    m_tree->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    // The chosen item shows its page again, too: by Enter, by a double click, by a click.
+    connect(m_tree, &QTreeView::activated, this, [this](const QModelIndex& index) {
+        emit itemChosen(m_model->item(index));
+        emit itemOpened();
+    });
+    connect(m_tree, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+        const FleetItem item = m_model->item(index);
+        if (!(std::exchange(m_chosen, {}) == item))
+            emit itemChosen(item);
+    });
     m_stack->addWidget(m_tree);
 }
 
@@ -117,11 +131,13 @@ void FleetPanel::populate()
     m_tree->setModel(m_model); // asks storage for the first level
     m_model->fetchMore({});
     m_tree->header()->setStretchLastSection(false);
-    m_tree->header()->setSectionResizeMode(FleetModel::Name, QHeaderView::Stretch);
+    m_tree->header()->setSectionResizeMode(FleetModel::Name, QHeaderView::ResizeToContents);
     m_tree->header()->setSectionResizeMode(FleetModel::Badge, QHeaderView::ResizeToContents);
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
-        if (!m_selecting && current.isValid())
-            emit itemChosen(m_model->item(current));
+        if (m_selecting || !current.isValid())
+            return;
+        m_chosen = m_model->item(current);
+        emit itemChosen(m_chosen);
     });
 }
 
@@ -132,6 +148,70 @@ void FleetPanel::select(const std::vector<FleetItem>& path)
     m_selecting = true;
     m_tree->setCurrentIndex(m_model->find(path));
     m_selecting = false;
+}
+
+namespace {
+
+QString branchText(const FleetItem& item)
+{
+    return std::visit(
+        [&](const auto& id) {
+            if constexpr (requires { id.value; })
+                return QStringLiteral("%1:%2").arg(item.index()).arg(id.value);
+            else
+                return QString();
+        },
+        item);
+}
+
+std::optional<FleetItem> branchFrom(const QString& text)
+{
+    const auto id = text.section(':', 1).toLongLong();
+    switch (text.section(':', 0, 0).toInt()) {
+    case 1: return FleetItem(AircraftTypeId{id});
+    case 2: return FleetItem(AircraftId{id});
+    case 3: return FleetItem(CompassId{id});
+    default: return {};
+    }
+}
+
+} // namespace
+
+QStringList FleetPanel::openBranches() const
+{
+    QStringList open;
+    if (!m_tree->model())
+        return open;
+    std::vector<QModelIndex> left{QModelIndex()};
+    while (!left.empty()) {
+        const QModelIndex parent = left.back();
+        left.pop_back();
+        for (int row = 0; row < m_model->rowCount(parent); ++row) {
+            const QModelIndex child = m_model->index(row, 0, parent);
+            if (!m_tree->isExpanded(child))
+                continue;
+            QStringList path;
+            for (QModelIndex above = child; above.isValid(); above = above.parent())
+                path.prepend(branchText(m_model->item(above)));
+            open += path.join('/');
+            left.push_back(child);
+        }
+    }
+    return open;
+}
+
+void FleetPanel::setOpenBranches(const QStringList& branches)
+{
+    if (!m_tree->model())
+        return;
+    for (const QString& branch : branches) {
+        std::vector<FleetItem> path;
+        for (const QString& part : branch.split('/'))
+            if (const auto item = branchFrom(part))
+                path.push_back(*item);
+        if (const QModelIndex found = m_model->find(path); found.isValid() && !path.empty() && m_model->item(found) == path.back())
+            m_tree->expand(found);
+    }
 }
 
 void FleetPanel::search()

@@ -24,6 +24,8 @@ public:
     void populate();
     /// Marks what the page shows, without emitting itemChosen().
     void select(const std::vector<FleetItem>& path);
+    [[nodiscard]] QStringList openBranches() const; ///< as setOpenBranches() takes them
+    void setOpenBranches(const QStringList& branches);
     void focusSearch();
     void focusTree();
     void showDue(const std::vector<DueLine>& lines, int due);
@@ -54,6 +56,7 @@ private:
     QTimer* m_refreshSoon;
     std::vector<FleetItem> m_hitItems;
     bool m_selecting = false;
+    FleetItem m_chosen; ///< by the press that its click ends
 };
 
 } // namespace lubberline::ui

@@ -8,8 +8,11 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 
 #include "ui/kit/Badge.h"
+#include "ui/kit/DueBadge.h"
+#include "ui/kit/OpenSwings.h"
 #include "ui/kit/Theme.h"
 #include "ui/kit/Words.h"
 
@@ -42,8 +45,30 @@ OverviewPage::OverviewPage(db::Stores& stores, QWidget* parent)
     , m_stores(stores)
     , m_counts(largeLabel(QStringLiteral("overviewCounts"), 1.1))
     , m_listTitle(largeLabel(QStringLiteral("overviewListTitle"), 1.1))
+    , m_today(new QTableWidget(0, 3))
+    , m_hint(new QLabel)
     , m_list(new QTableWidget(0, 3))
 {
+    m_today->setObjectName(QStringLiteral("overviewToday"));
+    m_today->setAccessibleName(tr("What needs a hand today"));
+    m_today->setHorizontalHeaderLabels({tr("Today"), tr("Compass"), tr("Why")});
+    m_today->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_today->horizontalHeader()->setStretchLastSection(true);
+    m_today->verticalHeader()->hide();
+    m_today->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    m_today->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_today->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_today->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_today->setTabKeyNavigation(false);
+    const auto goThere = [this](int row) {
+        const FleetItem place = m_places.at(static_cast<std::size_t>(row));
+        if (std::holds_alternative<std::monostate>(place))
+            emit dueWanted();
+        else
+            emit placeWanted(place);
+    };
+    connect(m_today, &QTableWidget::cellActivated, this, goThere);
+    connect(m_today, &QTableWidget::cellClicked, this, goThere);
     m_list->setObjectName(QStringLiteral("overviewList"));
     m_list->setHorizontalHeaderLabels({tr("Aircraft"), tr("Type"), tr("State")});
     m_list->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -65,18 +90,18 @@ OverviewPage::OverviewPage(db::Stores& stores, QWidget* parent)
     buttons->addWidget(import);
     buttons->addStretch();
 
-    auto* hint
-        = new QLabel(tr("Choose an aircraft in the tree at the left, open its compass, and pick a swing. "
-                        "The state of an aircraft is that of the newest swing of its compasses, held against the limits set for each."));
-    hint->setWordWrap(true);
+    m_hint->setText(tr("Choose an aircraft in the tree at the left, open its compass, and pick a swing. "
+                       "The state of an aircraft is that of the newest swing of its compasses, held against the limits set for each."));
+    m_hint->setWordWrap(true);
     setTitle(tr("Fleet"));
     body().addWidget(m_counts);
     body().addLayout(buttons);
-    body().addWidget(hint);
-    body().addSpacing(8);
+    body().addWidget(m_today, 2);
     body().addWidget(m_listTitle);
     body().addWidget(m_list, 1);
-    setFocusProxy(m_list);
+    body().addWidget(m_hint);
+    body().addStretch();
+    setFocusProxy(m_today);
 }
 
 void OverviewPage::showFleet()
@@ -101,10 +126,71 @@ void OverviewPage::refresh()
         return;
     }
     const auto found = std::find_if(types->begin(), types->end(), [this](const TypeRow& row) { return row.id == m_type; });
+    fillToday();
     if (found != types->end())
         fillType(*found);
     else
         fillFleet(*types);
+}
+
+void OverviewPage::setDue(const std::vector<DueLine>& lines)
+{
+    m_due.clear();
+    std::copy_if(
+        lines.begin(), lines.end(), std::back_inserter(m_due), [](const DueLine& line) { return line.answer.state >= DueState::Due; });
+    fillToday();
+}
+
+void OverviewPage::addToday(const QString& what, const QIcon& icon, const QString& which, const QString& why, const FleetItem& place)
+{
+    const int row = m_today->rowCount();
+    m_today->insertRow(row);
+    auto* first = fixedItem(what);
+    first->setIcon(icon);
+    m_today->setItem(row, 0, first);
+    m_today->setItem(row, 1, fixedItem(which));
+    m_today->setItem(row, 2, fixedItem(why));
+    m_today->item(row, 2)->setToolTip(why);
+    m_places.push_back(place);
+}
+
+void OverviewPage::addDue()
+{
+    constexpr std::size_t kMost = 8;
+    for (std::size_t i = 0; i < std::min(m_due.size(), kMost); ++i) {
+        const DueLine& line = m_due[i];
+        addToday(dueWord(line.answer.state), dueIcon(line.answer.state),
+            QStringLiteral("%1 · %2").arg(toText(line.compass.registration), toText(line.compass.compassName)),
+            toText(line.answer.flags.front().reason), line.compass.compass);
+    }
+    if (m_due.size() > kMost)
+        addToday(tr("due"), dueIcon(DueState::Due), tr("and %n more", nullptr, static_cast<int>(m_due.size() - kMost)),
+            tr("the whole list"), {});
+}
+
+/// Guided swings that stand half-way, what is due, what was swung last.
+void OverviewPage::fillToday()
+{
+    m_today->setRowCount(0);
+    m_places.clear();
+    m_today->setVisible(!m_type.valid());
+    if (m_type.valid())
+        return;
+    const auto open = openSwings(m_stores);
+    constexpr int kNewest = 6;
+    const auto newest = m_stores.swings.newest(kNewest);
+    if (!open || !newest) {
+        emit failed(messageOf(open ? newest.error() : open.error()));
+        return;
+    }
+    for (const OpenSwing& one : *open)
+        addToday(tr("go on"), icon("guided"), one.whose, one.words, one.swing);
+    addDue();
+    for (const NewestSwing& one : *newest)
+        addToday(tr("swung"), badgeIcon(one.row.status), QStringLiteral("%1 · %2").arg(toText(one.registration), toText(one.compass)),
+            QStringLiteral("%1, %2, %3").arg(toText(one.row.date), wordFor(one.row.state), badgeWord(one.row.status)), one.row.id);
+    if (m_today->rowCount() > 0 && m_today->currentRow() < 0)
+        m_today->setCurrentCell(0, 0);
 }
 
 void OverviewPage::fillFleet(const std::vector<TypeRow>& types)

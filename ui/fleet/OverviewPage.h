@@ -1,6 +1,8 @@
 #pragma once
-/// The whole fleet, or one type: how many, what is out of limits, and how to go on.
+/// The whole fleet, or one type. Of the fleet first what needs a hand today: guided swings that stand half-way, compasses that are due, the
+/// newest swings; then what is out of limits.
 
+#include "core/due/DueList.h"
 #include "db/stores/Stores.h"
 #include "ui/kit/Page.h"
 
@@ -17,6 +19,8 @@ public:
 
     void showFleet();
     void showType(AircraftTypeId type);
+    /// What is due, the most urgent first.
+    void setDue(const std::vector<DueLine>& lines);
     /// Asks storage again for what is shown.
     void refresh();
 
@@ -27,10 +31,16 @@ public:
 
 signals:
     void aircraftChosen(lubberline::AircraftId id);
+    void placeWanted(const lubberline::ui::FleetItem& item);
+    void dueWanted(); ///< the list of all that is due
     void newSwingWanted();
     void importWanted();
 
 private:
+    /// A line of what needs a hand, and where it goes; none: to the list of what is due.
+    void addToday(const QString& what, const QIcon& icon, const QString& which, const QString& why, const FleetItem& place);
+    void fillToday();
+    void addDue();
     void fillFleet(const std::vector<TypeRow>& types);
     void fillType(const TypeRow& type);
     void add(const TypeRow& type, const AircraftRow& aircraft);
@@ -39,6 +49,10 @@ private:
     AircraftTypeId m_type; ///< not valid: the whole fleet
     QLabel* m_counts;
     QLabel* m_listTitle;
+    QTableWidget* m_today;
+    std::vector<FleetItem> m_places; ///< of its rows
+    std::vector<DueLine> m_due;      ///< due or overdue
+    QLabel* m_hint;
     QTableWidget* m_list;
     std::vector<AircraftId> m_listed;
 };

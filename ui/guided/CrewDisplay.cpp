@@ -49,7 +49,11 @@ CrewDisplay::CrewDisplay(GuidedJob& job) : m_job(job), m_what(new FittedText), m
     column->addWidget(m_detail, 2);
     for (QLabel* label : {m_what, m_figure, m_detail})
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-    resize(900, 600);
+    // The keys stay with the window that the figures are typed in.
+    setWindowFlag(Qt::WindowDoesNotAcceptFocus);
+    setAttribute(Qt::WA_ShowWithoutActivating);
+    setFocusPolicy(Qt::NoFocus);
+    resize(QSize(900, 600).boundedTo(screen()->availableSize() / 2));
     connect(&job, &GuidedJob::changed, this, &CrewDisplay::refresh);
 }
 
@@ -83,6 +87,8 @@ void CrewDisplay::open()
         setGeometry(screens.at(1)->geometry());
         showFullScreen();
     } else {
+        const QRect room = screens.front()->availableGeometry();
+        move(room.right() - width(), room.top()); // beside the figures, where the screen is large enough
         show();
     }
     raise();
@@ -90,7 +96,7 @@ void CrewDisplay::open()
 
 void CrewDisplay::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape)
+    if (event->key() == Qt::Key_Escape || event->key() == Qt::Key_F11)
         close();
     else
         QWidget::keyPressEvent(event);

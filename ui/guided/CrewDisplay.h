@@ -14,11 +14,11 @@ class CrewDisplay : public QWidget {
 public:
     explicit CrewDisplay(GuidedJob& job);
     void refresh();
-    /// On the second screen where there is one, over all of it.
+    /// On the second screen where there is one, over all of it. It never takes the keyboard.
     void open();
 
 protected:
-    void keyPressEvent(QKeyEvent* event) override; ///< Escape closes it
+    void keyPressEvent(QKeyEvent* event) override; ///< Escape and F11 close it
 
 private:
     GuidedJob& m_job;

@@ -11,7 +11,9 @@
 #include "core/base/Number.h"
 #include "core/deviation/SlipWords.h"
 #include "core/swing/SwingResult.h"
+#include "ui/guided/GuidedWords.h"
 #include "ui/plots/swing/PictureOf.h"
+#include "ui/text/Translated.h"
 
 namespace lubberline::ui {
 
@@ -86,8 +88,8 @@ Result<DatumHeading> GuidedJob::headingOf(const RawFigures& raw, Message& note) 
 {
     const auto& stated = m_job.particulars.variation_deg;
     const auto variation = stated ? std::optional(Variation::fromDegrees(*stated)) : std::nullopt;
-    if (!needsSun(m_job.datum.kind))
-        return datumHeading(m_job.datum, raw, variation);
+    if (!needsSun(datum().kind))
+        return datumHeading(datum(), raw, variation);
     const auto& site = m_record.site;
     if (!site || !site->latitude_deg || !site->longitude_deg)
         return Error{ErrorCode::InvalidInput,
@@ -95,7 +97,7 @@ Result<DatumHeading> GuidedJob::headingOf(const RawFigures& raw, Message& note) 
     const auto time = readUtcTime(m_services.nowUtc());
     if (!time)
         return time.error();
-    auto heading = sunHeading(m_job.datum, raw, {*site->latitude_deg, *site->longitude_deg, 0}, *time, variation);
+    auto heading = sunHeading(datum(), raw, {*site->latitude_deg, *site->longitude_deg, 0}, *time, variation);
     if (!heading)
         return heading.error();
     for (const Message& warning : heading->warnings)
@@ -152,14 +154,53 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     return prepared;
 }
 
+std::optional<double> GuidedJob::datumShould_deg(double magnetic_deg) const
+{
+    if (needsSun(datum().kind))
+        return {};
+    Message note;
+    const auto shown = headingOf({{wrap360(magnetic_deg)}, {}, {}}, note);
+    if (!shown)
+        return {};
+    return wrap360(magnetic_deg - wrap180(shown->magnetic.degrees() - magnetic_deg)); // every correction is an angle that is added
+}
+
+Result<void> GuidedJob::readAgain(int station)
+{
+    const bool skipped = !m_state.stations[static_cast<std::size_t>(station)].skipped.empty();
+    return tell(job::ReadingRejected{station, skipped ? "read after all" : "read again"});
+}
+
+QString GuidedJob::skipCostWords() const
+{
+    const StationState* here = station();
+    if (!here)
+        return {};
+    if (here->station.phase == StationPhase::AsFound || here->station.phase == StationPhase::Correct)
+        return std::fmod(here->station.nominal_deg, 180.0) == 0.0 ? tr("Without it C is not told, and the N–S control stays as it is.")
+                                                                  : tr("Without it B is not told, and the E–W control stays as it is.");
+    std::vector<double> planned, left;
+    for (const auto& other : m_state.stations)
+        if (other.station.phase == here->station.phase && other.station.configuration == here->station.configuration) {
+            planned.push_back(other.station.nominal_deg);
+            if (&other != here && other.skipped.empty())
+                left.push_back(other.station.nominal_deg);
+        }
+    return costWords(planned, left);
+}
+
 int GuidedJob::lastRead() const
 {
-    for (auto event = m_job.events.rbegin(); event != m_job.events.rend(); ++event)
+    for (auto event = m_job.events.rbegin(); event != m_job.events.rend(); ++event) {
+        if (const auto* skipped = std::get_if<job::StationSkipped>(&event->what))
+            if (!m_state.stations[static_cast<std::size_t>(skipped->station)].skipped.empty())
+                return skipped->station;
         if (const auto* taken = std::get_if<job::ReadingTaken>(&event->what)) {
             const auto& station = m_state.stations[static_cast<std::size_t>(taken->station)];
             if (station.reading && station.correctionsDone == 0)
                 return taken->station;
         }
+    }
     return -1;
 }
 

@@ -44,7 +44,9 @@ public:
     [[nodiscard]] const SwingJob& job() const { return m_job; }
     [[nodiscard]] const JobState& state() const { return m_state; }
     [[nodiscard]] const SwingRecord& record() const { return m_record; }
-    [[nodiscard]] const DatumInstrument& datum() const { return m_job.datum; }
+    [[nodiscard]] const DatumInstrument& datum() const { return m_state.datum; } ///< of the next reading
+    /// What the instrument should show about when the aircraft stands on a heading [deg]; none: the sun tells.
+    [[nodiscard]] std::optional<double> datumShould_deg(double magnetic_deg) const;
     /// The station to be worked on; null in other phases.
     [[nodiscard]] const StationState* station() const;
 
@@ -62,8 +64,12 @@ public:
     };
     Result<Prepared> prepare(const Entry& entry) const;
 
-    /// The station that was read last and can be read again; −1: none.
+    /// The station that was read or skipped last and can be read again; −1: none.
     [[nodiscard]] int lastRead() const;
+    /// A station is read again, or after all where it was skipped. Errors: those of tell().
+    Result<void> readAgain(int station);
+    /// What it costs to leave out the station to be worked on, in words; empty where nothing can be told.
+    [[nodiscard]] QString skipCostWords() const;
 
     /// The swing as it is so far, for the live plot: the check swing once it has begun, as found before.
     [[nodiscard]] SwingPicture picture() const;

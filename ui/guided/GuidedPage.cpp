@@ -1,5 +1,6 @@
 #include "ui/guided/GuidedPage.h"
 
+#include <QMenu>
 #include <QResizeEvent>
 #include <QShortcut>
 #include <QSplitter>
@@ -15,6 +16,7 @@
 #include "ui/guided/GuidedStation.h"
 #include "ui/guided/GuidedWords.h"
 #include "ui/guided/StationStrip.h"
+#include "ui/guided/TypedFigures.h"
 #include "ui/intake/LivePanel.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/SwingPlot.h"
@@ -28,7 +30,7 @@ constexpr int kWide_px = 900;
 
 } // namespace
 
-GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent)
+GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent, QSettings* settings)
     : Page(parent)
     , m_stores(stores)
     , m_nowUtc(std::move(nowUtc))
@@ -39,6 +41,8 @@ GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, 
     , m_faultText(bigLabel("faultText", kSentence_px, true))
     , m_faultLine(new QLineEdit)
     , m_whose(bigLabel("guidedWhose", kTitle_px))
+    , m_instrument(bigLabel("guidedInstrument", kTitle_px))
+    , m_instruments(new QMenu(this))
     , m_strip(new StationStrip)
     , m_plot(makePolarPlot())
     , m_live(new LivePanel)
@@ -57,6 +61,8 @@ GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, 
     m_station = new GuidedStation(*m_job);
     m_review = new GuidedReview(*m_job);
     build();
+    if (settings)
+        m_typed = new TypedFigures(*settings, *m_work, this);
 }
 
 GuidedPage::~GuidedPage() = default;
@@ -77,18 +83,21 @@ void GuidedPage::build()
     middle->setStretchFactor(0, 3);
     middle->setStretchFactor(1, 2);
     auto* foot = new QHBoxLayout;
+    auto* instrument = bigButton(tr("Instrument (F3)"), "changeInstrument");
     auto* crew = bigButton(tr("Crew display (F11)"), "crewDisplayButton");
     auto* fault = bigButton(tr("Fault… (F8)"), "reportFault");
-    foot->addWidget(m_strip, 1);
     auto* live = bigButton(tr("Live (F12)"), "showLive");
     live->setCheckable(true);
-    foot->addWidget(live);
-    foot->addWidget(crew);
-    foot->addWidget(fault);
+    for (QPushButton* button : {instrument, live, crew, fault})
+        foot->addWidget(button);
+    foot->addStretch();
     auto* column = new QVBoxLayout(m_work);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_instrument);
     column->addWidget(middle, 1);
     column->addWidget(m_live);
     m_live->hide();
+    column->addWidget(m_strip);
     column->addLayout(foot);
     m_pages->addWidget(m_start);
     m_pages->addWidget(m_work);
@@ -105,6 +114,13 @@ void GuidedPage::build()
     connect(m_station, &GuidedStation::failed, this, &GuidedPage::failed);
     connect(m_review, &GuidedReview::failed, this, &GuidedPage::failed);
     connect(m_review, &GuidedReview::finish, this, &GuidedPage::finish);
+    connect(m_start, &GuidedStart::goOn, this, [this](SwingId swing) {
+        if (const auto taken = takeUp(swing); !taken)
+            emit failed(messageOf(taken.error()));
+    });
+    connect(m_strip, &StationStrip::wanted, this, &GuidedPage::readAgain);
+    connect(m_strip, &StationStrip::chosen, this, &GuidedPage::readOut);
+    connect(instrument, &QPushButton::clicked, this, &GuidedPage::offerInstruments);
     connect(crew, &QPushButton::clicked, this, &GuidedPage::openCrewDisplay);
     connect(fault, &QPushButton::clicked, this, &GuidedPage::reportFault);
     connect(live, &QPushButton::toggled, this, &GuidedPage::showLive);
@@ -124,6 +140,7 @@ void GuidedPage::build()
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);
         connect(shortcut, &QShortcut::activated, this, act);
     };
+    key(Qt::Key_F3, &GuidedPage::offerInstruments);
     key(Qt::Key_F11, &GuidedPage::openCrewDisplay);
     key(Qt::Key_F8, &GuidedPage::reportFault);
 }
@@ -193,6 +210,7 @@ Result<void> GuidedPage::takeUp(SwingId swing)
         return opened;
     m_pages->setCurrentWidget(m_work);
     refresh();
+    emit stateChanged();
     return {};
 }
 
@@ -202,6 +220,7 @@ void GuidedPage::refresh()
     setTitle(stepTitle(*m_job));
     m_whose->setText(QStringLiteral("%1 · %2").arg(toText(m_job->record().aircraft.registration), toText(m_job->record().compass.name)));
     m_strip->show(state);
+    m_instrument->setText(instrumentWords(*m_job));
     switch (state.phase) {
     case JobPhase::Prepare:
         m_prepare->refresh();
@@ -224,12 +243,14 @@ void GuidedPage::refresh()
     case JobPhase::Fault:
     case JobPhase::Abandoned:
         m_faultText->setText(state.phase == JobPhase::Fault ? tr("Fault: %1. What was done about it?").arg(toText(state.fault))
-                                                            : tr("This swing was abandoned."));
+                                                            : tr("This swing was abandoned: %1.").arg(toText(state.abandoned)));
         m_faultLine->clear();
         m_steps->setCurrentWidget(m_fault);
         m_faultLine->setFocus();
         break;
     }
+    if (m_typed)
+        m_typed->follow(toText(m_job->record().swing.record), m_job->job().events.size());
     m_plot->setPicture(m_job->picture());
     if (state.current >= 0)
         m_plot->setSelectedRow(-1);
@@ -263,8 +284,54 @@ void GuidedPage::abandon()
     }
     if (const auto done = m_stores.jobs.abandon(m_swing); !done)
         emit failed(messageOf(done.error()));
+    else {
+        if (m_typed)
+            m_typed->forget();
+        emit abandoned(m_job->record().compass.id);
+    }
+}
+
+void GuidedPage::readAgain(int station)
+{
+    const StationState& one = m_job->state().stations.at(static_cast<std::size_t>(station));
+    if (one.skipped.empty() && !one.reading)
+        emit readOut(tr("%1 comes in its turn").arg(stationHeading(one.station.nominal_deg)));
     else
-        emit cancelled();
+        m_station->readAgainAt(station);
+}
+
+void GuidedPage::offerInstruments()
+{
+    if (!m_job->isOpen())
+        return;
+    const auto known = m_stores.sites.instruments();
+    if (!known) {
+        emit failed(messageOf(known.error()));
+        return;
+    }
+    m_instruments->clear();
+    std::vector<DatumInstrument> all = known.value();
+    all.push_back(plainDatum());
+    for (const DatumInstrument& one : all) {
+        auto* action = m_instruments->addAction(toText(one.name));
+        action->setCheckable(true);
+        action->setChecked(one.name == m_job->datum().name);
+        connect(action, &QAction::triggered, this, [this, one] { changeInstrument(one); });
+    }
+    m_instruments->popup(mapToGlobal(rect().center()));
+}
+
+/// What is true wants the variation, which is of the swing: without one its figures would mean nothing.
+void GuidedPage::changeInstrument(const DatumInstrument& instrument)
+{
+    if (instrument.name == m_job->datum().name)
+        return;
+    if (instrument.givesTrue && !m_job->job().particulars.variation_deg) {
+        emit failed(
+            tr("%1 gives true headings, and this swing has no variation: begin it with a site that has one.").arg(toText(instrument.name)));
+        return;
+    }
+    tell(job::DatumChanged{instrument});
 }
 
 void GuidedPage::tell(job::What what)
@@ -284,6 +351,8 @@ void GuidedPage::finish()
         emit failed(messageOf(done.error()));
         return;
     }
+    if (m_typed)
+        m_typed->forget();
     const SwingId made = m_swing;
     m_job->close();
     if (m_crew)
@@ -321,7 +390,10 @@ void GuidedPage::openCrewDisplay()
         return;
     if (!m_crew)
         m_crew = std::make_unique<CrewDisplay>(*m_job);
-    m_crew->open();
+    if (m_crew->isVisible())
+        m_crew->close();
+    else
+        m_crew->open();
 }
 
 void GuidedPage::resizeEvent(QResizeEvent* event)

@@ -9,6 +9,8 @@
 
 class QLabel;
 class QLineEdit;
+class QMenu;
+class QSettings;
 class QStackedWidget;
 
 namespace lubberline::ui {
@@ -21,13 +23,15 @@ class GuidedStation;
 class LivePanel;
 class StationStrip;
 class SwingPlot;
+class TypedFigures;
 
 class GuidedPage : public Page {
     Q_OBJECT
 
 public:
     /// @param nowUtc ISO 8601 date and time.
-    GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent = nullptr);
+    /// @param settings keeps what is typed and not stored yet; none: nothing does.
+    GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent = nullptr, QSettings* settings = nullptr);
     ~GuidedPage() override;
 
     /// Asks what a new guided swing of this compass is to be.
@@ -35,19 +39,23 @@ public:
     /// Goes on with one that was begun. Errors: NotFound (it has none), those of the job.
     Result<void> takeUp(SwingId swing);
     [[nodiscard]] SwingId swing() const { return m_swing; }
+    [[nodiscard]] bool inWork() const; ///< a swing is taken up
     [[nodiscard]] GuidedJob& job() { return *m_job; }
     [[nodiscard]] GuidedStation& station() { return *m_station; }
-    void openCrewDisplay(); ///< F11
+    void openCrewDisplay(); ///< F11; closes it where it is open
     void showLive(bool shown);
     [[nodiscard]] LivePanel& live() { return *m_live; }
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
     [[nodiscard]] Plot* plot() const override;
+    [[nodiscard]] Shown shown() const override;
+    [[nodiscard]] std::vector<FleetItem> path() const override;
 
 signals:
     void finished(lubberline::SwingId swing); ///< the records are made
     void cancelled();
+    void abandoned(lubberline::CompassId compass); ///< of this compass: the swing that was begun stays as a draft
     /// A step that could not be stored: (swing, how many were known, step): to be kept elsewhere.
     void notStored(lubberline::SwingId swing, std::size_t place, const lubberline::JobEvent& event);
 
@@ -64,6 +72,9 @@ private:
     void abandon();
     void takeLiveDatum(double heading_deg, bool isTrue);
     void tell(job::What what);
+    void readAgain(int station);
+    void offerInstruments(); ///< F3
+    void changeInstrument(const DatumInstrument& instrument);
 
     db::Stores& m_stores;
     std::function<std::string()> m_nowUtc;
@@ -80,6 +91,9 @@ private:
     QLabel* m_faultText;
     QLineEdit* m_faultLine;
     QLabel* m_whose;
+    QLabel* m_instrument;
+    QMenu* m_instruments;
+    TypedFigures* m_typed = nullptr;
     StationStrip* m_strip;
     SwingPlot* m_plot;
     LivePanel* m_live;

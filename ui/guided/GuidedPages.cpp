@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/guided/GuidedPage.h"
+#include "ui/guided/GuidedStart.h"
 #include "ui/kit/PageDescription.h"
 #include "ui/plots/swing/SwingPlot.h"
 
@@ -20,13 +21,18 @@ bool guidedOpen(db::Stores& stores, const FleetItem& record)
 }
 
 /// Goes on with the one that is chosen, or begins one for the compass that is.
-void goGuided(PageContext& context, const Shown& shown)
+void goGuided(PageContext& context, Page& page)
 {
+    if (const auto* guided = dynamic_cast<const GuidedPage*>(&page); guided && guided->inWork())
+        return; // it is in front
+    const Shown shown = page.shown();
     const FleetItem swing = shown.swing;
     if (guidedOpen(context.stores, swing))
         context.go({"guided", swing});
     else if (shown.compass.valid())
         context.go({"guided", shown.compass});
+    else if (const auto open = context.stores.jobs.open(); open && !open->empty())
+        context.go({"overview", {}, true}); // which offers to go on with them
     else {
         context.leaveField();
         context.fail(GuidedPage::tr("A guided swing is of one compass: choose it, or a swing of it, in the tree."));
@@ -35,11 +41,13 @@ void goGuided(PageContext& context, const Shown& shown)
 
 GuidedPage* makePage(PageContext& context)
 {
-    auto* page = new GuidedPage(context.stores, [&stores = context.stores] { return stores.clock().nowUtc(); });
+    auto* page = new GuidedPage(
+        context.stores, [&stores = context.stores] { return stores.clock().nowUtc(); }, nullptr, &context.settings);
     QObject::connect(page, &GuidedPage::notStored, &context.window, [&context, page](SwingId, std::size_t place, const JobEvent& event) {
         context.keep(page->job().record(), LostStep{place, event});
     });
     QObject::connect(page, &GuidedPage::cancelled, &context.window, [&context] { context.go({}); });
+    QObject::connect(page, &GuidedPage::abandoned, &context.window, [&context](CompassId compass) { context.go({{}, compass}); });
     QObject::connect(page, &GuidedPage::finished, &context.window, [&context](SwingId id) { context.go({{}, id}); });
     return page;
 }
@@ -50,11 +58,12 @@ PageDescription GuidedPage::description(PageContext& context)
 {
     PageDescription page{QStringLiteral("guided"), [&context] { return makePage(context); }};
     page.commands = {{MenuId::Swing, 100, tr("&Guided swing on the ramp"), tr("Ctrl+Shift+G"), "guidedSwing",
-        [&context](Page& shown) { goGuided(context, shown.shown()); }, needsWriting}};
+        [&context](Page& shown) { goGuided(context, shown); }, needsWriting}};
     page.shows = [&context](const FleetItem& item) { return guidedOpen(context.stores, item); };
     page.help = tr(
-        "One step a page: turn to the heading, type what datum and compass read, Enter. F2 repeats a step, F4 leaves it out, F8 reports a fault, F11 shows the crew's display, F12 listens to instruments. "
-        "Every figure is stored as it is typed; an interrupted swing goes on where it stood.");
+        "One step a page: turn to the heading, type what datum and compass read, Enter. F2 repeats a step, F3 changes the instrument, F4 leaves a heading out and says what that costs, F8 reports a fault, F11 shows the crew's display and closes it, F12 listens to instruments. "
+        "A heading that was left out is read at any later time: F2, a click on it in the strip below, or the arrows there and Enter. "
+        "Every figure is kept as it is typed; an interrupted swing goes on where it stood, from the overview, the tree, the page of its compass or Ctrl+Shift+G.");
     return page;
 }
 
@@ -64,6 +73,24 @@ Result<void> GuidedPage::open(const FleetItem& record)
         return takeUp(*swing);
     const auto* compass = std::get_if<CompassId>(&record);
     return begin(compass ? *compass : CompassId());
+}
+
+bool GuidedPage::inWork() const { return m_job->isOpen(); }
+
+Shown GuidedPage::shown() const
+{
+    if (!inWork())
+        return m_start->compass().valid() ? Shown{m_start->aircraft(), m_start->compass()} : Shown();
+    const SwingRecord& record = m_job->record();
+    return {record.aircraft.id, record.compass.id};
+}
+
+std::vector<FleetItem> GuidedPage::path() const
+{
+    if (!inWork())
+        return {};
+    const SwingRecord& record = m_job->record();
+    return {record.type.id, record.aircraft.id, record.compass.id, record.swing.id};
 }
 
 Plot* GuidedPage::plot() const { return m_pages->currentWidget() == m_work ? m_plot : nullptr; }

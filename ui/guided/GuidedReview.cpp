@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QHeaderView>
+#include <QShortcut>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -55,7 +56,7 @@ GuidedReview::GuidedReview(GuidedJob& job, QWidget* parent)
     , m_notes(bigLabel("reviewNotes", kTitle_px))
     , m_by(new QLineEdit)
     , m_accept(bigButton(tr("Accept and make the record"), "acceptSwing"))
-    , m_again(new QPushButton(tr("Read this one again")))
+    , m_again(new QPushButton(tr("Read this one again (F2)")))
     , m_control(new QComboBox)
     , m_after(new QLineEdit)
     , m_turn(new QPushButton(tr("A control was turned again")))
@@ -108,6 +109,9 @@ void GuidedReview::build()
     connect(m_accept, &QPushButton::clicked, this, &GuidedReview::accept);
     connect(m_by, &QLineEdit::returnPressed, this, &GuidedReview::accept);
     connect(m_again, &QPushButton::clicked, this, &GuidedReview::readAgain);
+    auto* again = new QShortcut(QKeySequence(Qt::Key_F2), this);
+    again->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(again, &QShortcut::activated, this, &GuidedReview::readAgain);
     connect(m_turn, &QPushButton::clicked, this, &GuidedReview::turnAgain);
 }
 
@@ -137,10 +141,12 @@ void GuidedReview::refresh()
 void GuidedReview::fillTable()
 {
     const auto& state = m_job.state();
+    m_table->clearSpans();
     m_table->setRowCount(0);
     m_stations.clear();
     const int configurations = static_cast<int>(m_job.job().plan.configurations.size());
     for (int configuration = 0; configuration <= configurations; ++configuration) {
+        addSkipped(configuration);
         const auto rows = residualsOf(state, configuration);
         for (const auto& row : rows) {
             const auto station = std::find_if(state.stations.begin(), state.stations.end(), [&](const StationState& one) {
@@ -163,6 +169,25 @@ void GuidedReview::fillTable()
     }
     if (m_table->rowCount() > 0)
         m_table->selectRow(0);
+}
+
+/// What was skipped stands first, where it can still be read.
+void GuidedReview::addSkipped(int configuration)
+{
+    const auto& stations = m_job.state().stations;
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+        const StationState& one = stations[i];
+        const bool wanted = one.station.phase == StationPhase::Check || one.station.phase == StationPhase::Configuration;
+        if (!wanted || one.skipped.empty() || one.station.configuration != configuration)
+            continue;
+        const int at = m_table->rowCount();
+        m_table->insertRow(at);
+        m_stations.push_back(static_cast<int>(i));
+        m_table->setItem(at, For, cell(stationHeading(one.station.nominal_deg)));
+        m_table->setItem(at, Datum, cell(tr("skipped: %1").arg(toText(one.skipped))));
+        m_table->item(at, Datum)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+        m_table->setSpan(at, Datum, 1, Where - Datum);
+    }
 }
 
 QString GuidedReview::verdict() const
@@ -212,8 +237,11 @@ void GuidedReview::accept()
 void GuidedReview::readAgain()
 {
     const int row = m_table->currentRow();
-    if (row >= 0)
-        tell(job::ReadingRejected{m_stations[static_cast<std::size_t>(row)], "read again after the review"});
+    if (row < 0)
+        return;
+    const int station = m_stations[static_cast<std::size_t>(row)];
+    const bool skipped = !m_job.state().stations[static_cast<std::size_t>(station)].skipped.empty();
+    tell(job::ReadingRejected{station, skipped ? "read after all" : "read again after the review"});
 }
 
 void GuidedReview::turnAgain()
@@ -227,6 +255,10 @@ void GuidedReview::turnAgain()
         return;
     }
     const int station = m_stations[static_cast<std::size_t>(row)];
+    if (!m_job.state().stations[static_cast<std::size_t>(station)].reading) {
+        emit failed(tr("A control is turned on a heading that was read; choose another row."));
+        return;
+    }
     const double before = m_job.state().stations[static_cast<std::size_t>(station)].reading->compass.degrees();
     if (tell(job::Adjusted{
             station, static_cast<Control>(m_control->currentIndex()), before, figures->front(), figures->front(), "after the check swing"}))

@@ -29,6 +29,7 @@ signals:
 private:
     void build();
     void fillTable();
+    void addSkipped(int configuration);
     [[nodiscard]] QString verdict() const;
     void accept();
     void readAgain();

@@ -15,6 +15,7 @@
 #include "ui/earth/FieldText.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
+#include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -23,15 +24,6 @@ namespace {
 
 constexpr int kForm_px = 17;
 constexpr int kPoints[] = {8, 12, 24};
-
-/// A datum that reads magnetic headings, where no instrument was entered.
-DatumInstrument plainDatum()
-{
-    DatumInstrument plain;
-    plain.name = "magnetic heading, as read"; // it is stored
-    plain.kind = DatumKind::DigitalCompass;
-    return plain;
-}
 
 std::string typed(const QLineEdit& line) { return line.text().trimmed().toStdString(); }
 
@@ -50,9 +42,18 @@ std::optional<double> variationOf(const Swing& swing, const Site* site)
 
 } // namespace
 
+DatumInstrument plainDatum()
+{
+    DatumInstrument plain;
+    plain.name = "magnetic heading, as read"; // it is stored
+    plain.kind = DatumKind::DigitalCompass;
+    return plain;
+}
+
 GuidedStart::GuidedStart(db::Stores& stores, QWidget* parent)
     : QWidget(parent)
     , m_stores(stores)
+    , m_open(new QVBoxLayout)
     , m_meaning(new QLabel)
     , m_checklist(new QPlainTextEdit)
     , m_complaint(bigLabel("guidedComplaint", kForm_px, true))
@@ -115,6 +116,7 @@ void GuidedStart::build()
     buttons->addWidget(cancel);
     buttons->addStretch();
     auto* column = new QVBoxLayout(inner);
+    column->addLayout(m_open);
     column->addLayout(form);
     column->addWidget(m_complaint);
     column->addLayout(buttons);
@@ -149,6 +151,7 @@ Result<void> GuidedStart::begin(CompassId compass, Date today)
     auto instruments = m_stores.sites.instruments();
     if (!sites || !instruments)
         return sites ? instruments.error() : sites.error();
+    offerOpen(compass);
     m_compassSystem = *system;
     m_sites = std::move(sites.value());
     m_instruments = std::move(instruments.value());
@@ -175,6 +178,26 @@ Result<void> GuidedStart::begin(CompassId compass, Date today)
     check();
     m_start->setEnabled(!m_stores.readOnly());
     return {};
+}
+
+/// Whoever begins one anew while another stands half-way is told of that first.
+void GuidedStart::offerOpen(CompassId compass)
+{
+    while (QLayoutItem* item = m_open->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    setFocusProxy(m_procedure);
+    const auto open = openSwings(m_stores);
+    for (const OpenSwing& one : open ? *open : std::vector<OpenSwing>()) {
+        if (one.compass != compass)
+            continue;
+        auto* button = bigButton(one.words, "goOnGuided");
+        connect(button, &QPushButton::clicked, this, [this, swing = one.swing] { emit goOn(swing); });
+        m_open->addWidget(button);
+        if (m_open->count() == 1)
+            setFocusProxy(button);
+    }
 }
 
 const Site* GuidedStart::site() const

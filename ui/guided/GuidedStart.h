@@ -12,8 +12,12 @@ class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
+class QVBoxLayout;
 
 namespace lubberline::ui {
+
+/// A datum that reads magnetic headings, where no instrument was entered.
+[[nodiscard]] DatumInstrument plainDatum();
 
 class GuidedStart : public QWidget {
     Q_OBJECT
@@ -23,16 +27,20 @@ public:
 
     /// For a compass, on a day (ISO 8601, UTC). Errors: those of the stores.
     Result<void> begin(CompassId compass, Date today);
+    [[nodiscard]] CompassId compass() const { return m_compassSystem.id; }
+    [[nodiscard]] AircraftId aircraft() const { return m_compassSystem.aircraft; }
     [[nodiscard]] const QString& whose() const { return m_whose; } ///< aircraft and compass, for the page's head
 
 signals:
     void started(lubberline::SwingId swing);
+    void goOn(lubberline::SwingId swing); ///< with one that was begun
     void cancelled();
 
 private:
     QLineEdit* addLine(QFormLayout& form, const QString& title, const char* name, const QString& placeholder = {});
     QComboBox* addBox(QFormLayout& form, const QString& title, const char* name, const QStringList& words = {});
     void build();
+    void offerOpen(CompassId compass);
     void check(); ///< is the site, is the datum fit for that day?
     void start();
     [[nodiscard]] Message whyNot() const;
@@ -47,6 +55,7 @@ private:
     std::vector<Site> m_sites;
     std::vector<DatumInstrument> m_instruments;
     QString m_whose;
+    QVBoxLayout* m_open; ///< a button for each that was begun
     QComboBox *m_procedure, *m_points, *m_datum, *m_site, *m_radio;
     QLabel* m_meaning;
     QLineEdit *m_date, *m_engines, *m_electrics, *m_further, *m_datumReader, *m_cockpitReader, *m_adjuster, *m_reason, *m_workOrder,

@@ -346,8 +346,16 @@ void GuidedStation::readAgain()
         say(tr("There is no reading that can be read again: a control was turned on it."), true);
         return;
     }
+    readAgainAt(last);
+}
+
+void GuidedStation::readAgainAt(int station)
+{
     m_shown = {-2, -1};
-    tell(job::ReadingRejected{last, "read again"});
+    if (const auto told = m_job.readAgain(station); !told) {
+        say(messageOf(told.error()), true);
+        emit failed(messageOf(told.error()));
+    }
 }
 
 void GuidedStation::ask(Asks what, const QString& question)
@@ -361,8 +369,11 @@ void GuidedStation::ask(Asks what, const QString& question)
 
 void GuidedStation::skip()
 {
-    if (!turning())
-        ask(Asks::SkipReason, tr("Why can this heading not be read?"));
+    if (turning())
+        return;
+    if (const QString cost = m_job.skipCostWords(); !cost.isEmpty())
+        say(cost + tr(" It can be read later: F2, or its place in the strip below."));
+    ask(Asks::SkipReason, tr("Why can this heading not be read?"));
 }
 
 void GuidedStation::leaveAsIs()

@@ -26,7 +26,8 @@ public:
     void setCompass(double heading_deg);
 
     void next();      ///< Enter
-    void readAgain(); ///< F2
+    void readAgain(); ///< F2: the last one, or the heading that was skipped last
+    void readAgainAt(int station);
     void skip();      ///< F4
     void leaveAsIs(); ///< F5
 

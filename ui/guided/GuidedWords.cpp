@@ -105,6 +105,38 @@ QString stepTitle(const GuidedJob& job)
     return Words::tr("%1 · step %2 of %3").arg(phaseWord(job)).arg(state.current + 1).arg(state.stations.size());
 }
 
+QString costWords(const std::vector<double>& planned_deg, const std::vector<double>& read_deg)
+{
+    const SkipCost cost = skipCost(planned_deg, read_deg);
+    if (!std::isfinite(cost.remaining))
+        return Words::tr("What was read does not tell a curve.");
+    const QString price = Words::tr("The curve is known to ±%1 of a reading's error at %2 instead of ±%3.")
+                              .arg(cost.remaining, 0, 'f', 2)
+                              .arg(stationHeading(cost.at_deg))
+                              .arg(cost.planned, 0, 'f', 2);
+    return price + (cost.withoutSecondHarmonic ? Words::tr(" D and E are not told any more.") : QString());
+}
+
+QString instrumentWords(const GuidedJob& job)
+{
+    const DatumInstrument& datum = job.datum();
+    const StationState* station = job.station();
+    QString should;
+    if (station && datum.kind == DatumKind::ShadowPin) {
+        should = Words::tr("the bearing of the shadow from the nose");
+    } else if (const auto shown = station ? job.datumShould_deg(station->station.nominal_deg) : std::nullopt) {
+        const bool byEye = datum.kind == DatumKind::SightingCompass || datum.kind == DatumKind::Theodolite;
+        const QString figure = figureText(*shown);
+        should = byEye && datum.ahead == SightingDirection::Reciprocal ? Words::tr("the sight reads the reciprocal: about %1").arg(figure)
+            : byEye                                                    ? Words::tr("the sight reads the heading: about %1").arg(figure)
+            : datum.kind == DatumKind::RoseLine ? Words::tr("the line of %1").arg(figureText(station->station.nominal_deg))
+            : datum.givesTrue                   ? Words::tr("it shows true: about %1").arg(figure)
+                                                : Words::tr("it shows about %1").arg(figure);
+    }
+    const QString name = toText(datum.name);
+    return should.isEmpty() ? Words::tr("Instrument: %1").arg(name) : QStringLiteral("%1: %2").arg(name, should);
+}
+
 std::string readOutWords(const DatumInstrument& instrument)
 {
     std::vector<Message> words;
@@ -133,15 +165,7 @@ QString skipWords(const JobState& state)
     }
     if (skipped.isEmpty())
         return {};
-    const SkipCost cost = skipCost(planned, read);
-    const QString list = Words::tr("Skipped: %1. ").arg(skipped.join(QStringLiteral(", ")));
-    if (!std::isfinite(cost.remaining))
-        return list + Words::tr("What was read does not tell a curve.");
-    const QString price = Words::tr("The curve is known to ±%1 of a reading's error at %2 instead of ±%3.")
-                              .arg(cost.remaining, 0, 'f', 2)
-                              .arg(stationHeading(cost.at_deg))
-                              .arg(cost.planned, 0, 'f', 2);
-    return list + price + (cost.withoutSecondHarmonic ? Words::tr(" D and E are not told any more.") : QString());
+    return Words::tr("Skipped: %1. ").arg(skipped.join(QStringLiteral(", "))) + costWords(planned, read);
 }
 
 } // namespace lubberline::ui

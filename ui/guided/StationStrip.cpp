@@ -1,8 +1,12 @@
 #include "ui/guided/StationStrip.h"
 
 #include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+
+#include <algorithm>
 
 #include "ui/guided/GuidedWords.h"
 #include "ui/kit/Words.h"
@@ -25,6 +29,8 @@ StationStrip::StationStrip(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("stationStrip"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Headings of this swing"));
 }
 
 void StationStrip::show(const JobState& state)
@@ -34,6 +40,44 @@ void StationStrip::show(const JobState& state)
     for (std::size_t i = 0; i < state.stations.size(); ++i)
         words += wordsOf(state.stations[i], static_cast<int>(i) == state.current);
     setAccessibleDescription(words.join(QStringLiteral("; ")));
+    if (m_chosen >= static_cast<int>(state.stations.size()))
+        m_chosen = -1;
+    update();
+}
+
+void StationStrip::choose(int station)
+{
+    m_chosen = station;
+    update();
+    const bool known = station >= 0 && station < static_cast<int>(m_state.stations.size());
+    emit chosen(known ? wordsOf(m_state.stations[static_cast<std::size_t>(station)], station == m_state.current) : QString());
+}
+
+/// A skipped heading is gone to at once; what was read is chosen, and read again only when that is said.
+void StationStrip::mousePressEvent(QMouseEvent* event)
+{
+    for (std::size_t i = 0; i < m_state.stations.size(); ++i)
+        if (boxOf(i).contains(event->position())) {
+            choose(static_cast<int>(i));
+            if (!m_state.stations[i].skipped.empty())
+                emit wanted(static_cast<int>(i));
+        }
+}
+
+void StationStrip::keyPressEvent(QKeyEvent* event)
+{
+    const int last = static_cast<int>(m_state.stations.size()) - 1, from = m_chosen >= 0 ? m_chosen : m_state.current;
+    if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)
+        choose(std::clamp(from + (event->key() == Qt::Key_Left ? -1 : 1), 0, std::max(last, 0)));
+    else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_F2) && m_chosen >= 0)
+        emit wanted(m_chosen);
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void StationStrip::focusOutEvent(QFocusEvent* event)
+{
+    QWidget::focusOutEvent(event);
     update();
 }
 
@@ -70,6 +114,12 @@ void StationStrip::paintEvent(QPaintEvent*)
         QColor ground = palette().color(QPalette::Base);
         if (station.done())
             ground = palette().color(QPalette::Midlight);
+        const bool chosen = static_cast<int>(i) == m_chosen && hasFocus();
+        if (chosen) {
+            painter.setPen(QPen(ink, 1, Qt::DotLine));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawRect(box.adjusted(-2, -2, 2, 2));
+        }
         painter.setPen(QPen(now ? accent : palette().color(QPalette::Mid), now ? 3 : 1));
         painter.setBrush(station.skipped.empty() ? QBrush(ground) : QBrush(palette().color(QPalette::Mid), Qt::BDiagPattern));
         painter.drawRoundedRect(box, 3, 3);

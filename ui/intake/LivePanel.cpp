@@ -186,7 +186,7 @@ QString LivePanel::words(const QString& channel) const
         return QStringLiteral("—");
     return tr("%1° %2")
         .arg(heading->mean_deg, 5, 'f', 1, QChar('0'))
-        .arg(heading->settled ? tr("✓") : tr("±%1").arg(heading->spread_deg / 2, 0, 'f', 1));
+        .arg((heading->settled ? tr("✓ ±%1") : tr("±%1")).arg(heading->spread_deg / 2, 0, 'f', 1));
 }
 
 void LivePanel::showHeadings()

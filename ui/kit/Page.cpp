@@ -35,12 +35,7 @@ QScrollArea* scrolled(QVBoxLayout& body)
 
 } // namespace
 
-Page::Page(QWidget* parent)
-    : QWidget(parent)
-    , m_title(new QLabel)
-    , m_message(new QLabel)
-    , m_head(new QHBoxLayout)
-    , m_body(new QVBoxLayout)
+Page::Page(QWidget* parent) : QWidget(parent), m_title(new QLabel), m_message(new QLabel), m_head(new QHBoxLayout), m_body(new QVBoxLayout)
 {
     m_title->setObjectName(QStringLiteral("pageTitle"));
     QFont large = font();
@@ -71,8 +66,8 @@ Page::~Page()
 void Page::setTitle(const QString& title)
 {
     m_title->setText(title);
-    m_title->setToolTip(title);
     setAccessibleName(title);
+    setWindowTitle(title); // whose record is in front stands in the window's title, too
 }
 
 void Page::say(const QString& message)

@@ -246,6 +246,10 @@ void SitesPage::showFitness()
         lines = tr("Painted lines: the variation is %1° today, so that %2° is to be added to what a line says.")
                     .arg(signedNumber(*today, 2), signedNumber(offset, 2));
     }
+    Swing today;
+    today.date = m_today();
+    if (const Message doubt = variationDisagreement(site, stampFor(today, site)); !doubt.empty())
+        lines += (lines.isEmpty() ? QString() : QStringLiteral("\n")) + QStringLiteral("▲ ") + toText(doubt);
     m_lines->setText(lines);
 }
 

@@ -33,6 +33,7 @@ CardPanel::CardPanel(QWidget* parent)
     , m_from(new QComboBox)
     , m_at(new QDoubleSpinBox)
     , m_between(new QLabel)
+    , m_banner(new QLabel)
     , m_remarks(new QLabel)
     , m_table(new QTableWidget(0, kCardColumns))
     , m_write(new QPushButton(tr("&Write this card…")))
@@ -58,6 +59,11 @@ void CardPanel::build()
     m_at->setSuffix(QStringLiteral("°"));
     m_between->setObjectName(QStringLiteral("cardBetween"));
     m_between->setWordWrap(true);
+    m_banner->setObjectName(QStringLiteral("cardBanner"));
+    m_banner->setWordWrap(true);
+    m_banner->setAlignment(Qt::AlignCenter);
+    m_banner->setStyleSheet(QStringLiteral("font-weight: bold"));
+    m_banner->hide();
     m_remarks->setObjectName(QStringLiteral("cardRemarks"));
     m_remarks->setWordWrap(true);
     m_remarks->setAlignment(Qt::AlignTop);
@@ -105,7 +111,10 @@ void CardPanel::build()
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->addLayout(left, 2);
-    layout->addWidget(m_table, 3);
+    auto* middle = new QVBoxLayout;
+    middle->addWidget(m_banner);
+    middle->addWidget(m_table, 1);
+    layout->addLayout(middle, 3);
     layout->addWidget(scroll, 3);
     setFixedHeight(std::max(kCardPanelHeight_px, left->sizeHint().height() + 12));
     for (QComboBox* box : {m_step, m_by, m_from})
@@ -125,8 +134,11 @@ CardOptions CardPanel::options() const
     return options;
 }
 
-void CardPanel::show(const SwingRecord& record, const std::shared_ptr<const Analysis>& analysis, const QString& whyNone)
+void CardPanel::show(
+    const SwingRecord& record, const std::shared_ptr<const Analysis>& analysis, const QString& whyNone, bool holds, bool superseded)
 {
+    m_holds = holds;
+    m_superseded = superseded;
     m_record = record;
     m_analysis = analysis;
     m_whyNone = whyNone;
@@ -146,6 +158,7 @@ void CardPanel::refresh()
     }
     m_table->setRowCount(0);
     m_write->setEnabled(m_card.has_value());
+    m_banner->setVisible(m_card.has_value());
     if (m_card)
         showCard(*m_card);
     else
@@ -158,7 +171,10 @@ void CardPanel::showCard(const Card& card)
     const bool byCompass = card.options.by == CardBy::Compass;
     m_table->setHorizontalHeaderLabels(byCompass ? QStringList{tr("COMPASS"), tr("MAGNETIC"), tr("deviation (°)"), tr("± 95 % (°)")}
                                                  : QStringList{tr("FOR"), tr("STEER"), tr("deviation (°)"), tr("± 95 % (°)")});
-    const CardColumn column{{}, card, m_record, false, false};
+    const CardColumn column{{}, card, m_record, m_holds, m_superseded};
+    const QString banner = cardBanner({{column}, {}});
+    m_banner->setText(banner);
+    m_banner->setVisible(!banner.isEmpty());
     m_table->setRowCount(static_cast<int>(card.rows.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const CardRow& here = card.rows[static_cast<std::size_t>(row)];

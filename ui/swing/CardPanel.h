@@ -26,7 +26,9 @@ public:
     explicit CardPanel(QWidget* parent = nullptr);
 
     /// @param whyNone shown when there is no analysis.
-    void show(const SwingRecord& record, const std::shared_ptr<const Analysis>& analysis, const QString& whyNone);
+    /// @param holds the signatures stand over what the record says now, superseded a later revision amends it.
+    void show(const SwingRecord& record, const std::shared_ptr<const Analysis>& analysis, const QString& whyNone, bool holds = false,
+        bool superseded = false);
     using QWidget::show;
 
 signals:
@@ -42,12 +44,13 @@ private:
     QComboBox *m_step, *m_by, *m_from;
     std::array<QCheckBox*, kCoefficientCount> m_removed{};
     QDoubleSpinBox* m_at;
-    QLabel *m_between, *m_remarks;
+    QLabel *m_between, *m_banner, *m_remarks;
     QTableWidget* m_table;
     QPushButton* m_write;
     SwingRecord m_record;
     std::shared_ptr<const Analysis> m_analysis;
     QString m_whyNone;
+    bool m_holds = false, m_superseded = false;
     std::optional<Card> m_card;
 };
 

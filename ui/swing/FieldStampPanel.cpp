@@ -82,7 +82,7 @@ void FieldStampPanel::showRecord()
     const QString doubtful = doubtfulVariation();
     m_variation->setText(doubtful);
     m_variation->setVisible(!doubtful.isEmpty());
-    setVisible(stamp || m_now);
+    setVisible(stamp || m_now || !doubtful.isEmpty());
 }
 
 QString FieldStampPanel::difference() const
@@ -102,10 +102,15 @@ QString FieldStampPanel::doubtfulVariation() const
 {
     const Swing& swing = m_editor.record().swing;
     const auto beyond_deg = variationBeyondStamp_deg(swing);
-    if (!beyond_deg || std::abs(*beyond_deg) <= kDoubtfulVariation_deg)
-        return {};
-    return tr("The variation stated, %1, differs by %2 from the field's: look at variation, site and date again.")
-        .arg(angleText(*swing.variation_deg), angleText(*beyond_deg));
+    QStringList words;
+    if (beyond_deg && std::abs(*beyond_deg) > kDoubtfulVariation_deg)
+        words += tr("The variation stated, %1, differs by %2 from the field's: look at variation, site and date again.")
+                     .arg(angleText(*swing.variation_deg), angleText(*beyond_deg));
+    // The base and its survey may disagree with the model, or with each other, though the swing states nothing.
+    const auto& site = m_editor.record().site;
+    if (const Message doubt = variationDisagreement(site, swing.field ? swing.field : m_now, swing.variation_deg); !doubt.empty())
+        words += QStringLiteral("▲ ") + toText(doubt);
+    return words.join(QStringLiteral(" "));
 }
 
 void FieldStampPanel::take()

@@ -10,6 +10,7 @@
 #include "core/procedure/LoadNotes.h"
 #include "core/record/Signature.h"
 #include "core/swing/CardRemarks.h"
+#include "ui/kit/Words.h"
 #include "ui/report/page/Figures.h"
 #include "ui/text/Translated.h"
 
@@ -111,11 +112,11 @@ Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const
     auto card = analysis ? makeCard(*analysis, options) : Result<Card>(analysis.error());
     if (!card)
         return card.error();
-    const auto holds = signaturesHold(stores, record);
-    const auto superseded = isSuperseded(stores, record);
-    if (!holds || !superseded)
-        return holds ? superseded.error() : holds.error();
-    return CardColumn{columnHeading(record.swing.configuration.radio), std::move(card.value()), record, *holds, *superseded};
+    const auto standing = standingOf(stores, record);
+    if (!standing)
+        return standing.error();
+    return CardColumn{
+        columnHeading(record.swing.configuration.radio), std::move(card.value()), record, standing->holds, standing->superseded};
 }
 
 QString nextDue(db::Stores& stores, const SwingRecord& record)
@@ -192,6 +193,15 @@ Result<std::optional<Swing>> withRecord(db::Stores& stores, CompassId compass, c
 
 } // namespace
 
+Result<SignedStanding> standingOf(db::Stores& stores, const SwingRecord& record)
+{
+    const auto holds = signaturesHold(stores, record);
+    const auto superseded = isSuperseded(stores, record);
+    if (!holds || !superseded)
+        return holds ? superseded.error() : holds.error();
+    return SignedStanding{*holds, *superseded};
+}
+
 Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& madeAtUtc)
 {
     auto record = stores.swings.record(id);
@@ -235,7 +245,10 @@ Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& opti
     if (!loads)
         return loads.error();
     input.loadsToName = *loads;
-    if (again && column->isSigned() && !record->swing.signatures.empty()) // before it is signed there was no card to lose
+    const auto written = stores.signing.cardWasWritten(id);
+    if (!written)
+        return written.error();
+    if (again && *written && column->isSigned() && !record->swing.signatures.empty())
         input.reprintOf = QString::fromStdString(record->swing.signatures.back().timeUtc.substr(0, 10));
     const auto other = radioPartner(stores, *record);
     if (!other)
@@ -257,6 +270,15 @@ Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& opti
         input.reprintOf.clear(); // of a card that was never signed whole
     input.columns.insert((*other)->swing.configuration.radio == RadioState::On ? input.columns.begin() : input.columns.end(), *second);
     return input;
+}
+
+Result<void> noteCards(db::Stores& stores, const CardInput& input)
+{
+    for (const CardColumn& column : input.columns)
+        if (column.isSigned())
+            if (const auto noted = stores.signing.noteCard(column.record.swing.id); !noted)
+                return noted;
+    return {};
 }
 
 Result<JobCardInput> jobCardOf(db::Stores& stores, SwingId id, const QString& madeAtUtc)

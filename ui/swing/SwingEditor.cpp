@@ -36,6 +36,7 @@ SwingEditor::SwingEditor(EditContext& context, QUndoStack& stack, QObject* paren
     // An aircraft's or a compass's particulars (its limits) are part of what is shown.
     connect(&context.stores.changes(), &db::Changes::aircraftChanged, this, [this] { onSwingChanged(this->id()); });
     connect(&context.stores.changes(), &db::Changes::fleetChanged, this, [this] { onSwingChanged(this->id()); });
+    connect(&context.stores.changes(), &db::Changes::sitesChanged, this, [this] { onSwingChanged(this->id()); }); // its base and limits
 }
 
 Result<void> SwingEditor::open(SwingId id)

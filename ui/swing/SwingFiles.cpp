@@ -71,8 +71,14 @@ void writeCardFile(PageContext& context, SwingPage& page, const CardOptions& opt
     }
     const QString path = context.files.save(
         FileWords::tr("Write correction card"), fileStem(page.editor().record()) + " card.pdf", FileWords::tr("PDF (*.pdf)"));
-    if (!path.isEmpty())
-        tell(context, writeCard(*input, path), FileWords::tr("Card written: %1").arg(path));
+    if (path.isEmpty())
+        return;
+    const auto written = writeCard(*input, path);
+    tell(context, written, FileWords::tr("Card written: %1").arg(path));
+    if (!written || context.stores.readOnly())
+        return;
+    if (const auto noted = noteCards(context.stores, *input); !noted)
+        context.fail(messageOf(noted.error()));
 }
 
 void previewCard(PageContext& context, SwingPage& page)

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/swing/CardPanel.h"
@@ -17,6 +18,7 @@
 #include "ui/swing/PlotTabs.h"
 #include "ui/swing/ReadingsModel.h"
 #include "ui/swing/ReadingsTable.h"
+#include "ui/swing/RecordDocuments.h"
 #include "ui/swing/SigningPanel.h"
 #include "ui/swing/SlipWords.h"
 #include "ui/swing/SwingEditor.h"
@@ -222,7 +224,16 @@ void SwingPage::showCard(bool visible)
     }
     m_card->setVisible(visible);
     if (visible)
-        m_card->show(m_editor->record(), m_editor->analysis(), m_editor->whyNoAnalysis());
+        showCardFigures();
+}
+
+void SwingPage::showCardFigures()
+{
+    const auto standing = standingOf(m_context.stores, m_editor->record());
+    if (!standing)
+        emit failed(messageOf(standing.error()));
+    m_card->show(
+        m_editor->record(), m_editor->analysis(), m_editor->whyNoAnalysis(), standing && standing->holds, standing && standing->superseded);
 }
 
 void SwingPage::openCard() { m_showCard->setChecked(true); }
@@ -238,7 +249,9 @@ void SwingPage::showRecord()
     const SwingRecord& record = m_editor->record();
     setTitle(titleOf(record) + (record.aircraft.demonstration ? tr(" · DEMONSTRATION") : QString()));
     m_state->setText(wordFor(record.swing.state));
-    const QString why = m_editor->whyReadOnly();
+    QStringList standing{m_editor->whyReadOnly(), abandonedWords(m_context.stores, record.swing.id)};
+    standing.removeAll(QString());
+    const QString why = standing.join(QStringLiteral(" "));
     m_readOnly->setText(why);
     m_readOnly->setVisible(!why.isEmpty());
     m_complete->setText(record.swing.state == SwingState::Draft ? tr("Mark &complete") : tr("Open &again…"));
@@ -257,7 +270,7 @@ void SwingPage::showResults()
         pictureOf(m_editor->record(), analysis, m_editor->whyNoAnalysis(), m_editor->previousAnalysis(), previousLabel, m_style));
     m_coefficients->show(analysis, m_editor->whyNoAnalysis());
     if (m_card && m_showCard->isChecked())
-        m_card->show(m_editor->record(), analysis, m_editor->whyNoAnalysis());
+        showCardFigures();
     QString after;
     if (const auto& index_deg = m_editor->record().swing.indexRemoved_deg)
         after

@@ -87,6 +87,7 @@ private:
     void showParticulars(bool visible);
     void showSigning(bool visible);
     void showCard(bool visible);
+    void showCardFigures();
     [[nodiscard]] int currentRow() const; ///< −1: none, or the empty row
 
     EditContext& m_context;

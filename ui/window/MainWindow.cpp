@@ -1,5 +1,6 @@
 #include "ui/window/MainWindow.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -11,6 +12,8 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 #include "ui/due/DueWatch.h"
 #include "ui/fleet/FleetPanel.h"
@@ -26,9 +29,10 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr int kDueDelay_ms = 300; // many changes at once are looked at once
+constexpr int kDueDelay_ms = 300;   // many changes at once are looked at once
+constexpr int kElsewhere_ms = 1000; // a page does not show for long what another window has changed
 
-}
+} // namespace
 
 MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     : m_stores(stores)
@@ -46,19 +50,34 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     , m_pageContext(contextOfPages())
 {
     applyTheme(m_services.settings.value("view/dark", false).toBool());
-    setWindowTitle(tr("%1 – Lubberline").arg(QFileInfo(stores.location()).fileName()));
     setWindowIcon(icon("lubberline"));
     setAcceptDrops(true);
     buildParts();
     buildActions();
     buildStatusBar();
-    resize(QSize(1440, 860).boundedTo(screen()->availableSize() - QSize(20, 40))); // with a frame, on a screen of 1366×768 too
-    restoreGeometry(m_services.settings.value("window/geometry").toByteArray());
-    restoreState(m_services.settings.value("window/state").toByteArray());
+    showPlace();
+    restorePlacement();
+    qApp->installEventFilter(this);
     connect(&m_stack, &QUndoStack::indexChanged, this, [this] { showSaved(true); });
     connect(&m_stores.changes(), &db::Changes::fleetChanged, this, &MainWindow::afterFleetChange);
     connect(m_progress, &ProgressStrip::cancelled, this, [this] { m_transfer.cancel(); });
     connect(m_naming, &NamingStrip::named, this, &MainWindow::importFile);
+}
+
+/// As it was left, and never larger than the screen it is on now, nor outside it.
+void MainWindow::restorePlacement()
+{
+    const QSize frame(20, 40);
+    resize(QSize(1440, 860).boundedTo(screen()->availableSize() - frame)); // with a frame, on a screen of 1366×768 too
+    restoreGeometry(m_services.settings.value("window/geometry").toByteArray());
+    restoreState(m_services.settings.value("window/state").toByteArray());
+    if (isMaximized() || isFullScreen())
+        return;
+    const QRect room = screen()->availableGeometry();
+    if (const QSize bounded = size().boundedTo(room.size() - frame); bounded != size())
+        resize(bounded);
+    const QPoint last = room.bottomRight() - QPoint(width(), height());
+    move(std::clamp(x(), room.left(), std::max(room.left(), last.x())), std::clamp(y(), room.top(), std::max(room.top(), last.y())));
 }
 
 /// Pages go while what they are made of is still there.
@@ -92,7 +111,7 @@ void MainWindow::buildParts()
     dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     addDockWidget(Qt::LeftDockWidgetArea, dock);
     resizeDocks({dock}, {296}, Qt::Horizontal);
-    connect(m_fleet, &FleetPanel::itemChosen, this, &MainWindow::go);
+    connect(m_fleet, &FleetPanel::itemChosen, this, &MainWindow::choose);
     connect(m_fleet, &FleetPanel::itemOpened, this, [this] { m_pages->current().setFocus(); });
     connect(m_fleet, &FleetPanel::failed, this, &MainWindow::fail);
     buildCentre();
@@ -111,7 +130,10 @@ void MainWindow::buildCentre()
     connect(m_pages, &PageStack::turned, this, [this] {
         m_readOut->clear();
         updateActions();
+        showPlace();
     });
+    connect(m_pages, &PageStack::titled, this, &MainWindow::showPlace);
+    connect(m_pages, &PageStack::stateChanged, this, &MainWindow::showPlace);
     auto* central = new QWidget;
     auto* layout = new QVBoxLayout(central);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -130,7 +152,8 @@ void MainWindow::buildStatusBar()
     m_readOut = new QLabel;
     m_readOut->setObjectName(QStringLiteral("readOut"));
     connect(m_pages, &PageStack::readOut, m_readOut, &QLabel::setText);
-    statusBar()->addWidget(m_saved);
+    m_saved->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long name makes no window wider; the tip has all of it
+    statusBar()->addWidget(m_saved, 1);
     statusBar()->addPermanentWidget(m_readOut);
     showSaved(true);
 }
@@ -156,9 +179,11 @@ bool MainWindow::event(QEvent* event)
 void MainWindow::populate()
 {
     m_fleet->populate();
+    m_fleet->setOpenBranches(m_services.settings.value("tree/open").toStringList());
     m_fleet->focusTree();
     navigate({});
     watchDue();
+    watchElsewhere();
     offerRecovery();
     if (m_stores.readOnly())
         m_messages->add(MessagePanel::Kind::Information, tr("This database can only be read: nothing can be changed here."));
@@ -179,14 +204,67 @@ void MainWindow::navigate(const Destination& destination)
     leaveField();
     if (const auto shown = m_pages->show(destination); !shown)
         fail(messageOf(shown.error()));
-    else if (const auto path = m_pages->current().path(); !path.empty())
+    else
+        m_trail.visit({m_pages->description()->id, destination.record});
+    showPlace();
+}
+
+/// What is in front already is not opened a second time.
+void MainWindow::choose(const FleetItem& item)
+{
+    const Destination* here = m_trail.current();
+    const PageDescription* front = m_pages->description();
+    if (here && front && here->page == front->id && here->record == item && front->shows && front->shows(item))
+        return;
+    go(item);
+}
+
+void MainWindow::step(int step)
+{
+    leaveField();
+    while (const auto place = m_trail.go(step)) {
+        if (m_pages->show(*place))
+            break;
+        m_trail.drop(step); // its record is no more
+    }
+    showPlace();
+}
+
+void MainWindow::showPlace()
+{
+    const Page& page = m_pages->current();
+    const QString file = QFileInfo(m_stores.location()).fileName();
+    setWindowTitle(page.title().isEmpty() ? tr("%1 – Lubberline").arg(file) : tr("%1 – %2 – Lubberline").arg(page.title(), file));
+    if (m_back) {
+        m_back->setEnabled(m_trail.canGo(-1));
+        m_forward->setEnabled(m_trail.canGo(+1));
+    }
+    if (const auto path = page.path(); !path.empty() && path != m_path) {
+        m_path = path;
         m_fleet->select(path);
+    }
+}
+
+bool MainWindow::eventFilter(QObject* object, QEvent* event)
+{
+    if (event->type() == QEvent::MouseButtonPress) {
+        const auto button = static_cast<QMouseEvent*>(event)->button();
+        const auto* widget = qobject_cast<QWidget*>(object);
+        if (widget && widget->window() == this && (button == Qt::BackButton || button == Qt::ForwardButton)) {
+            step(button == Qt::BackButton ? -1 : +1);
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(object, event);
 }
 
 void MainWindow::goBack(const QString& page)
 {
     if (!m_pages->showAsLeft(page))
         navigate({});
+    else
+        m_trail.visit({page, m_pages->current().shown().item()});
+    showPlace();
 }
 
 Shown MainWindow::shown() const
@@ -214,6 +292,21 @@ void MainWindow::watchDue()
     connect(m_dueWatch, &DueWatch::ready, this, [this] { m_fleet->showDue(m_dueWatch->news()->lines, m_dueWatch->news()->due()); });
     connect(m_fleet, &FleetPanel::dueWanted, this, [this] { navigate({"due"}); });
     soon->start();
+}
+
+void MainWindow::watchElsewhere()
+{
+    auto* now_and_then = new QTimer(this);
+    now_and_then->setInterval(kElsewhere_ms);
+    connect(now_and_then, &QTimer::timeout, this, &MainWindow::lookElsewhere);
+    now_and_then->start();
+    lookElsewhere();
+}
+
+void MainWindow::lookElsewhere()
+{
+    if (const auto changed = m_stores.changedElsewhere(); changed && *changed)
+        m_stores.changes().announceAll();
 }
 
 /// What could not be stored when the drive failed is put in when the user says so.
@@ -262,6 +355,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     leaveField();
     m_services.settings.setValue("window/geometry", saveGeometry());
     m_services.settings.setValue("window/state", saveState());
+    m_services.settings.setValue("tree/open", m_fleet->openBranches());
     event->accept();
 }
 

@@ -11,6 +11,7 @@
 #include "ui/intake/ImportFile.h"
 #include "ui/kit/PageDescription.h"
 #include "ui/plots/base/AsksToSave.h"
+#include "ui/window/Trail.h"
 #include "ui/window/Transfers.h"
 
 class QAction;
@@ -62,6 +63,7 @@ protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    bool eventFilter(QObject* object, QEvent* event) override; ///< the mouse's buttons for back and forward, wherever it points
 
 private:
     // MainWindow.cpp: parts and navigation
@@ -72,10 +74,16 @@ private:
     void populate();
     void navigate(const Destination& destination);
     void goBack(const QString& page);
+    void choose(const FleetItem& item); ///< in the tree
+    void step(int step);                ///< −1: back along what was shown, +1: forward
+    void showPlace();                   ///< where the window is: in its title and in the tree
+    void restorePlacement();
     void afterFleetChange();
     void leaveField(); ///< what is being typed is stored before something else happens
     void showSaved(bool saved);
     void watchDue();
+    void watchElsewhere();
+    void lookElsewhere(); ///< what another window or a command has stored is shown
     void offerRecovery();
     void keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what);
     void makeSwing(Swing swing); ///< of readings that a page has made
@@ -129,6 +137,9 @@ private:
     std::vector<std::pair<QAction*, bool (*)(const Shown&)>> m_needs; ///< when each can be used
     std::vector<std::pair<QAction*, QString>> m_outputs;              ///< and the page that each is of
     bool m_painted = false;
+    Trail m_trail;
+    std::vector<FleetItem> m_path; ///< that is marked in the tree
+    QAction *m_back = nullptr, *m_forward = nullptr;
 };
 
 } // namespace lubberline::ui

@@ -76,8 +76,11 @@ void MainWindow::buildActions()
     for (const PageDescription& page : m_pages->descriptions())
         for (const Command& output : page.outputs)
             m_outputs.emplace_back(findChild<QAction*>(output.name), page.id);
+    m_back = findChild<QAction*>(QStringLiteral("back"));
+    m_forward = findChild<QAction*>(QStringLiteral("forward"));
     buildToolBar();
     updateActions();
+    showPlace();
     connect(m_pages, &PageStack::turned, this, &MainWindow::showOutputs);
     showOutputs();
 }
@@ -119,6 +122,8 @@ std::vector<Command> MainWindow::plotCommands()
         };
     };
     return {
+        {MenuId::View, 10, tr("&Back"), tr("Alt+Left"), "back", [this](Page&) { step(-1); }},
+        {MenuId::View, 20, tr("&Forward"), tr("Alt+Right"), "forward", [this](Page&) { step(+1); }},
         {MenuId::View, 110, tr("&Reset the zoom"), tr("Ctrl+0"), "resetZoom", onPlot([](Plot& plot) { plot.resetZoom(); }), needsPlot},
         {MenuId::View, 120, tr("Cop&y the plot"), tr("Ctrl+Shift+C"), "copyPlot", onPlot([](Plot& plot) { plot.copyToClipboard(); }),
             needsPlot},

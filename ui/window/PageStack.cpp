@@ -46,6 +46,7 @@ Page* PageStack::make(const PageDescription& description)
     connect(page, &Page::readOut, this, &PageStack::readOut);
     connect(page, &Page::failed, this, &PageStack::failed);
     connect(page, &Page::stateChanged, this, &PageStack::stateChanged);
+    connect(page, &QWidget::windowTitleChanged, this, &PageStack::titled);
     return page;
 }
 

@@ -36,6 +36,7 @@ signals:
     void failed(const QString& message);
     void stateChanged();
     void turned(); ///< another page, or another record on it
+    void titled(); ///< the page in front has another title
 
 private:
     [[nodiscard]] const PageDescription& descriptionOf(const Destination& destination) const;

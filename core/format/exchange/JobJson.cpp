@@ -75,11 +75,17 @@ struct Writer {
     void operator()(const job::Faulted& event) const { json.text("cause", event.cause); }
     void operator()(const job::Mended& event) const { json.text("action", event.action); }
     void operator()(const job::Abandoned& event) const { json.text("reason", event.reason); }
+    void operator()(const job::DatumChanged& event) const
+    {
+        json.beginObject("datum");
+        writeInstrument(json, event.datum);
+        json.end();
+    }
 };
 
 constexpr std::array<std::string_view, std::variant_size_v<job::What>> kEvents{"ticked", "interference_read", "prepared", "reading_taken",
     "reading_rejected", "station_skipped", "adjusted", "not_adjusted", "index_removed", "index_left", "accepted", "faulted", "mended",
-    "abandoned"};
+    "abandoned", "datum_changed"};
 
 int station(JsonObject& object) { return static_cast<int>(object.requiredNumber("station", kStation)); }
 
@@ -136,7 +142,12 @@ job::What readWhat(JsonObject& object, std::size_t kind)
     }
     case 11: return job::Faulted{object.requiredText("cause")};
     case 12: return job::Mended{object.text("action")};
-    default: return job::Abandoned{object.text("reason")};
+    case 13: return job::Abandoned{object.text("reason")};
+    default: {
+        job::DatumChanged changed;
+        object.object("datum", [&](JsonObject& datum) { changed.datum = readInstrument(datum); });
+        return changed;
+    }
     }
 }
 

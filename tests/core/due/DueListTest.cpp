@@ -78,6 +78,41 @@ TEST(DueList, aMoveIsOfItsOwnCompass)
     EXPECT_EQ(lines[2].answer.state, DueState::NotDue);
 }
 
+TEST(DueList, aSignatureTakesNoCompassOutOfItsLimitsOffTheList)
+{
+    const auto found = [](Date date, SwingStage stage, bool isSigned, double most_deg) {
+        return LimitsFinding{date, stage, isSigned, most_deg > 10 ? Status::OutOfLimits : Status::InLimits, most_deg};
+    };
+    const auto answer = [&](std::vector<LimitsFinding> findings) {
+        auto one = compass(1, "1", {"2026-11-20"});
+        one.limit_deg = 10;
+        one.limitDocument = "14 CFR 25.1327";
+        one.findings = std::move(findings);
+        return dueOf(inputFor(one, kTwoYears, {}, "2026-11-23"));
+    };
+    const auto out = answer({found("2026-11-20", SwingStage::AsLeft, true, 12.34), found("2024-11-20", SwingStage::AsLeft, true, 3)});
+    ASSERT_EQ(out.flags.size(), 1u);
+    EXPECT_EQ(out.state, DueState::Due);
+    EXPECT_EQ(out.flags[0].since, Date("2026-11-20"));
+    EXPECT_EQ(out.flags[0].reason.english(), "OUT OF LIMITS by the swing of 2026-11-20: up to 12.3°, 10° is allowed (14 CFR 25.1327)");
+    // As found it was out, as left it is within: of one day the compass is as it was left.
+    EXPECT_EQ(answer({found("2026-11-20", SwingStage::AsFound, true, 15), found("2026-11-20", SwingStage::AsLeft, true, 4)}).state,
+        DueState::NotDue);
+    // One state of the radio is enough.
+    EXPECT_EQ(
+        answer({found("2026-11-20", SwingStage::AsLeft, true, 4), found("2026-11-20", SwingStage::AsLeft, true, 11)}).state, DueState::Due);
+    // A newer one that nobody signed can say that it is out, and not that it is within again.
+    EXPECT_EQ(answer({found("2026-11-22", SwingStage::AsLeft, false, 11), found("2026-11-20", SwingStage::AsLeft, true, 4)}).state,
+        DueState::Due);
+    EXPECT_EQ(answer({found("2026-11-22", SwingStage::AsLeft, false, 4), found("2026-11-20", SwingStage::AsLeft, true, 11)}).state,
+        DueState::Due);
+    EXPECT_EQ(answer({found("2026-11-22", SwingStage::AsLeft, true, 4), found("2026-11-20", SwingStage::AsLeft, true, 11)}).state,
+        DueState::NotDue);
+    EXPECT_EQ(answer({found("2026-11-22", SwingStage::AsLeft, false, 4), found("2026-11-20", SwingStage::AsLeft, true, 4)}).state,
+        DueState::NotDue);
+    EXPECT_EQ(answer({{"2026-11-20", SwingStage::AsLeft, true, Status::NotKnown, 12}}).state, DueState::NotDue); // no limit is set
+}
+
 TEST(DueList, wordsThatDoNotTellTheCauseAreGivenIt)
 {
     auto one = compass(1, "1", {});

@@ -98,4 +98,30 @@ TEST(SwingField, aVariationIsHeldAgainstTheDeclination)
     EXPECT_FALSE(variationBeyondStamp_deg(swing));
 }
 
+TEST(SwingField, baseSurveyModelAndSwingAreHeldAgainstEachOther)
+{
+    const auto model = stamped().field;
+    const double there_deg = model->field.variation().degrees();
+    const auto base = [&](std::optional<double> stated, std::vector<double> surveyed) {
+        auto site = siteAt(51.55, 21.89);
+        site->variation_deg = stated;
+        for (const double declination_deg : surveyed) {
+            SurveyPoint point;
+            point.declination_deg = declination_deg;
+            site->survey.push_back(point);
+        }
+        return site;
+    };
+    EXPECT_TRUE(variationDisagreement(base({}, {}), model).empty());
+    EXPECT_TRUE(variationDisagreement(base(there_deg + 0.9, {there_deg, there_deg + 0.2}), model, there_deg + 0.5).empty());
+    EXPECT_FALSE(variationDisagreement(base(there_deg + 1.0, {}), model).empty());
+    EXPECT_FALSE(variationDisagreement(base({}, {there_deg - 1.1, there_deg - 1.1}), model).empty());
+    EXPECT_FALSE(variationDisagreement(base(4.0, {5.4}), {}).empty()); // without any model
+    EXPECT_FALSE(variationDisagreement({}, model, there_deg - 2).empty());
+    const std::string words = variationDisagreement(base(4.0, {5.4, 5.6}), {}, -1.0).english();
+    EXPECT_EQ(words, "VARIATION in doubt, by 6.5°: the base states +4.00°; its survey found +5.50°; the swing states −1.00°");
+    // Around the date line of angles they are near.
+    EXPECT_TRUE(variationDisagreement(base(179.9, {-179.8}), {}).empty());
+}
+
 } // namespace lubberline::test

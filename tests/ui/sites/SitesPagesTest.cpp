@@ -40,7 +40,12 @@ private slots:
         QVERIFY(variation > 5 && variation < 8);
         const QString lines = in<QLabel>(page, "siteLines").text();
         QVERIFY2(lines.contains(signedNumber(4.0 - variation, 2)), qPrintable(lines)); // to be added: less than nothing
-        type(in<QLineEdit>(page, "siteExpiry"), "2026-11-23");                         // on the day itself it holds
+        QVERIFY(!lines.contains("in doubt"));
+        type(in<QLineEdit>(page, "siteVariation"), QString::number(variation + 1.2, 'f', 2)); // by an old chart
+        QVERIFY2(
+            in<QLabel>(page, "siteLines").text().contains("VARIATION in doubt, by 1.2°"), qPrintable(in<QLabel>(page, "siteLines").text()));
+        type(in<QLineEdit>(page, "siteVariation"), QString::number(variation, 'f', 2));
+        type(in<QLineEdit>(page, "siteExpiry"), "2026-11-23"); // on the day itself it holds
         QVERIFY(in<QLabel>(page, "siteFitness").text().startsWith("●"));
         stack.undo();
         QCOMPARE(fleet.stores.sites.sites()->front().certificateExpiry, Date("2026-11-22"));

@@ -152,6 +152,16 @@ void FieldStampPanelTest::aDoubtfulVariationIsSaid()
     QVERIFY(fleet.stores.put(doubtful));
     QVERIFY(open.find<QLabel>("fieldVariation").isVisible());
     QVERIFY2(open.label("fieldVariation").contains("differs by"), qPrintable(open.label("fieldVariation")));
+    // The swing states nothing, and the base and its survey disagree.
+    doubtful.variation_deg.reset();
+    QVERIFY(fleet.stores.put(doubtful));
+    QVERIFY(!open.find<QLabel>("fieldVariation").isVisible());
+    Site site = **fleet.stores.sites.site(doubtful.site);
+    site.variation_deg = declination_deg + 1.4;
+    QVERIFY(fleet.stores.save(site));
+    fleet.stores.changes().announceFleet();
+    QVERIFY(open.find<QLabel>("fieldVariation").isVisible());
+    QVERIFY2(open.label("fieldVariation").contains("the base states"), qPrintable(open.label("fieldVariation")));
 }
 
 QTEST_MAIN(FieldStampPanelTest)

@@ -10,6 +10,7 @@
 
 #include "tests/ui/window/Fixture.h"
 #include "ui/guided/GuidedPage.h"
+#include "ui/guided/GuidedStation.h"
 #include "ui/kit/Words.h"
 #include "ui/window/PageStack.h"
 
@@ -105,7 +106,8 @@ inline void stepsOfGuided(OpenWindow& open, SmallFleet& fleet, const LookAt& loo
             tell(job::StationSkipped{state.current, "the tug cannot get there"});
         } else {
             const double nominal = here.station.nominal_deg;
-            tell(job::ReadingTaken{state.current, {{nominal}, {}, {nominal}}, nominal, wrap360(nominal - 2 * std::cos(toRadians(nominal))), {}});
+            tell(job::ReadingTaken{
+                state.current, {{nominal}, {}, {nominal}}, nominal, wrap360(nominal - 2 * std::cos(toRadians(nominal))), {}});
         }
     }
     partsOf(page, QStringLiteral("guided, review"), look);

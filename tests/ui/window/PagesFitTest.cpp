@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QListView>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QStyleOptionComboBox>
 #include <QTableView>
@@ -15,6 +16,7 @@
 #include <cstdio>
 
 #include "tests/ui/window/EveryPage.h"
+#include "ui/plots/base/Plot.h"
 
 using namespace lubberline;
 using namespace lubberline::ui;
@@ -135,7 +137,8 @@ QStringList misfitsOf(MainWindow& window)
     }
     for (const auto* scroll : window.findChildren<QScrollArea*>(QStringLiteral("pageScroll")))
         if (scroll->isVisible() && scroll->widget()->width() > scroll->viewport()->width())
-            found += QStringLiteral("the page scrolls sideways: %1 of %2 px").arg(scroll->widget()->width()).arg(scroll->viewport()->width());
+            found
+                += QStringLiteral("the page scrolls sideways: %1 of %2 px").arg(scroll->widget()->width()).arg(scroll->viewport()->width());
     return found;
 }
 
@@ -188,11 +191,12 @@ void PagesFitTest::everyPageFitsASmallScreen()
     QTemporaryDir folder;
     QFile screens(folder.filePath("screens.json"));
     QVERIFY(screens.open(QIODevice::WriteOnly));
-    screens.write(QStringLiteral("{\"screens\": [{\"name\": \"small\", \"x\": 0, \"y\": 0, \"width\": %1, \"height\": %2, \"logicalDpi\": 96, "
-                                 "\"logicalBaseDpi\": 96, \"dpr\": 1}]}")
-                      .arg(kSmallScreen.width() * scale)
-                      .arg(kSmallScreen.height() * scale)
-                      .toUtf8());
+    screens.write(
+        QStringLiteral("{\"screens\": [{\"name\": \"small\", \"x\": 0, \"y\": 0, \"width\": %1, \"height\": %2, \"logicalDpi\": 96, "
+                       "\"logicalBaseDpi\": 96, \"dpr\": 1}]}")
+            .arg(kSmallScreen.width() * scale)
+            .arg(kSmallScreen.height() * scale)
+            .toUtf8());
     screens.close();
     QProcess child;
     auto environment = QProcessEnvironment::systemEnvironment();

@@ -11,6 +11,7 @@
 #include "core/base/Result.h"
 #include "core/record/Fleet.h"
 #include "core/swing/Card.h"
+#include "core/swing/CardRemarks.h"
 
 class QPagedPaintDevice;
 
@@ -22,6 +23,8 @@ struct CardColumn {
     SwingRecord record;      ///< that these figures are of
     bool holds = false;      ///< its signatures stand over what the record says now
     bool superseded = false; ///< a later revision amends it
+
+    [[nodiscard]] bool outOfLimits() const { return lubberline::outOfLimits(card, record.limits); }
 
     /// Only then does a signature stand for these figures: what is removed after the swing nobody signed.
     [[nodiscard]] bool isSigned() const { return record.swing.state == SwingState::Signed && holds && card.options.removed.none(); }

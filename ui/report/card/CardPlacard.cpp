@@ -20,9 +20,10 @@ namespace {
 
 constexpr double kPadding = mm(2);
 constexpr double kHeadHeight = mm(4);
-constexpr double kDraftHeight = mm(3.2); ///< the bar over and under the figures that nobody signed
-constexpr double kTopHeight = mm(19);    ///< whose card it is and what it holds for
-constexpr double kQr = mm(11.4);         ///< beside the first lines of the foot
+constexpr double kDraftHeight = mm(3.2);  ///< the bar over and under the figures that nobody signed
+constexpr double kLimitsHeight = mm(4.4); ///< the bar across all figures of a compass that is out of its limits, above and below
+constexpr double kTopHeight = mm(19);     ///< whose card it is and what it holds for
+constexpr double kQr = mm(11.4);          ///< beside the first lines of the foot
 constexpr double kBannerHeight = mm(4.2);
 
 /// Rows and figures as large as the number of rows allows.
@@ -55,9 +56,17 @@ double draftHeight(const CardInput& input)
         : kDraftHeight;
 }
 
+double limitsHeight(const CardInput& input)
+{
+    return std::any_of(input.columns.begin(), input.columns.end(), [](const CardColumn& column) { return column.outOfLimits(); })
+        ? kLimitsHeight
+        : 0;
+}
+
 double tableHeight(const CardInput& input)
 {
-    return headHeight(input) + 2 * draftHeight(input) + rowSizeOf(input).height * static_cast<double>(rowsInHalf(input));
+    return 2 * limitsHeight(input) + headHeight(input) + 2 * draftHeight(input)
+        + rowSizeOf(input).height * static_cast<double>(rowsInHalf(input));
 }
 
 QString compassLine(const CompassSystem& compass)
@@ -228,12 +237,11 @@ QFont headingFont(const CardInput& input, const QString& family, double width)
 }
 
 /// White on black: no copy loses it, and whoever cuts it off cuts the figures.
-void paintDraft(QPainter& painter, const QRectF& rect, const QString& family)
+void paintBar(QPainter& painter, const QRectF& rect, const QString& word, const QString& family)
 {
     painter.fillRect(rect.adjusted(mm(0.3), mm(0.15), -mm(0.3), -mm(0.15)), Qt::black);
     painter.setPen(Qt::white);
-    const QString word = Words::tr("DRAFT");
-    const QFont font = fitted(family, 8, true, rect.width() - mm(1), word);
+    const QFont font = fitted(family, rect.height() > kDraftHeight ? 10 : 8, true, rect.width() - mm(1), word);
     paintLine(painter, font, {rect.center().x(), rect.center().y() + QFontMetricsF(font).capHeight() / 2}, Qt::AlignHCenter, word);
     painter.setPen(Ink::text());
 }
@@ -292,17 +300,31 @@ void paintHalf(QPainter& painter, const Half& half, const CardInput& input, cons
         if (input.columns[c].isSigned())
             continue;
         const double left = half.rect.left() + column * static_cast<double>(c + 1);
-        paintDraft(painter, QRectF(left, top - kDraftHeight, column, kDraftHeight), family);
-        paintDraft(painter, QRectF(left, half.rect.bottom() - kDraftHeight, column, kDraftHeight), family);
+        const QString mark = unsignedMark(input.columns[c]);
+        paintBar(painter, QRectF(left, top - kDraftHeight, column, kDraftHeight), mark, family);
+        paintBar(painter, QRectF(left, half.rect.bottom() - kDraftHeight, column, kDraftHeight), mark, family);
     }
 }
 
-void paintFigures(QPainter& painter, const QRectF& rect, const CardInput& input, const QString& family)
+/// Across the whole card, above and below its figures.
+QRectF paintLimits(QPainter& painter, const QRectF& rect, const CardInput& input, const QString& family)
 {
-    const std::size_t all = input.columns.front().card.rows.size(), left = rowsInHalf(input);
+    const double height = limitsHeight(input);
+    if (height == 0)
+        return rect;
+    const QString word = Words::tr("OUT OF LIMITS");
+    for (const double top : {rect.top(), rect.bottom() - height})
+        paintBar(painter, QRectF(rect.left(), top, rect.width(), height), word, family);
+    return rect.adjusted(0, height, 0, -height);
+}
+
+void paintFigures(QPainter& painter, const QRectF& all, const CardInput& input, const QString& family)
+{
+    const QRectF rect = paintLimits(painter, all, input, family);
+    const std::size_t count = input.columns.front().card.rows.size(), left = rowsInHalf(input);
     const double middle = rect.center().x();
     paintHalf(painter, {QRectF(rect.topLeft(), QPointF(middle, rect.bottom())), 0, left}, input, family);
-    paintHalf(painter, {QRectF(QPointF(middle, rect.top()), rect.bottomRight()), left, all - left}, input, family);
+    paintHalf(painter, {QRectF(QPointF(middle, rect.top()), rect.bottomRight()), left, count - left}, input, family);
     painter.setPen(QPen(Ink::strong(), mm(0.4)));
     painter.drawLine(rect.topLeft(), rect.topRight());
     painter.drawLine(rect.bottomLeft(), rect.bottomRight());

@@ -50,6 +50,9 @@ QString attitudeWords(const std::optional<SwungAttitude::Range>& range)
     return least == most ? least + QStringLiteral("°") : Words::tr("%1 to %2°").arg(least, most);
 }
 
+/// What is complete is finished, and wants a signature; all else that is not signed is no card yet.
+bool isDraft(const CardColumn& column) { return !column.isSigned() && column.record.swing.state != SwingState::Complete; }
+
 } // namespace
 
 QString cardBanner(const CardInput& input)
@@ -57,23 +60,28 @@ QString cardBanner(const CardInput& input)
     QStringList marks;
     if (input.record().aircraft.demonstration)
         marks += Words::tr("DEMONSTRATION DATA");
-    QStringList drafts, amended;
-    for (const CardColumn& column : input.columns) {
-        if (!column.isSigned())
-            drafts += column.heading;
-        if (column.superseded)
-            amended += column.heading;
-    }
-    const auto all = static_cast<qsizetype>(input.columns.size());
-    if (drafts.size() == all)
-        marks += Words::tr("DRAFT — NOT SIGNED");
-    else if (!drafts.isEmpty())
-        marks += Words::tr("%1: DRAFT — NOT SIGNED").arg(drafts.join(QStringLiteral(", ")));
-    if (amended.size() == all)
-        marks += Words::tr("AMENDED SINCE: NOT VALID");
-    else if (!amended.isEmpty())
-        marks += Words::tr("%1: AMENDED SINCE, NOT VALID").arg(amended.join(QStringLiteral(", ")));
+    const auto mark = [&](auto applies, const QString& ofAll, const QString& ofSome) {
+        QStringList those;
+        for (const CardColumn& column : input.columns)
+            if (applies(column))
+                those += column.heading;
+        if (those.size() == static_cast<qsizetype>(input.columns.size()))
+            marks += ofAll;
+        else if (!those.isEmpty())
+            marks += ofSome.arg(those.join(QStringLiteral(", ")));
+    };
+    mark([](const CardColumn& column) { return column.outOfLimits(); }, Words::tr("OUT OF LIMITS"), Words::tr("%1: OUT OF LIMITS"));
+    mark([](const CardColumn& column) { return isDraft(column); }, Words::tr("DRAFT — NOT SIGNED"), Words::tr("%1: DRAFT — NOT SIGNED"));
+    mark([](const CardColumn& column) { return !column.isSigned() && !isDraft(column); }, Words::tr("NOT SIGNED"),
+        Words::tr("%1: NOT SIGNED"));
+    mark([](const CardColumn& column) { return column.superseded; }, Words::tr("AMENDED SINCE: NOT VALID"),
+        Words::tr("%1: AMENDED SINCE, NOT VALID"));
     return joined(marks);
+}
+
+QString unsignedMark(const CardColumn& column)
+{
+    return column.isSigned() ? QString() : isDraft(column) ? Words::tr("DRAFT") : Words::tr("NOT SIGNED");
 }
 
 QString recordLine(const CardColumn& column)
@@ -83,7 +91,7 @@ QString recordLine(const CardColumn& column)
     const QString revision = swing.revision > 1 ? Words::tr(" rev. %1").arg(swing.revision) : QString();
     return Words::tr("Record %1%2 · data %3 · %4")
         .arg(record.isEmpty() ? dash() : record, revision, dataHash(column.record).left(8),
-            column.isSigned() ? Words::tr("signed") : Words::tr("DRAFT"));
+            column.isSigned() ? Words::tr("signed") : unsignedMark(column));
 }
 
 QStringList signatureLinesOf(const CardColumn& column)
@@ -136,6 +144,12 @@ QStringList shortRemarks(const CardColumn& column)
         gaps += gapWords(gap);
     if (!gaps.isEmpty())
         remarks += Words::tr("* nobody read between (compass) %1").arg(gaps.join(QStringLiteral(", ")));
+    QStringList skipped;
+    for (const auto& reading : column.record.swing.readings)
+        if (reading.nominal_deg && !reading.complete())
+            skipped += headingFigures(*reading.nominal_deg);
+    if (!skipped.isEmpty())
+        remarks += Words::tr("* not read on %1").arg(skipped.join(QStringLiteral(", ")));
     for (const auto& suspect : card.suspects)
         remarks += Words::tr("SUSPECT reading used, on %1").arg(headingFigures(suspect.at.degrees()));
     const SwungAttitude attitude = attitudeOf(column.record.swing);
@@ -152,7 +166,8 @@ QStringList shortRemarks(const CardColumn& column)
 
 QString markOf(const CardRow& row, const CardColumn& column)
 {
-    return (row.unread ? QStringLiteral("*") : QString()) + (overLimit(row, column.record.limits) ? QStringLiteral("!") : QString());
+    return (row.unread || skippedNear(row, column.record.swing) ? QStringLiteral("*") : QString())
+        + (overLimit(row, column.record.limits) ? QStringLiteral("!") : QString());
 }
 
 QString methodWords(const CardOptions& options)

@@ -8,8 +8,12 @@
 
 namespace lubberline::ui {
 
-/// "DRAFT — NOT SIGNED", for one column by its name; what else keeps a card from being used. Empty: every column is signed.
+/// "OUT OF LIMITS", "DRAFT — NOT SIGNED", "NOT SIGNED", of one of two columns by its name; what else keeps a card from being used. Empty:
+/// every column is signed and within its limits.
 [[nodiscard]] QString cardBanner(const CardInput& input);
+
+/// "DRAFT", or "NOT SIGNED" of what is complete; empty of what is signed.
+[[nodiscard]] QString unsignedMark(const CardColumn& column);
 
 /// "record 0f3c1d52 rev. 2 · data 4fa2b311 · signed" of a column.
 [[nodiscard]] QString recordLine(const CardColumn& column);

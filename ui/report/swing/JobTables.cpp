@@ -141,6 +141,8 @@ Table otherStepsTable(const SwingJob& job, const JobState& state)
             add(event, {}, Words::tr("fault"), fault->cause);
         else if (const auto* mended = std::get_if<job::Mended>(&event.what))
             add(event, {}, Words::tr("mended"), mended->action);
+        else if (const auto* changed = std::get_if<job::DatumChanged>(&event.what))
+            add(event, {}, Words::tr("other instrument"), changed->datum.name);
         else if (const auto* accepted = std::get_if<job::Accepted>(&event.what))
             add(event, {}, Words::tr("accepted"), accepted->by);
     }

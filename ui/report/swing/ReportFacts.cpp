@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/site/SiteSurvey.h"
+#include "core/swing/SwingField.h"
 #include "ui/report/page/Figures.h"
 #include "ui/report/page/Words.h"
 #include "ui/report/swing/ReportContent.h"
@@ -96,7 +97,8 @@ QString siteWords(const std::optional<Site>& site, const Swing& swing)
     const QString elevation = site->elevation_m ? Words::tr("elevation %1 m").arg(figure(site->elevation_m, 0)) : QString();
     return joined({printable(site->name), coordinate(site->latitude_deg, Words::tr("N"), Words::tr("S")),
         coordinate(site->longitude_deg, Words::tr("E"), Words::tr("W")), elevation,
-        variationWords(site->variation_deg, printable(site->variationSource)), classWords(*site), paintedWords(*site), used});
+        variationWords(site->variation_deg, printable(site->variationSource)), classWords(*site), paintedWords(*site), used,
+        printable(variationDisagreement(site, swing.field ? swing.field : stampFor(swing, site), swing.variation_deg))});
 }
 
 QString datumWords(const Datum& datum)

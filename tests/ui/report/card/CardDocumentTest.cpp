@@ -126,15 +126,35 @@ TEST(Card, aColumnThatNobodySignedIsADraftBesideOneThatIs)
         auto both = input;
         both.columns.push_back(cardOf(draft, {}, "RADIO OFF").columns.front());
         const QString text = PdfProbe(both).flowingText();
-        EXPECT_GE(text.count(QString::fromUtf8("RADIO OFF: DRAFT — NOT SIGNED")), 2); // on the card, and on the page
+        const QString mark = state == SwingState::Draft ? "DRAFT" : "NOT SIGNED",
+                      banner = state == SwingState::Draft ? QString::fromUtf8("DRAFT — NOT SIGNED") : mark;
+        EXPECT_GE(text.count("RADIO OFF: " + banner), 2); // on the card, and on the page
+        EXPECT_EQ(text.contains("DRAFT"), state == SwingState::Draft);
         EXPECT_TRUE(text.contains(
             "RADIO ON: Record 0f3c1d52 · data " + ui::dataHash(both.columns[0].record).left(8) + QString::fromUtf8(" · signed")));
         EXPECT_TRUE(text.contains(
-            "RADIO OFF: Record 7b20cafe · data " + ui::dataHash(both.columns[1].record).left(8) + QString::fromUtf8(" · DRAFT")));
+            "RADIO OFF: Record 7b20cafe · data " + ui::dataHash(both.columns[1].record).left(8) + QString::fromUtf8(" · ") + mark));
         for (const auto& column : both.columns)
             EXPECT_TRUE(text.contains(ui::dataHash(column.record))); // whole, on the page
-        EXPECT_GE(text.count("DRAFT"), 2 + 1 + 4);                   // the bars over and under its figures in both halves
+        EXPECT_GE(text.count(mark), 2 + 1 + 4);                      // the bars over and under its figures in both halves
     }
+}
+
+TEST(Card, aCompassOutOfItsLimitsIsSaidAcrossItSignedOrNot)
+{
+    SwingRecord record = signedRecord(simulatedRecord(12));
+    record.limits->maxDeviation_deg = 1;
+    const auto over = cardOf(record, {});
+    ASSERT_TRUE(over.columns[0].outOfLimits());
+    const QString text = PdfProbe(over).flowingText();
+    EXPECT_GE(text.count("OUT OF LIMITS"), 2 + 2); // the banners of card and page, the bars over and under the figures
+    EXPECT_FALSE(text.contains("NOT SIGNED"));
+    record.limits->maxDeviation_deg = 45;
+    const auto within = cardOf(record, {});
+    EXPECT_FALSE(within.columns[0].outOfLimits());
+    EXPECT_FALSE(PdfProbe(within).flowingText().contains("OUT OF LIMITS"));
+    const QString family = ui::documentFamily().value();
+    EXPECT_GT(ui::placardSize(over, family).height(), ui::placardSize(within, family).height() + 2); // room for the bars
 }
 
 TEST(Card, whatIsNotWhatWasSignedIsADraft)

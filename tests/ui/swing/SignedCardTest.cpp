@@ -1,0 +1,90 @@
+// What a card says of its own standing, on the page and on paper: out of limits, not signed, printed again; and that a signature does not
+// take a compass that is out of its limits off the list of what is due.
+
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "tests/ui/window/Fixture.h"
+#include "ui/due/DueWork.h"
+#include "ui/swing/RecordDocuments.h"
+
+using namespace lubberline;
+using namespace lubberline::ui;
+
+class SignedCardTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aCompleteCardIsNotSignedAndTheFirstSignedOneIsNoReprint();
+    void aSignatureTakesNoCompassOutOfItsLimitsOffTheDueList();
+
+private:
+    static void sign(SmallFleet& fleet, SwingId id)
+    {
+        Signature signature;
+        for (const auto& [role, name] : {std::pair{SignatureRole::Performer, "Ada"}, {SignatureRole::Inspector, "Ben"}}) {
+            signature.role = role;
+            signature.name = name;
+            if (const auto done = fleet.stores.signing.sign(id, signature); !done)
+                qFatal("not signed: %s", describe(done.error()).c_str());
+        }
+    }
+    static QString reprintOf(SmallFleet& fleet, SwingId id)
+    {
+        return cardOf(fleet.stores, id, {}, "2026-11-23T10:00:00Z", true)->reprintOf;
+    }
+    static DueLine dueLine(SmallFleet& fleet) { return dueNews(fleet.stores, "2026-11-23", {})->lines.front(); }
+};
+
+void SignedCardTest::aCompleteCardIsNotSignedAndTheFirstSignedOneIsNoReprint()
+{
+    SmallFleet fleet;
+    const SwingId id = fleet.addSwing("2026-11-20", eightPoints());
+    OpenWindow open(fleet.stores);
+    open.window.go(id);
+    open.trigger("showCard");
+    QCOMPARE(open.label("cardBanner"), QString::fromUtf8("DRAFT — NOT SIGNED"));
+    open.trigger("complete");
+    QCOMPARE(open.label("cardBanner"), QString("NOT SIGNED"));
+    sign(fleet, id);
+    QVERIFY(!open.find<QLabel>("cardBanner").isVisible());
+    QVERIFY(reprintOf(fleet, id).isEmpty());
+    open.dialogs.answer = open.folder.filePath("card.pdf");
+    open.trigger("card30");
+    QVERIFY(QFile::exists(open.dialogs.answer));
+    QCOMPARE(reprintOf(fleet, id), QString::fromStdString(fleet.stores.swings.swing(id)->signatures.back().timeUtc.substr(0, 10)));
+    // What amends it has had no card yet.
+    const SwingId amended = *fleet.stores.signing.amend(id, "a heading was misread");
+    QVERIFY(fleet.stores.signing.complete(amended));
+    sign(fleet, amended);
+    QVERIFY(reprintOf(fleet, amended).isEmpty());
+}
+
+void SignedCardTest::aSignatureTakesNoCompassOutOfItsLimitsOffTheDueList()
+{
+    SmallFleet fleet;
+    std::vector<std::pair<double, double>> far = eightPoints();
+    for (auto& [magnetic, compass] : far)
+        magnetic += 12;
+    const SwingId id = fleet.addSwing("2026-11-20", far);
+    QVERIFY(fleet.stores.signing.complete(id));
+    OpenWindow open(fleet.stores);
+    open.window.go(id);
+    open.trigger("showCard");
+    QCOMPARE(open.label("cardBanner"), QString::fromUtf8("OUT OF LIMITS · NOT SIGNED"));
+    sign(fleet, id);
+    QCOMPARE(open.label("cardBanner"), QString("OUT OF LIMITS"));
+    const DueLine line = dueLine(fleet);
+    QCOMPARE(line.answer.state, DueState::Due);
+    QVERIFY2(line.answer.flags.front().reason.english().starts_with("OUT OF LIMITS by the swing of 2026-11-20: up to 1"),
+        line.answer.flags.front().reason.english().c_str());
+    QVERIFY(line.answer.flags.front().reason.english().ends_with("10° is allowed (14 CFR 25.1327)"));
+    const SwingId mended = fleet.addSwing("2026-11-22", eightPoints());
+    QVERIFY(fleet.stores.signing.complete(mended));
+    QCOMPARE(dueLine(fleet).answer.state, DueState::Due);
+    sign(fleet, mended);
+    QCOMPARE(dueLine(fleet).answer.state, DueState::NotDue);
+}
+
+QTEST_MAIN(SignedCardTest)
+#include "SignedCardTest.moc"

@@ -1,0 +1,274 @@
+// Whatever is typed on any page and in any panel of one record is gone, or was stored with that record, when the window shows another one;
+// tried on every page that owns a record, by every route to another record. And what another window or another program changes is shown.
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTreeView>
+
+#include "core/format/exchange/Exchange.h"
+#include "tests/ui/window/EveryPage.h"
+#include "ui/fleet/FleetModel.h"
+#include "ui/intake/NmeaImportPage.h"
+
+using namespace lubberline;
+using namespace lubberline::ui;
+
+namespace {
+
+const QString kTyped = QStringLiteral("typed for the first");
+
+/// Two aircraft of a type, each with a compass, a complete swing and a draft.
+struct TwoAircraft {
+    SmallFleet fleet;
+    AircraftId other;
+    CompassId otherCompass;
+    SwingId complete, draft, otherComplete, otherDraft;
+
+    TwoAircraft()
+    {
+        Aircraft aircraft;
+        aircraft.type = fleet.type;
+        aircraft.registration = "3802";
+        other = *fleet.stores.save(aircraft);
+        CompassSystem compass;
+        compass.aircraft = other;
+        compass.name = "standby compass";
+        otherCompass = *fleet.stores.save(compass);
+        complete = fleet.addSwing("2026-11-18", eightPoints());
+        draft = fleet.addSwing("2026-11-19", eightPoints());
+        const CompassId first = std::exchange(fleet.compass, otherCompass);
+        otherComplete = fleet.addSwing("2026-11-20", eightPoints());
+        otherDraft = fleet.addSwing("2026-11-21", eightPoints());
+        fleet.compass = first;
+        for (const SwingId id : {complete, otherComplete})
+            if (!fleet.stores.signing.complete(id))
+                qFatal("the swing is not complete");
+    }
+    QString all(AircraftId aircraft)
+    {
+        return QString::fromStdString(writeExchange(db::exportFleet(fleet.stores.database(), {aircraft}, {}).value()));
+    }
+};
+
+/// Everything that can be typed into is, on the page and in each panel and tab of it.
+void typeEverywhere(Page& page)
+{
+    every::partsOf(page, {}, [&page](const QString&) {
+        for (auto* line : page.findChildren<QLineEdit*>())
+            if (line->isVisible() && line->isEnabled() && !line->isReadOnly() && line->objectName() != "qt_spinbox_lineedit")
+                line->setText(kTyped);
+        for (auto* text : page.findChildren<QPlainTextEdit*>())
+            if (text->isVisible() && !text->isReadOnly())
+                text->setPlainText(kTyped);
+    });
+    for (auto* button : page.findChildren<QAbstractButton*>()) // and the panels stand open
+        if (button->isCheckable() && button->isVisible() && button->objectName().startsWith("show"))
+            button->setChecked(true);
+}
+
+QStringList typedOn(const QWidget& page)
+{
+    QStringList found;
+    for (const auto* line : page.findChildren<QLineEdit*>())
+        if (line->text() == kTyped)
+            found += line->objectName();
+    for (const auto* text : page.findChildren<QPlainTextEdit*>())
+        if (text->toPlainText() == kTyped)
+            found += text->objectName();
+    return found;
+}
+
+using Route = void (*)(OpenWindow&, TwoAircraft&);
+
+const std::pair<const char*, Route> kRoutes[] = {
+    {"tree, swing", [](OpenWindow& open, TwoAircraft& two) { open.window.go(two.otherDraft); }},
+    {"tree, compass", [](OpenWindow& open, TwoAircraft& two) { open.window.go(two.otherCompass); }},
+    {"tree, aircraft", [](OpenWindow& open, TwoAircraft& two) { open.window.go(two.other); }},
+    {"new swing",
+        [](OpenWindow& open, TwoAircraft& two) {
+            open.window.go(two.otherCompass);
+            open.trigger("newSwing");
+            open.find<QLineEdit>("newDate").setText("2026-11-25");
+            open.find<QPushButton>("createSwing").click();
+        }},
+    {"import",
+        [](OpenWindow& open, TwoAircraft&) {
+            QFile file(open.folder.filePath("swing.csv"));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("# aircraft: 3802\n# type: Su-22\n# compass: standby compass\n# date: 2026-11-24\n"
+                       "magnetic_heading_deg,compass_heading_deg\n0,358.5\n90,88\n180,181\n270,271\n");
+            file.close();
+            QSignalSpy finished(&open.window, &MainWindow::importFinished);
+            open.window.importFile(file.fileName());
+            QVERIFY(finished.wait());
+        }},
+    {"a log made a swing",
+        [](OpenWindow& open, TwoAircraft& two) {
+            open.window.go(two.otherCompass);
+            open.trigger("nmeaImport");
+            Swing swing = *two.fleet.stores.swings.swing(two.otherDraft);
+            swing.id = {};
+            swing.record.clear();
+            auto* page = open.window.findChild<NmeaImportPage*>();
+            QVERIFY(page);
+            emit page->makeSwing(swing);
+        }},
+    {"guided",
+        [](OpenWindow& open, TwoAircraft& two) {
+            open.window.go(two.otherCompass);
+            open.trigger("guidedSwing");
+            QVERIFY(!typedOn(open.window.findChild<PageStack*>()->current()).size());
+            open.find<QPushButton>("beginGuided").click();
+        }},
+    {"undo and redo",
+        [](OpenWindow& open, TwoAircraft& two) {
+            open.window.go(two.otherDraft);
+            auto& editor = open.window.findChild<SwingPage*>()->editor();
+            Reading read = editor.readings()[0];
+            read.compass = CompassHeading::fromDegrees(1);
+            QVERIFY(editor.changeReading(0, read, "compass"));
+            open.window.go(two.draft);
+            open.trigger("undo");
+            open.trigger("redo");
+        }},
+};
+
+} // namespace
+
+class WrongRecordTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsTypedStaysWithItsRecord_data();
+    void whatIsTypedStaysWithItsRecord();
+    void whatAnotherProgramChangesIsShown();
+    void whatAnotherProgramRemovesIsGone();
+    void backAndForwardGoAlongWhatWasShown();
+    void aClickOnTheChosenItemShowsItsPageAgain();
+};
+
+void WrongRecordTest::whatIsTypedStaysWithItsRecord_data()
+{
+    QTest::addColumn<int>("route");
+    for (int i = 0; i < static_cast<int>(std::size(kRoutes)); ++i)
+        QTest::newRow(kRoutes[i].first) << i;
+}
+
+void WrongRecordTest::whatIsTypedStaysWithItsRecord()
+{
+    QFETCH(int, route);
+    // Pages of a record; the others are calculators and lists, which own none.
+    for (const char* from : {"swing", "swing, complete", "aircraft", "guided", "newSwing", "nmeaImport", "electrical", "sensor",
+             "prediction", "check", "compare"}) {
+        TwoAircraft two;
+        OpenWindow open(two.fleet.stores);
+        auto* stack = open.window.findChild<PageStack*>();
+        if (QByteArrayView(from) == "swing, complete") {
+            open.window.go(two.complete);
+        } else {
+            const QString id = QString::fromLatin1(from);
+            const auto& known = stack->descriptions();
+            if (std::none_of(known.begin(), known.end(), [&](const PageDescription& page) { return page.id == id; }))
+                qFatal("there is no page %s", from);
+            if (!stack->show(Destination{id, two.fleet.compass}) && !stack->show(Destination{id, two.draft}))
+                qFatal("%s opens neither", from);
+        }
+        typeEverywhere(stack->current());
+        kRoutes[route].second(open, two);
+        every::settle();
+        const QStringList left = typedOn(stack->current());
+        QVERIFY2(left.isEmpty(), qPrintable(QStringLiteral("from %1: %2").arg(QString::fromLatin1(from), left.join(", "))));
+        for (const char* name : {"signSwing", "showCard"})
+            if (auto* action = open.window.findChild<QAction*>(QString::fromLatin1(name)); action->isEnabled() && action->isVisible())
+                action->trigger();
+        for (const char* name : {"changeState", "signButton", "addEvent", "amendButton"}) // with whatever stands in their fields
+            if (auto* button = stack->current().findChild<QPushButton*>(QString::fromLatin1(name)); button && button->isVisible())
+                button->click();
+        QVERIFY2(!two.all(two.other).contains(kTyped), from);
+        QVERIFY2(two.fleet.stores.swings.swing(two.complete)->signatures.empty(), from);
+        QVERIFY2(two.fleet.stores.swings.swing(two.otherComplete)->signatures.empty(), from);
+    }
+}
+
+void WrongRecordTest::whatAnotherProgramChangesIsShown()
+{
+    TwoAircraft two;
+    OpenWindow open(two.fleet.stores);
+    open.window.go(two.draft);
+    open.trigger("signSwing");
+    const auto program = two.fleet.stores.another();
+    QVERIFY(program->signing.complete(two.draft));
+    QTRY_COMPARE(open.window.findChild<SwingPage*>()->editor().record().swing.state, SwingState::Complete);
+    QVERIFY(open.find<QWidget>("signButton").isVisible());
+}
+
+void WrongRecordTest::whatAnotherProgramRemovesIsGone()
+{
+    TwoAircraft two;
+    OpenWindow open(two.fleet.stores);
+    open.window.go(two.draft);
+    open.trigger("signSwing");
+    QVERIFY(two.fleet.stores.another()->swings.remove(two.draft));
+    QTRY_VERIFY(open.window.findChild<PageStack*>()->description()->id != "swing");
+    QVERIFY(!open.find<QWidget>("signButton").isVisible());
+}
+
+void WrongRecordTest::backAndForwardGoAlongWhatWasShown()
+{
+    TwoAircraft two;
+    OpenWindow open(two.fleet.stores);
+    const auto title = [&] { return open.window.windowTitle(); };
+    open.window.go(two.draft);
+    QVERIFY2(title().contains("3713") && title().contains("2026-11-19"), qPrintable(title()));
+    open.window.go(two.otherCompass);
+    open.window.go(two.otherDraft);
+    open.trigger("back");
+    QVERIFY2(title().contains("3802") && title().contains("standby compass"), qPrintable(title()));
+    open.trigger("back");
+    QVERIFY(title().contains("2026-11-19"));
+    open.trigger("forward");
+    open.trigger("forward");
+    QVERIFY(title().contains("2026-11-21"));
+    QVERIFY(!open.find<QAction>("forward").isEnabled());
+    // A record that is no more is passed over.
+    open.trigger("back");
+    QVERIFY(two.fleet.stores.swings.remove(two.draft));
+    open.trigger("back");
+    QVERIFY2(!title().contains("2026-11-19"), qPrintable(title()));
+    // The mouse's own buttons, wherever it points.
+    auto* table = open.window.findChild<QTreeView*>("fleetTree")->viewport();
+    const QString here = title();
+    QMouseEvent press(QEvent::MouseButtonPress, {5, 5}, table->mapToGlobal(QPoint(5, 5)), Qt::ForwardButton, Qt::ForwardButton, {});
+    QApplication::sendEvent(table, &press);
+    QVERIFY(title() != here);
+}
+
+void WrongRecordTest::aClickOnTheChosenItemShowsItsPageAgain()
+{
+    TwoAircraft two;
+    OpenWindow open(two.fleet.stores);
+    open.window.go(two.draft);
+    auto* stack = open.window.findChild<PageStack*>();
+    auto& tree = open.find<QTreeView>("fleetTree");
+    QVERIFY(std::get<SwingId>(static_cast<FleetModel*>(tree.model())->item(tree.currentIndex())) == two.draft);
+    for (const bool byKey : {false, true}) {
+        open.trigger("showDue");
+        QCOMPARE(stack->description()->id, QStringLiteral("due"));
+        tree.scrollTo(tree.currentIndex());
+        if (byKey) {
+            tree.setFocus();
+            QTest::keyClick(&tree, Qt::Key_Return);
+        } else {
+            QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(tree.currentIndex()).center());
+        }
+        QCOMPARE(stack->description()->id, QStringLiteral("swing"));
+    }
+}
+
+QTEST_MAIN(WrongRecordTest)
+#include "WrongRecordTest.moc"
