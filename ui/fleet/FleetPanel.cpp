@@ -11,7 +11,6 @@
 #include <QVBoxLayout>
 
 #include <optional>
-#include <utility>
 
 #include "ui/kit/DueBadge.h"
 #include "ui/kit/Words.h"
@@ -92,11 +91,7 @@ void FleetPanel::buildTree()
         emit itemChosen(m_model->item(index));
         emit itemOpened();
     });
-    connect(m_tree, &QTreeView::clicked, this, [this](const QModelIndex& index) {
-        const FleetItem item = m_model->item(index);
-        if (!(std::exchange(m_chosen, {}) == item))
-            emit itemChosen(item);
-    });
+    connect(m_tree, &QTreeView::clicked, this, [this](const QModelIndex& index) { emit itemChosen(m_model->item(index)); });
     m_stack->addWidget(m_tree);
 }
 
@@ -134,10 +129,8 @@ void FleetPanel::populate()
     m_tree->header()->setSectionResizeMode(FleetModel::Name, QHeaderView::ResizeToContents);
     m_tree->header()->setSectionResizeMode(FleetModel::Badge, QHeaderView::ResizeToContents);
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
-        if (m_selecting || !current.isValid())
-            return;
-        m_chosen = m_model->item(current);
-        emit itemChosen(m_chosen);
+        if (!m_selecting && current.isValid())
+            emit itemChosen(m_model->item(current));
     });
 }
 

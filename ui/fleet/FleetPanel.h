@@ -56,7 +56,6 @@ private:
     QTimer* m_refreshSoon;
     std::vector<FleetItem> m_hitItems;
     bool m_selecting = false;
-    FleetItem m_chosen; ///< by the press that its click ends
 };
 
 } // namespace lubberline::ui
