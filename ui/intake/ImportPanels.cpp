@@ -7,6 +7,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
+#include "ui/kit/LongWords.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -21,7 +22,8 @@ ProgressStrip::ProgressStrip(QWidget* parent)
     m_cancel->setObjectName(QStringLiteral("cancelJob"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
-    layout->addWidget(m_what);
+    m_what->setWordWrap(true);
+    layout->addWidget(m_what, 2);
     layout->addWidget(m_bar, 1);
     layout->addWidget(m_cancel);
     connect(m_cancel, &QPushButton::clicked, this, [this] {
@@ -33,7 +35,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
 
 void ProgressStrip::begin(const QString& what)
 {
-    m_what->setText(what);
+    m_what->setText(breakable(what));
     m_bar->setValue(0);
     m_cancel->setEnabled(true);
     show();
@@ -61,7 +63,8 @@ NamingStrip::NamingStrip(QWidget* parent)
     auto* cancel = new QPushButton(tr("Cancel"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
-    layout->addWidget(m_question);
+    m_question->setWordWrap(true);
+    layout->addWidget(m_question, 1);
     for (QWidget* widget : {static_cast<QWidget*>(m_aircraft), static_cast<QWidget*>(m_type), static_cast<QWidget*>(m_compass),
              static_cast<QWidget*>(import), static_cast<QWidget*>(cancel)})
         layout->addWidget(widget);
@@ -85,7 +88,7 @@ NamingStrip::NamingStrip(QWidget* parent)
 void NamingStrip::ask(const QString& path, const CsvParticulars& suggestion)
 {
     m_path = path;
-    m_question->setText(tr("Whose swing is %1?").arg(QFileInfo(path).fileName()));
+    m_question->setText(breakable(tr("Whose swing is %1?").arg(QFileInfo(path).fileName())));
     m_aircraft->setText(toText(suggestion.aircraft));
     m_type->setText(toText(suggestion.type));
     m_compass->setText(toText(suggestion.compass));

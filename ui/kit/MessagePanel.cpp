@@ -7,6 +7,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/kit/LongWords.h"
+
 namespace lubberline::ui {
 
 MessagePanel::MessagePanel(QWidget* parent) : QWidget(parent), m_rows(new QVBoxLayout(this))
@@ -30,7 +32,7 @@ QWidget* MessagePanel::makeRow(Kind kind, const QString& message)
     const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
     sign->setPixmap(
         style()->standardIcon(kind == Kind::Failure ? QStyle::SP_MessageBoxWarning : QStyle::SP_MessageBoxInformation).pixmap(size));
-    auto* text = new QLabel(message);
+    auto* text = new QLabel(breakable(message));
     text->setObjectName(QStringLiteral("messageText"));
     text->setTextFormat(Qt::PlainText);
     text->setWordWrap(true);

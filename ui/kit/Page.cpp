@@ -2,6 +2,7 @@
 
 #include <QScrollArea>
 
+#include "ui/kit/LongWords.h"
 #include "ui/plots/base/Plot.h"
 
 namespace lubberline::ui {
@@ -65,14 +66,14 @@ Page::~Page()
 
 void Page::setTitle(const QString& title)
 {
-    m_title->setText(title);
+    m_title->setText(breakable(title));
     setAccessibleName(title);
     setWindowTitle(title); // whose record is in front stands in the window's title, too
 }
 
 void Page::say(const QString& message)
 {
-    m_message->setText(message);
+    m_message->setText(breakable(message));
     m_message->setStyleSheet({});
     m_message->setVisible(!message.isEmpty());
 }

@@ -40,7 +40,7 @@ public:
     explicit Page(QWidget* parent = nullptr);
     ~Page() override;
 
-    [[nodiscard]] QString title() const { return m_title->text(); }
+    [[nodiscard]] QString title() const { return windowTitle(); }
     [[nodiscard]] QString message() const { return m_message->text(); }
     /// The plot that is in front on it, for the commands that copy and export one; none: it has none now.
     [[nodiscard]] virtual Plot* plot() const { return nullptr; }

@@ -11,6 +11,7 @@
 #include "tests/ui/window/Fixture.h"
 #include "ui/guided/GuidedPage.h"
 #include "ui/guided/GuidedStation.h"
+#include "ui/intake/ImportPanels.h"
 #include "ui/kit/Words.h"
 #include "ui/window/PageStack.h"
 
@@ -136,10 +137,15 @@ inline void everyPage(OpenWindow& open, SmallFleet& fleet, const LookAt& look)
     every::partsOf(stack->current(), QStringLiteral("swing, complete"), look);
     every::stepsOfGuided(open, fleet, look);
     open.window.go({});
-    open.window.fail(QStringLiteral("/media/stick/swings of the whole year/3713.csv:12: the heading 361 is none; expected 0 to 360"));
+    const QString longName = QString(150, QChar('x')) + ".csv";
+    open.window.fail(QStringLiteral("/media/stick/%1:12: the heading 361 is none; expected 0 to 360").arg(longName));
     every::settle();
     look(QStringLiteral("a message"));
     open.window.messages().clear();
+    open.find<NamingStrip>("namingStrip").ask(longName, {});
+    every::settle();
+    look(QStringLiteral("whose swing"));
+    open.find<NamingStrip>("namingStrip").hide();
 }
 
 } // namespace lubberline::ui
