@@ -19,6 +19,7 @@
 #include "ui/fleet/FleetPanel.h"
 #include "ui/fleet/RecordEdits.h"
 #include "ui/intake/ImportPanels.h"
+#include "ui/kit/ControlNames.h"
 #include "ui/kit/MessagePanel.h"
 #include "ui/kit/Theme.h"
 #include "ui/kit/Words.h"
@@ -143,6 +144,7 @@ void MainWindow::buildCentre()
     layout->addWidget(m_naming);
     layout->addWidget(m_pages, 1);
     setCentralWidget(central);
+    nameControls(*m_naming);
 }
 
 void MainWindow::buildStatusBar()

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/Contract.h"
+#include "ui/kit/ControlNames.h"
 
 namespace lubberline::ui {
 
@@ -95,6 +96,7 @@ bool PageStack::showAsLeft(const QString& id)
 
 void PageStack::turnTo(Page& page)
 {
+    nameControls(page);
     setCurrentWidget(&page);
     emit turned();
 }
