@@ -117,6 +117,7 @@ QWidget* DuePage::buildList()
     column->addLayout(filters);
     column->addWidget(m_table, 1);
     auto* below = new QHBoxLayout;
+    m_count->setWordWrap(true);
     below->addWidget(m_count, 1);
     below->addWidget(m_open);
     column->addLayout(below);

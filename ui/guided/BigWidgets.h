@@ -46,4 +46,21 @@ inline QPushButton* bigButton(const QString& text, const char* name)
     return button;
 }
 
+/// Lines of at most so many characters: for buttons and boxes, which do not wrap by themselves.
+inline QString inLines(const QString& text, qsizetype most = 54)
+{
+    QString lines;
+    qsizetype length = 0;
+    for (const QString& word : text.split(' ')) {
+        if (!lines.isEmpty()) {
+            const bool over = length + 1 + word.size() > most;
+            lines += over ? '\n' : ' ';
+            length = over ? 0 : length + 1;
+        }
+        lines += word;
+        length += word.size();
+    }
+    return lines;
+}
+
 } // namespace lubberline::ui

@@ -27,6 +27,7 @@ namespace {
 
 /// Beneath this the plot would take the room of the figures.
 constexpr int kWide_px = 900;
+constexpr int kFoot_px = 16; // all of them side by side on a small screen
 
 } // namespace
 
@@ -88,8 +89,10 @@ void GuidedPage::build()
     auto* fault = bigButton(tr("Fault… (F8)"), "reportFault");
     auto* live = bigButton(tr("Live (F12)"), "showLive");
     live->setCheckable(true);
-    for (QPushButton* button : {instrument, live, crew, fault})
+    for (QPushButton* button : {instrument, live, crew, fault}) {
+        button->setFont(bigFont(button->font(), kFoot_px));
         foot->addWidget(button);
+    }
     foot->addStretch();
     auto* column = new QVBoxLayout(m_work);
     column->setContentsMargins(0, 0, 0, 0);

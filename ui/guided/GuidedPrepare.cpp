@@ -85,7 +85,7 @@ void GuidedPrepare::rebuildList()
     }
     m_listed = m_job.job().checklist;
     for (const auto& item : m_listed) {
-        auto* box = new QCheckBox(toText(item));
+        auto* box = new QCheckBox(inLines(toText(item).replace('&', QStringLiteral("&&"))));
         box->setObjectName(QStringLiteral("check%1").arg(m_list->count()));
         box->setFont(bigFont(box->font(), kList_px));
         box->setMinimumHeight(32);

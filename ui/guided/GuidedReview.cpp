@@ -73,7 +73,8 @@ void GuidedReview::build()
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setFont(bigFont(font(), 17));
     m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
     m_by->setObjectName(QStringLiteral("acceptedBy"));
     m_by->setPlaceholderText(tr("who accepts the swing"));
     m_by->setFont(bigFont(m_by->font(), kTitle_px));
@@ -93,17 +94,17 @@ void GuidedReview::build()
     actions->addWidget(m_by, 1);
     actions->addWidget(m_accept);
     auto* mending = new QHBoxLayout;
-    mending->addWidget(m_again);
-    mending->addStretch();
     mending->addWidget(m_control);
     mending->addWidget(m_after);
     mending->addWidget(m_turn);
+    mending->addStretch();
     m_turn->setToolTip(
         tr("On the heading of the row that is chosen, where the aircraft stands now. Every reading of the check swing is void then."));
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_verdict);
     column->addWidget(m_notes);
     column->addWidget(m_table, 1);
+    column->addWidget(m_again, 0, Qt::AlignLeft);
     column->addLayout(actions);
     column->addLayout(mending);
     connect(m_accept, &QPushButton::clicked, this, &GuidedReview::accept);

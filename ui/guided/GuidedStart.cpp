@@ -77,6 +77,7 @@ QComboBox* GuidedStart::addBox(QFormLayout& form, const QString& title, const ch
     auto* box = new QComboBox;
     box->setObjectName(QString::fromLatin1(name));
     box->addItems(words);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a long name makes no page wider
     form.addRow(title, box);
     return box;
 }
@@ -192,7 +193,7 @@ void GuidedStart::offerOpen(CompassId compass)
     for (const OpenSwing& one : open ? *open : std::vector<OpenSwing>()) {
         if (one.compass != compass)
             continue;
-        auto* button = bigButton(one.words, "goOnGuided");
+        auto* button = bigButton(inLines(one.words), "goOnGuided");
         connect(button, &QPushButton::clicked, this, [this, swing = one.swing] { emit goOn(swing); });
         m_open->addWidget(button);
         if (m_open->count() == 1)

@@ -17,7 +17,8 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr int kFieldWidth_px = 200;
+constexpr int kFieldWidth_px = 150; // five figures; more scroll
+constexpr int kTurnTo_px = 72, kStays_px = 36;
 constexpr double kDemagnetise_deg = 30; // procedures: beyond 30 to 35° it is no matter of the compensator
 
 QHBoxLayout* titled(const QString& title, QLineEdit& field)
@@ -40,7 +41,7 @@ bool sighted(const DatumInstrument& datum) { return datum.kind == DatumKind::Sig
 GuidedStation::GuidedStation(GuidedJob& job, QWidget* parent)
     : QWidget(parent)
     , m_job(job)
-    , m_turnTo(bigLabel("turnTo", 72, true))
+    , m_turnTo(bigLabel("turnTo", kTurnTo_px, true))
     , m_reading(new QWidget)
     , m_datum(bigLine("guidedDatum", kFieldWidth_px))
     , m_asternTitle(bigLabel("asternTitle", kSentence_px))
@@ -89,7 +90,7 @@ void GuidedStation::build()
     turn->addLayout(titled(tr("it now reads"), *m_after));
     m_turnNote->setObjectName(QStringLiteral("guidedTurnNote"));
     m_turnNote->setPlaceholderText(tr("turns of the screw, magnets (may stay empty)"));
-    m_turnNote->setMaximumWidth(2 * kFieldWidth_px);
+    m_turnNote->setMaximumWidth(3 * kFieldWidth_px);
     turn->addWidget(m_turnNote);
 
     auto* reason = new QHBoxLayout(m_reasonRow);
@@ -111,6 +112,7 @@ void GuidedStation::build()
     column->addWidget(m_reasonRow);
     column->addStretch();
     column->addLayout(buttons);
+    m_turnTo->setWordWrap(true);
     m_reasonRow->hide();
     m_turn->hide(); // it would ask for room beside the reading
 
@@ -156,6 +158,7 @@ void GuidedStation::refresh()
     }
     m_shown = shown;
     const bool turn = turning();
+    m_turnTo->setFont(bigFont(m_turnTo->font(), state.phase == JobPhase::Index ? kStays_px : kTurnTo_px, true));
     m_reading->setVisible(!turn);
     m_turn->setVisible(turn);
     m_skip->setVisible(!turn);

@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -35,13 +36,15 @@ CoefficientsPanel::CoefficientsPanel(QWidget* parent)
         m_table->horizontalHeaderItem(column)->setToolTip(tips[column]);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setTabKeyNavigation(false);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
     m_table->verticalHeader()->setDefaultAlignment(Qt::AlignCenter);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setFixedHeight(
-        static_cast<int>(kCoefficientCount) * (fontMetrics().height() + 4) + m_table->horizontalHeader()->sizeHint().height() + 4);
+    m_table->setFixedHeight(static_cast<int>(kCoefficientCount) * (fontMetrics().height() + 4)
+        + m_table->horizontalHeader()->sizeHint().height() + 4
+        + m_table->horizontalScrollBar()->sizeHint().height()); // where it is narrow it scrolls, and hides no row
     m_summary->setObjectName(QStringLiteral("fitSummary"));
     m_summary->setWordWrap(true);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);

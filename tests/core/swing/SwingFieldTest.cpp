@@ -104,11 +104,11 @@ TEST(SwingField, baseSurveyModelAndSwingAreHeldAgainstEachOther)
     const double there_deg = model->field.variation().degrees();
     const auto base = [&](std::optional<double> stated, std::vector<double> surveyed) {
         auto site = siteAt(51.55, 21.89);
-        site->variation_deg = stated;
+        site.variation_deg = stated;
         for (const double declination_deg : surveyed) {
             SurveyPoint point;
             point.declination_deg = declination_deg;
-            site->survey.push_back(point);
+            site.survey.push_back(point);
         }
         return site;
     };
