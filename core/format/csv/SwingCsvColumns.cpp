@@ -1,6 +1,7 @@
 #include "core/format/csv/SwingCsvColumns.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/angle/AngleText.h"
 #include "core/base/FileText.h"
@@ -88,6 +89,15 @@ char separatorOf(std::string_view header, char told)
         }
     }
     return best;
+}
+
+bool isTitle(const std::vector<std::string>& cells)
+{
+    const auto filled = [](const std::string& cell) { return !trimmed(cell).empty(); };
+    std::vector<std::string> said;
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(said), filled);
+    return !looksLikeReadings(said)
+        && std::none_of(said.begin(), said.end(), [](const auto& cell) { return knownColumn(textOfCell(cell)); });
 }
 
 Result<Columns> columnsOf(const std::vector<std::string>& cells)

@@ -35,6 +35,9 @@ struct Columns {
 /// The separator under which most columns of the header are known. @param told by a line "sep=;", or 0.
 [[nodiscard]] char separatorOf(std::string_view header, char told = 0);
 
+/// A row above the header that says what the file is of: no cell names a column, and not all are figures.
+[[nodiscard]] bool isTitle(const std::vector<std::string>& cells);
+
 /// Names are known in any case, and with spaces for underscores. Columns without a name at the end are none: their cells are empty.
 /// Errors (without file and line): Format (no header, a column without name), InvalidInput (missing or doubled columns).
 Result<Columns> columnsOf(const std::vector<std::string>& header);

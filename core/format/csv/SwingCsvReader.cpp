@@ -10,6 +10,7 @@
 #include "core/format/csv/SwingCsvColumns.h"
 #include "core/format/csv/SwingCsvKeys.h"
 #include "core/format/csv/SwingCsvRow.h"
+#include "core/format/csv/TextCell.h"
 #include "core/record/DerivedId.h"
 #include "core/record/NorthTwice.h"
 
@@ -39,6 +40,9 @@ bool isEmptyRow(const std::vector<std::string>& cells)
     return std::all_of(cells.begin(), cells.end(), [](const std::string& cell) { return trimmed(cell).empty(); });
 }
 
+/// Rows above the header, which spreadsheets have for their title; more of them are another kind of file.
+constexpr std::size_t kMostTitleRows = 20;
+
 /// The reading of a row whose heading is north, and where it stands.
 struct NorthRow {
     std::size_t reading = 0;
@@ -66,6 +70,7 @@ private:
     Result<void> takeKey(const std::string& line);
     Result<void> splitRow();
     Result<void> takeHeader();
+    void keepTitle(const std::vector<std::string>& cells);
     Result<void> takeReading();
     Result<SwingFile> finish();
     void tellNorthTwice();
@@ -85,9 +90,11 @@ private:
     std::optional<RowReader> m_rows;
     /// Keys above the header: the separator of the cells behind them is known with it.
     std::vector<std::pair<std::int64_t, std::string>> m_keysAbove;
-    char m_told = 0;         ///< the separator of a line "sep=;"
-    bool m_started = false;  ///< past the first line that is not blank
-    bool m_rowsCrLf = false; ///< rows end in CRLF: the line breaks in their cells are no others
+    std::vector<std::string> m_titles;
+    std::optional<Error> m_noHeader; ///< what to say where none comes after a title: it was meant as the header
+    char m_told = 0;                 ///< the separator of a line "sep=;"
+    bool m_started = false;          ///< past the first line that is not blank
+    bool m_rowsCrLf = false;         ///< rows end in CRLF: the line breaks in their cells are no others
     std::optional<NorthRow> m_zero, m_fullTurn;
 };
 
@@ -210,6 +217,17 @@ Result<void> SwingReader::takeHeader()
 {
     m_splitter.emplace(separatorOf(m_line, m_told));
     const auto headerLine = m_rowLine;
+    if (const auto split = splitRow(); !split)
+        return m_noHeader ? *m_noHeader : split.error();
+    auto columns = columnsOf(m_splitter->cells());
+    if (!columns) {
+        if (!m_noHeader)
+            m_noHeader = here(columns.error());
+        if (!isTitle(m_splitter->cells()) || m_titles.size() == kMostTitleRows)
+            return *m_noHeader;
+        keepTitle(m_splitter->cells());
+        return {};
+    }
     for (const auto& [line, text] : m_keysAbove) {
         m_rowLine = line;
         if (const auto taken = takeKey(text); !taken)
@@ -217,11 +235,11 @@ Result<void> SwingReader::takeHeader()
     }
     m_keysAbove.clear();
     m_rowLine = headerLine;
-    if (const auto split = splitRow(); !split)
-        return split.error();
-    auto columns = columnsOf(m_splitter->cells());
-    if (!columns)
-        return here(columns.error());
+    for (const std::string& title : m_titles)
+        m_file.otherKeys.emplace_back("title", title);
+    if (!m_titles.empty())
+        m_file.warnings.push_back(
+            {MARKED_N("core", "%n row(s) above the header name no column: they are kept in the swing's note"), m_titles.size()});
     m_columns = std::move(columns.value());
     m_rowsCrLf = m_lines.endedInCrLf();
     const auto variation_deg = m_file.swing.variation_deg;
@@ -233,6 +251,15 @@ Result<void> SwingReader::takeHeader()
     for (const auto& [place, name] : m_columns->unknown)
         m_file.warnings.push_back({MARKED("core", "the column %1 means nothing here; it is kept with the readings"), inQuotes(name)});
     return {};
+}
+
+void SwingReader::keepTitle(const std::vector<std::string>& cells)
+{
+    std::string title;
+    for (const std::string& cell : cells)
+        if (const auto said = trimmed(textOfCell(cell)); !said.empty())
+            title += (title.empty() ? "" : " ") + std::string(said);
+    m_titles.push_back(std::move(title));
 }
 
 Result<void> SwingReader::takeReading()
@@ -283,7 +310,7 @@ Result<SwingFile> SwingReader::finish()
     if (m_lines.lineNumber() == 0)
         return wholeFile(ErrorCode::Format, {MARKED("core", "is empty; %1"), kExpectedFile});
     if (!m_columns)
-        return wholeFile(ErrorCode::Format, {MARKED("core", "has no header; %1"), kExpectedFile});
+        return m_noHeader ? *m_noHeader : wholeFile(ErrorCode::Format, {MARKED("core", "has no header; %1"), kExpectedFile});
     if (m_file.swing.readings.empty())
         return wholeFile(ErrorCode::Format, MARKED("core", "has a header but no readings; expected one reading a row below it"));
     tellNorthTwice();

@@ -14,8 +14,8 @@ namespace lubberline {
 /// A row: the cells of the columns that were asked for, in their order; empty where the table has no such column or cell.
 using SmallRow = std::vector<std::string>;
 
-/// Comma, semicolon or tab (what stands in the header); lines that begin with # are comments. Calls `take(row, line)` for each row.
-/// Errors: Format (encoding; no header; a column twice; one of the first `required` columns missing), and those of `take`, with the line.
+/// What a table may look like: core/format/csv/FigureCsv.h. Calls `take(row)` for each row that has one of the columns.
+/// Errors: those of FigureCsv; Format (one of the first `required` columns missing); those of `take`, with the line.
 Result<void> readSmallTable(std::string_view text, const std::string& name, std::span<const std::string_view> columns, std::size_t required,
     const std::function<Result<void>(const SmallRow& row)>& take);
 

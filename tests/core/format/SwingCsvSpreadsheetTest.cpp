@@ -256,4 +256,35 @@ TEST(PublishedRules, byCompassHeadings)
     EXPECT_NEAR(toDegrees(*rules.D_rad), -2.0, 1e-9);
 }
 
+TEST(SwingCsvSpreadsheet, aTitleAboveTheHeaderIsKeptInTheNote)
+{
+    for (const std::string title :
+        {"Compass swing of 3713\n", "Compass swing of 3713,,\n\n", "Compass,swing of,3713\n", "\"Compass swing of 3713\"\n,,\n"}) {
+        const auto file = readCsv(title + kPlain);
+        ASSERT_TRUE(file) << title << file.error().message.english();
+        EXPECT_EQ(compass_deg(*file), kCompass_deg) << title;
+        EXPECT_EQ(file->swing.note, "title: Compass swing of 3713");
+        ASSERT_EQ(file->warnings.size(), 1u);
+        EXPECT_THAT(file->warnings.front().english(), HasSubstr("1 row above the header"));
+    }
+    const auto keys = readCsv("Workshop\n# aircraft: 3713\nLine 2; rest\n" + kPlain);
+    ASSERT_TRUE(keys);
+    EXPECT_EQ(keys->aircraft, "3713");
+    EXPECT_EQ(keys->swing.note, "title: Workshop\ntitle: Line 2; rest");
+}
+
+TEST(SwingCsvSpreadsheet, aHeaderThatIsNoneIsNotTakenForATitle)
+{
+    for (const std::string text : {"mag,comp\n0,358\n45,42\n", "Title\nmag,comp\n0,358\n", "Title\n\n", "{\n\"a\": \"b\"\n}\n"}) {
+        const auto file = readCsv(text);
+        ASSERT_FALSE(file) << text;
+        EXPECT_EQ(file.error().line, 1) << text;
+        EXPECT_THAT(file.error().message.english(), HasSubstr("a column is missing")) << text;
+    }
+    std::string many;
+    for (int i = 0; i < 40; ++i)
+        many += "a line of words\n";
+    EXPECT_FALSE(readCsv(many + kPlain)); // that is another kind of file
+}
+
 } // namespace lubberline::test
