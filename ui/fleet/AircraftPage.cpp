@@ -456,9 +456,9 @@ void AircraftPage::showSwings(const std::vector<SwingRow>& swings, const Compass
 void AircraftPage::showHistory(const std::vector<SwingRow>& swings, const CompassSystem& compass)
 {
     if (!m_history) {
-        m_history = makeHistoryPlot(this);
+        m_history = new HistoryPlot(this);
         m_historyPlace->addWidget(m_history);
-        connect(m_history, &HistoryPlot::readOut, this, &AircraftPage::readOut);
+        follow(*m_history);
         connect(m_history, &HistoryPlot::swingSelected, this,
             [this](int swing) { emit swingChosen(m_listed.at(static_cast<std::size_t>(swing))); });
     }
@@ -472,5 +472,7 @@ void AircraftPage::showHistory(const std::vector<SwingRow>& swings, const Compas
         = std::find_if(m_profiles.begin(), m_profiles.end(), [&compass](const LimitsProfile& one) { return one.id == compass.limits; });
     m_history->setHistory(points, profile == m_profiles.end() ? std::nullopt : profile->maxDeviation_deg);
 }
+
+Plot* AircraftPage::plot() const { return m_history; }
 
 } // namespace lubberline::ui

@@ -38,6 +38,7 @@ public:
     Result<void> open(const FleetItem& record) override;
     [[nodiscard]] bool isOf(const FleetItem& record) const override;
     [[nodiscard]] Shown shown() const override;
+    [[nodiscard]] Plot* plot() const override;
     [[nodiscard]] std::vector<FleetItem> path() const override;
 
     /// What is due, from the window's watch: it stands beside each compass, and decides which is shown first.

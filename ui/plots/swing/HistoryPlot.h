@@ -2,13 +2,12 @@
 /// Coefficients of one compass over the years.
 
 #include <QDate>
-#include <QWidget>
 
 #include <array>
 #include <optional>
 #include <vector>
 
-class QPainter;
+#include "ui/plots/base/Plot.h"
 
 namespace lubberline::ui {
 
@@ -19,19 +18,25 @@ struct HistoryPoint {
     std::optional<double> maxAbsDeviation_deg;
 };
 
-class HistoryPlot : public QWidget {
+class HistoryChart;
+
+class HistoryPlot : public Plot {
     Q_OBJECT
 
 public:
-    using QWidget::QWidget;
-    virtual void setHistory(const std::vector<HistoryPoint>& points, std::optional<double> limit_deg) = 0;
-    virtual void render(QPainter& painter, const QRectF& target) const = 0;
+    explicit HistoryPlot(QWidget* parent = nullptr);
+    void setHistory(const std::vector<HistoryPoint>& points, std::optional<double> limit_deg);
+    void render(QPainter& painter, const QRectF& target) const override;
+    [[nodiscard]] QSize sizeHint() const override { return {560, 300}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 160}; }
 
 signals:
     void swingSelected(int swing);
-    void readOut(const QString& text);
-};
 
-[[nodiscard]] HistoryPlot* makeHistoryPlot(QWidget* parent = nullptr);
+private:
+    HistoryChart* m_chart;
+    std::vector<HistoryPoint> m_points;
+    std::optional<double> m_limit_deg;
+};
 
 } // namespace lubberline::ui

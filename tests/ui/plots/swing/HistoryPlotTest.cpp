@@ -1,7 +1,9 @@
 #include "tests/ui/plots/swing/SamplePictures.h"
 
+#include <QFileInfo>
 #include <QPainter>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 
 #include <qwt_date.h>
 #include <qwt_plot_curve.h>
@@ -38,7 +40,7 @@ class HistoryPlotTest : public QObject {
 private slots:
     void init()
     {
-        m_plot.reset(makeHistoryPlot());
+        m_plot = std::make_unique<HistoryPlot>();
         m_plot->resize(640, 360);
         m_plot->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_plot.get()));
@@ -107,6 +109,19 @@ private slots:
         painter.end();
         QCOMPARE(image.pixelColor(1, 1), QColor(Qt::white));
         QVERIFY(inkOf(image) > 3000);
+    }
+
+    void hasTheMannersOfEveryPlot()
+    {
+        m_plot->setHistory(fiveYears(), 10.0);
+        const QTemporaryDir folder;
+        QVERIFY(m_plot->exportTo(folder.filePath("history.svg")));
+        QVERIFY(QFileInfo(folder.filePath("history.svg")).size() > 1000);
+        const QRectF whole = m_cartesian->view();
+        QTest::keyClick(m_plot.get(), Qt::Key_Plus);
+        QVERIFY(m_cartesian->view().width() < whole.width());
+        QTest::keyClick(m_plot.get(), Qt::Key_Home);
+        QCOMPARE(m_cartesian->view(), whole);
     }
 
 private:
