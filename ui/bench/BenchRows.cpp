@@ -10,6 +10,7 @@
 #include "core/angle/Angle.h"
 #include "core/angle/WrittenDegrees.h"
 #include "core/base/Number.h"
+#include "core/record/DefaultNames.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -213,14 +214,14 @@ QStringList conductorHeads()
 
 QStringList newPart()
 {
-    return {Words::tr("new part"), QStringLiteral("box"), QStringLiteral("0.2 0.1 0.1"), QStringLiteral("100"), QString(), QString(),
-        QString(), QStringLiteral("1 0 0"), QStringLiteral("0 0 0")};
+    return {toText(std::string(kNewPart)), QStringLiteral("box"), QStringLiteral("0.2 0.1 0.1"), QStringLiteral("100"), QString(),
+        QString(), QString(), QStringLiteral("1 0 0"), QStringLiteral("0 0 0")};
 }
 
 QStringList newConductor()
 {
-    return {
-        Words::tr("new circuit"), QStringLiteral("1"), QStringLiteral("off"), QStringLiteral("wire"), QStringLiteral("1 0.5 0; 1 -0.5 0")};
+    return {toText(std::string(kNewCircuit)), QStringLiteral("1"), QStringLiteral("off"), QStringLiteral("wire"),
+        QStringLiteral("1 0.5 0; 1 -0.5 0")};
 }
 
 BenchRows rowsOf(const IronBench& bench)

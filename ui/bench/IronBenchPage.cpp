@@ -12,6 +12,7 @@
 
 #include "core/base/OutputFile.h"
 #include "core/format/exchange/BenchJson.h"
+#include "core/record/DefaultNames.h"
 #include "ui/bench/BenchDrawing.h"
 #include "ui/bench/BenchResults.h"
 #include "ui/bench/BenchRows.h"
@@ -263,7 +264,7 @@ void IronBenchPage::settle()
             m_editor->change(after, tr("iron bench"));
         return;
     }
-    after.name = tr("iron bench").toStdString();
+    after.name = kBenchModel;
     m_editor->make(after, tr("Make an iron bench"));
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "core/record/DefaultNames.h"
 #include "ui/kit/Words.h"
 #include "ui/sensor/SensorEditor.h"
 
@@ -29,7 +30,7 @@ SensorChooser::SensorChooser(SensorEditor& editor, QWidget* parent)
     head->addWidget(m_choice, 1);
     m_new = addButton(QStringLiteral("sensorNew"), tr("New"), tr("A new model, all zero"), [this] {
         SensorRecord sensor;
-        sensor.name = tr("model").toStdString();
+        sensor.name = kNewModel;
         m_editor.make(sensor, tr("new sensor model"));
     });
     m_duplicate = addButton(QStringLiteral("sensorDuplicate"), tr("Duplicate"), tr("A copy of this model, to be compared with it"),

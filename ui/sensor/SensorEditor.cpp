@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/record/DefaultNames.h"
 #include "ui/kit/Words.h"
 #include "ui/sensor/SensorEdits.h"
 
@@ -93,7 +94,7 @@ void SensorEditor::settle(const QString& what)
     after.model = m_model;
     if (record())
         return change(after, what);
-    after.name = tr("model").toStdString();
+    after.name = kNewModel;
     make(std::move(after), tr("new sensor model"));
 }
 

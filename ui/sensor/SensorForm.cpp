@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "core/record/DefaultNames.h"
 #include "ui/kit/Words.h"
 #include "ui/sensor/CircuitForm.h"
 
@@ -140,7 +141,7 @@ CircuitForm* SensorForm::addCircuitForm()
 void SensorForm::addCircuit()
 {
     Circuit circuit;
-    circuit.name = tr("circuit %1").arg(m_model.circuits.size() + 1).toStdString();
+    circuit.name = std::string(kNewCircuit) + ' ' + std::to_string(m_model.circuits.size() + 1);
     circuit.current_A = 10;
     circuit.on = true;
     m_model.circuits.push_back(circuit);

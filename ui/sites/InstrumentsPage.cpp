@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "core/procedure/SunDatum.h"
+#include "core/record/DefaultNames.h"
 #include "ui/earth/FieldText.h"
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
@@ -192,11 +193,7 @@ void InstrumentsPage::add()
 {
     DatumInstrument instrument;
     instrument.record = newRecordId();
-    instrument.name = tr("New instrument").toStdString();
-    for (int number = 2;
-         std::any_of(m_instruments.begin(), m_instruments.end(), [&](const DatumInstrument& one) { return one.name == instrument.name; });
-         ++number)
-        instrument.name = tr("New instrument %1").arg(number).toStdString();
+    instrument.name = freeName(kNewInstrument, m_instruments, [](const DatumInstrument& one) { return one.name; });
     m_fields.show(instrument, true);
     edit({}, instrument, tr("new instrument"));
     if (m_fields.record().record != instrument.record)

@@ -12,6 +12,7 @@
 
 #include <cmath>
 
+#include "core/record/DefaultNames.h"
 #include "core/site/SiteSurvey.h"
 #include "core/swing/SwingField.h"
 #include "ui/earth/FieldText.h"
@@ -291,9 +292,7 @@ void SitesPage::store(const Site& after, const QString& what)
 void SitesPage::addSite()
 {
     Site site;
-    site.name = tr("New base").toStdString();
-    for (int number = 2; std::any_of(m_sites.begin(), m_sites.end(), [&](const Site& one) { return one.name == site.name; }); ++number)
-        site.name = tr("New base %1").arg(number).toStdString();
+    site.name = freeName(kNewBase, m_sites, [](const Site& one) { return one.name; });
     site.record = newRecordId();
     m_fields.show(site, true);
     m_stack.push(new StoredEdit(
