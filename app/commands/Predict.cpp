@@ -139,11 +139,12 @@ void addAssumed(CLI::App& command, AssumedIron& assumed)
                 : inQuotes(text) + "; expected a number above 0, " + shortestNumber(most) + " at most";
         });
     };
-    add("--assume-soft", assumed.verticalSoft, 10,
+    add("--assume-soft", assumed.verticalSoft, kMostAssumed.verticalSoft,
         "plausible size of the vertical soft iron c and f; this and the next: standard deviations");
-    add("--assume-hard-nT", assumed.hardIron_nT, 1e6, "plausible size of the hard iron P and Q [nT]");
-    add("--assume-magnets-nT", assumed.compensator_nT, 1e6, "plausible size of the compensating magnets [nT]");
-    add("--assume-one-cycle-deg", assumed.compassOneCycle_deg, 90, "plausible one-cycle error of the compass itself [deg]");
+    add("--assume-hard-nT", assumed.hardIron_nT, kMostAssumed.hardIron_nT, "plausible size of the hard iron P and Q [nT]");
+    add("--assume-magnets-nT", assumed.compensator_nT, kMostAssumed.compensator_nT, "plausible size of the compensating magnets [nT]");
+    add("--assume-one-cycle-deg", assumed.compassOneCycle_deg, kMostAssumed.compassOneCycle_deg,
+        "plausible one-cycle error of the compass itself [deg]");
 }
 
 } // namespace

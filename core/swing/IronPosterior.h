@@ -29,6 +29,9 @@ struct AssumedIron {
     friend bool operator==(const AssumedIron&, const AssumedIron&) = default;
 };
 
+/// What may be assumed at most; each is above zero.
+inline constexpr AssumedIron kMostAssumed{10, 1e6, 1e6, 90};
+
 /// "vertical soft iron (c, f) of about 0.06, hard iron (P, Q) of about 2000 nT, …": for page, paper and files.
 [[nodiscard]] Message sayAssumed(const AssumedIron& assumed);
 

@@ -8,8 +8,11 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include <span>
+
 #include "core/sensor/SensorSetup.h"
 #include "core/swing/SwingPlaces.h"
+#include "ui/earth/AssumedIronForm.h"
 #include "ui/kit/PlaceText.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PredictionPlot.h"
@@ -56,6 +59,7 @@ PredictionPage::PredictionPage(db::Stores& stores, QWidget* parent) : Page(paren
 
 PredictionPage::~PredictionPage()
 {
+    m_assumed->disconnect(this);
     for (auto* line : findChildren<QLineEdit*>())
         line->disconnect(this);
 }
@@ -106,6 +110,9 @@ QWidget* PredictionPage::buildForm()
     m_date->setText(toText(m_stores.clock().today()));
     m_field = words("predictionField", this);
     form->addRow(tr("Field there:"), m_field);
+    form->addRow(new QLabel(tr("Where the swing cannot tell, assumed to be about:")));
+    m_assumed = new AssumedIronForm(*form, this);
+    connect(m_assumed, &AssumedIronForm::changed, this, &PredictionPage::recompute);
     return box;
 }
 
@@ -217,9 +224,10 @@ Result<MeridianField> PredictionPage::fieldThere() const
     return fieldOf({PlaceAndDate{*place, m_date->text().trimmed().toStdString()}, {}, {}});
 }
 
-Result<Prediction> PredictionPage::predictAt(const MeridianField& field) const
+Result<Prediction> PredictionPage::predictAt(const MeridianField& field, const AssumedIron& assumed) const
 {
-    return m_separation ? predict(m_others, {m_swing->field, field}) : predict(*m_swing, field);
+    const std::span swings = m_separation ? std::span<const SwingAtPlace>(m_others) : std::span<const SwingAtPlace>(&*m_swing, 1);
+    return predict(swings, {m_swing->field, field}, assumed);
 }
 
 void PredictionPage::recompute()
@@ -241,12 +249,13 @@ void PredictionPage::recompute()
     }
     m_field->setText(
         tr("H %1 nT, dip %2° (down +)").arg(field->horizontal_nT, 0, 'f', 0).arg(toDegrees(field->inclination_rad()), 0, 'f', 1));
-    const auto there = predictAt(*field);
+    const auto assumed = m_assumed->assumed();
+    const auto there = assumed ? predictAt(*field, *assumed) : Result<Prediction>(assumed.error());
     if (!there) {
         showNothing(messageOf(there.error()));
         return;
     }
-    const auto here = predictAt(m_swing->field);
+    const auto here = predictAt(m_swing->field, *assumed);
     showPrediction(*there, here ? std::optional(*here) : std::nullopt);
 }
 

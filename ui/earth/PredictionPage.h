@@ -15,6 +15,7 @@ class QListWidget;
 
 namespace lubberline::ui {
 
+class AssumedIronForm;
 class PredictionPlot;
 
 class PredictionPage : public Page {
@@ -45,7 +46,7 @@ private:
     void showPrediction(const Prediction& there, const std::optional<Prediction>& here);
     void showKnowledge();
     [[nodiscard]] Result<MeridianField> fieldThere() const;
-    [[nodiscard]] Result<Prediction> predictAt(const MeridianField& field) const;
+    [[nodiscard]] Result<Prediction> predictAt(const MeridianField& field, const AssumedIron& assumed) const;
     [[nodiscard]] Result<std::vector<SwingAtPlace>> swingsOfCompass() const;
 
     db::Stores& m_stores;
@@ -62,6 +63,7 @@ private:
     QLineEdit* m_latitude;
     QLineEdit* m_longitude;
     QLineEdit* m_date;
+    AssumedIronForm* m_assumed;
     QLabel* m_field;
     QLabel* m_verdict;
     QLabel* m_again;

@@ -73,6 +73,30 @@ private slots:
         QVERIFY(!plot->grab().toImage().isNull());
     }
 
+    void whatIsAssumedCanBeTyped()
+    {
+        OpenPrediction open;
+        const SwingId id = open.fleet.addSwing(open.fleet.addSite("Home", 52.2, 21.0), "2026-06-10", someIron());
+        QVERIFY(open.page.showSwing(id));
+        open.type("predictionLatitude", "28 N");
+        open.type("predictionLongitude", "15.6 W");
+        open.type("predictionDate", "2026-11-23");
+        const double bound_rad = open.page.prediction()->change->bound_rad;
+        open.type("assumedSoft", "0,01");
+        open.type("assumedHard", "300");
+        open.type("assumedMagnets", "500");
+        QVERIFY2(open.page.prediction(), qPrintable(open.label("predictionVerdict")));
+        const auto swing = swingAtPlace(*open.fleet.stores.swings.record(id));
+        const auto there = stampField(*makePlace(28, -15.6), "2026-11-23")->field.meridian();
+        const auto expected = predict(std::span(&*swing, 1), {swing->field, there}, {0.01, 300, 500});
+        QCOMPARE(open.page.prediction()->change->bound_rad, expected->change->bound_rad);
+        QVERIFY(expected->change->bound_rad < bound_rad);
+        QVERIFY(open.label("predictionWarnings").contains("of about 0.01"));
+        open.type("assumedOneCycle", "none");
+        QVERIFY(!open.page.prediction());
+        QVERIFY2(open.label("predictionVerdict").contains("no size"), qPrintable(open.label("predictionVerdict")));
+    }
+
     void swingsAtTwoPlacesAreSeparated()
     {
         OpenPrediction open;
