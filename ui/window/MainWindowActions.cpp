@@ -125,7 +125,7 @@ std::vector<Command> MainWindow::plotCommands()
         {MenuId::View, 10, tr("&Back"), tr("Alt+Left"), "back", [this](Page&) { step(-1); }},
         {MenuId::View, 20, tr("&Forward"), tr("Alt+Right"), "forward", [this](Page&) { step(+1); }},
         {MenuId::View, 110, tr("&Reset the zoom"), tr("Ctrl+0"), "resetZoom", onPlot([](Plot& plot) { plot.resetZoom(); }), needsPlot},
-        {MenuId::View, 120, tr("Cop&y the plot"), tr("Ctrl+Shift+C"), "copyPlot", onPlot([](Plot& plot) { plot.copyToClipboard(); }),
+        {MenuId::View, 120, tr("Cop&y the plot"), tr("Ctrl+Shift+Y"), "copyPlot", onPlot([](Plot& plot) { plot.copyToClipboard(); }),
             needsPlot},
         {MenuId::View, 130, tr("E&xport the plot…"), tr("Ctrl+Shift+E"), "exportPlot",
             onPlot([](Plot& plot) { plot.exportInteractively(); }), needsPlot},
