@@ -18,10 +18,12 @@ std::vector<double> headingsWhere(const std::function<double(double)>& mismatch_
 {
     std::vector<double> roots_rad;
     const double step = 2 * kPi / kScanSteps;
-    double left = 0, atLeft = mismatch_rad(0);
+    const double atNorth = mismatch_rad(0);
+    double left = 0, atLeft = atNorth;
     for (int i = 1; i <= kScanSteps; ++i) {
         const double right = i * step;
-        const double atRight = mismatch_rad(right);
+        // The turn ends where it began, with the same figure: rounding neither loses a root at north nor finds it twice.
+        const double atRight = i == kScanSteps ? atNorth : mismatch_rad(right);
         // A jump by a turn is the wrap at ±180°, not a root.
         if (atLeft == 0.0) {
             roots_rad.push_back(left);
