@@ -1,9 +1,13 @@
 #include "core/deviation/Harmonics.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <boost/math/distributions/fisher_f.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <map>
 #include <mutex>
 
@@ -94,34 +98,98 @@ constexpr int kMostOrdersBySquares = 60;
 struct Squares {
     int highest = 0;
     double condition = 1;
-    Eigen::MatrixXd design;
+    Eigen::VectorXd solution; ///< mean, sine 1, cosine 1, sine 2, …
 };
 
-/// The highest order whose least squares are well conditioned; order 0 (a mean) always is.
-Squares highestBySquares(const std::vector<HarmonicSample>& samples)
+int highestFor(const std::vector<HarmonicSample>& samples)
 {
-    int highest = std::min((static_cast<int>(std::min<std::size_t>(samples.size(), 100'000)) - 1) / 2, highestForGap(samples));
-    for (highest = std::min(highest, kMostOrdersBySquares); highest > 0; --highest) {
-        Eigen::MatrixXd design = designFor(samples, highest);
-        const double condition = conditionNumber(singularValues(design));
-        if (condition <= kConditionLimit)
-            return {highest, condition, std::move(design)};
-    }
-    return {0, 1, designFor(samples, 0)};
+    const int byCount = (static_cast<int>(std::min<std::size_t>(samples.size(), 100'000)) - 1) / 2;
+    return std::min({byCount, highestForGap(samples), kMostOrdersBySquares});
 }
 
-std::vector<HarmonicOrder> bySquares(const std::vector<HarmonicSample>& samples, const Squares& squares)
+/// The highest order whose least squares are well conditioned; order 0 (a mean) always is.
+Squares squaresByRows(const std::vector<HarmonicSample>& samples)
 {
     Eigen::VectorXd observed(static_cast<Eigen::Index>(samples.size()));
     for (std::size_t i = 0; i < samples.size(); ++i)
         observed(static_cast<Eigen::Index>(i)) = samples[i].deviation_rad;
-    const auto solved = solveLeastSquares(squares.design, observed);
+    for (int highest = highestFor(samples); highest > 0; --highest) {
+        const Eigen::MatrixXd design = designFor(samples, highest);
+        const double condition = conditionNumber(singularValues(design));
+        if (condition <= kConditionLimit)
+            return {highest, condition, solveLeastSquares(design, observed).solution};
+    }
+    return {0, 1, solveLeastSquares(designFor(samples, 0), observed).solution};
+}
+
+/// The normal equations of the orders up to `highest`, from sums over the samples: products of sines and cosines are sines and cosines of
+/// sums and differences, so that N samples cost N, not N times the square of the orders. Of a log this is what makes it bearable; the
+/// condition, at most kConditionLimit, enters squared and costs three of sixteen digits.
+struct NormalEquations {
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd side;
+};
+
+NormalEquations normalEquationsOf(const std::vector<HarmonicSample>& samples, int highest)
+{
+    const auto orders = static_cast<std::size_t>(2 * highest + 1);
+    std::vector<std::complex<double>> turns(orders), observed(orders); // Σ e^{ikψ}, Σ δ e^{ikψ}
+    for (const auto& sample : samples) {
+        const auto step = std::polar(1.0, sample.heading_rad);
+        std::complex<double> turn = 1.0;
+        for (std::size_t k = 0; k < orders; ++k, turn *= step) {
+            turns[k] += turn;
+            observed[k] += sample.deviation_rad * turn;
+        }
+    }
+    const auto turnOf = [&](int k) { return k < 0 ? std::conj(turns[static_cast<std::size_t>(-k)]) : turns[static_cast<std::size_t>(k)]; };
+    NormalEquations normal{Eigen::MatrixXd(orders, orders), Eigen::VectorXd(orders)};
+    for (Eigen::Index i = 0; i < normal.side.size(); ++i) {
+        const int k = static_cast<int>(i + 1) / 2;
+        const bool sine = i % 2 == 1;
+        const auto& side = observed[static_cast<std::size_t>(k)];
+        normal.side(i) = sine ? side.imag() : side.real();
+        for (Eigen::Index j = 0; j <= i; ++j) {
+            const int l = static_cast<int>(j + 1) / 2;
+            const auto sum = turnOf(k + l), difference = turnOf(k - l);
+            double product = 0; // of i with j, twice
+            if (sine && j % 2 == 1)
+                product = difference.real() - sum.real();
+            else if (sine)
+                product = sum.imag() + difference.imag();
+            else if (j % 2 == 1)
+                product = sum.imag() - difference.imag();
+            else
+                product = difference.real() + sum.real();
+            normal.matrix(i, j) = normal.matrix(j, i) = product / 2;
+        }
+    }
+    return normal;
+}
+
+Squares squaresBySums(const std::vector<HarmonicSample>& samples)
+{
+    const NormalEquations all = normalEquationsOf(samples, highestFor(samples));
+    for (Eigen::Index columns = all.side.size(); columns > 1; columns -= 2) {
+        const Eigen::MatrixXd normal = all.matrix.topLeftCorner(columns, columns);
+        const Eigen::VectorXd squared = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(normal, Eigen::EigenvaluesOnly).eigenvalues();
+        const double condition = std::sqrt(squared(columns - 1) / std::max(squared(0), std::numeric_limits<double>::min()));
+        if (condition <= kConditionLimit)
+            return {static_cast<int>(columns / 2), condition, normal.llt().solve(all.side.head(columns))};
+    }
+    return {0, 1, Eigen::VectorXd::Constant(1, all.side(0) / all.matrix(0, 0))};
+}
+
+constexpr std::size_t kLog = 1000; ///< samples: nobody reads so many by hand
+
+std::vector<HarmonicOrder> ordersOf(const Squares& squares)
+{
     std::vector<HarmonicOrder> orders;
     for (int k = 0; k <= squares.highest; ++k) {
         HarmonicOrder order;
         order.order = k;
-        order.cos_rad = solved.solution(k == 0 ? 0 : 2 * k);
-        order.sin_rad = k == 0 ? 0.0 : solved.solution(2 * k - 1);
+        order.cos_rad = squares.solution(k == 0 ? 0 : 2 * k);
+        order.sin_rad = k == 0 ? 0.0 : squares.solution(2 * k - 1);
         orders.push_back(order);
     }
     return orders;
@@ -179,10 +247,10 @@ Result<Harmonics> harmonics(std::span<const HarmonicSample> samples, int maxOrde
         result.orders = byFft(ordered);
         result.conditionNumber = ordered.size() < 3 ? 1.0 : std::sqrt(2.0); // columns of length √N and √(N/2), orthogonal
     } else {
-        const Squares squares = highestBySquares(ordered);
+        const Squares squares = ordered.size() > kLog ? squaresBySums(ordered) : squaresByRows(ordered);
         result.method = HarmonicsMethod::LeastSquares;
         result.conditionNumber = squares.condition;
-        result.orders = bySquares(ordered, squares);
+        result.orders = ordersOf(squares);
     }
     result.highestResolvable = result.orders.back().order;
     addNoise(result, ordered);

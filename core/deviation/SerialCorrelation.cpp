@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -63,42 +64,117 @@ Likelihood likelihoodOf(const FilterRows& rows, Eigen::Index p, double rho, doub
     return {-(freedom * std::log(squares) + logDeterminant + normalDeterminant), squares / freedom};
 }
 
+/// The slow part's memory in readings, −1/ln ρ, as its logarithm.
+double rhoOf(double step) { return std::exp(-std::exp(-step)); }
+
+/// Looks for the likeliest memory and white share: over a grid, or from a place of it downhill; then in halved steps about the best.
+class SerialSearch {
+public:
+    SerialSearch(const FilterRows& rows, Eigen::Index columns, const Progress& progress)
+        : m_rows(rows)
+        , m_columns(columns)
+        , m_progress(progress)
+        , m_longest(std::log(static_cast<double>(rows.size()) / 6.0)) // a longer memory is a drift, and cannot be told from A
+        , m_memories(static_cast<int>((m_longest - kFirst) / kByStep) + 1)
+        , m_grid(static_cast<std::size_t>(m_memories) * kWhite.size())
+    {
+    }
+
+    [[nodiscard]] bool stopped() const { return m_stopped; }
+
+    [[nodiscard]] SerialPlace likeliestOfAll()
+    {
+        SerialPlace best;
+        for (SerialPlace at; at.memory < m_memories; ++at.memory)
+            for (at.white = 0; at.white < static_cast<int>(kWhite.size()); ++at.white)
+                if (on(at).twiceLog > on(best).twiceLog)
+                    best = at;
+        return best;
+    }
+
+    [[nodiscard]] SerialPlace likeliestNear(SerialPlace place)
+    {
+        SerialPlace best{std::min(place.memory, m_memories - 1), place.white};
+        do {
+            place = best;
+            for (int memory = std::max(0, place.memory - 1); memory <= std::min(m_memories - 1, place.memory + 1); ++memory)
+                for (int white = std::max(0, place.white - 1); white <= std::min(static_cast<int>(kWhite.size()) - 1, place.white + 1);
+                     ++white)
+                    if (on({memory, white}).twiceLog > on(best).twiceLog)
+                        best = {memory, white};
+        } while (best.memory != place.memory || best.white != place.white);
+        return best;
+    }
+
+    /// @return twice the logarithm of the likelihood there, and the errors.
+    [[nodiscard]] std::pair<double, SerialCorrelation> refined(SerialPlace place)
+    {
+        Likelihood best = on(place);
+        double bestStep = stepOf(place.memory), bestWhite = kWhite[static_cast<std::size_t>(place.white)];
+        double byStep = kByStep / 2, byWhite = 0.1;
+        for (int halving = 0; halving < 3; ++halving, byStep /= 2, byWhite /= 2) {
+            const double step = bestStep, white = bestWhite;
+            for (const double s : {step - byStep, step, step + byStep})
+                for (const double w : {white - byWhite, white, white + byWhite}) {
+                    if (s == step && w == white)
+                        continue;
+                    const double memory = std::min(s, m_longest), share = std::clamp(w, 0.0, 0.99);
+                    const Likelihood here = likelihoodAt(memory, share);
+                    if (here.twiceLog > best.twiceLog) {
+                        best = here;
+                        bestStep = memory;
+                        bestWhite = share;
+                    }
+                }
+        }
+        return {best.twiceLog, SerialCorrelation{rhoOf(bestStep), bestWhite, best.variance}};
+    }
+
+private:
+    static constexpr double kFirst = -0.5, kByStep = 0.75;
+    static constexpr std::array kWhite{0.0, 0.2, 0.5, 0.8};
+    static double stepOf(int memory) { return kFirst + kByStep * memory; }
+
+    const Likelihood& on(SerialPlace place)
+    {
+        auto& known = m_grid[static_cast<std::size_t>(place.memory) * kWhite.size() + static_cast<std::size_t>(place.white)];
+        if (!known)
+            known = likelihoodAt(stepOf(place.memory), kWhite[static_cast<std::size_t>(place.white)]);
+        return *known;
+    }
+
+    /// Each takes its time of a log: progress is told, and asked, here.
+    Likelihood likelihoodAt(double step, double white)
+    {
+        const double most = static_cast<double>(m_grid.size()) + 3 * 8;
+        m_stopped = m_stopped || (m_progress && !m_progress(std::min(1.0, ++m_asked / most)));
+        return m_stopped ? Likelihood{} : likelihoodOf(m_rows, m_columns, rhoOf(step), white);
+    }
+
+    const FilterRows& m_rows;
+    Eigen::Index m_columns;
+    const Progress& m_progress;
+    int m_asked = 0;
+    bool m_stopped = false;
+    double m_longest;
+    int m_memories;
+    std::vector<std::optional<Likelihood>> m_grid;
+};
+
 } // namespace
 
-std::optional<SerialCorrelation> serialCorrelation(const Eigen::MatrixXd& design, const Eigen::VectorXd& observed)
+std::optional<SerialCorrelation> serialCorrelation(
+    const Eigen::MatrixXd& design, const Eigen::VectorXd& observed, std::optional<SerialPlace>& place, const Progress& progress)
 {
     if (design.rows() < kLeastForSerialCorrelation)
         return std::nullopt;
     constexpr double kTwiceLogRatio = 10.6; // 0.5 % point of χ² with two degrees of freedom
-    // The slow part's memory in readings, −1/ln ρ, in steps of a factor; then halved steps about the best.
-    const auto rhoOf = [](double step) { return std::exp(-std::exp(-step)); };
     const FilterRows rows = filterRowsOf(design, observed);
-    const auto at = [&](double step, double white) { return likelihoodOf(rows, design.cols(), rhoOf(step), white); };
     const Likelihood independent = likelihoodOf(rows, design.cols(), 0.0, 1.0);
-    Likelihood best{-1e300, 0};
-    double bestStep = 0, bestWhite = 0;
-    const auto consider = [&](double step, double white) {
-        const Likelihood here = at(step, white);
-        if (here.twiceLog > best.twiceLog) {
-            best = here;
-            bestStep = step;
-            bestWhite = white;
-        }
-    };
-    const double longest = std::log(static_cast<double>(design.rows()) / 6.0); // a longer memory is a drift, and cannot be told from A
-    for (double step = -0.5; step <= longest; step += 0.75)
-        for (const double white : {0.0, 0.2, 0.5, 0.8})
-            consider(step, white);
-    double byStep = 0.375, byWhite = 0.1;
-    for (int halving = 0; halving < 3; ++halving, byStep /= 2, byWhite /= 2) {
-        const double step = bestStep, white = bestWhite;
-        for (const double s : {step - byStep, step, step + byStep})
-            for (const double w : {white - byWhite, white, white + byWhite})
-                consider(std::min(s, longest), std::clamp(w, 0.0, 0.99));
-    }
-    if (best.twiceLog - independent.twiceLog < kTwiceLogRatio)
-        return std::nullopt;
-    return SerialCorrelation{rhoOf(bestStep), bestWhite, best.variance};
+    SerialSearch search(rows, design.cols(), progress);
+    place = place ? search.likeliestNear(*place) : search.likeliestOfAll();
+    const auto [twiceLog, errors] = search.refined(*place);
+    return search.stopped() || twiceLog - independent.twiceLog < kTwiceLogRatio ? std::nullopt : std::optional(errors);
 }
 
 Eigen::MatrixXd covarianceUnder(const SerialCorrelation& errors, const Eigen::MatrixXd& design, const Eigen::MatrixXd& inverseNormal)

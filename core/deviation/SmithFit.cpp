@@ -140,7 +140,8 @@ struct SerialErrors {
     Design design; ///< in the order of reading
 };
 
-std::optional<SerialErrors> serialErrorsOf(const Design& columns, const Eigen::VectorXd& observed, const std::vector<std::size_t>& order)
+std::optional<SerialErrors> serialErrorsOf(const Design& columns, const Eigen::VectorXd& observed, const std::vector<std::size_t>& order,
+    std::optional<SerialPlace>& place, const Progress& progress)
 {
     if (columns.rows() < kLeastForSerialCorrelation)
         return std::nullopt;
@@ -150,14 +151,14 @@ std::optional<SerialErrors> serialErrorsOf(const Design& columns, const Eigen::V
         inOrder.row(static_cast<Eigen::Index>(order[i])) = columns.row(static_cast<Eigen::Index>(i));
         observedInOrder(static_cast<Eigen::Index>(order[i])) = observed(static_cast<Eigen::Index>(i));
     }
-    const auto errors = serialCorrelation(inOrder, observedInOrder);
+    const auto errors = serialCorrelation(inOrder, observedInOrder, place, progress);
     if (!errors)
         return std::nullopt;
     return SerialErrors{*errors, std::move(inOrder)};
 }
 
 template <class Fit, class MakeRow, class Predict>
-Result<Fit> fit(std::span<const Observation> readings, MakeRow makeRow, Predict predict)
+Result<Fit> fit(std::span<const Observation> readings, const FitWishes& wishes, MakeRow makeRow, Predict predict)
 {
     const auto order = canonicalOrder(readings);
     const auto distinct = enoughHeadings(readings, order);
@@ -195,9 +196,10 @@ Result<Fit> fit(std::span<const Observation> readings, MakeRow makeRow, Predict 
     }
     fillStatistics(report);
     report.unitCovariance = overAllFive(solved.inverseNormal, told.columns);
-    if (!report.sigma_rad)
+    if (!report.sigma_rad || !wishes.uncertainty)
         return report;
-    if (const auto serial = serialErrorsOf(columns, observed, order)) {
+    report.serialPlace = wishes.serialPlace;
+    if (const auto serial = serialErrorsOf(columns, observed, order, report.serialPlace, wishes.progress)) {
         report.lagOneCorrelation = serial->errors.lagOne();
         const double freedom = independentReadings(serial->errors, static_cast<int>(n)) - report.parameters;
         fillUncertainty(
@@ -262,16 +264,16 @@ void widenTo(SmithFitReport& fit, double error_rad)
             fit.standardError[i] = std::sqrt(fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
 }
 
-Result<ApproximateFit> fitApproximate(std::span<const Observation> readings)
+Result<ApproximateFit> fitApproximate(std::span<const Observation> readings, const FitWishes& wishes)
 {
-    return fit<ApproximateFit>(readings, approximateRow,
+    return fit<ApproximateFit>(readings, wishes, approximateRow,
         [](const ApproximateFit& found, const Observation& reading) { return deviationAt(found.smith(), reading.compass); });
 }
 
-Result<ExactFit> fitExact(std::span<const Observation> readings)
+Result<ExactFit> fitExact(std::span<const Observation> readings, const FitWishes& wishes)
 {
     return fit<ExactFit>(
-        readings, exactRow, [](const ExactFit& found, const Observation& reading) { return deviationAt(found, reading.magnetic); });
+        readings, wishes, exactRow, [](const ExactFit& found, const Observation& reading) { return deviationAt(found, reading.magnetic); });
 }
 
 std::optional<double> bandHalfWidth_rad(const ApproximateFit& fit, CompassHeading compass)

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "core/deviation/SerialCorrelation.h"
 #include "core/deviation/Smith.h"
 
 namespace lubberline {
@@ -27,12 +28,13 @@ struct SmithFitReport {
     std::optional<double> intervalFactor;
     /// Of neighbouring readings, where it is more than chance: the covariance counts it (SerialCorrelation.h).
     std::optional<double> lagOneCorrelation;
-    double index_rad = 0;       ///< largeIndex_deg(), taken out before the exact fit; in A of the approximate one
-    int parameters = 0;         ///< 5; 4 (without D or E), 3 (A, B, C) or 0
-    int rank = 0;               ///< numerical rank of the five-column design matrix
-    int degreesOfFreedom = 0;   ///< readings − parameters
-    double conditionNumber = 0; ///< of the design matrix of the parameters that were fitted (of five columns if none was)
-    double rms_rad = 0;         ///< √(Σ residual² / N) over the readings
+    std::optional<SerialPlace> serialPlace; ///< where its search passed by
+    double index_rad = 0;                   ///< largeIndex_deg(), taken out before the exact fit; in A of the approximate one
+    int parameters = 0;                     ///< 5; 4 (without D or E), 3 (A, B, C) or 0
+    int rank = 0;                           ///< numerical rank of the five-column design matrix
+    int degreesOfFreedom = 0;               ///< readings − parameters
+    double conditionNumber = 0;             ///< of the design matrix of the parameters that were fitted (of five columns if none was)
+    double rms_rad = 0;                     ///< √(Σ residual² / N) over the readings
     double maxAbsResidual_rad = 0;
     std::optional<double> sigma_rad;  ///< √(Σ residual² / degrees of freedom)
     std::vector<double> residual_rad; ///< deviation read − deviation fitted, one for each reading; empty without fit
@@ -63,15 +65,22 @@ struct ExactFit : SmithFitReport {
 /// error, and intervals are not shorter than its normal ones. The scatter itself (sigma_rad) and the residuals stay as they were found.
 void widenTo(SmithFitReport& fit, double error_rad);
 
+/// What a fit is asked for besides its coefficients and residuals.
+struct FitWishes {
+    bool uncertainty = true;                     ///< false: no errors, intervals or correlation, which cost most of the time of a log
+    std::optional<SerialPlace> serialPlace = {}; ///< of another fit of the same readings
+    Progress progress = {};                      ///< told false, the fit ends without errors: it is to be thrown away
+};
+
 /// Fits [P 4] on compass headings by linear least squares.
 /// What the headings cannot tell is left out (ToldCoefficients.h); where they cannot tell A, B and C nothing is fitted, and the report
 /// says why by its numbers.
 /// Errors: InvalidInput (fewer than 3 readings, or fewer than 3 distinct compass headings).
-Result<ApproximateFit> fitApproximate(std::span<const Observation> readings);
+Result<ApproximateFit> fitApproximate(std::span<const Observation> readings, const FitWishes& wishes = {});
 
 /// Fits sin δ = 𝔄 cos δ + 𝔅 sin ψ' + ℭ cos ψ' + 𝔇 sin(ψ+ψ') + 𝔈 cos(ψ+ψ'), which is [P 3] multiplied out with ψ = ψ' + δ,
 /// linear in the five. Residuals are δ read − δ by [P 3] at the magnetic heading. Selection and errors as above.
-Result<ExactFit> fitExact(std::span<const Observation> readings);
+Result<ExactFit> fitExact(std::span<const Observation> readings, const FitWishes& wishes = {});
 
 /// Half width of the 95 % confidence band of the fitted curve at a compass heading [rad] (covariance and intervalFactor of the fit);
 /// none without degrees of freedom.

@@ -30,6 +30,8 @@ constexpr double kOdds = 0.08, kOddsMore = 1.0;
 /// A reading that could be the slipped one instead must be at least this likely, given that one slipped.
 constexpr double kLeastLikely = 0.02;
 constexpr double kLeastShown_share = 0.01;
+/// How often a compass deviates as its last swing lets expect.
+constexpr double kAsBefore = 0.8;
 /// Readings beyond this many are only looked at where they stand out most: a log is no list that somebody wrote.
 constexpr std::size_t kLookedAt = 48;
 
@@ -83,7 +85,28 @@ double middle_deg(std::span<const Observation> readings)
     return *std::min_element(deviations_deg.begin(), deviations_deg.end(), [&](double a, double b) { return distance(a) < distance(b); });
 }
 
-/// What the other readings say of one, for one size of the scatter.
+/// Of the coefficients, before any reading.
+struct Prior {
+    Row5 mean, precision;
+    double log = 0; ///< of its share, and of the determinant of its precision to the half
+};
+
+Prior priorOf(Form form, const ExpectedCurve& expected, double share)
+{
+    Prior prior;
+    const ExactSmith exact = toExact(expected.mean);
+    if (form == Form::Exact)
+        prior.mean << 0.0, exact.B, exact.C, exact.D, exact.E; // the index is taken out
+    else
+        prior.mean << 0.0, expected.mean.B_rad, expected.mean.C_rad, expected.mean.D_rad, expected.mean.E_rad;
+    const auto& spread = expected.standardDeviation;
+    const double middle_rad = std::max(spread.A_rad, anyCurve().standardDeviation.A_rad); // a middle is no A
+    prior.precision = Row5{middle_rad, spread.B_rad, spread.C_rad, spread.D_rad, spread.E_rad}.array().square().inverse();
+    prior.log = std::log(share) + 0.5 * prior.precision.array().log().sum();
+    return prior;
+}
+
+/// What the other readings say of one, for one size of the scatter and one prior.
 struct Foretold {
     double deviation_deg = 0; ///< at the reading's own magnetic heading
     double variance_deg2 = 0; ///< of a reading there
@@ -106,7 +129,7 @@ struct Pass {
 
 class Search {
 public:
-    Search(Form form, std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected);
+    Search(Form form, std::span<const Observation> readings, double resolution_deg, const std::optional<ExpectedCurve>& history);
     [[nodiscard]] Pass look() const;
     void takeOut(std::size_t reading)
     {
@@ -116,7 +139,8 @@ public:
     [[nodiscard]] double seenFrom_deg() const;
 
 private:
-    [[nodiscard]] Foretold foretell(std::size_t reading, double sigma_deg) const;
+    [[nodiscard]] Foretold foretell(std::size_t reading, double sigma_deg, const Prior& prior) const;
+    [[nodiscard]] std::vector<Foretold> foretellings(std::size_t reading) const;
     void weigh(std::size_t reading, Pass& pass) const;
     [[nodiscard]] std::vector<std::size_t> standingOut() const;
     void add(std::size_t reading, double sign);
@@ -126,8 +150,7 @@ private:
     double m_middle_deg = 0;
     std::vector<double> m_deviation_deg; ///< the index taken out
     std::vector<double> m_sigmas_deg, m_logPrior;
-    Row5 m_mean;
-    Row5 m_precision;
+    std::vector<Prior> m_priors;
     std::vector<bool> m_out; ///< readings found so far
     Normal5 m_information;   ///< Σ x xᵀ of those that are in
     Row5 m_sum;              ///< Σ x sin δ
@@ -135,7 +158,7 @@ private:
     int m_count = 0;
 };
 
-Search::Search(Form form, std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected)
+Search::Search(Form form, std::span<const Observation> readings, double resolution_deg, const std::optional<ExpectedCurve>& history)
     : m_form(form)
     , m_readings(readings)
     , m_middle_deg(middle_deg(readings))
@@ -147,13 +170,9 @@ Search::Search(Form form, std::span<const Observation> readings, double resoluti
         m_sigmas_deg.push_back(std::hypot(resolution_deg / std::sqrt(12.0), kHandling_deg * std::exp(step * kHandlingSpread)));
         m_logPrior.push_back(-0.5 * step * step);
     }
-    const ExactSmith exact = toExact(expected.mean);
-    if (form == Form::Exact)
-        m_mean << 0.0, exact.B, exact.C, exact.D, exact.E; // the index is taken out
-    else
-        m_mean << 0.0, expected.mean.B_rad, expected.mean.C_rad, expected.mean.D_rad, expected.mean.E_rad;
-    const auto& spread = expected.standardDeviation;
-    m_precision = Row5{spread.A_rad, spread.B_rad, spread.C_rad, spread.D_rad, spread.E_rad}.array().square().inverse();
+    m_priors.push_back(priorOf(form, anyCurve(), history ? 1.0 - kAsBefore : 1.0));
+    if (history)
+        m_priors.push_back(priorOf(form, *history, kAsBefore));
     m_information.setZero();
     m_sum.setZero();
     for (std::size_t i = 0; i < readings.size(); ++i)
@@ -170,42 +189,51 @@ void Search::add(std::size_t reading, double sign)
     m_count += sign > 0 ? 1 : -1;
 }
 
-Foretold Search::foretell(std::size_t reading, double sigma_deg) const
+Foretold Search::foretell(std::size_t reading, double sigma_deg, const Prior& prior) const
 {
     const double magnetic_deg = m_readings[reading].magnetic.degrees();
     const double own = m_out[reading] ? 0.0 : 1.0; // a reading that is out already does not speak
     const Row5 x = rowOf(m_form, magnetic_deg, m_deviation_deg[reading]);
     const double side = sideOf(m_form, m_deviation_deg[reading]);
     const double perVariance = 1.0 / (toRadians(sigma_deg) * toRadians(sigma_deg));
-    const Normal5 prior = m_precision.asDiagonal();
-    const Normal5 information = prior + perVariance * (m_information - own * x * x.transpose());
-    const Row5 sum = prior * m_mean + perVariance * (m_sum - own * side * x);
+    const Normal5 before = prior.precision.asDiagonal();
+    const Normal5 information = before + perVariance * (m_information - own * x * x.transpose());
+    const Row5 sum = before * prior.mean + perVariance * (m_sum - own * side * x);
     const Eigen::LLT<Normal5> solver(information);
     const Row5 beta = solver.solve(sum);
-    const double squares = perVariance * (m_squares - own * side * side) + m_mean.dot(prior * m_mean) - sum.dot(beta);
+    const double squares = perVariance * (m_squares - own * side * side) + prior.mean.dot(before * prior.mean) - sum.dot(beta);
     const double logDeterminant = 2.0 * solver.matrixLLT().diagonal().array().log().sum();
 
     Foretold foretold;
     foretold.curve = beta;
     foretold.covariance = solver.solve(Normal5::Identity());
-    foretold.logEvidence = -(m_count - own) * std::log(sigma_deg) - 0.5 * (squares + logDeterminant);
+    foretold.logEvidence = -(m_count - own) * std::log(sigma_deg) - 0.5 * (squares + logDeterminant) + prior.log;
     foretold.deviation_deg = curveAt(m_form, beta, magnetic_deg);
     const Row5 there = rowOf(m_form, magnetic_deg, foretold.deviation_deg);
     foretold.variance_deg2 = kDegreesPerRadian * kDegreesPerRadian * there.dot(foretold.covariance * there) + sigma_deg * sigma_deg;
     return foretold;
 }
 
+/// For all sizes of the scatter and all priors, with the logarithm of how likely each is.
+std::vector<Foretold> Search::foretellings(std::size_t reading) const
+{
+    std::vector<Foretold> all;
+    for (const Prior& prior : m_priors)
+        for (std::size_t s = 0; s < m_sigmas_deg.size(); ++s) {
+            all.push_back(foretell(reading, m_sigmas_deg[s], prior));
+            all.back().logEvidence += m_logPrior[s];
+        }
+    return all;
+}
+
 /// Adds every slip of one reading, with its odds against "as read", over all sizes of the scatter.
 void Search::weigh(std::size_t reading, Pass& pass) const
 {
     const double magnetic_deg = m_readings[reading].magnetic.degrees(), compass_deg = m_readings[reading].compass.degrees();
-    std::vector<Foretold> foretold;
+    const std::vector<Foretold> foretold = foretellings(reading);
     double highest = -std::numeric_limits<double>::max();
-    for (std::size_t s = 0; s < m_sigmas_deg.size(); ++s) {
-        foretold.push_back(foretell(reading, m_sigmas_deg[s]));
-        foretold.back().logEvidence += m_logPrior[s];
-        highest = std::max(highest, foretold.back().logEvidence);
-    }
+    for (const auto& one : foretold)
+        highest = std::max(highest, one.logEvidence);
     // Density of a deviation at a magnetic heading, given the other readings, times their evidence.
     const auto density = [&](double atMagnetic_deg, double deviation_deg, double blur_deg) {
         double sum = 0;
@@ -240,7 +268,7 @@ std::vector<std::size_t> Search::standingOut() const
             all.push_back(i);
     if (all.size() <= kLookedAt)
         return all;
-    const Normal5 information = m_information + Normal5(m_precision.asDiagonal()) * 1e-4;
+    const Normal5 information = m_information + Normal5(m_priors.front().precision.asDiagonal()) * 1e-4;
     const Row5 beta = information.llt().solve(m_sum);
     std::vector<double> off(m_readings.size());
     for (const auto i : all)
@@ -267,15 +295,10 @@ double Search::seenFrom_deg() const
     constexpr double kDeviations = 3.5;
     double worst = 0;
     for (const auto i : standingOut()) {
-        Foretold likeliest;
-        likeliest.logEvidence = -std::numeric_limits<double>::max();
-        for (std::size_t s = 0; s < m_sigmas_deg.size(); ++s) {
-            auto foretold = foretell(i, m_sigmas_deg[s]);
-            foretold.logEvidence += m_logPrior[s];
-            if (foretold.logEvidence > likeliest.logEvidence)
-                likeliest = foretold;
-        }
-        worst = std::max(worst, kDeviations * std::sqrt(likeliest.variance_deg2));
+        const auto foretold = foretellings(i);
+        const auto likeliest
+            = std::max_element(foretold.begin(), foretold.end(), [](auto& a, auto& b) { return a.logEvidence < b.logEvidence; });
+        worst = std::max(worst, kDeviations * std::sqrt(likeliest->variance_deg2));
     }
     return worst;
 }
@@ -298,9 +321,9 @@ SlippedReading described(const Pass& pass, std::size_t reading)
 /// Both forms side by side; of each pass the one counts that finds less.
 class BothForms {
 public:
-    BothForms(std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected)
-        : m_exact(Form::Exact, readings, resolution_deg, expected)
-        , m_approximate(Form::Approximate, readings, resolution_deg, expected)
+    BothForms(std::span<const Observation> readings, double resolution_deg, const std::optional<ExpectedCurve>& history)
+        : m_exact(Form::Exact, readings, resolution_deg, history)
+        , m_approximate(Form::Approximate, readings, resolution_deg, history)
     {
     }
     [[nodiscard]] Pass look() const
@@ -335,24 +358,27 @@ std::vector<std::size_t> likelyOnes(const Pass& pass)
 
 } // namespace
 
-SlipSearch findSlips(std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected)
+SlipSearch findSlips(
+    std::span<const Observation> readings, double resolution_deg, const std::optional<ExpectedCurve>& history, const Progress& progress)
 {
     if (readings.size() < 3)
         return {};
-    BothForms forms(readings, resolution_deg, expected);
+    BothForms forms(readings, resolution_deg, history);
     SlipSearch found;
     // Beyond a third of the readings nothing is left to hold the others against.
     const std::size_t most = std::max<std::size_t>(1, readings.size() / 3);
-    while (found.slips.size() < most && readings.size() - found.slips.size() > 3) {
-        const Pass pass = forms.look();
+    for (Pass pass = forms.look(); found.slips.size() < most && readings.size() - found.slips.size() > 3;) {
+        if (progress && !progress(static_cast<double>(found.slips.size()) / static_cast<double>(most)))
+            break;
         if (pass.odds <= (found.slips.empty() ? kOdds : kOddsMore))
             break;
         const auto likely = likelyOnes(pass);
         forms.takeOut(likely.front());
         // Readings cannot be told apart when nothing is left to find with the likeliest taken out.
-        const bool alike = likely.size() > 1 && forms.look().odds <= kOddsMore;
-        if (!alike) {
+        Pass rest = forms.look();
+        if (likely.size() == 1 || rest.odds > kOddsMore) {
             found.slips.push_back(described(pass, likely.front()));
+            pass = std::move(rest);
             continue;
         }
         double together = 0;

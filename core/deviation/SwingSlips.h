@@ -1,14 +1,18 @@
 #pragma once
 /// Which readings of a whole swing were misread, misheard or written wrong, by Bayes' rule over "all as read" and every slip of
 /// every reading. Eight readings leave three degrees of freedom: their scatter alone finds little. What is known besides is used:
-/// how a compass is read (the scatter, within what crews reach), how aircraft compasses deviate (ExpectedCurve) and how people slip.
+/// how a compass is read (the scatter, within what crews reach), how aircraft compasses deviate (ExpectedCurve), this one by its last
+/// swing, and how people slip.
 ///   model: sin δ = 𝔄 cos δ + 𝔅 sin ψ' + ℭ cos ψ' + 𝔇 sin(ψ+ψ') + 𝔈 cos(ψ+ψ') + ε [P 3, multiplied out], coefficients normal,
 ///   ε normal with a scatter that is itself uncertain (log-normal about half a degree, besides the division of the compass).
+///   With a history: coefficients as after the last swing in four of five swings, and as of any compass in the fifth (engines are changed,
+///   lightning strikes); the readings tell which.
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/base/Progress.h"
 #include "core/deviation/SlipCheck.h"
 
 namespace lubberline {
@@ -26,9 +30,10 @@ struct SlipSearch {
     std::optional<double> seenFrom_deg;
 };
 
-/// @param resolution_deg smallest division of the compass. @param expected what this compass, or any, is expected to deviate after its
-/// index is taken out (the middle of the readings' deviations). Fewer than three readings check nothing.
-[[nodiscard]] SlipSearch findSlips(
-    std::span<const Observation> readings, double resolution_deg, const ExpectedCurve& expected = anyCurve());
+/// @param resolution_deg smallest division of the compass. @param history how this compass is expected to deviate by its last swing;
+/// its index is no matter, as the middle of the readings' deviations is taken out. Fewer than three readings check nothing. @param progress told false, the search
+/// ends with what it has found by then: ask it again.
+[[nodiscard]] SlipSearch findSlips(std::span<const Observation> readings, double resolution_deg,
+    const std::optional<ExpectedCurve>& history = {}, const Progress& progress = {});
 
 } // namespace lubberline

@@ -106,6 +106,15 @@ Summary summarise(const std::vector<AnalysedReading>& readings)
     return summary;
 }
 
+std::vector<AnalysedReading> analysedReadings(std::span<const Observation> readings)
+{
+    std::vector<AnalysedReading> analysed;
+    analysed.reserve(readings.size());
+    for (const auto& reading : readings)
+        analysed.push_back({reading.magnetic, reading.compass, deviationOf(reading.magnetic, reading.compass), {}, {}, {}, false});
+    return analysed;
+}
+
 void addResiduals(Analysis& analysis)
 {
     const auto studentised = studentisedResiduals(analysis.approximate);
@@ -122,27 +131,43 @@ void addResiduals(Analysis& analysis)
 
 } // namespace
 
-Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOptions& options)
+bool isOf(const AnalysedReading& analysed, const Observation& reading)
 {
+    return analysed.magnetic == reading.magnetic && analysed.compass == reading.compass;
+}
+
+Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOptions& options, const Progress& progress)
+{
+    // Shares of the time that a log takes.
+    constexpr double kApproximate = 0.45, kExact = 0.65, kSpectrum = 0.75;
+    const auto goesOn = [&progress](double fraction) { return !progress || progress(fraction); };
+    const auto within = [&goesOn](double from, double to) {
+        return [&goesOn, from, to](double fraction) { return goesOn(from + (to - from) * fraction); };
+    };
+    const Error cancelled{ErrorCode::Cancelled, MARKED("core", "the analysis was cancelled")};
     if (auto fault = faultOf(readings))
         return *std::move(fault);
-    auto approximate = fitApproximate(readings);
+    auto approximate = fitApproximate(readings, {.progress = within(0.0, kApproximate)});
     if (!approximate)
         return approximate.error();
-    auto exact = fitExact(readings);
+    if (!goesOn(kApproximate))
+        return cancelled;
+    auto exact = fitExact(readings, {.serialPlace = approximate->serialPlace, .progress = within(kApproximate, kExact)});
     if (!exact)
         return exact.error();
+    if (!goesOn(kExact))
+        return cancelled;
 
     Analysis analysis;
     std::vector<HarmonicSample> samples;
-    for (const auto& reading : readings) {
-        const Deviation deviation = deviationOf(reading.magnetic, reading.compass);
-        analysis.readings.push_back({reading.magnetic, reading.compass, deviation, {}, {}, {}, false});
-        samples.push_back({reading.magnetic.radians(), deviation.radians()});
-    }
+    analysis.readings = analysedReadings(readings);
+    for (const auto& reading : analysis.readings)
+        samples.push_back({reading.magnetic.radians(), reading.deviation.radians()});
     auto spectrum = harmonics(samples, options.maxOrder);
     if (!spectrum)
         return spectrum.error();
+    if (!goesOn(kSpectrum))
+        return cancelled;
     analysis.approximate = std::move(approximate.value());
     analysis.exact = std::move(exact.value());
     analysis.harmonics = std::move(spectrum.value());
@@ -154,7 +179,9 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     if (const auto words = indexWords(toDegrees(analysis.approximate.index_rad)))
         analysis.warnings.push_back(*words);
     if (options.findSlips && analysis.approximate.fitted()) {
-        analysis.slips = findSlips(readings, options.resolution_deg);
+        analysis.slips = findSlips(readings, options.resolution_deg, options.history, within(kSpectrum, 1.0));
+        if (!goesOn(1.0))
+            return cancelled;
         for (const auto& slip : analysis.slips.slips)
             analysis.readings[slip.reading].suspect = true;
         warnOfSlips(analysis.warnings, analysis.slips, readings.size());
@@ -165,6 +192,16 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     warnOfFit(analysis.warnings, analysis.approximate, MARKED("core", "approximate"), readings);
     warnOfFit(analysis.warnings, analysis.exact, MARKED("core", "exact"), readings);
     return analysis;
+}
+
+Result<SwingOutline> outlineOf(std::span<const Observation> readings)
+{
+    if (auto fault = faultOf(readings))
+        return *std::move(fault);
+    const auto fit = fitApproximate(readings, {.uncertainty = false});
+    if (!fit)
+        return fit.error();
+    return SwingOutline{fit->value, summarise(analysedReadings(readings))};
 }
 
 Judgement judge(const Summary& summary, const std::optional<LimitsProfile>& limits)

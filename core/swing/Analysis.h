@@ -1,11 +1,13 @@
 #pragma once
 /// The result object that every page, card, report and command shows.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/base/Progress.h"
 #include "core/deviation/Harmonics.h"
 #include "core/deviation/PointRules.h"
 #include "core/deviation/SmithFit.h"
@@ -23,6 +25,9 @@ struct AnalysedReading {
     std::optional<double> studentised; ///< external, of the approximate fit
     bool suspect = false;              ///< among the slips that were found; never dropped by itself
 };
+
+/// Whether it is the result of a reading with these headings, and not of what stood in its place before.
+[[nodiscard]] bool isOf(const AnalysedReading& analysed, const Observation& reading);
 
 struct Summary {
     double maxAbsDeviation_rad = 0;
@@ -45,14 +50,24 @@ struct Analysis {
 };
 
 struct AnalysisOptions {
-    int maxOrder = -1;           ///< highest harmonic wanted; negative: all that the headings resolve
-    double resolution_deg = 1.0; ///< smallest division of the compass
-    double readingError_rad = 0; ///< of one deviation (core/swing/ReadingError.h): what a fit cannot be surer than
-    bool findSlips = true;       ///< whether misread figures are looked for
+    int maxOrder = -1;                         ///< highest harmonic wanted; negative: all that the headings resolve
+    double resolution_deg = 1.0;               ///< smallest division of the compass
+    double readingError_rad = 0;               ///< of one deviation (core/swing/ReadingError.h): what a fit cannot be surer than
+    bool findSlips = true;                     ///< whether misread figures are looked for
+    std::optional<ExpectedCurve> history = {}; ///< of the compass by its last swing: what misread figures are told by besides
 };
 
-/// Errors: InvalidInput (fewer than 3 readings; fewer than 3 distinct headings; a compass that is stuck or runs backwards).
-Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOptions& options = {});
+/// Errors: InvalidInput (fewer than 3 readings; fewer than 3 distinct headings; a compass that is stuck or runs backwards); Cancelled.
+Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOptions& options = {}, const Progress& progress = {});
+
+/// What is kept beside a stored swing: of an Analysis the figures that trees and histories show, without errors, spectrum and slips,
+/// which cost nearly all of its time.
+struct SwingOutline {
+    std::array<std::optional<double>, kCoefficientCount> approximate_rad;
+    Summary summary;
+};
+/// Errors: those of analyse().
+Result<SwingOutline> outlineOf(std::span<const Observation> readings);
 
 enum class Verdict { InLimits, OutOfLimits, NotKnown };
 

@@ -23,16 +23,41 @@ double datumDivision_deg(const SwingJob& job)
 
 } // namespace
 
-Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options)
+ExpectedCurve expectedAfter(const ApproximateSmith& last, SwingKind kindOfLast, SwingStage stageOfLast, const Swing& swing)
 {
-    AnalysisOptions own = options;
-    own.resolution_deg = record.compass.resolution_deg;
-    own.readingError_rad = readingError_rad(record.compass.resolution_deg, job ? datumDivision_deg(*job) : 0.0);
-    auto analysis = analyse(observationsOf(record.swing), own);
+    ExpectedCurve expected = curveAfter(last);
+    const bool compensated
+        = kindOfLast == SwingKind::Correction || (stageOfLast == SwingStage::AsFound && swing.stage == SwingStage::AsLeft);
+    if (!compensated)
+        return expected;
+    const ExpectedCurve any = anyCurve();
+    expected.mean.A_rad = expected.mean.B_rad = expected.mean.C_rad = 0.0;
+    expected.standardDeviation.A_rad = any.standardDeviation.A_rad;
+    expected.standardDeviation.B_rad = any.standardDeviation.B_rad;
+    expected.standardDeviation.C_rad = any.standardDeviation.C_rad;
+    return expected;
+}
+
+SwingQuestion questionOf(const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options)
+{
+    SwingQuestion question{observationsOf(record.swing), options};
+    question.options.resolution_deg = record.compass.resolution_deg;
+    question.options.readingError_rad = readingError_rad(record.compass.resolution_deg, job ? datumDivision_deg(*job) : 0.0);
+    return question;
+}
+
+Result<Analysis> answerTo(const SwingQuestion& question, const Progress& progress)
+{
+    auto analysis = analyse(question.readings, question.options, progress);
     if (analysis)
         for (const auto& gap : gapsOf(*analysis)) // with the band that the reading error leaves
             analysis->warnings.push_back(wordsOf(gap));
     return analysis;
+}
+
+Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options)
+{
+    return answerTo(questionOf(record, job, options));
 }
 
 double divisionOf_deg(const Swing& swing)

@@ -7,10 +7,23 @@
 
 namespace lubberline {
 
-/// Of the readings that count, as the compass stands since (core/swing/Observations.h). Standard errors always have the reading
-/// error in them (core/swing/ReadingError.h), from the smallest division of the compass and, after a guided swing, of its datum:
-/// readings that happen to lie on a curve are no surer than they were read. @param job the guided swing that it came from, or none.
-/// Errors: those of analyse().
+/// How a compass is expected to deviate at a swing after another whose coefficients are known: as in curveAfter(); where it was compensated
+/// in between (a correction swing, or one as found before one as left), A, B and C may be any.
+[[nodiscard]] ExpectedCurve expectedAfter(const ApproximateSmith& last, SwingKind kindOfLast, SwingStage stageOfLast, const Swing& swing);
+
+/// What a result is computed from: asked on one thread, it may be answered on another.
+struct SwingQuestion {
+    std::vector<Observation> readings; ///< those that count, as the compass stands since (core/swing/Observations.h)
+    AnalysisOptions options;
+};
+
+/// The options with the reading error (core/swing/ReadingError.h) of the smallest division of the compass and, after a guided swing, of
+/// its datum: readings that happen to lie on a curve are no surer than they were read. @param job the guided swing that it came from, or
+/// none.
+[[nodiscard]] SwingQuestion questionOf(const SwingRecord& record, const SwingJob* job = nullptr, const AnalysisOptions& options = {});
+/// The analysis, with what the gaps between the readings leave unknown. Errors: those of analyse().
+Result<Analysis> answerTo(const SwingQuestion& question, const Progress& progress = {});
+/// Both at once.
 Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job = nullptr, const AnalysisOptions& options = {});
 
 /// The division that a file's figures speak of, where nobody states it: the coarsest of 1°, 0.5°, 0.1° and 0.01° of which every

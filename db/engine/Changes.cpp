@@ -16,6 +16,13 @@ struct Each : Answers... {
 
 void Changes::note(const Change& change)
 {
+    if (const auto* swing = std::get_if<change::OfSwing>(&change))
+        for (Change& earlier : m_noted)
+            if (auto* same = std::get_if<change::OfSwing>(&earlier); same && same->id == swing->id) {
+                if (same->only != swing->only)
+                    same->only = {};
+                return;
+            }
     if (std::find(m_noted.begin(), m_noted.end(), change) == m_noted.end())
         m_noted.push_back(change);
 }
@@ -32,9 +39,9 @@ void Changes::ended(bool committed)
 void Changes::tell(const Change& change)
 {
     std::visit(Each{[this](change::Fleet) { emit fleetChanged(); }, [this](change::OfAircraft one) { emit aircraftChanged(one.id); },
-                   [this](change::OfSwing one) { emit swingChanged(one.id); }, [this](change::Sensors one) { emit sensorsChanged(one.of); },
-                   [this](change::Sites) { emit sitesChanged(); }, [this](change::Due) { emit dueChanged(); },
-                   [this](change::Electrical one) { emit electricalChanged(one.of); }},
+                   [this](change::OfSwing one) { emit swingChanged(one.id, one.only); },
+                   [this](change::Sensors one) { emit sensorsChanged(one.of); }, [this](change::Sites) { emit sitesChanged(); },
+                   [this](change::Due) { emit dueChanged(); }, [this](change::Electrical one) { emit electricalChanged(one.of); }},
         change);
 }
 

@@ -22,6 +22,7 @@ struct OfAircraft { ///< its particulars, compasses or events
 };
 struct OfSwing { ///< its particulars or readings
     SwingId id;
+    ReadingId only = {}; ///< valid: nothing of it but the figures of this reading
     friend bool operator==(OfSwing, OfSwing) = default;
 };
 struct Sensors { ///< sensor models of a compass
@@ -67,7 +68,7 @@ public:
 signals:
     void fleetChanged();
     void aircraftChanged(lubberline::AircraftId id);
-    void swingChanged(lubberline::SwingId id);
+    void swingChanged(lubberline::SwingId id, lubberline::ReadingId only); ///< as in change::OfSwing
     void sensorsChanged(lubberline::CompassId id);
     void sitesChanged();
     void dueChanged();
@@ -75,7 +76,7 @@ signals:
 
 private:
     void tell(const Change& change);
-    std::vector<Change> m_noted; ///< in order, each once
+    std::vector<Change> m_noted; ///< in order, each record once
 };
 
 } // namespace lubberline::db

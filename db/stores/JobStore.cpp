@@ -1,8 +1,10 @@
 #include "db/stores/JobStore.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/format/exchange/JobJson.h"
 #include "core/record/RecordWords.h"
-#include "core/swing/SwingResult.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
 #include "db/stores/Audit.h"
@@ -68,6 +70,17 @@ Result<void> insertEvent(Database& database, std::int64_t job, std::size_t place
     return statement.run();
 }
 
+/// None where the swing before told less than five coefficients.
+std::optional<ExpectedCurve> historyOf(const SwingRow& before, const Swing& swing)
+{
+    const auto& c = before.coefficient_deg;
+    constexpr double kLargeIndex_deg = 45.0; // B and C of a compass so far out are of other headings
+    if (!std::all_of(c.begin(), c.end(), [](const auto& one) { return one.has_value(); }) || std::abs(*c[0]) > kLargeIndex_deg)
+        return std::nullopt;
+    return expectedAfter(
+        {toRadians(*c[0]), toRadians(*c[1]), toRadians(*c[2]), toRadians(*c[3]), toRadians(*c[4])}, before.kind, before.stage, swing);
+}
+
 } // namespace
 
 Result<std::vector<JobRow>> JobStore::open()
@@ -105,18 +118,34 @@ Result<std::optional<JobRecord>> JobStore::jobOf(SwingId swing)
     return std::optional(JobRecord{(*row)->swing, std::move(*job)});
 }
 
-Result<Analysis> JobStore::resultOf(const SwingRecord& record)
+Result<SwingQuestion> JobStore::questionOf(const SwingRecord& record)
 {
     const auto job = jobOf(record.swing.id);
     if (!job)
         return job.error();
-    return lubberline::resultOf(record, *job ? &(*job)->job : nullptr);
+    const auto before = SwingStore(m_database).previousRow(record.swing.id);
+    if (!before)
+        return before.error();
+    return lubberline::questionOf(
+        record, *job ? &(*job)->job : nullptr, {.history = *before ? historyOf(**before, record.swing) : std::nullopt});
+}
+
+Result<SwingQuestion> JobStore::questionOf(SwingId swing)
+{
+    const auto record = SwingStore(m_database).record(swing, ReadingParts::Headings);
+    return record ? questionOf(*record) : Result<SwingQuestion>(record.error());
+}
+
+Result<Analysis> JobStore::resultOf(const SwingRecord& record)
+{
+    const auto question = questionOf(record);
+    return question ? answerTo(*question) : Result<Analysis>(question.error());
 }
 
 Result<Analysis> JobStore::resultOf(SwingId swing)
 {
-    const auto record = SwingStore(m_database).record(swing);
-    return record ? resultOf(*record) : Result<Analysis>(record.error());
+    const auto question = questionOf(swing);
+    return question ? answerTo(*question) : Result<Analysis>(question.error());
 }
 
 Result<SwingAtPlace> JobStore::placeOf(const SwingRecord& record)

@@ -6,8 +6,8 @@
 
 #include "core/record/Fleet.h"
 #include "core/record/FleetRows.h"
-#include "core/swing/Analysis.h"
 #include "core/swing/SwingPlaces.h"
+#include "core/swing/SwingResult.h"
 #include "db/engine/Database.h"
 
 namespace lubberline::db {
@@ -20,6 +20,10 @@ public:
     /// The job that belongs to the swing or made it. Its particulars are those of the swing that it belongs to.
     /// Errors: Corrupt (an event that does not read).
     Result<std::optional<JobRecord>> jobOf(SwingId swing);
+    /// What the result of a stored swing is computed from, its compass's last swing included (for slips); answerTo() it on a worker where
+    /// there are many readings.
+    Result<SwingQuestion> questionOf(const SwingRecord& record);
+    Result<SwingQuestion> questionOf(SwingId swing);
     /// The one result of a stored swing (core/swing/SwingResult.h), with the divisions of the guided swing that it came from.
     /// Errors: those of resultOf(); Corrupt when that guided swing does not read: without it the result would look surer than it is.
     Result<Analysis> resultOf(const SwingRecord& record);

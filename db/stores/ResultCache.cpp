@@ -55,20 +55,20 @@ CachedResult resultOf(const Swing& swing, const std::optional<LimitsProfile>& li
     CachedResult result;
     for (const auto& reading : swing.readings)
         result.readings += reading.complete() ? 1 : 0;
-    const auto analysis = analyse(observationsOf(swing), {.maxOrder = 0, .findSlips = false}); // neither harmonics nor slips are kept
-    if (!analysis)
+    const auto outline = outlineOf(observationsOf(swing));
+    if (!outline)
         return result;
-    result.maxAbsDeviation_deg = toDegrees(analysis->summary.maxAbsDeviation_rad);
+    result.maxAbsDeviation_deg = toDegrees(outline->summary.maxAbsDeviation_rad);
     for (std::size_t i = 0; i < result.coefficient_deg.size(); ++i)
-        if (analysis->approximate.value[i])
-            result.coefficient_deg[i] = toDegrees(*analysis->approximate.value[i]);
-    result.status = statusOf(judge(analysis->summary, limits).verdict);
+        if (outline->approximate_rad[i])
+            result.coefficient_deg[i] = toDegrees(*outline->approximate_rad[i]);
+    result.status = statusOf(judge(outline->summary, limits).verdict);
     return result;
 }
 
 Result<void> refreshSwing(Database& database, SwingId id)
 {
-    const auto swing = SwingStore(database).swing(id);
+    const auto swing = SwingStore(database).swing(id, ReadingParts::Headings);
     if (!swing)
         return swing.error();
     return storeResult(database, *swing);

@@ -166,6 +166,18 @@ Reading readingFrom(const Statement& row, int first)
     return reading;
 }
 
+QString headingColumns() { return "r.magnetic_heading_deg, r.compass_heading_deg, COALESCE(r.exclusion_reason, '') <> ''"; }
+
+Reading headingsOnlyFrom(const Statement& row, int first)
+{
+    Reading reading;
+    reading.magnetic = headingFrom<MagneticHeading>(row.optionalReal(first));
+    reading.compass = headingFrom<CompassHeading>(row.optionalReal(first + 1));
+    if (row.integer(first + 2) != 0)
+        reading.exclusion.emplace();
+    return reading;
+}
+
 void bindReading(Statement& statement, const Reading& reading)
 {
     statement << reading.nominal_deg << degreesOf(reading.magnetic) << degreesOf(reading.compass) << degreesOf(reading.trueHeading)

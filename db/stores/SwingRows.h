@@ -16,6 +16,10 @@ namespace lubberline::db {
 [[nodiscard]] Swing swingFrom(const Statement& row, int first);
 [[nodiscard]] Reading readingFrom(const Statement& row, int first);
 
+/// Of a reading no more than results need: both headings, and whether it is left out (without the reason).
+[[nodiscard]] QString headingColumns();
+[[nodiscard]] Reading headingsOnlyFrom(const Statement& row, int first);
+
 /// A line of a list with its cached results, for SELECT … FROM swing.
 [[nodiscard]] QString swingRowColumns();
 inline constexpr int kSwingRowColumns = 18;

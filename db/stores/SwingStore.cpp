@@ -58,21 +58,15 @@ Result<ReadingId> insertRows(Database& database, SwingId swing, int position, st
     return ReadingId{statement.insertedId()};
 }
 
-Result<Reading> storedReading(Database& database, SwingId swing, ReadingId id)
-{
-    Statement statement(database, "SELECT " + readingColumns() + " FROM reading r WHERE r.id = ? AND r.swing_id = ?");
-    statement << id << swing;
-    return oneOf<Reading>(statement, database, MARKED("db", "reading of the swing"), [](Statement& row) { return readingFrom(row, 0); });
-}
-
-/// After a change of readings: cached results, audit entry, commit.
-Result<void> finish(Database& database, Transaction& transaction, const Swing& swing, const std::string& what, const std::string& detail)
+/// After a change of readings: cached results, audit entry, commit. @param only the reading whose figures are all that changed.
+Result<void> finish(Database& database, Transaction& transaction, const Swing& swing, const std::string& what, const std::string& detail,
+    ReadingId only = {})
 {
     if (const auto refreshed = refreshSwing(database, swing.id); !refreshed)
         return refreshed;
     if (const auto kept = audit(database, what, swing.record, detail); !kept)
         return kept;
-    database.changes().note(change::OfSwing{swing.id});
+    database.changes().note(change::OfSwing{swing.id, only});
     return transaction.commit();
 }
 
@@ -97,7 +91,7 @@ Result<std::vector<NewestSwing>> SwingStore::newest(int count)
     });
 }
 
-Result<Swing> SwingStore::swing(SwingId id)
+Result<Swing> SwingStore::swing(SwingId id, ReadingParts parts)
 {
     const auto snapshot = Transaction::beginReading(m_database);
     if (!snapshot)
@@ -105,9 +99,11 @@ Result<Swing> SwingStore::swing(SwingId id)
     auto swing = particulars(m_database, id);
     if (!swing)
         return swing;
-    Statement statement(m_database, "SELECT " + readingColumns() + " FROM reading r WHERE r.swing_id = ? ORDER BY r.position, r.id");
+    const bool all = parts == ReadingParts::All;
+    Statement statement(m_database,
+        "SELECT " + (all ? readingColumns() : headingColumns()) + " FROM reading r WHERE r.swing_id = ? ORDER BY r.position, r.id");
     statement << id;
-    auto readings = rowsOf<Reading>(statement, [](Statement& row) { return readingFrom(row, 0); });
+    auto readings = rowsOf<Reading>(statement, [all](Statement& row) { return all ? readingFrom(row, 0) : headingsOnlyFrom(row, 0); });
     if (!readings)
         return readings.error();
     swing->readings = std::move(*readings);
@@ -118,14 +114,14 @@ Result<Swing> SwingStore::swing(SwingId id)
     return swing;
 }
 
-Result<SwingRecord> SwingStore::record(SwingId id)
+Result<SwingRecord> SwingStore::record(SwingId id, ReadingParts parts)
 {
     const auto snapshot = Transaction::beginReading(m_database);
     if (!snapshot)
         return snapshot.error();
     FleetStore fleet(m_database);
     SiteStore sites(m_database);
-    auto found = swing(id);
+    auto found = swing(id, parts);
     if (!found)
         return found.error();
     const auto compass = fleet.compass(found->compass);
@@ -146,20 +142,34 @@ Result<SwingRecord> SwingStore::record(SwingId id)
     return SwingRecord{std::move(*found), *compass, *aircraft, *type, *site, *limits};
 }
 
-Result<std::optional<Swing>> SwingStore::previous(SwingId id)
+Result<Reading> SwingStore::reading(SwingId swing, ReadingId id)
+{
+    Statement statement(m_database, "SELECT " + readingColumns() + " FROM reading r WHERE r.id = ? AND r.swing_id = ?");
+    statement << id << swing;
+    return oneOf<Reading>(statement, m_database, MARKED("db", "reading of the swing"), [](Statement& row) { return readingFrom(row, 0); });
+}
+
+Result<std::optional<SwingRow>> SwingStore::previousRow(SwingId id)
 {
     Statement statement(m_database,
-        "SELECT p.id FROM swing s JOIN swing p ON p.compass_id = s.compass_id AND p.id <> s.id AND p.record <> s.supersedes"
-        " AND (p.date < s.date OR (p.date = s.date AND (p.stage < s.stage OR (p.stage = s.stage AND p.id < s.id))))"
-        " WHERE s.id = ? AND NOT EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = p.record)"
-        " ORDER BY p.date < s.date DESC, p.date DESC, p.stage DESC, p.id DESC LIMIT 1");
+        "SELECT " + swingRowColumns()
+            + " FROM swing WHERE id = (SELECT p.id FROM swing s JOIN swing p ON p.compass_id = s.compass_id AND p.id <> s.id"
+              " AND p.record <> s.supersedes"
+              " AND (p.date < s.date OR (p.date = s.date AND (p.stage < s.stage OR (p.stage = s.stage AND p.id < s.id))))"
+              " WHERE s.id = ? AND NOT EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = p.record)"
+              " ORDER BY p.date < s.date DESC, p.date DESC, p.stage DESC, p.id DESC LIMIT 1)");
     statement << id;
-    const auto before = firstOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
+    return firstOf<SwingRow>(statement, swingRowFrom);
+}
+
+Result<std::optional<Swing>> SwingStore::previous(SwingId id)
+{
+    const auto before = previousRow(id);
     if (!before)
         return before.error();
     if (!*before)
         return std::optional<Swing>{};
-    auto found = swing(**before);
+    auto found = swing((*before)->id);
     if (!found)
         return found.error();
     return std::optional(std::move(*found));
@@ -375,7 +385,7 @@ Result<void> SwingStore::changeReading(SwingId swing, const Reading& known, cons
     const auto open = openSwing(m_database, swing);
     if (!open)
         return open.error();
-    const auto before = storedReading(m_database, swing, reading.id);
+    const auto before = this->reading(swing, reading.id);
     if (!before)
         return before.error();
     if (*before == reading)
@@ -390,7 +400,7 @@ Result<void> SwingStore::changeReading(SwingId swing, const Reading& known, cons
     statement << reading.id;
     if (const auto done = statement.run(); !done)
         return done;
-    return finish(m_database, *transaction, *open, "changed reading", auditText(*before) + " -> " + auditText(reading));
+    return finish(m_database, *transaction, *open, "changed reading", auditText(*before) + " -> " + auditText(reading), reading.id);
 }
 
 Result<void> SwingStore::removeReading(SwingId swing, ReadingId reading)
@@ -401,7 +411,7 @@ Result<void> SwingStore::removeReading(SwingId swing, ReadingId reading)
     const auto open = openSwing(m_database, swing);
     if (!open)
         return open.error();
-    const auto before = storedReading(m_database, swing, reading);
+    const auto before = this->reading(swing, reading);
     if (!before)
         return before.error();
     Statement close(m_database,

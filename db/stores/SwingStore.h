@@ -11,17 +11,26 @@
 
 namespace lubberline::db {
 
+/// What is read of each reading.
+enum class ReadingParts {
+    All,
+    Headings, ///< and whether it is left out: what results need (a log has many readings)
+};
+
 class SwingStore {
 public:
     explicit SwingStore(Database& database) : m_database(database) {}
 
     Result<std::vector<SwingRow>> swingsOf(CompassId compass); ///< newest first
     Result<std::vector<NewestSwing>> newest(int count);        ///< that were made last, of every compass
-    Result<Swing> swing(SwingId id);                           ///< with readings
-    Result<SwingRecord> record(SwingId id);                    ///< with compass, aircraft, type, site and limits
+    Result<Swing> swing(SwingId id, ReadingParts parts = ReadingParts::All);
+    /// With compass, aircraft, type, site and limits.
+    Result<SwingRecord> record(SwingId id, ReadingParts parts = ReadingParts::All);
+    Result<Reading> reading(SwingId swing, ReadingId id);
     /// The last swing of the same compass that is dated before this one, as left rather than as found; where there is none, the
     /// last before it of the same day. One that another supersedes, or that this one does, is not meant.
     Result<std::optional<Swing>> previous(SwingId id);
+    Result<std::optional<SwingRow>> previousRow(SwingId id); ///< likewise, as a line of a list
     Result<RecordId> recordOf(SwingId id);
     /// By record id or the beginning of one. Errors: NotFound, Conflict when several begin so.
     Result<SwingId> named(const std::string& beginning);

@@ -97,6 +97,30 @@ TEST_F(JobStore, lastTimeIsAsItWasLeft)
     EXPECT_EQ(m_swings.previous(leftId)->value().id, foundId); // nothing older: as it was found that day
 }
 
+TEST_F(JobStore, theSwingBeforeIsTheHistoryOfTheNext)
+{
+    Swing before = worksheetSwing(m_stored);
+    before.date = "2025-05-05";
+    const SwingId first = *save(m_swings, before);
+    Swing now = worksheetSwing(m_stored);
+    now.date = "2026-05-05";
+    const SwingId next = *save(m_swings, now);
+    const auto without = m_jobs.questionOf(first), with = m_jobs.questionOf(next);
+    ASSERT_TRUE(without && with);
+    EXPECT_FALSE(without->options.history);
+    ASSERT_TRUE(with->options.history);
+    const auto told = m_jobs.resultOf(first)->approximate.smith();
+    EXPECT_NEAR(with->options.history->mean.B_rad, told.B_rad, 1e-12);
+    EXPECT_NEAR(with->options.history->mean.E_rad, told.E_rad, 1e-12);
+    // Of its headings alone, it is the same question.
+    const auto byRecord = m_jobs.questionOf(*m_swings.record(next));
+    ASSERT_EQ(byRecord->readings.size(), with->readings.size());
+    for (std::size_t i = 0; i < with->readings.size(); ++i) {
+        EXPECT_EQ(byRecord->readings[i].magnetic, with->readings[i].magnetic);
+        EXPECT_EQ(byRecord->readings[i].compass, with->readings[i].compass);
+    }
+}
+
 TEST_F(JobStore, aResultHasTheDivisionsOfItsJobOrIsRefused)
 {
     const SwingId id = *save(m_swings, worksheetSwing(m_stored));

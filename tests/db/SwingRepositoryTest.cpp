@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "db/engine/Changes.h"
 #include "db/engine/Statement.h"
+#include "db/engine/Transaction.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -107,6 +109,34 @@ TEST_F(Swings, changedLimitsChangeTheStatus)
     profile.maxDeviation_deg = 4.0;
     ASSERT_TRUE(save(db::SiteStore(m_database), profile));
     EXPECT_EQ(compassStatus(), Status::OutOfLimits);
+}
+
+TEST_F(Swings, whoFollowsIsToldWhichReadingAloneHasChanged)
+{
+    const SwingId id = *save(m_swings, swingOf(m_stored));
+    std::vector<std::pair<SwingId, ReadingId>> told;
+    QObject::connect(&m_database.changes(), &db::Changes::swingChanged, &m_database.changes(),
+        [&told](SwingId swing, ReadingId only) { told.emplace_back(swing, only); });
+    const Swing swing = *m_swings.swing(id);
+    const auto change = [&](std::size_t place, const char* note) {
+        const Reading known = *m_swings.reading(id, swing.readings[place].id);
+        Reading after = known;
+        after.note = note;
+        return m_swings.changeReading(id, known, after).ok();
+    };
+    ASSERT_TRUE(change(1, "gust"));
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_EQ(told.back(), std::pair(id, swing.readings[1].id));
+    EXPECT_EQ(m_swings.reading(id, swing.readings[1].id)->note, "gust");
+    {
+        auto both = db::Transaction::begin(m_database);
+        ASSERT_TRUE(both && change(1, "calm") && change(2, "gust") && both->commit());
+    }
+    ASSERT_EQ(told.size(), 2u);
+    EXPECT_EQ(told.back(), std::pair(id, ReadingId())); // more than one: the whole swing
+    ASSERT_TRUE(m_swings.removeReading(id, swing.readings[0].id));
+    EXPECT_EQ(told.back(), std::pair(id, ReadingId()));
+    EXPECT_FALSE(m_swings.reading(id, swing.readings[0].id));
 }
 
 TEST_F(Swings, readingsAreInsertedSavedAndRemovedInOrder)

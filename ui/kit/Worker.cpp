@@ -1,5 +1,7 @@
 #include "ui/kit/Worker.h"
 
+#include <QCoreApplication>
+
 namespace lubberline::ui {
 
 WorkerThread::WorkerThread(std::function<void(int percent)> progressed) : m_progressed(std::move(progressed))
@@ -18,6 +20,12 @@ void WorkerThread::cancel()
 {
     if (m_run)
         m_run->cancelled = true;
+}
+
+void WorkerThread::finish()
+{
+    m_pool.waitForDone();
+    QCoreApplication::sendPostedEvents(&m_home, QEvent::MetaCall);
 }
 
 void WorkerThread::begin(std::function<Delivery(const Progress&)> job)

@@ -22,6 +22,8 @@ public:
 
     /// The work is told to give up; what it then returns (Cancelled, or a result that was ready before it looked) is delivered.
     void cancel();
+    /// Waits for the work that runs, and delivers its result before it returns.
+    void finish();
     [[nodiscard]] bool running() const { return m_run != nullptr; } ///< until its result was delivered
 
 protected:

@@ -28,6 +28,7 @@ SwingPlot* PlotTabs::make(int tab)
     connect(plot, &SwingPlot::rowSelected, this, &PlotTabs::rowSelected);
     connect(plot, &SwingPlot::readOut, this, &PlotTabs::readOut);
     connect(plot, &SwingPlot::failed, this, &PlotTabs::failed);
+    connect(plot, &SwingPlot::leaves, this, &PlotTabs::leaves);
     return plot;
 }
 

@@ -27,6 +27,7 @@ signals:
     void rowSelected(int row);
     void readOut(const QString& text);
     void failed(const QString& message);
+    void leaves(); ///< as Plot::leaves()
 
 private:
     static constexpr int kPlots = 4;

@@ -19,6 +19,8 @@ ReadingsModel::ReadingsModel(SwingEditor& editor, QObject* parent) : QAbstractTa
     connect(&editor, &SwingEditor::opened, this, &ReadingsModel::reset);
     connect(&editor, &SwingEditor::closed, this, &ReadingsModel::reset);
     connect(&editor, &SwingEditor::changed, this, &ReadingsModel::sync);
+    connect(&editor, &SwingEditor::readingChanged, this, &ReadingsModel::syncRow);
+    connect(&editor, &SwingEditor::computed, this, &ReadingsModel::showResults);
     reset();
 }
 
@@ -48,6 +50,20 @@ void ReadingsModel::sync()
     });
     if (rowCount() > 0)
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+}
+
+void ReadingsModel::syncRow(int row)
+{
+    m_rows[static_cast<std::size_t>(row)] = m_editor.readings()[static_cast<std::size_t>(row)];
+    const bool same = m_decimals == std::exchange(m_decimals, decimalsFor(m_rows));
+    emit dataChanged(index(same ? row : 0, 0), index(same ? row : rowCount() - 1, columnCount() - 1));
+}
+
+void ReadingsModel::showResults()
+{
+    if (rowCount() > 0)
+        emit dataChanged(
+            index(0, static_cast<int>(ReadingColumn::Residual)), index(rowCount() - 1, static_cast<int>(ReadingColumn::State)));
 }
 
 void ReadingsModel::syncRows()

@@ -59,6 +59,8 @@ private:
     Result<void> put(const std::vector<Reading>& after, const QString& what);
     [[nodiscard]] std::string cellForSpreadsheet(int row, ReadingColumn column) const;
     void sync();
+    void syncRow(int row);
+    void showResults();
     void syncRows();
     void insertRowsAt(int position, const std::vector<Reading>& rows, int told);
     void adoptRejected(ReadingId id);

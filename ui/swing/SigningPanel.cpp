@@ -158,6 +158,10 @@ void SigningPanel::showState()
     const bool writable = !m_context.stores.readOnly();
     m_change->setText(state == SwingState::Draft ? tr("&Complete") : tr("Open a&gain"));
     m_change->setVisible(writable && state != SwingState::Signed);
+    for (QPushButton* button : {m_change, m_sign}) { // nobody puts a name to results that are not there yet
+        button->setEnabled(!m_editor.computing());
+        button->setToolTip(m_editor.computing() ? tr("The results are being computed") : QString());
+    }
     m_reason->setVisible(writable && state != SwingState::Draft);
     m_amend->setVisible(writable && state == SwingState::Signed);
     m_signRow->setVisible(writable && state != SwingState::Draft);
@@ -230,6 +234,8 @@ void SigningPanel::changeState()
 
 void SigningPanel::sign()
 {
+    if (m_editor.computing())
+        return;
     Signature signature;
     signature.role = static_cast<SignatureRole>(m_role->currentIndex());
     signature.name = m_name->text().trimmed().toStdString();

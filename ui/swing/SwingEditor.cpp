@@ -3,6 +3,7 @@
 #include <QUndoStack>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/angle/AngleText.h"
 #include "core/swing/Observations.h"
@@ -22,6 +23,9 @@ QString placeOf(const Reading& reading)
     return heading_deg ? toText(formatHeading(*heading_deg, AngleStyle::DecimalDegrees, 0)) : SwingEditor::tr("a new row");
 }
 
+/// More readings than this are computed on a worker: nobody types so many, and their results take longer than a keystroke may.
+constexpr std::size_t kComputedAtOnce = 2000;
+
 /// Nothing is wrong with what was typed: the place where it is kept has failed.
 bool isOfTheDrive(ErrorCode code)
 {
@@ -30,7 +34,24 @@ bool isOfTheDrive(ErrorCode code)
 
 } // namespace
 
-SwingEditor::SwingEditor(EditContext& context, QUndoStack& stack, QObject* parent) : QObject(parent), m_context(context), m_stack(stack)
+SwingEditor::SwingEditor(EditContext& context, QUndoStack& stack, QObject* parent)
+    : QObject(parent)
+    , m_context(context)
+    , m_stack(stack)
+    , m_worker(
+          [this](Result<Analysis> result) {
+              if (!m_computing) // a swing of few readings is shown since
+                  return;
+              take(std::move(result));
+              emit computed();
+          },
+          [this](int percent) { emit computingProgressed(percent); })
+    , m_previousWorker([this](Result<Analysis> result) {
+        if (!result || !std::exchange(m_previousComputing, false)) // of another swing's previous one
+            return;
+        m_previousAnalysis = std::make_shared<const Analysis>(std::move(result.value()));
+        emit computed();
+    })
 {
     connect(&context.stores.changes(), &db::Changes::swingChanged, this, &SwingEditor::onSwingChanged);
     // An aircraft's or a compass's particulars (its limits) are part of what is shown.
@@ -45,6 +66,7 @@ Result<void> SwingEditor::open(SwingId id)
     if (!record)
         return record.error();
     m_record = std::move(record.value());
+    m_analysis.reset();
     analyseRecord();
     analysePrevious();
     emit opened();
@@ -54,17 +76,40 @@ Result<void> SwingEditor::open(SwingId id)
 void SwingEditor::close()
 {
     m_record = {};
+    m_analysis.reset();
     analyseRecord();
     m_previous.reset();
     m_previousAnalysis.reset();
     emit closed();
 }
 
-void SwingEditor::onSwingChanged(SwingId id)
+void SwingEditor::onSwingChanged(SwingId id, ReadingId only)
 {
     if (!id.valid() || id != m_record.swing.id)
         return;
-    auto record = m_context.stores.swings.record(id);
+    if (!only.valid() || readings().size() <= kComputedAtOnce || !readAgain(only))
+        readAgain();
+}
+
+/// One row of a log, so that a keystroke does not read all. @return whether that was possible.
+bool SwingEditor::readAgain(ReadingId only)
+{
+    auto& rows = m_record.swing.readings;
+    const auto row = std::find_if(rows.begin(), rows.end(), [only](const Reading& reading) { return reading.id == only; });
+    auto stored = m_context.stores.swings.reading(id(), only);
+    if (row == rows.end() || !stored)
+        return false;
+    if (*row == *stored)
+        return true;
+    *row = std::move(stored.value());
+    analyseRecord();
+    emit readingChanged(static_cast<int>(row - rows.begin()));
+    return true;
+}
+
+void SwingEditor::readAgain()
+{
+    auto record = m_context.stores.swings.record(id());
     if (!record) {
         if (record.error().code != ErrorCode::NotFound)
             m_context.failed(record.error());
@@ -84,20 +129,46 @@ void SwingEditor::onSwingChanged(SwingId id)
 void SwingEditor::analyseRecord()
 {
     m_used = usedReadings(m_record.swing);
+    auto question = m_context.stores.jobs.questionOf(m_record);
+    if (!question) {
+        take(question.error());
+        return;
+    }
+    if (question->readings.size() <= kComputedAtOnce) {
+        take(answerTo(*question));
+        return;
+    }
+    m_computing = true;
+    if (!m_analysis)
+        m_whyNoAnalysis = tr("it is being computed");
+    m_worker.start([question = std::move(question.value())](const Progress& progress) { return answerTo(question, progress); });
+}
+
+void SwingEditor::take(Result<Analysis> result)
+{
+    m_worker.cancel(); // of the readings before
+    m_computing = false;
     m_analysis.reset();
     m_whyNoAnalysis.clear();
-    auto result = m_context.stores.jobs.resultOf(m_record);
     if (result)
         m_analysis = std::make_shared<const Analysis>(std::move(result.value()));
     else
         m_whyNoAnalysis = toText(result.error().message);
 }
 
+void SwingEditor::settle()
+{
+    if (m_computing)
+        m_worker.finish();
+}
+
 void SwingEditor::analysePrevious()
 {
     m_previous.reset();
     m_previousAnalysis.reset();
-    auto previous = m_context.stores.swings.previous(id());
+    m_previousWorker.cancel();
+    m_previousComputing = false;
+    auto previous = m_context.stores.swings.previousRow(id());
     if (!previous) {
         m_context.failed(previous.error());
         return;
@@ -105,7 +176,13 @@ void SwingEditor::analysePrevious()
     m_previous = std::move(previous.value());
     if (!m_previous)
         return;
-    if (auto result = m_context.stores.jobs.resultOf(m_previous->id); result)
+    auto question = m_context.stores.jobs.questionOf(m_previous->id);
+    if (!question)
+        return;
+    m_previousComputing = question->readings.size() > kComputedAtOnce;
+    if (m_previousComputing)
+        m_previousWorker.start([question = std::move(question.value())](const Progress& progress) { return answerTo(question, progress); });
+    else if (auto result = answerTo(*question))
         m_previousAnalysis = std::make_shared<const Analysis>(std::move(result.value()));
 }
 
@@ -113,7 +190,13 @@ int SwingEditor::analysedIndex(int row) const
 {
     const auto found = std::lower_bound(m_used.begin(), m_used.end(), static_cast<std::size_t>(row));
     const bool used = row >= 0 && found != m_used.end() && *found == static_cast<std::size_t>(row);
-    return used ? static_cast<int>(found - m_used.begin()) : -1;
+    const int index = used ? static_cast<int>(found - m_used.begin()) : -1;
+    if (!m_computing || index < 0)
+        return index;
+    const auto place = static_cast<std::size_t>(index);
+    const Observation now = observationOf(m_record.swing, readings()[static_cast<std::size_t>(row)]);
+    const bool same = m_analysis && place < m_analysis->readings.size() && isOf(m_analysis->readings[place], now);
+    return same ? index : -1;
 }
 
 const AnalysedReading* SwingEditor::analysed(int row) const

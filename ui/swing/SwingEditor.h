@@ -1,6 +1,7 @@
 #pragma once
 /// The swing that is shown: its record as storage has it, its results, and the undoable verbs that change it.
-/// After every change the record is read back from storage: what is on screen is what is on disk.
+/// After every change the record is read back from storage: what is on screen is what is on disk. The results of a log are computed on a
+/// worker, and those of before stay until they are there.
 
 #include <QObject>
 
@@ -9,6 +10,7 @@
 
 #include "core/swing/Analysis.h"
 #include "ui/kit/EditContext.h"
+#include "ui/kit/Worker.h"
 
 class QUndoStack;
 class QUndoCommand;
@@ -28,14 +30,18 @@ public:
     [[nodiscard]] SwingId id() const { return m_record.swing.id; }
     [[nodiscard]] const SwingRecord& record() const { return m_record; }
     [[nodiscard]] const std::vector<Reading>& readings() const { return m_record.swing.readings; }
-    /// Null while the readings do not allow a result; whyNoAnalysis() then says why.
+    /// Null while the readings do not allow a result, or the first one is being computed; whyNoAnalysis() then says why.
+    /// While computing(): that of the readings before the last change. Nothing of it is printed or signed: settle() first.
     [[nodiscard]] const std::shared_ptr<const Analysis>& analysis() const { return m_analysis; }
+    [[nodiscard]] bool computing() const { return m_computing; }
+    /// Waits until the results are those of the readings.
+    void settle();
     [[nodiscard]] const QString& whyNoAnalysis() const { return m_whyNoAnalysis; }
     /// The results of one row; null when it is not used, or without analysis.
     [[nodiscard]] const AnalysedReading* analysed(int row) const;
-    /// The place of a row among the analysed readings, or −1.
+    /// The place of a row among the analysed readings, or −1; likewise where it was another reading when they were computed.
     [[nodiscard]] int analysedIndex(int row) const;
-    [[nodiscard]] const std::optional<Swing>& previous() const { return m_previous; }
+    [[nodiscard]] const std::optional<SwingRow>& previous() const { return m_previous; }
     [[nodiscard]] const std::shared_ptr<const Analysis>& previousAnalysis() const { return m_previousAnalysis; }
 
     /// Why nothing can be changed: signed, complete, or a database that can only be read. Empty: it can.
@@ -59,15 +65,21 @@ public:
     [[nodiscard]] const QString& failureMessage() const { return m_failure; }
 
 signals:
-    void opened();  ///< another swing is shown
-    void changed(); ///< the same swing, another record or other results
+    void opened();                ///< another swing is shown
+    void changed();               ///< the same swing, another record or other results
+    void readingChanged(int row); ///< changed() for one row of a log, where nothing else has
+    void computed();              ///< results are there that were being computed
+    void computingProgressed(int percent);
     void closed();
     /// A row that could not be stored because the drive or the database failed: to be kept elsewhere.
     void notStored(int row, const lubberline::Reading& wanted);
 
 private:
-    void onSwingChanged(SwingId id);
+    void onSwingChanged(SwingId id, ReadingId only = {});
+    void readAgain();
+    bool readAgain(ReadingId only);
     void analyseRecord();
+    void take(Result<Analysis> result);
     void analysePrevious();
     bool run(QUndoCommand* edit);
 
@@ -77,10 +89,13 @@ private:
     std::vector<std::size_t> m_used;
     std::shared_ptr<const Analysis> m_analysis;
     QString m_whyNoAnalysis;
-    std::optional<Swing> m_previous;
+    bool m_computing = false, m_previousComputing = false;
+    std::optional<SwingRow> m_previous;
     std::shared_ptr<const Analysis> m_previousAnalysis;
     QString m_failure;
     bool m_lost = false; ///< the last failure was of the drive, not of what was typed
+    Worker<Analysis> m_worker;
+    Worker<Analysis> m_previousWorker;
 };
 
 } // namespace lubberline::ui

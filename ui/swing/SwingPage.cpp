@@ -3,6 +3,7 @@
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSplitter>
 #include <QToolButton>
@@ -38,6 +39,7 @@ SwingPage::SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
     , m_coefficients(new CoefficientsPanel)
     , m_exclusion(new ExclusionPanel)
     , m_state(new QLabel)
+    , m_computing(new QProgressBar)
     , m_meaning(new QLabel)
     , m_readOnly(new QLabel)
     , m_showParticulars(new QToolButton)
@@ -98,7 +100,12 @@ void SwingPage::buildHeader()
     m_complete->setObjectName(QStringLiteral("completeButton"));
     m_readOnly->setObjectName(QStringLiteral("readOnlyReason"));
     m_readOnly->setWordWrap(true);
-    for (QWidget* tool : std::initializer_list<QWidget*>{m_state, m_showParticulars, m_showCard, m_complete, m_showSigning})
+    m_computing->setObjectName(QStringLiteral("computing"));
+    m_computing->setFormat(tr("computing %p %"));
+    m_computing->setMaximumWidth(fontMetrics().horizontalAdvance(m_computing->format()) * 2);
+    m_computing->setAccessibleName(tr("Computing the results"));
+    m_computing->hide();
+    for (QWidget* tool : std::initializer_list<QWidget*>{m_computing, m_state, m_showParticulars, m_showCard, m_complete, m_showSigning})
         head().addWidget(tool);
 }
 
@@ -148,6 +155,9 @@ void SwingPage::connectParts()
         m_table->scrollToTop();
     });
     connect(m_editor, &SwingEditor::changed, this, &SwingPage::showRecord);
+    connect(m_editor, &SwingEditor::readingChanged, this, &SwingPage::showRecord);
+    connect(m_editor, &SwingEditor::computed, this, &SwingPage::showRecord);
+    connect(m_editor, &SwingEditor::computingProgressed, m_computing, &QProgressBar::setValue);
     connect(m_editor, &SwingEditor::closed, this, &SwingPage::closed);
     connect(m_model, &QAbstractItemModel::dataChanged, this, &SwingPage::showMessageLine);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &SwingPage::onRowChanged);
@@ -158,6 +168,7 @@ void SwingPage::connectParts()
     connect(m_table, &ReadingsTable::done, this, &SwingPage::readOut);
     connect(m_table, &ReadingsTable::refused, this, &SwingPage::failed);
     connect(m_plots, &PlotTabs::readOut, this, &SwingPage::readOut);
+    connect(m_plots, &PlotTabs::leaves, m_editor, &SwingEditor::settle);
     connect(m_plots, &PlotTabs::failed, this, &SwingPage::failed);
     connect(
         m_exclusion, &ExclusionPanel::reasonGiven, m_editor, [this](int row, const QString& reason) { m_editor->exclude(row, reason); });
@@ -236,8 +247,10 @@ void SwingPage::showCardFigures()
     const auto standing = standingOf(m_context.stores, m_editor->record());
     if (!standing)
         emit failed(messageOf(standing.error()));
-    m_card->show(
-        m_editor->record(), m_editor->analysis(), m_editor->whyNoAnalysis(), standing && standing->holds, standing && standing->superseded);
+    const bool computing = m_editor->computing();
+    m_card->show(m_editor->record(), computing ? nullptr : m_editor->analysis(),
+        computing ? tr("The results are being computed") : m_editor->whyNoAnalysis(), standing && standing->holds,
+        standing && standing->superseded);
 }
 
 void SwingPage::openCard() { m_showCard->setChecked(true); }
@@ -261,7 +274,7 @@ void SwingPage::showRecord()
     m_complete->setText(record.swing.state == SwingState::Draft ? tr("Mark &complete") : tr("Open &again…"));
     m_complete->setEnabled(m_editor->particularsEditable());
     showResults();
-    if (m_signing)
+    if (m_signing && m_showSigning->isChecked())
         m_signing->show(m_meaning->text());
     emit stateChanged();
 }
@@ -273,21 +286,34 @@ void SwingPage::showResults()
     m_plots->setPicture(
         pictureOf(m_editor->record(), analysis, m_editor->whyNoAnalysis(), m_editor->previousAnalysis(), previousLabel, m_style));
     m_coefficients->show(analysis, m_editor->whyNoAnalysis());
+    const bool computing = m_editor->computing();
+    m_coefficients->setEnabled(!computing);
+    m_computing->setVisible(computing);
     if (m_card && m_showCard->isChecked())
         showCardFigures();
-    QString after;
-    if (const auto& index_deg = m_editor->record().swing.indexRemoved_deg)
-        after
-            = tr("After these readings A = %1° was taken out by turning the compass: plots, coefficients and card are as it stands since. ")
-                  .arg(signedNumber(*index_deg, 1));
-    m_meaning->setText(analysis ? after + meaningOf(*analysis, m_editor->record().limits, m_style)
-                                : tr("No result yet: %1.").arg(m_editor->whyNoAnalysis()));
+    m_meaning->setText(meaning());
     showMessageLine();
+}
+
+QString SwingPage::meaning() const
+{
+    const auto& analysis = m_editor->analysis();
+    if (!analysis)
+        return tr("No result yet: %1.").arg(m_editor->whyNoAnalysis());
+    QString words = meaningOf(*analysis, m_editor->record().limits, m_style);
+    if (const auto& index_deg = m_editor->record().swing.indexRemoved_deg)
+        words
+            = tr("After these readings A = %1° was taken out by turning the compass: plots, coefficients and card are as it stands since. ")
+                  .arg(signedNumber(*index_deg, 1))
+            + words;
+    return m_editor->computing() ? tr("Being computed anew; of the readings before the last change: %1").arg(words) : words;
 }
 
 QString SwingPage::suspicion() const
 {
     const auto& analysis = m_editor->analysis();
+    if (m_editor->computing())
+        return {};
     if (analysis && !analysis->slips.slips.empty()) {
         const int current = m_editor->analysedIndex(currentRow());
         if (current >= 0 && analysis->readings[static_cast<std::size_t>(current)].suspect)
@@ -394,6 +420,7 @@ void SwingPage::toggleComplete()
     if (!m_editor->particularsEditable())
         return;
     if (m_editor->record().swing.state == SwingState::Draft) {
+        m_editor->settle();
         m_editor->complete();
         return;
     }

@@ -9,6 +9,7 @@
 #include "ui/kit/Page.h"
 
 class QLabel;
+class QProgressBar;
 class QPushButton;
 class QSplitter;
 class QToolButton;
@@ -81,6 +82,7 @@ private:
     void connectParts();
     void showRecord();
     void showResults();
+    [[nodiscard]] QString meaning() const;
     void showMessageLine();
     [[nodiscard]] QString suspicion() const;
     void onRowChanged();
@@ -101,6 +103,7 @@ private:
     SigningPanel* m_signing = nullptr;         ///< likewise
     CardPanel* m_card = nullptr;               ///< likewise
     QLabel* m_state;
+    QProgressBar* m_computing; ///< in front while results of a log are computed
     QLabel* m_meaning;
     QLabel* m_readOnly;
     QToolButton* m_showParticulars;

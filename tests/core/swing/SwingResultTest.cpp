@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/swing/Observations.h"
+
 namespace lubberline {
 namespace {
 
@@ -65,6 +69,59 @@ TEST(SwingResult, aFilesDivisionIsThatOfItsFigures)
     EXPECT_EQ(divisionOf_deg(swingReading({{0, 359.9}, {90, 93.3}})), 0.1);
     EXPECT_EQ(divisionOf_deg(swingReading({{0, 1.0123456}, {90, 93.5}})), 0.01);
     EXPECT_EQ(divisionOf_deg({}), 1.0);
+}
+
+TEST(SwingResult, whatIsKeptBesideASwingIsOfItsResult)
+{
+    Swing swing = swingReading({{0, 2}, {40, 45}, {90, 94}, {130, 131}, {180, 179}, {225, 220}, {270, 263}, {315, 312}});
+    const auto readings = observationsOf(swing);
+    const auto analysis = analyse(readings);
+    const auto outline = outlineOf(readings);
+    ASSERT_TRUE(analysis && outline);
+    EXPECT_EQ(outline->approximate_rad, analysis->approximate.value);
+    EXPECT_EQ(outline->summary.maxAbsDeviation_rad, analysis->summary.maxAbsDeviation_rad);
+    EXPECT_EQ(outline->summary.spread_rad(), analysis->summary.spread_rad());
+    swing.readings.resize(2);
+    EXPECT_EQ(outlineOf(observationsOf(swing)).error().message, analyse(observationsOf(swing)).error().message);
+}
+
+TEST(SwingResult, anAnalysisThatIsNotWantedAnyMoreEnds)
+{
+    std::vector<Observation> log;
+    for (int i = 0; i < 3000; ++i)
+        log.push_back({MagneticHeading::fromDegrees(0.37 * i), CompassHeading::fromDegrees(0.37 * i + 3 * std::sin(0.1 * i))});
+    int asked = 0;
+    double last = 0;
+    const auto whole = analyse(log, {}, [&](double fraction) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        ++asked;
+        return true;
+    });
+    ASSERT_TRUE(whole);
+    EXPECT_GT(asked, 20);
+    for (const int until : {1, asked / 2, asked}) {
+        int told = 0;
+        const auto ended = analyse(log, {}, [&](double) { return ++told < until; });
+        ASSERT_FALSE(ended);
+        EXPECT_EQ(ended.error().code, ErrorCode::Cancelled);
+    }
+}
+
+TEST(SwingResult, afterACompensationOnlyDAndEAreAsBefore)
+{
+    const ApproximateSmith last{0.01, 0.12, -0.07, 0.03, -0.02};
+    Swing swing;
+    swing.stage = SwingStage::AsLeft;
+    const auto after = expectedAfter(last, SwingKind::Check, SwingStage::AsLeft, swing);
+    EXPECT_EQ(after.mean.B_rad, last.B_rad);
+    for (const auto& compensated : {expectedAfter(last, SwingKind::Check, SwingStage::AsFound, swing),
+             expectedAfter(last, SwingKind::Correction, SwingStage::AsLeft, swing)}) {
+        EXPECT_EQ(compensated.mean.B_rad, 0.0);
+        EXPECT_EQ(compensated.standardDeviation.B_rad, anyCurve().standardDeviation.B_rad);
+        EXPECT_EQ(compensated.mean.D_rad, last.D_rad);
+        EXPECT_EQ(compensated.standardDeviation.D_rad, after.standardDeviation.D_rad);
+    }
 }
 
 } // namespace

@@ -84,13 +84,15 @@ void Plot::exportInteractively(const QString& suggestion)
                                 : QString();
     if (path.isEmpty())
         return;
+    emit leaves();
     const Result<void> written = exportTo(path);
     if (!written)
         emit failed(messageOf(written.error()));
 }
 
-void Plot::copyToClipboard() const
+void Plot::copyToClipboard()
 {
+    emit leaves();
     const QSize size = this->size().expandedTo({400, 300});
     QImage image(2 * size, QImage::Format_RGB32); // sharp in a document
     image.setDevicePixelRatio(2);

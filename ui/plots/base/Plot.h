@@ -35,7 +35,7 @@ public:
     /// Asks the window that it stands in, then exportTo(); failures are told by failed(). Where no window asks, nothing happens.
     /// @param suggestion  of the file's name, without its ending; empty: the plot's name.
     void exportInteractively(const QString& suggestion = {});
-    void copyToClipboard() const;
+    void copyToClipboard();
 
     [[nodiscard]] QSize sizeHint() const override { return {560, 480}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {220, 200}; }
@@ -43,6 +43,7 @@ public:
 signals:
     void readOut(const QString& text); ///< what is under the pointer, with units; empty when it leaves
     void failed(const QString& message);
+    void leaves(); ///< it is about to be exported or copied as it is: whoever is still computing it finishes that now
 
 protected:
     /// Once, from the constructor: the chart becomes the plot's own.

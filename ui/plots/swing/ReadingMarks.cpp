@@ -14,6 +14,10 @@ namespace lubberline::ui {
 namespace {
 
 constexpr double kRadius = 3.5, kRing = 7.5, kHalo = 10, kCap = 3;
+/// More readings than this are a log: they would hide each other, and take longer to draw than a keystroke may. One in a cell of this
+/// side is drawn, without its bar; suspect, excluded and chosen ones always are.
+constexpr std::size_t kMostMarks = 1000;
+constexpr double kCell = 3;
 
 void paintBar(QPainter& painter, const QPointF& from, const QPointF& to)
 {
@@ -27,7 +31,29 @@ void paintBar(QPainter& painter, const QPointF& from, const QPointF& to)
     painter.drawLine(to - cap, to + cap);
 }
 
-void paintMark(QPainter& painter, const ReadingPoint& point, bool selected, const Projection& project, const PlotColours& colours)
+std::vector<const ReadingPoint*> marksOf(
+    const std::vector<ReadingPoint>& points, int selectedRow, const Projection& project, const QRectF& within)
+{
+    std::vector<const ReadingPoint*> marks;
+    const bool log = points.size() > kMostMarks;
+    const int columns = static_cast<int>(within.width() / kCell) + 1, rows = static_cast<int>(within.height() / kCell) + 1;
+    std::vector<bool> taken(log ? static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) : 0);
+    for (const ReadingPoint& point : points) {
+        if (log && !point.suspect && !point.excluded && point.row != selectedRow) {
+            const QPointF at = (project(point.heading_deg, point.value_deg) - within.topLeft()) / kCell;
+            if (at.x() < 0 || at.y() < 0 || at.x() >= columns || at.y() >= rows)
+                continue;
+            const auto cell = static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(at.x());
+            if (taken[cell])
+                continue;
+            taken[cell] = true;
+        }
+        marks.push_back(&point);
+    }
+    return marks;
+}
+
+void paintMark(QPainter& painter, const ReadingPoint& point, bool selected, bool bar, const Projection& project, const PlotColours& colours)
 {
     const QPointF at = project(point.heading_deg, point.value_deg);
     const QColor colour = point.excluded ? colours.faint : colours.readings;
@@ -37,7 +63,7 @@ void paintMark(QPainter& painter, const ReadingPoint& point, bool selected, cons
         painter.drawEllipse(at, kHalo, kHalo);
     }
     painter.setPen(QPen(colour, 1));
-    if (point.bar_deg > 0) {
+    if (bar && point.bar_deg > 0) {
         paintBar(painter, project(point.heading_deg, point.value_deg - point.bar_deg),
             project(point.heading_deg, point.value_deg + point.bar_deg));
     }
@@ -71,28 +97,28 @@ QRectF freePlace(const QPointF& at, const QSizeF& size, const QRectF& within, co
     return place;
 }
 
-void paintLabels(QPainter& painter, const std::vector<ReadingPoint>& points, const Projection& project, const LabelRoom& room,
+void paintLabels(QPainter& painter, const std::vector<const ReadingPoint*>& marks, const Projection& project, const LabelRoom& room,
     const PlotColours& colours, const QFont& font)
 {
     std::vector<QRectF> taken = room.taken;
-    for (const ReadingPoint& point : points) {
-        const QPointF at = project(point.heading_deg, point.value_deg);
-        const double clear = point.suspect ? kRing + 1 : kRadius + 1;
+    for (const ReadingPoint* point : marks) {
+        const QPointF at = project(point->heading_deg, point->value_deg);
+        const double clear = point->suspect ? kRing + 1 : kRadius + 1;
         taken.emplace_back(at.x() - clear, at.y() - clear, 2 * clear, 2 * clear);
     }
     painter.setFont(font);
     const QFontMetricsF metrics(font);
-    for (const ReadingPoint& point : points) {
-        const QPointF at = project(point.heading_deg, point.value_deg);
-        if (!point.suspect || point.label.isEmpty() || !room.within.contains(at))
+    for (const ReadingPoint* point : marks) {
+        const QPointF at = project(point->heading_deg, point->value_deg);
+        if (!point->suspect || point->label.isEmpty() || !room.within.contains(at))
             continue;
-        const QSizeF size(metrics.horizontalAdvance(point.label) + 6, metrics.height());
+        const QSizeF size(metrics.horizontalAdvance(point->label) + 6, metrics.height());
         const QRectF place = freePlace(at, size, room.within, taken);
         painter.setPen(Qt::NoPen);
         painter.setBrush(colours.ground);
         painter.drawRoundedRect(place, 3, 3);
         painter.setPen(colours.text);
-        painter.drawText(place, Qt::AlignCenter | Qt::TextSingleLine, point.label);
+        painter.drawText(place, Qt::AlignCenter | Qt::TextSingleLine, point->label);
         taken.push_back(place);
     }
 }
@@ -115,9 +141,10 @@ void paintReadings(QPainter& painter, const std::vector<ReadingPoint>& points, i
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    for (const ReadingPoint& point : points)
-        paintMark(painter, point, point.row == selectedRow, project, colours);
-    paintLabels(painter, points, project, room, colours, font);
+    const auto marks = marksOf(points, selectedRow, project, room.within);
+    for (const ReadingPoint* point : marks)
+        paintMark(painter, *point, point->row == selectedRow, points.size() <= kMostMarks, project, colours);
+    paintLabels(painter, marks, project, room, colours, font);
     painter.restore();
 }
 

@@ -25,6 +25,7 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kLeastLastOrder = 12; ///< hatched up to here when the headings resolve fewer
+constexpr int kMostOrders = 60;     ///< drawn: of a log there are thousands, and higher ones say nothing of a compass
 
 /// Whole orders only, with "A", "B/C", "D/E" beneath.
 class OrderScaleDraw : public CentredScaleDraw {
@@ -63,7 +64,7 @@ public:
 
 int lastOrder(const Harmonics& harmonics)
 {
-    const int found = static_cast<int>(harmonics.orders.size()) - 1;
+    const int found = std::min(static_cast<int>(harmonics.orders.size()) - 1, kMostOrders);
     if (found < harmonics.highestResolvable)
         return found; // cut short on request: what follows is neither drawn nor called unresolved
     return std::max(found, kLeastLastOrder);
@@ -73,7 +74,8 @@ std::vector<SpectrumBar> barsOf(const Harmonics& harmonics)
 {
     std::vector<SpectrumBar> bars;
     for (const HarmonicOrder& order : harmonics.orders)
-        bars.push_back({order.order, toDegrees(order.amplitude_rad()), order.nyquist});
+        if (order.order <= kMostOrders)
+            bars.push_back({order.order, toDegrees(order.amplitude_rad()), order.nyquist});
     return bars;
 }
 
