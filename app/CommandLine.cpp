@@ -64,6 +64,7 @@ int runCommandLine(int argc, char** argv)
     addField(app, invocation);
     addSmith(app, invocation);
     addSimulate(app, invocation);
+    addCompensator(app, invocation);
     addMap(app, invocation);
     addPredict(app, invocation);
     addSeparate(app, invocation);

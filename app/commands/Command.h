@@ -53,6 +53,7 @@ void addAlignment(CLI::App& app, Invocation& invocation);
 void addGrid(CLI::App& app, Invocation& invocation);
 void addPredict(CLI::App& app, Invocation& invocation);
 void addSeparate(CLI::App& app, Invocation& invocation);
+void addCompensator(CLI::App& app, Invocation& invocation);
 void addSimulate(CLI::App& app, Invocation& invocation);
 void addReport(CLI::App& app, Invocation& invocation);
 void addImport(CLI::App& app, Invocation& invocation);

@@ -4,12 +4,15 @@
 
 #include "app/Console.h"
 #include "app/Outputs.h"
+#include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
 #include "core/format/reference/ReferenceJson.h"
 #include "core/format/reference/ScenarioJson.h"
 #include "core/reference/LevellingLoop.h"
+#include "ui/plots/base/PlotFile.h"
+#include "ui/plots/reference/TimePicture.h"
 
 namespace lubberline::app {
 
@@ -57,6 +60,31 @@ void printTable(const Scenario& scenario, const ReferenceRun& run)
         std::printf("slaving: standoff %+.4f deg\n", toDegrees(*run.slavingStandoff_rad));
 }
 
+/// Error and shares against time above, the loops' gains beneath.
+Result<void> writePicture(const Output& output, const Scenario& scenario, const ReferenceRun& run)
+{
+    const auto session = makeDrawingSession();
+    const auto time = ui::timeDrawing(std::make_shared<const ui::TimePicture>(ui::pictureOf(run)));
+    const bool loops = scenario.vertical || (scenario.gyro && scenario.gyro->slavingTau_s);
+    const auto paint = [&](QPainter& painter, const QRectF& target) {
+        const double height = loops ? 0.6 * target.height() : target.height();
+        ui::renderDrawn(painter, QRectF(target.left(), target.top(), target.width(), height), time);
+        if (loops)
+            ui::renderDrawn(
+                painter, QRectF(target.left(), target.top() + height, target.width(), target.height() - height), ui::gainDrawing(scenario));
+    };
+    return ui::writePlotFile(QString::fromStdString(output.path), {900, loops ? 900 : 540}, QStringLiteral("Heading references in flight"),
+        paint, QString::fromStdString(output.kind.substr(1)));
+}
+
+Result<void> writeRun(const ReferenceArguments& options, const Scenario& scenario, const ReferenceRun& run)
+{
+    if (options.output.kind != ".csv" && options.output.kind != ".json")
+        return writePicture(options.output, scenario, run);
+    return writeWholeFile(
+        options.output.path, options.output.kind == ".csv" ? toCsv(run, options.every) : toJson(scenario, run, options.every) + "\n");
+}
+
 int referenceCommand(const ReferenceArguments& options)
 {
     const auto scenario = readScenarioFile(options.scenario);
@@ -68,8 +96,7 @@ int referenceCommand(const ReferenceArguments& options)
     if (!options.json)
         warn(run->warnings);
     if (!options.output.empty()) {
-        const auto text = options.output.kind == ".csv" ? toCsv(*run, options.every) : toJson(*scenario, *run, options.every) + "\n";
-        if (const auto written = writeWholeFile(options.output.path, text); !written)
+        if (const auto written = writeRun(options, *scenario, *run); !written)
             return fail(written.error());
         sayWritten(options.output);
     }
@@ -92,7 +119,8 @@ void addReference(CLI::App& app, Invocation& invocation)
     command->add_option("--every", options->every, "write only each of so many steps, and the last")
         ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}));
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".csv", ".json"})->excludes(json);
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".csv", ".json", ".png", ".svg", ".pdf"})
+        ->excludes(json);
     command->callback([options, &invocation] { invocation.action = [options] { return referenceCommand(*options); }; });
 }
 

@@ -207,4 +207,19 @@ Message inWords(const PairVerdict& verdict)
     return {MARKED("core", "neither compass moved (%1 %)"), percent(probability)};
 }
 
+Message whySwing(const PairVerdict& verdict, const std::string& first, const std::string& second)
+{
+    const double moved = 1 - verdict.probability[static_cast<std::size_t>(Moved::Neither)];
+    if (moved < kNamedFrom)
+        return {};
+    const std::string percent = figureText(100 * std::min(moved, 0.99), 0);
+    const Moved which = verdict.named.value_or(Moved::Neither);
+    if (which == Moved::First || which == Moved::Second)
+        return {MARKED("core", "read beside %1, the compass %2 no longer holds its card (%3 %)"), which == Moved::First ? second : first,
+            which == Moved::First ? first : second, percent};
+    if (which == Moved::Both)
+        return {MARKED("core", "read together, neither %1 nor %2 holds its card (%3 %)"), first, second, percent};
+    return {MARKED("core", "read together, one of %1 and %2 no longer holds its card, not told which (%3 %)"), first, second, percent};
+}
+
 } // namespace lubberline

@@ -37,4 +37,8 @@ Result<PairVerdict> compareCompasses(
 
 [[nodiscard]] Message inWords(const PairVerdict& verdict);
 
+/// Why a compass of that aircraft is to be swung, with its name: that which moved, or that one of both did. Empty: both hold, or nothing
+/// is sure enough to make a swing due.
+[[nodiscard]] Message whySwing(const PairVerdict& verdict, const std::string& first, const std::string& second);
+
 } // namespace lubberline

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <map>
 
 #include "core/base/Number.h"
 
 namespace lubberline {
 
 bool needsSun(DatumKind kind) { return kind == DatumKind::ShadowPin; }
+
+bool takesSun(DatumKind kind) { return needsSun(kind) || kind == DatumKind::Astrocompass; }
 
 TrueHeading headingBySun(const SunPosition& sun, double bearing_deg, bool ofShadow)
 {
@@ -26,9 +30,10 @@ Result<SunHeading> sunHeading(const DatumInstrument& instrument, const RawFigure
     trueOne.givesTrue = true;
     trueOne.ahead = SightingDirection::Direct;
     RawFigures headings = raw;
-    for (auto* figures : {&headings.datum_deg, &headings.astern_deg})
-        for (double& figure : *figures)
-            figure = headingBySun(sun, figure, true).degrees();
+    if (needsSun(instrument.kind)) // an astrocompass shows the heading itself
+        for (auto* figures : {&headings.datum_deg, &headings.astern_deg})
+            for (double& figure : *figures)
+                figure = headingBySun(sun, figure, true).degrees();
     auto heading = datumHeading(trueOne, headings, variation);
     if (!heading)
         return heading.error();
@@ -55,6 +60,35 @@ Message hourDoubt(const Place& place, std::span<const UtcTime> times, double A_d
                 signedFigureText(A_deg, 1), signedFigureText(hour, 1)};
     }
     return {};
+}
+
+Message hourDoubt(const SwingJob& job, const JobState& state, const Place& place)
+{
+    if (!takesSun(job.datum.kind))
+        return {};
+    std::map<int, UtcTime> taken; // the last of a station counts
+    for (const JobEvent& event : job.events)
+        if (const auto* reading = std::get_if<job::ReadingTaken>(&event.what))
+            if (const auto time = readUtcTime(event.timeUtc))
+                taken[reading->station] = *time;
+    std::vector<UtcTime> times;
+    std::complex<double> around;
+    double first_deg = 0, sum_deg = 0;
+    for (const auto& [station, time] : taken) {
+        const auto& reading = state.stations[static_cast<std::size_t>(station)].reading;
+        if (!reading)
+            continue;
+        const double deviation = deviationOf(reading->magnetic, reading->compass).degrees();
+        if (times.empty())
+            first_deg = deviation;
+        sum_deg += wrap180(deviation - first_deg);
+        around += std::polar(1.0, toRadians(reading->compass.degrees()));
+        times.push_back(time);
+    }
+    const auto count = static_cast<double>(times.size());
+    if (times.size() < 4 || std::abs(around) > 0.3 * count) // else B or C stands in the mean
+        return {};
+    return hourDoubt(place, times, wrap180(first_deg + sum_deg / count));
 }
 
 } // namespace lubberline

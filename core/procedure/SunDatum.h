@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/procedure/DatumHeading.h"
+#include "core/procedure/JobState.h"
 #include "core/reference/Sun.h"
 
 namespace lubberline {
@@ -14,7 +15,10 @@ namespace lubberline {
 /// heading = azimuth of the sun − its bearing from the nose (clockwise); that of a shadow less 180°.
 [[nodiscard]] TrueHeading headingBySun(const SunPosition& sun, double bearing_deg, bool ofShadow);
 
-/// Of the figures of a shadow pin at one place and time: the magnetic heading, uncertain by the sun's own error, too
+/// Whether the sun is behind its figures: a shadow pin, or an astrocompass, which is set for place and time and shows true headings.
+[[nodiscard]] bool takesSun(DatumKind kind);
+
+/// Of the figures of a shadow pin or an astrocompass at one place and time: the magnetic heading, uncertain by the sun's own error, too
 /// (core/reference/Sun.h). The instrument's zero is added to the heading, not to the bearing.
 /// Errors: those of datumHeading(); InvalidInput: no variation; the sun is below the horizon.
 struct SunHeading {
@@ -28,5 +32,7 @@ Result<SunHeading> sunHeading(const DatumInstrument& instrument, const RawFigure
 [[nodiscard]] double hourInA_deg(const Place& place, std::span<const UtcTime> times, int hours = 1);
 /// Says so where an A looks like daylight saving; else empty.
 [[nodiscard]] Message hourDoubt(const Place& place, std::span<const UtcTime> times, double A_deg);
+/// The same of a guided swing by the sun as soon as four of its readings or more, all around, tell an A; empty before, and by another datum.
+[[nodiscard]] Message hourDoubt(const SwingJob& job, const JobState& state, const Place& place);
 
 } // namespace lubberline

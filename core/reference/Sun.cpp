@@ -58,7 +58,7 @@ Equatorial apparentSun(double days)
 }
 
 struct Horizontal {
-    double azimuth_deg = 0, elevation_deg = 0, declination_deg = 0;
+    double azimuth_deg = 0, elevation_deg = 0, declination_deg = 0, hourAngle_deg = 0;
 };
 
 Horizontal seenFrom(const Place& place, double days)
@@ -73,7 +73,8 @@ Horizontal seenFrom(const Place& place, double days)
         = sine(sun.declination_deg) * cosine(place.latitude_deg) - cosine(sun.declination_deg) * sine(place.latitude_deg) * cosine(hour);
     const double up
         = sine(sun.declination_deg) * sine(place.latitude_deg) + cosine(sun.declination_deg) * cosine(place.latitude_deg) * cosine(hour);
-    return {wrap360(toDegrees(std::atan2(east, north))), toDegrees(std::atan2(up, std::hypot(east, north))), sun.declination_deg};
+    return {wrap360(toDegrees(std::atan2(east, north))), toDegrees(std::atan2(up, std::hypot(east, north))), sun.declination_deg,
+        wrap360(hour)};
 }
 
 } // namespace
@@ -82,7 +83,7 @@ SunPosition sunAt(const Place& place, UtcTime time)
 {
     const double days = daysSince2000(time), half_min = 0.5 / 1440;
     const Horizontal sun = seenFrom(place, days);
-    SunPosition position{sun.azimuth_deg, sun.elevation_deg, sun.declination_deg, 0, 0};
+    SunPosition position{sun.azimuth_deg, sun.elevation_deg, sun.declination_deg, sun.hourAngle_deg, 0, 0};
     position.azimuthRate_deg_min = wrap180(seenFrom(place, days + half_min).azimuth_deg - seenFrom(place, days - half_min).azimuth_deg);
     if (sun.elevation_deg > 0)
         position.shadowRatio = 1 / std::tan(toRadians(sun.elevation_deg));

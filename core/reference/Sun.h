@@ -13,6 +13,7 @@ struct SunPosition {
     double azimuth_deg = 0;   ///< true, [0, 360)
     double elevation_deg = 0; ///< of its centre, without refraction
     double declination_deg = 0;
+    double hourAngle_deg = 0;       ///< local, west of the meridian positive, [0, 360): what an astrocompass is set to
     double azimuthRate_deg_min = 0; ///< what a minute of the clock is worth
     double shadowRatio = 0;         ///< length of a shadow over the height of its pin; 0: there is none
 };

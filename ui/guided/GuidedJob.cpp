@@ -1,8 +1,5 @@
 #include "ui/guided/GuidedJob.h"
 
-#include "core/procedure/Plan.h"
-#include "core/procedure/SunDatum.h"
-
 #include <QRegularExpression>
 
 #include <cmath>
@@ -10,8 +7,11 @@
 #include "core/angle/AngleText.h"
 #include "core/base/Number.h"
 #include "core/deviation/SlipWords.h"
+#include "core/procedure/Plan.h"
+#include "core/procedure/SunDatum.h"
 #include "core/swing/SwingResult.h"
 #include "ui/guided/GuidedWords.h"
+#include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/text/Translated.h"
 
@@ -83,21 +83,47 @@ Result<void> GuidedJob::tell(job::What what)
 
 std::string GuidedJob::Prepared::keptNote() const { return keptAsRead(judgement) + (note.empty() ? std::string() : "; " + note.english()); }
 
+std::optional<Place> GuidedJob::placeOfSun() const
+{
+    const auto& site = m_record.site;
+    if (!site || !site->latitude_deg || !site->longitude_deg)
+        return {};
+    return Place{*site->latitude_deg, *site->longitude_deg, 0};
+}
+
+Message GuidedJob::clockDoubt() const
+{
+    const auto place = placeOfSun();
+    return place ? hourDoubt(m_job, m_state, *place) : Message{};
+}
+
+QString GuidedJob::astroSetting() const
+{
+    const auto place = placeOfSun();
+    const auto time = readUtcTime(m_services.nowUtc());
+    if (datum().kind != DatumKind::Astrocompass || !place || !time)
+        return {};
+    const SunPosition sun = sunAt(*place, *time);
+    return tr("Set the astrocompass for %1 UTC: latitude %2°, declination %3°, local hour angle %4°.")
+        .arg(toText(m_services.nowUtc().substr(11, 5)), signedNumber(place->latitude_deg, 1), signedNumber(sun.declination_deg, 1),
+            plainNumber(sun.hourAngle_deg, 1));
+}
+
 /// By the sun it takes the base's place and the time of now.
 Result<DatumHeading> GuidedJob::headingOf(const RawFigures& raw, Message& note) const
 {
     const auto& stated = m_job.particulars.variation_deg;
     const auto variation = stated ? std::optional(Variation::fromDegrees(*stated)) : std::nullopt;
-    if (!needsSun(datum().kind))
+    const auto place = placeOfSun();
+    if (!takesSun(datum().kind) || (!place && !needsSun(datum().kind)))
         return datumHeading(datum(), raw, variation);
-    const auto& site = m_record.site;
-    if (!site || !site->latitude_deg || !site->longitude_deg)
+    if (!place)
         return Error{ErrorCode::InvalidInput,
             said(tr("the sun tells a heading where the place is known; give the base its latitude and longitude"))};
     const auto time = readUtcTime(m_services.nowUtc());
     if (!time)
         return time.error();
-    auto heading = sunHeading(datum(), raw, {*site->latitude_deg, *site->longitude_deg, 0}, *time, variation);
+    auto heading = sunHeading(datum(), raw, *place, *time, variation);
     if (!heading)
         return heading.error();
     for (const Message& warning : heading->warnings)

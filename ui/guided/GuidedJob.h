@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/deviation/SlipCheck.h"
+#include "core/earth/EarthField.h"
 #include "core/procedure/DatumHeading.h"
 #include "core/procedure/JobState.h"
 #include "core/record/Fleet.h"
@@ -74,10 +75,16 @@ public:
     /// The swing as it is so far, for the live plot: the check swing once it has begun, as found before.
     [[nodiscard]] SwingPicture picture() const;
 
+    /// By the sun: that the clock seems an hour wrong; empty: it does not, or nothing tells it.
+    [[nodiscard]] Message clockDoubt() const;
+    /// What an astrocompass is set to now; empty for another datum, or where the base's place is not known.
+    [[nodiscard]] QString astroSetting() const;
+
 signals:
     void changed();
 
 private:
+    [[nodiscard]] std::optional<Place> placeOfSun() const;
     [[nodiscard]] Result<DatumHeading> headingOf(const RawFigures& raw, Message& note) const;
 
     GuidedServices m_services;

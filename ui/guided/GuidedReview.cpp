@@ -131,6 +131,8 @@ void GuidedReview::refresh()
         notes += skipped;
     for (const auto& note : state.notes)
         notes += toText(note);
+    if (const Message doubt = m_job.clockDoubt(); !doubt.empty())
+        notes += toText(doubt);
     m_notes->setText(notes.join('\n'));
     m_notes->setVisible(!notes.isEmpty());
     const bool accepted = state.phase == JobPhase::Card;

@@ -181,6 +181,10 @@ void GuidedStation::showReading(const StationState& station)
     m_asternTitle->setVisible(both);
     if (m_job.datum().kind == DatumKind::RoseLine && m_datum->text().isEmpty())
         m_datum->setText(figureText(station.station.nominal_deg)); // the aircraft is set on the line
+    if (const Message doubt = m_job.clockDoubt(); !doubt.empty())
+        say(toText(doubt), true);
+    else if (m_message->text().isEmpty())
+        say(m_job.astroSetting());
     if (station.voided)
         say(tr("The reading of before is void: a control was turned since. Read it again."), true);
 }

@@ -47,6 +47,7 @@ ComparePage::ComparePage(db::Stores& stores, FileQuestions files, QWidget* paren
     , m_table(pairTable())
     , m_answer(new QLabel)
     , m_figures(new QLabel)
+    , m_due(new QPushButton(tr("Make a swing &due")))
 {
     setObjectName(QStringLiteral("comparePage"));
     build();
@@ -77,6 +78,14 @@ void ComparePage::build()
     body().addWidget(m_table, 1);
     body().addWidget(m_answer);
     body().addWidget(m_figures);
+    m_due->setObjectName(QStringLiteral("compareDue"));
+    m_due->setToolTip(tr("Notes the finding among the events of the aircraft: the due list names it as a reason until a swing is signed"));
+    m_due->setEnabled(false);
+    auto* below = new QHBoxLayout;
+    below->addStretch(1);
+    below->addWidget(m_due);
+    body().addLayout(below);
+    connect(m_due, &QPushButton::clicked, this, &ComparePage::makeDue);
     connect(m_second, &QComboBox::activated, this, &ComparePage::chooseSecond);
     connect(load, &QPushButton::clicked, this, &ComparePage::load);
     connect(m_table, &QTableWidget::cellChanged, this, &ComparePage::judge);
@@ -204,6 +213,7 @@ void ComparePage::judge()
     if (m_showing)
         return;
     m_verdict.reset();
+    m_due->setEnabled(false);
     m_figures->clear();
     const auto typed = pairs();
     if (!typed) {
@@ -221,6 +231,8 @@ void ComparePage::judge()
     m_verdict = std::move(*verdict);
     const QString words = toText(inWords(*m_verdict));
     m_answer->setText(words.left(1).toUpper() + words.mid(1) + QLatin1Char('.'));
+    m_due->setEnabled(m_aircraft.id.valid() && !m_stores.readOnly()
+        && !whySwing(*m_verdict, m_first.name, m_second->currentText().toStdString()).empty());
     QStringList coefficients, warnings;
     for (std::size_t c = 0; c < kCoefficientCount; ++c)
         coefficients.append(QStringLiteral("%1 %2° ± %3°")
@@ -232,6 +244,20 @@ void ComparePage::judge()
     for (const Message& warning : m_verdict->warnings)
         warnings.append(toText(warning));
     say(warnings.join(QLatin1Char('\n')));
+}
+
+void ComparePage::makeDue()
+{
+    Event event;
+    event.aircraft = m_aircraft.id;
+    event.date = m_stores.clock().today();
+    event.cause = DueCause::AccuracySuspected;
+    event.kind = whySwing(*m_verdict, m_first.name, m_second->currentText().toStdString()).english(); // stored: the same in every language
+    m_due->setEnabled(false);                                                                         // once
+    if (const auto stored = m_stores.fleet.add(event); !stored)
+        emit failed(messageOf(stored.error()));
+    else
+        emit readOut(tr("Noted among the events of %1; the due list names it.").arg(toText(m_aircraft.registration)));
 }
 
 void ComparePage::writeReport()

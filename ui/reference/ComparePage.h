@@ -7,6 +7,7 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 class QTableWidget;
 
 namespace lubberline::db {
@@ -29,6 +30,7 @@ public:
     [[nodiscard]] const std::optional<PairVerdict>& verdict() const { return m_verdict; }
     void load();
     void writeReport();
+    void makeDue(); ///< an event of the aircraft, which makes a swing due until one is signed or somebody answers for not swinging
 
 private:
     void build();
@@ -48,6 +50,7 @@ private:
     QComboBox* m_second;
     QTableWidget* m_table;
     QLabel *m_answer, *m_figures;
+    QPushButton* m_due;
     bool m_showing = false;
 };
 

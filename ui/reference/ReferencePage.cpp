@@ -7,7 +7,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSlider>
-#include <QSplitter>
 #include <QTableWidget>
 
 #include <algorithm>
@@ -19,6 +18,8 @@
 #include "core/format/reference/ScenarioJson.h"
 #include "core/reference/LevellingLoop.h"
 #include "ui/kit/Words.h"
+#include "ui/plots/drawn/DrawnPlot.h"
+#include "ui/reference/ManoeuvreLine.h"
 #include "ui/reference/Painted.h"
 #include "ui/report/forms/ReferenceSheet.h"
 
@@ -61,9 +62,10 @@ ReferencePage::ReferencePage(FileQuestions files, QWidget* parent)
     , m_loop(new QComboBox)
     , m_compass(new QComboBox)
     , m_table(new QTableWidget)
-    , m_time(new Painted({420, 220}))
-    , m_gain(new Painted({240, 170}))
-    , m_dials(new Painted({300, 170}))
+    , m_time(new DrawnPlot(tr("Heading error"), {420, 200}))
+    , m_gain(new DrawnPlot(tr("Gain"), {240, 150}))
+    , m_line(new ManoeuvreLine)
+    , m_dials(new Painted({280, 150}))
     , m_film(new QPushButton(tr("&Film")))
     , m_worker([this](Result<ReferenceRun> run) { take(std::move(run)); })
 {
@@ -140,6 +142,18 @@ QWidget* ReferencePage::buildControls()
                     if (one.turnRate_deg_s != 0)
                         one.turnRate_deg_s = std::copysign(std::clamp(rate, 0.01, 30.0), one.turnRate_deg_s);
             }});
+    addKnob(*form, tr("G&usts:"), "referenceGusts",
+        {nullptr, nullptr, 0, 3, false, QStringLiteral("m/s²"), [](const Scenario& s) { return s.gusts ? s.gusts->rms_m_s2 : 0.0; },
+            [](Scenario& s, double value) {
+                if (!s.gusts)
+                    s.gusts = Gusts{};
+                s.gusts->rms_m_s2 = value;
+                if (value == 0)
+                    s.gusts.reset();
+            }});
+    addKnob(*form, tr("Du&ration:"), "referenceDuration",
+        {nullptr, nullptr, 60, 7200, true, QStringLiteral("s"), [](const Scenario& s) { return s.duration_s; },
+            [](Scenario& s, double value) { s.duration_s = std::round(value); }});
     m_compass->setObjectName(QStringLiteral("referenceCompass"));
     m_compass->addItems({tr("needle"), tr("flux valve"), tr("flux valve, slaved gyro")});
     form->addRow(tr("&Compass:"), m_compass);
@@ -169,8 +183,8 @@ void ReferencePage::build()
     head().addWidget(m_film);
     connect(load, &QPushButton::clicked, this, &ReferencePage::load);
     connect(m_film, &QPushButton::toggled, this, [this](bool on) {
-        if (on && m_picture.at_s >= (m_picture.time_s.empty() ? 0 : m_picture.time_s.back()))
-            m_picture.at_s = 0;
+        if (on && m_picture->at_s >= (m_picture->time_s.empty() ? 0 : m_picture->time_s.back()))
+            m_picture->at_s = 0;
         on ? m_clock.start(kFrame_ms) : m_clock.stop();
     });
     connect(&m_clock, &QTimer::timeout, this, &ReferencePage::showFrame);
@@ -183,14 +197,23 @@ void ReferencePage::build()
     below->addWidget(m_gain, 1);
     below->addWidget(m_dials, 1);
     auto* right = new QVBoxLayout;
-    right->addWidget(m_time, 2);
-    right->addLayout(below, 1);
+    right->addWidget(m_time, 3);
+    right->addWidget(m_line);
+    right->addLayout(below, 2);
+    m_time->setObjectName(QStringLiteral("referenceTime"));
+    m_gain->setObjectName(QStringLiteral("referenceGain"));
+    follow(*m_time);
+    follow(*m_gain);
+    connect(m_line, &ManoeuvreLine::drawn, this, &ReferencePage::takeManoeuvres);
+    connect(m_line, &ManoeuvreLine::readOut, this, &Page::readOut);
     auto* across = new QHBoxLayout;
     across->addWidget(scroll);
     across->addLayout(right, 1);
     body().addLayout(across, 1);
     setFocusProxy(m_loop);
 }
+
+Plot* ReferencePage::plot() const { return m_gain->hasFocus() ? m_gain : m_time; }
 
 void ReferencePage::showScenario(const Scenario& scenario)
 {
@@ -211,6 +234,7 @@ void ReferencePage::showControls()
         knob.slider->setValue(static_cast<int>(std::lround(part * kSliderSteps)));
         knob.value->setText(QStringLiteral("%1 %2").arg(plainNumber(value, value < 10 ? 1 : 0), knob.unit));
     }
+    m_line->show(m_scenario.manoeuvres, m_scenario.duration_s);
     m_table->setRowCount(static_cast<int>(m_scenario.manoeuvres.size()) + 1);
     for (int row = 0; row < m_table->rowCount(); ++row)
         for (int column = 0; column < 5; ++column)
@@ -277,6 +301,11 @@ void ReferencePage::takeTable()
         if (any)
             manoeuvres.push_back({figures[0], figures[1], figures[2], figures[3], figures[4]});
     }
+    takeManoeuvres(std::move(manoeuvres));
+}
+
+void ReferencePage::takeManoeuvres(std::vector<Manoeuvre> manoeuvres)
+{
     Scenario changed = m_scenario;
     changed.manoeuvres = std::move(manoeuvres);
     if (const auto fine = checkScenario(changed); !fine) {
@@ -302,10 +331,10 @@ void ReferencePage::take(Result<ReferenceRun> run)
             refuse(messageOf(run.error()));
         return;
     }
-    const double at_s = m_picture.at_s;
+    const double at_s = m_picture->at_s;
     m_run = std::move(run.value());
-    m_picture = pictureOf(*m_run);
-    m_picture.at_s = std::min(at_s, m_run->time_s.back());
+    *m_picture = pictureOf(*m_run);
+    m_picture->at_s = std::min(at_s, m_run->time_s.back());
     QStringList sentences;
     for (const Message& warning : m_run->warnings)
         sentences.append(toText(warning));
@@ -323,17 +352,12 @@ void ReferencePage::take(Result<ReferenceRun> run)
 
 void ReferencePage::showPictures()
 {
-    m_time->setPaint(
-        [this](QPainter& painter, const QRectF& rect, const PlotColours& colours) { paintTimePicture(painter, rect, m_picture, colours); });
-    m_gain->setVisible(m_scenario.vertical.has_value());
-    m_gain->setPaint([this](QPainter& painter, const QRectF& rect, const PlotColours& colours) {
-        if (m_scenario.vertical)
-            paintGain(painter, rect, *m_scenario.vertical, colours);
-    });
+    m_time->setPicture(timeDrawing(m_picture));
+    m_gain->setPicture(gainDrawing(m_scenario));
     m_dials->setPaint([this](QPainter& painter, const QRectF& rect, const PlotColours& colours) {
         if (!m_run)
             return;
-        const auto later = std::upper_bound(m_run->time_s.begin(), m_run->time_s.end(), m_picture.at_s);
+        const auto later = std::upper_bound(m_run->time_s.begin(), m_run->time_s.end(), m_picture->at_s);
         const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - m_run->time_s.begin() - 1, 0));
         paintDials(painter, rect, toDegrees(m_run->heading_rad[i]), toDegrees(m_run->headingError_rad[i]), m_run->tilt[i], colours);
     });
@@ -343,12 +367,12 @@ void ReferencePage::showFrame()
 {
     if (!m_run)
         return;
-    m_picture.at_s += m_run->time_s.back() / double(kFilmFrames);
-    if (m_picture.at_s >= m_run->time_s.back()) {
-        m_picture.at_s = m_run->time_s.back();
+    m_picture->at_s += m_run->time_s.back() / double(kFilmFrames);
+    if (m_picture->at_s >= m_run->time_s.back()) {
+        m_picture->at_s = m_run->time_s.back();
         m_film->setChecked(false);
     }
-    m_time->update();
+    m_time->redraw();
     m_dials->update();
 }
 
@@ -390,12 +414,10 @@ void ReferencePage::writeReport()
         tr("Latitude %1°, dip %2°, %3 m/s, %4 s; error is read − magnetic; a share is the run with all less the run without it.")
             .arg(plainNumber(m_scenario.latitude_deg, 1), plainNumber(m_scenario.dip_deg, 1), plainNumber(m_scenario.speed_m_s, 1),
                 plainNumber(m_scenario.duration_s, 0)));
-    const TimePicture picture = m_picture;
-    sheet.pictures.push_back(
-        {90, [picture](QPainter& painter, const QRectF& rect) { paintTimePicture(painter, rect, picture, paperColours()); }});
-    if (m_scenario.vertical)
-        sheet.pictures.push_back(
-            {60, [loop = *m_scenario.vertical](QPainter& painter, const QRectF& rect) { paintGain(painter, rect, loop, paperColours()); }});
+    auto picture = std::make_shared<TimePicture>(*m_picture);
+    picture->at_s = 0;
+    for (const auto& [height_mm, drawn] : {std::pair(95.0, timeDrawing(picture)), std::pair(65.0, gainDrawing(m_scenario))})
+        sheet.pictures.push_back({height_mm, [drawn](QPainter& painter, const QRectF& rect) { renderDrawn(painter, rect, drawn); }});
     sheet.table = {tr("Manoeuvres"),
         {{tr("from"), {}, QStringLiteral("s")}, {tr("to"), {}, QStringLiteral("s")}, {tr("turn"), {}, QStringLiteral("°/s")},
             {tr("acceleration"), {}, QStringLiteral("m/s²")}, {tr("climb"), {}, QStringLiteral("m/s")}},

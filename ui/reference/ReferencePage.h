@@ -1,5 +1,5 @@
 #pragma once
-/// What a flight does to a vertical and a heading reference: a table of manoeuvres, sliders, the error against time with the shares of its
+/// What a flight does to a vertical and a heading reference: manoeuvres drawn on a time line or typed, sliders, the error against time with the shares of its
 /// sources, the loop's gain, and a film of the instrument beside the truth.
 
 #include <QTimer>
@@ -8,7 +8,7 @@
 #include "ui/kit/FileQuestions.h"
 #include "ui/kit/Page.h"
 #include "ui/kit/Worker.h"
-#include "ui/reference/TimePicture.h"
+#include "ui/plots/reference/TimePicture.h"
 
 class QCheckBox;
 class QComboBox;
@@ -18,6 +18,8 @@ class QTableWidget;
 
 namespace lubberline::ui {
 
+class DrawnPlot;
+class ManoeuvreLine;
 class Painted;
 
 class ReferencePage : public Page {
@@ -30,6 +32,7 @@ public:
     Result<void> open(const FleetItem&) override { return {}; }
     [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
 
+    [[nodiscard]] Plot* plot() const override;
     [[nodiscard]] const Scenario& scenario() const { return m_scenario; }
     void showScenario(const Scenario& scenario);
     void load();
@@ -52,6 +55,7 @@ private:
     void addKnob(class QFormLayout& form, const QString& title, const char* name, Knob knob);
     void turned();
     void takeTable();
+    void takeManoeuvres(std::vector<Manoeuvre> manoeuvres);
     void showControls();
     void run();
     void take(Result<ReferenceRun> run);
@@ -61,11 +65,13 @@ private:
     FileQuestions m_files;
     Scenario m_scenario;
     std::optional<ReferenceRun> m_run;
-    TimePicture m_picture;
+    std::shared_ptr<TimePicture> m_picture = std::make_shared<TimePicture>(); ///< whose film moves
     std::vector<Knob> m_knobs;
     QComboBox *m_loop, *m_compass;
     QTableWidget* m_table;
-    Painted *m_time, *m_gain, *m_dials;
+    DrawnPlot *m_time, *m_gain;
+    ManoeuvreLine* m_line;
+    Painted* m_dials;
     QPushButton* m_film;
     QTimer m_clock;
     bool m_showing = false;

@@ -2,6 +2,7 @@
 
 #include "ui/bench/IronBenchPage.h"
 #include "ui/calibration/CalibrationPage.h"
+#include "ui/calibration/SensorTestsPage.h"
 #include "ui/due/DuePage.h"
 #include "ui/earth/EarthFieldPage.h"
 #include "ui/earth/PredictionPage.h"
@@ -17,6 +18,7 @@
 #include "ui/intake/NmeaImportPage.h"
 #include "ui/reference/CheckPage.h"
 #include "ui/reference/ComparePage.h"
+#include "ui/reference/DatumPage.h"
 #include "ui/reference/ReferencePage.h"
 #include "ui/sensor/SensorPage.h"
 #include "ui/sites/InstrumentsPage.h"
@@ -43,9 +45,11 @@ std::vector<PageDescription> allPages(PageContext& context)
         SensorPage::description(context),
         IronBenchPage::description(context),
         CalibrationPage::description(context),
+        SensorTestsPage::description(context),
         PredictionPage::description(context),
         EarthFieldPage::description(context),
         ReferencePage::description(context),
+        DatumPage::description(context),
         CheckPage::description(context),
         ComparePage::description(context),
         DuePage::description(context),

@@ -152,6 +152,7 @@ std::string toJson(const SunPosition& sun, const ErrorBudget& budget, const SunD
     json.number("azimuth_deg", tenDecimals(sun.azimuth_deg));
     json.number("elevation_deg", tenDecimals(sun.elevation_deg));
     json.number("declination_deg", tenDecimals(sun.declination_deg));
+    json.number("local_hour_angle_deg", tenDecimals(sun.hourAngle_deg));
     json.number("azimuth_rate_deg_per_min", tenDecimals(sun.azimuthRate_deg_min));
     if (sun.shadowRatio > 0)
         json.number("shadow_per_height", tenDecimals(sun.shadowRatio));

@@ -71,6 +71,18 @@ TEST(TwoCompasses, equalsAreNotToldApartButByADatum)
     EXPECT_EQ(with->withDatum, 1u);
 }
 
+TEST(TwoCompasses, whatMovedMakesASwingDue)
+{
+    const auto steady = compassOf(0.05), unsteady = compassOf(2.0);
+    const auto moved = compareCompasses(steady, unsteady, readingsOf(steady, unsteady, 0, 4.5, false), {});
+    const std::string why = whySwing(*moved, "standby", "main").english();
+    EXPECT_NE(why.find("beside standby, the compass main no longer holds"), std::string::npos) << why;
+    const auto one = compassOf(0.3), two = compassOf(0.3);
+    const auto notTold = compareCompasses(one, two, readingsOf(one, two, 6, 0, false), {});
+    EXPECT_NE(whySwing(*notTold, "standby", "main").english().find("not told which"), std::string::npos);
+    EXPECT_TRUE(whySwing(*compareCompasses(one, two, readingsOf(one, two, 0, 0, true), {}), "standby", "main").empty());
+}
+
 TEST(TwoCompasses, movedTogetherIsNotTold)
 {
     const auto one = compassOf(0.3), two = compassOf(0.3);

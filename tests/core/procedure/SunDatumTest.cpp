@@ -52,5 +52,58 @@ TEST(SunDatum, anHourWrongShowsInA)
     EXPECT_TRUE(hourDoubt(kWarsaw, {}, 15).empty());
 }
 
+/// A guided swing by the sun in which the compass has no deviation, and the clock is so many hours fast.
+struct SunSwingRead {
+    SwingJob job;
+    JobState state;
+    SunSwingRead(DatumKind kind, int hoursFast, int stations)
+    {
+        job.datum = shadowPin();
+        job.datum.kind = kind;
+        for (int i = 0; i < stations; ++i) {
+            const auto minute = std::to_string(10 + 5 * i);
+            const UtcTime shown = at(("2026-06-01T09:" + minute + ":00Z").c_str()), truth = shown - std::chrono::hours(hoursFast);
+            const double heading = 90.0 * i, bearing = sunAt(kWarsaw, truth).azimuth_deg + 180 - heading;
+            StationState station;
+            station.station.nominal_deg = heading;
+            station.reading = Observation{toMagnetic(headingBySun(sunAt(kWarsaw, shown), bearing, true), Variation::fromDegrees(0)),
+                CompassHeading::fromDegrees(heading)};
+            state.stations.push_back(station);
+            job.events.push_back({"2026-06-01T09:" + minute + ":00Z", job::ReadingTaken{i, {}, 0, 0, {}}});
+        }
+    }
+};
+
+TEST(SunDatum, aGuidedSwingSaysThatTheClockIsAnHourWrong)
+{
+    for (const DatumKind kind : {DatumKind::ShadowPin, DatumKind::Astrocompass}) {
+        EXPECT_TRUE(takesSun(kind));
+        for (const int hours : {1, -1}) {
+            const SunSwingRead read(kind, hours, 4);
+            EXPECT_NE(hourDoubt(read.job, read.state, kWarsaw).english().find(hours > 0 ? "hour fast" : "hour slow"), std::string::npos);
+        }
+        const SunSwingRead right(kind, 0, 4), early(kind, 1, 3);
+        EXPECT_TRUE(hourDoubt(right.job, right.state, kWarsaw).empty());
+        EXPECT_TRUE(hourDoubt(early.job, early.state, kWarsaw).empty()) << "three headings tell no A";
+    }
+    const SunSwingRead other(DatumKind::SightingCompass, 1, 4);
+    EXPECT_TRUE(hourDoubt(other.job, other.state, kWarsaw).empty());
+}
+
+TEST(SunDatum, anAstrocompassShowsTheHeadingItself)
+{
+    auto astro = shadowPin();
+    astro.kind = DatumKind::Astrocompass;
+    const auto time = at("2026-06-01T09:00:00Z");
+    const auto heading = sunHeading(astro, {{123}, {}, {}}, kWarsaw, time, Variation::fromDegrees(6));
+    ASSERT_TRUE(heading);
+    EXPECT_NEAR(heading->heading.magnetic.degrees(), 117, 1e-9);
+    EXPECT_GT(heading->heading.uncertainty_deg, 0.3);
+    EXPECT_FALSE(sunHeading(astro, {{123}, {}, {}}, kWarsaw, at("2026-06-01T23:00:00Z"), Variation::fromDegrees(6)));
+    // Noon at Greenwich's meridian: the hour angle is what the equation of time leaves (+2.2 min on 1 June).
+    const SunPosition noon = sunAt({52, 0, 0}, at("2026-06-01T12:00:00Z"));
+    EXPECT_NEAR(wrap180(noon.hourAngle_deg), 2.2 / 4, 0.05);
+}
+
 } // namespace
 } // namespace lubberline

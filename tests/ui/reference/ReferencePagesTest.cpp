@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -16,8 +17,11 @@
 #include "core/format/reference/ScenarioJson.h"
 #include "core/record/Completeness.h"
 #include "tests/db/TestStores.h"
+#include "ui/plots/drawn/DrawnPlot.h"
 #include "ui/reference/CheckPage.h"
 #include "ui/reference/ComparePage.h"
+#include "ui/reference/DatumPage.h"
+#include "ui/reference/ManoeuvreLine.h"
 #include "ui/reference/ReferencePage.h"
 
 using namespace lubberline;
@@ -105,6 +109,119 @@ private slots:
         QVERIFY(!page.grab().isNull());
     }
 
+    void manoeuvresAreDrawnByHandAndByKeys()
+    {
+        ReferencePage page(files());
+        page.resize(1024, 700);
+        page.show();
+        Scenario empty = page.scenario();
+        empty.manoeuvres.clear();
+        empty.duration_s = 600;
+        page.showScenario(empty);
+        auto& line = find<ManoeuvreLine>(page, "manoeuvreLine");
+        const QRectF turns = line.laneRect(ManoeuvreLine::Turn);
+        const auto at = [&](double time_s, double part) {
+            return QPoint(qRound(line.xOf(time_s)), qRound(turns.center().y() - part * turns.height() / 2));
+        };
+        QTest::mousePress(&line, Qt::LeftButton, {}, at(100, 0.5));
+        QTest::mouseMove(&line, at(150, 0.5));
+        QTest::mouseMove(&line, at(200, 0.5));
+        QTest::mouseRelease(&line, Qt::LeftButton, {}, at(200, 0.5));
+        QCOMPARE(page.scenario().manoeuvres.size(), std::size_t(1));
+        const Manoeuvre drawn = page.scenario().manoeuvres[0];
+        QVERIFY(std::abs(drawn.from_s - 100) <= 3 && std::abs(drawn.to_s - 200) <= 3);
+        QCOMPARE(drawn.turnRate_deg_s, 3.0); // half of the lane's 6°/s
+        QCOMPARE(find<QTableWidget>(page, "referenceTable").rowCount(), 2);
+        // Its end is stretched, the block is moved.
+        QTest::mousePress(&line, Qt::LeftButton, {}, at(drawn.to_s, 0.2));
+        QTest::mouseMove(&line, at(250, 0.2));
+        QTest::mouseRelease(&line, Qt::LeftButton, {}, at(250, 0.2));
+        QVERIFY(std::abs(page.scenario().manoeuvres[0].to_s - 250) <= 3);
+        const double length = page.scenario().manoeuvres[0].to_s - page.scenario().manoeuvres[0].from_s;
+        QTest::keyClick(&line, Qt::Key_Right);
+        QCOMPARE(page.scenario().manoeuvres[0].from_s, drawn.from_s + 5);
+        QCOMPARE(page.scenario().manoeuvres[0].to_s - page.scenario().manoeuvres[0].from_s, length);
+        QTest::keyClick(&line, Qt::Key_Up);
+        QCOMPARE(page.scenario().manoeuvres[0].turnRate_deg_s, 3.5);
+        QTest::keyClick(&line, Qt::Key_Right, Qt::ShiftModifier);
+        QCOMPARE(page.scenario().manoeuvres[0].to_s - page.scenario().manoeuvres[0].from_s, length + 5);
+        QTest::keyClick(&line, Qt::Key_Insert);
+        QCOMPARE(page.scenario().manoeuvres.size(), std::size_t(2));
+        QTest::keyClick(&line, Qt::Key_Delete);
+        QCOMPARE(page.scenario().manoeuvres.size(), std::size_t(1));
+        QTest::keyClick(&line, Qt::Key_PageDown);
+        for (int i = 0; i < 12; ++i) // through nothing to the other side, and no further than the lane
+            QTest::keyClick(&line, Qt::Key_Down);
+        QVERIFY(page.scenario().manoeuvres[0].turnRate_deg_s < 0);
+        QTest::keyClick(&line, Qt::Key_Delete);
+        QVERIFY(page.scenario().manoeuvres.empty());
+        QTest::keyClick(&line, Qt::Key_Delete); // nothing to delete
+        QTRY_VERIFY(!page.message().isEmpty());
+    }
+
+    void thePlotsAreReadAndExported()
+    {
+        ReferencePage page(files());
+        page.resize(1024, 700);
+        page.show();
+        QTRY_VERIFY(page.message().contains("Levelling"));
+        auto& time = find<DrawnPlot>(page, "referenceTime");
+        const QPointF middle = QRectF(time.canvas()->rect()).center();
+        QVERIFY2(time.textAt(middle).contains("error"), qPrintable(time.textAt(middle)));
+        auto& gain = find<DrawnPlot>(page, "referenceGain");
+        QVERIFY2(gain.textAt(QRectF(gain.canvas()->rect()).center()).contains("levelling"), "gain");
+        QCOMPARE(page.plot(), static_cast<Plot*>(&time));
+        for (const char* ending : {"png", "svg", "pdf"}) {
+            const QString path = m_folder.filePath(QStringLiteral("reference.") + ending);
+            QVERIFY(time.exportTo(path));
+            QVERIFY(QFile(path).size() > 1000);
+        }
+    }
+
+    void aDatumIsFoundAnywhere()
+    {
+        DatumPage page(files(), [] { return std::string("2026-06-21T11:30:00Z"); });
+        page.resize(1024, 700);
+        page.show();
+        const auto type = [&](const char* name, const QString& text) {
+            auto& edit = find<QLineEdit>(page, name);
+            edit.setText(text);
+            edit.setModified(true);
+            emit edit.editingFinished();
+        };
+        type("sunLatitude", "52 N");
+        type("sunLongitude", "21 E");
+        type("sunVariation", "6 E");
+        auto& headline = find<QLabel>(page, "datumHeadline");
+        QVERIFY2(headline.text().contains("bearing of the shadow"), qPrintable(headline.text()));
+        type("sunBearing", "0");
+        const double heading = sunAt({52, 21, 0}, *readUtcTime("2026-06-21T11:30:00Z")).azimuth_deg + 180 - 6;
+        QVERIFY2(headline.text().contains(QString::number(wrap360(heading), 'f', 1).rightJustified(5, '0')), qPrintable(headline.text()));
+        QCOMPARE(find<QTableWidget>(page, "datumBudget").rowCount(), 6);
+        QVERIFY(find<QLabel>(page, "datumLines").text().contains("daylight saving"));
+        auto& day = find<DrawnPlot>(page, "datumDay");
+        QVERIFY(day.textAt(QRectF(day.canvas()->rect()).center()).contains("elevation"));
+        type("sunTime", "2026-06-21T23:30:00Z"); // night
+        QVERIFY(headline.text().contains("no heading"));
+        QVERIFY(page.message().contains("below the horizon"));
+        type("sunTime", "noon"); // refused, and changes nothing
+        QVERIFY(headline.text().contains("no heading"));
+        auto& method = find<QComboBox>(page, "datumMethod");
+        method.setCurrentIndex(1);
+        type("runwayWheelbase", "10");
+        QVERIFY(headline.text().contains("± 4.04"));
+        method.setCurrentIndex(2);
+        QVERIFY2(headline.text().contains("± 0.11"), qPrintable(headline.text()));
+        method.setCurrentIndex(4);
+        type("gridLatitude", "85 N");
+        type("gridLongitude", "40 W");
+        type("gridHeading", "90");
+        QVERIFY2(headline.text().contains("130.00"), qPrintable(headline.text()));
+        m_path = m_folder.filePath("datum.pdf");
+        page.writeReport();
+        QVERIFY(QFile::exists(m_path));
+    }
+
     void scenariosAreReadAndWritten()
     {
         ReferencePage page(files());
@@ -187,6 +304,21 @@ private slots:
         m_path = m_folder.filePath("compare.pdf");
         page.writeReport();
         QVERIFY(QFile::exists(m_path));
+        QVERIFY(!find<QPushButton>(page, "compareDue").isEnabled()); // both agree within their cards
+        // The second reads ten degrees off beside the datum: noted, and the due list names it.
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("first_compass_deg,second_compass_deg,magnetic_heading_deg\n0,20,2\n90,110,95\n180,200,182\n270,290,269\n");
+        file.close();
+        m_path = m_folder.filePath("pairs.csv");
+        page.load();
+        auto& due = find<QPushButton>(page, "compareDue");
+        QVERIFY(due.isEnabled());
+        due.click();
+        QVERIFY(!due.isEnabled());
+        const auto events = fleet.stores.fleet.eventsOf(fleet.stores.fleet.compass(fleet.first)->aircraft);
+        QCOMPARE(events->size(), std::size_t(1));
+        QVERIFY(events->front().cause == DueCause::AccuracySuspected);
+        QVERIFY2(events->front().kind.find("slaved no longer holds") != std::string::npos, events->front().kind.c_str());
         find<QTableWidget>(page, "compareTable").item(0, 0)->setText("north-ish");
         QVERIFY(!page.verdict().has_value());
         QVERIFY(!page.message().isEmpty());

@@ -1,12 +1,13 @@
 #pragma once
-/// Heading error against time with the share of each source stacked, and a loop's gain against period: drawn for window and paper.
+/// Heading error against time with the share of each source stacked, and a loop's gain against frequency: drawn for window and paper.
 
 #include <QString>
 
+#include <memory>
 #include <vector>
 
 #include "core/reference/ReferenceRun.h"
-#include "ui/plots/base/PlotColours.h"
+#include "ui/plots/drawn/DrawnPicture.h"
 
 class QPainter;
 class QRectF;
@@ -30,9 +31,10 @@ struct TimePicture {
 /// At most `most` points of the run.
 [[nodiscard]] TimePicture pictureOf(const ReferenceRun& run, std::size_t most = 2000);
 
-void paintTimePicture(QPainter& painter, const QRectF& rect, const TimePicture& picture, const PlotColours& colours);
-/// The loop's gain against the period of the acceleration, both logarithmic.
-void paintGain(QPainter& painter, const QRectF& rect, const VerticalGyro& loop, const PlotColours& colours);
+/// The film moves `at_s` of the picture that it draws.
+[[nodiscard]] DrawnPicture timeDrawing(std::shared_ptr<const TimePicture> picture);
+/// Gains of levelling and of slaving against frequency, both logarithmic.
+[[nodiscard]] DrawnPicture gainDrawing(const Scenario& scenario);
 /// Two dials: what is true, and what is read; the tilt of the vertical between them.
 void paintDials(
     QPainter& painter, const QRectF& rect, double heading_deg, double error_deg, const AxisTilt& tilt, const PlotColours& colours);
