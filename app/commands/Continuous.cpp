@@ -4,6 +4,8 @@
 
 #include "app/Console.h"
 #include "app/Outputs.h"
+#include "app/Paths.h"
+#include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
@@ -11,6 +13,9 @@
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/results/InflightJson.h"
 #include "core/inflight/InflightSwing.h"
+#include "ui/plots/base/PlotFile.h"
+#include "ui/plots/inflight/InflightDrawing.h"
+#include "ui/report/forms/InflightSheets.h"
 
 namespace lubberline::app {
 
@@ -55,10 +60,27 @@ Result<std::optional<ContinuousState>> lastState(const std::string& path)
     return std::optional(std::move(state.value()));
 }
 
-Result<void> writeContinuous(const ContinuousArguments& options, const ContinuousResult& result)
+Result<void> writeHistory(const ContinuousArguments& options, const ContinuousResult& result, const std::vector<Message>& warnings)
+{
+    if (options.output.kind == ".csv")
+        return writeWholeFile(options.output.path, historyCsv(result));
+    const auto session = makeDrawingSession();
+    const QString path = QString::fromStdString(options.output.path);
+    if (options.output.kind == ".pdf") {
+        ui::ReferenceSheet sheet = ui::continuousSheet(result, ui::sourceName(options.file), ui::printableAll(warnings));
+        sheet.madeAtUtc = nowUtc();
+        return ui::writeReferenceSheet(sheet, path);
+    }
+    return ui::writePlotFile(
+        path, {1000, 600}, QStringLiteral("Continuous swing"),
+        [picture = ui::convergence(result)](QPainter& painter, const QRectF& target) { ui::renderDrawn(painter, target, picture); },
+        QString::fromStdString(options.output.kind.substr(1)));
+}
+
+Result<void> writeContinuous(const ContinuousArguments& options, const ContinuousResult& result, const std::vector<Message>& warnings)
 {
     if (!options.output.empty()) {
-        if (auto written = writeWholeFile(options.output.path, historyCsv(result)); !written)
+        if (auto written = writeHistory(options, result, warnings); !written)
             return written;
         sayWritten(options.output);
     }
@@ -87,7 +109,7 @@ int continuousCommand(const ContinuousArguments& arguments)
     std::vector<Message> warnings = file->warnings;
     if (!options.state.empty() && !file->result.told)
         warnings.push_back(MARKED("app", "the state is not told yet, and not kept"));
-    if (const auto written = writeContinuous(options, file->result); !written)
+    if (const auto written = writeContinuous(options, file->result, warnings); !written)
         return fail(written.error());
     if (!options.json)
         warn(warnings);
@@ -120,7 +142,9 @@ void addContinuous(CLI::App& app, Invocation& invocation)
     command->add_option("--state", options->state, "goes on from this file of the last flight, and keeps the state in it")
         ->type_name("FILE");
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "the history of the coefficients", {".csv"})->excludes(json);
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the history of the coefficients, its plot, or the report",
+        {".csv", ".png", ".svg", ".pdf"})
+        ->excludes(json);
     addOutputOption(*command, invocation, "--swing", options->swing, "the means of the legs as a swing in flight (Swing CSV)", {".csv"})
         ->excludes(json);
     command->callback([options, &invocation] { invocation.action = [options] { return continuousCommand(*options); }; });

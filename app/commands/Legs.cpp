@@ -3,6 +3,8 @@
 
 #include "app/Console.h"
 #include "app/Outputs.h"
+#include "app/Paths.h"
+#include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/angle/AngleText.h"
 #include "core/base/OutputFile.h"
@@ -11,6 +13,7 @@
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/results/InflightJson.h"
 #include "core/inflight/InflightSwing.h"
+#include "ui/report/forms/InflightSheets.h"
 
 namespace lubberline::app {
 
@@ -46,7 +49,14 @@ int legsCommand(const LegsArguments& options)
     solution->warnings.insert(solution->warnings.begin(), file->warnings.begin(), file->warnings.end());
     if (!options.json || !options.output.empty())
         warn(solution->warnings);
-    if (!options.output.empty()) {
+    if (options.output.kind == ".pdf") {
+        const auto session = makeDrawingSession();
+        ui::ReferenceSheet sheet = ui::legsSheet(*solution, ui::sourceName(options.file), ui::printableAll(solution->warnings));
+        sheet.madeAtUtc = nowUtc();
+        if (const auto written = ui::writeReferenceSheet(sheet, QString::fromStdString(options.output.path)); !written)
+            return fail(written.error());
+        sayWritten(options.output);
+    } else if (!options.output.empty()) {
         SwingRecord record;
         record.swing = swingOf(*solution);
         if (record.swing.readings.empty())
@@ -86,7 +96,8 @@ void addLegs(CLI::App& app, Invocation& invocation)
         ->check(CLI::Range(0.001, 100.0))
         ->capture_default_str();
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "the legs as a swing in flight (Swing CSV)", {".csv"})
+    addOutputOption(
+        *command, invocation, "-o,--output", options->output, "the legs as a swing in flight (Swing CSV), or the report", {".csv", ".pdf"})
         ->excludes(json);
     command->callback([options, &invocation] { invocation.action = [options] { return legsCommand(*options); }; });
 }

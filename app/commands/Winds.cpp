@@ -120,7 +120,7 @@ void addWinds(CLI::App& app, Invocation& invocation)
     auto* command = app.add_subcommand("winds", "deviation of a fleet from its wind reports beside a reference wind");
     addInputOption(*command, invocation, "OBS.csv", options->file,
         "ground_speed_kt, track_deg, wind_speed_kt, wind_from_deg, ref_wind_speed_kt, ref_wind_from_deg; tas_kt, aircraft, flight, time_utc, "
-        "latitude_deg, longitude_deg, altitude_m, roll_deg, heading_deg, source")
+        "latitude_deg, longitude_deg, altitude_m, roll_deg, heading_deg, source, group; without ground speed and track: by positions and times")
         ->required();
     command
         ->add_option("--factor", options->winds.factor,
@@ -129,6 +129,9 @@ void addWinds(CLI::App& app, Invocation& invocation)
             std::map<std::string, TableFactor>{{"paper", TableFactor::Paper}, {"exact", TableFactor::Exact}, {"none", TableFactor::None}}))
         ->default_str("paper");
     command->add_flag("--remove-common", options->winds.removeCommon, "take out the sine that the fleet has in common");
+    command->add_option("--control", options->winds.control,
+        "a group (column group) or an aircraft whose headings are held to be right, as by laser gyros: the others are told in its errors, and "
+        "what it has in common is the reference's error");
     addSense(*command, "--winds", options->reading.toward, options, "reported winds");
     addSense(*command, "--reference-winds", options->reading.referenceToward, options, "reference winds");
     addUnit(*command, "--wind-unit", options->reading.windFactor, options, "reported winds");

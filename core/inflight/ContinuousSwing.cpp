@@ -21,19 +21,6 @@ constexpr std::size_t kMostPoints = 500;
 constexpr std::int64_t kEnoughForCorrelation = 40;
 constexpr double kAfterAlarm_deg = 3.0;
 
-StateFilter::State rowOf(double compass_deg, const std::vector<double>& current_A, std::size_t loads)
-{
-    const double heading = toRadians(compass_deg);
-    StateFilter::State row(static_cast<Eigen::Index>(5 + 2 * loads));
-    row.head<5>() << 1.0, std::sin(heading), std::cos(heading), std::sin(2 * heading), std::cos(2 * heading);
-    for (std::size_t load = 0; load < loads; ++load) {
-        const double amperes = load < current_A.size() ? current_A[load] : 0.0;
-        row(static_cast<Eigen::Index>(5 + 2 * load)) = amperes * row(1);
-        row(static_cast<Eigen::Index>(6 + 2 * load)) = amperes * row(2);
-    }
-    return row;
-}
-
 StateFilter filterOf(const ContinuousOptions& options)
 {
     return options.start ? StateFilter(options.start->state_deg, options.start->covariance)
@@ -59,7 +46,36 @@ std::string directionText(const StateFilter::State& direction, const std::vector
     return text;
 }
 
+constexpr double kUnknownLoad_deg_A = 10.0; ///< nobody has seen more of one ampere
+
 } // namespace
+
+StateFilter::State continuousRow(double compass_deg, const std::vector<double>& current_A, std::size_t loads)
+{
+    const double heading = toRadians(compass_deg);
+    StateFilter::State row(static_cast<Eigen::Index>(5 + 2 * loads));
+    row.head<5>() << 1.0, std::sin(heading), std::cos(heading), std::sin(2 * heading), std::cos(2 * heading);
+    for (std::size_t load = 0; load < loads; ++load) {
+        const double amperes = load < current_A.size() ? current_A[load] : 0.0;
+        row(static_cast<Eigen::Index>(5 + 2 * load)) = amperes * row(1);
+        row(static_cast<Eigen::Index>(6 + 2 * load)) = amperes * row(2);
+    }
+    return row;
+}
+
+ContinuousState withLoads(const ContinuousState& state, const std::vector<std::string>& loads)
+{
+    ContinuousState wide = state;
+    const auto known = state.state_deg.size(), all = known + 2 * static_cast<Eigen::Index>(loads.size());
+    wide.loads = loads;
+    wide.state_deg = StateFilter::State::Zero(all);
+    wide.state_deg.head(known) = state.state_deg;
+    wide.covariance = StateFilter::Covariance::Identity(all, all) * (kUnknownLoad_deg_A * kUnknownLoad_deg_A);
+    wide.covariance.topLeftCorner(known, known) = state.covariance;
+    wide.covariance.topRightCorner(known, all - known).setZero();
+    wide.covariance.bottomLeftCorner(all - known, known).setZero();
+    return wide;
+}
 
 ContinuousSwing::ContinuousSwing(const ContinuousOptions& options) : m_options(options), m_filter(filterOf(options))
 {
@@ -143,7 +159,7 @@ void ContinuousSwing::update(double time_s, double compass_deg, double deviation
     m_last_s = time_s;
     ++m_updates;
     Kept kept;
-    kept.h = rowOf(compass_deg, current_A, m_options.loads.size());
+    kept.h = continuousRow(compass_deg, current_A, m_options.loads.size());
     kept.before = m_filter.state();
     // A deviation lies round a circle: the nearest turn to what is expected.
     kept.z = m_filter.told() ? kept.h.dot(m_filter.state()) + wrap180(deviation_deg - kept.h.dot(m_filter.state())) : deviation_deg;

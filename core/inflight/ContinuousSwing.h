@@ -76,6 +76,12 @@ struct ContinuousResult {
     std::vector<Message> warnings;
 };
 
+/// 1, sin ψ', cos ψ', sin 2ψ', cos 2ψ', and I sin ψ', I cos ψ' of each load.
+[[nodiscard]] StateFilter::State continuousRow(double compass_deg, const std::vector<double>& current_A, std::size_t loads);
+
+/// A state that knows no loads, before a log that has some: of these nothing is known yet.
+[[nodiscard]] ContinuousState withLoads(const ContinuousState& state, const std::vector<std::string>& loads);
+
 class ContinuousSwing {
 public:
     explicit ContinuousSwing(const ContinuousOptions& options);

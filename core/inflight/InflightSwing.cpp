@@ -1,5 +1,7 @@
 #include "core/inflight/InflightSwing.h"
 
+#include "core/swing/Observations.h"
+
 namespace lubberline {
 
 namespace {
@@ -40,6 +42,21 @@ Swing swingOf(std::span<const LegMean> legs)
         swing.readings.push_back(std::move(reading));
     }
     return swing;
+}
+
+std::optional<ContinuousState> stateAfter(std::span<const Swing> swings, double noise_deg)
+{
+    StateFilter filter(5);
+    std::int64_t updates = 0;
+    for (const Swing& swing : swings)
+        for (const Observation& read : observationsOf(swing)) {
+            filter.update(
+                continuousRow(read.compass.degrees(), {}, 0), deviationOf(read.magnetic, read.compass).degrees(), noise_deg * noise_deg);
+            ++updates;
+        }
+    if (!filter.told())
+        return {};
+    return ContinuousState{0, updates, {}, filter.state(), filter.covariance()};
 }
 
 } // namespace lubberline

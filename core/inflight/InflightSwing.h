@@ -1,6 +1,7 @@
 #pragma once
 /// A swing in flight: the means of its legs are stored as readings, and its result is computed from them like any other's.
 
+#include <optional>
 #include <span>
 
 #include "core/inflight/ContinuousSwing.h"
@@ -13,5 +14,10 @@ namespace lubberline {
 [[nodiscard]] Swing swingOf(const LegsSolution& solution);
 /// @param legs deviations are magnetic − compass
 [[nodiscard]] Swing swingOf(std::span<const LegMean> legs);
+
+/// What swings in flight tell so far, the earliest first, recomputed from their readings: where the next continuous swing begins. Each
+/// reading that counts is one update. None: they do not tell all of A to E.
+/// @param noise_deg standard deviation of a reading
+[[nodiscard]] std::optional<ContinuousState> stateAfter(std::span<const Swing> swings, double noise_deg);
 
 } // namespace lubberline

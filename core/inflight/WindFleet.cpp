@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "core/angle/Angle.h"
+#include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/fleet/Proportion.h"
 #include "core/inflight/WindStudy.h"
@@ -63,12 +65,32 @@ void warnOfNorth(AircraftWinds& result, double slope, double slopeError, bool sl
 }
 
 /// Weighted by the inverse of variances, with the variance between aircraft (DerSimonian and Laird's moment).
-std::optional<CommonSine> commonOf(const std::vector<AircraftWinds>& all)
+bool inControl(const AircraftWinds& one, const std::string& control) { return one.group == control || one.aircraft == control; }
+
+void addTo(WindSquares& sum, const WindSquares& one)
+{
+    sum.total += one.total;
+    sum.across += one.across;
+    sum.count += one.count;
+}
+
+void addTo(WindGroup& group, const AircraftWinds& one)
+{
+    ++group.aircraft;
+    addTo(group.before, one.squaresBefore);
+    if (one.squaresAfter.count > 0)
+        ++group.corrected;
+    addTo(group.after, one.squaresAfter);
+}
+
+/// @param control whose aircraft alone tell it; empty: all.
+std::optional<CommonSine> commonOf(const std::vector<AircraftWinds>& all, const std::string& control)
 {
     CommonSine common;
     std::vector<const AircraftWinds*> used;
     for (const auto& one : all)
-        if (one.fitted && one.fit.fit.errorsTold && one.fit.fit.told[0] && one.fit.fit.told[1] && one.fit.fit.told[2])
+        if ((control.empty() || inControl(one, control)) && one.fitted && one.fit.fit.errorsTold && one.fit.fit.told[0]
+            && one.fit.fit.told[1] && one.fit.fit.told[2])
             used.push_back(&one);
     if (used.size() < 3)
         return {};
@@ -125,6 +147,31 @@ std::vector<std::size_t> outliersOf(const std::vector<AircraftWinds>& all)
 
 } // namespace
 
+/// Groups as their reports name them, and the one that the others are held against.
+void WindStudy::groupUp(WindResult& result) const
+{
+    std::map<std::string, WindGroup> groups;
+    WindGroup control;
+    control.group = m_options.control;
+    for (const auto& one : result.aircraft) {
+        if (!one.group.empty() && one.fitted)
+            addTo(groups[one.group], one);
+        if (!m_options.control.empty() && one.fitted && inControl(one, m_options.control))
+            addTo(control, one);
+    }
+    for (auto& [name, group] : groups) {
+        group.group = name;
+        result.groups.push_back(group);
+    }
+    if (m_options.control.empty())
+        return;
+    if (control.aircraft > 0)
+        result.control = control;
+    else
+        result.warnings.push_back(
+            {MARKED("core", "there is no group and no aircraft %1 to hold the others against"), inQuotes(m_options.control)});
+}
+
 WindResult WindStudy::finish() const
 {
     WindResult result;
@@ -158,6 +205,11 @@ WindResult WindStudy::finish() const
             const double slope
                 = slopeTold ? (aircraft->declinationErrors / n - aircraft->declinations / n * aircraft->errors / n) / spread : 0;
             warnOfNorth(one, slope, slopeTold ? 2.0 / std::sqrt(n * spread) : 1, slopeTold);
+            if (one.fromPositions > 0)
+                one.warnings.push_back(
+                    {MARKED("core",
+                         "the ground velocity of %1 reports is that between positions; the steps in which these are written make it uncertain by %2 kt"),
+                        one.fromPositions, figureText(one.positionError_kt, 1)});
             if (aircraft->headings > 20 && aircraft->headingOffMagnetic < 0.25 * aircraft->headingOff)
                 one.warnings.push_back(
                     MARKED("core", "heading_deg is magnetic here, and not true: it agrees with the winds once the declination is added"));
@@ -167,7 +219,8 @@ WindResult WindStudy::finish() const
         count += aircraft->used;
         result.aircraft.push_back(std::move(one));
     }
-    result.common = commonOf(result.aircraft);
+    groupUp(result);
+    result.common = commonOf(result.aircraft, result.control ? m_options.control : std::string());
     if (result.common) {
         result.common->airspeed_kt = count > 0 ? airspeed / static_cast<double>(count) : 0;
         if (m_options.removeCommon) {
@@ -179,7 +232,10 @@ WindResult WindStudy::finish() const
                         one.fit.fit.covariance(i, i) += std::pow(result.common->standardError_deg(i), 2);
                     }
         }
-        result.warnings.push_back({result.common->takenOut
+        result.warnings.push_back({result.control
+                ? MARKED("core",
+                    "the aircraft that the others are held against have B %1\u00B0 and C %2\u00B0 in common, as a constant error of the reference wind of %3 kt would look: their headings being right, it is one")
+                : result.common->takenOut
                 ? MARKED("core",
                     "the sine that the fleet has in common, B %1\u00B0 and C %2\u00B0, is taken out: a deviation that all aircraft have goes with it")
                 : MARKED("core",

@@ -18,8 +18,9 @@ struct WindReport {
     double heading_deg = kMissing;                                ///< true, where the file has it
     double roll_deg = kMissing;
     double latitude_deg = kMissing, longitude_deg = kMissing, altitude_m = kMissing;
-    double time_s = kMissing;                  ///< since 1970-01-01 UTC
-    std::string_view aircraft, flight, source; ///< only valid while the report is taken
+    double positionStep_deg = 0;                      ///< in which latitude and longitude are written
+    double time_s = kMissing;                         ///< since 1970-01-01 UTC
+    std::string_view aircraft, flight, source, group; ///< only valid while the report is taken
 };
 
 } // namespace lubberline

@@ -158,6 +158,11 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
     result.aircraft = aircraft.name;
     result.observations = aircraft.observations;
     result.used = aircraft.used;
+    result.group = aircraft.group;
+    result.dots = aircraft.dots;
+    result.fromPositions = aircraft.fromPositions;
+    if (aircraft.fromPositions > 0)
+        result.positionError_kt = std::sqrt(aircraft.positionSquares / static_cast<double>(aircraft.fromPositions));
     result.leftOut = aircraft.leftOut;
     result.sectors = aircraft.sectors;
     for (auto& sector : result.sectors)
@@ -242,6 +247,8 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
         }
     }
     result.before = before.rmse();
+    result.squaresBefore = before;
+    result.squaresAfter = after;
     if (after.count > 0)
         result.after = after.rmse();
     result.fitted = result.fit.fit.rank > 0;

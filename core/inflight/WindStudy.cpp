@@ -14,7 +14,8 @@ namespace lubberline {
 namespace {
 
 constexpr double kReferenceAirspeed_kt = 250.0; ///< weight 1
-constexpr double kOutside = 4.0;                ///< standard deviations, beyond which a report counts less (Huber)
+constexpr double kReferenceError_kt = 5.0;
+constexpr double kOutside = 4.0; ///< standard deviations, beyond which a report counts less (Huber)
 constexpr double kLeastSigma_deg = 1.25;
 constexpr std::int64_t kFirstFit = 32;                                 ///< reports, before which legs are not told from errors
 constexpr double kGapNamed_s = 6 * 3600.0, kGapNameless_s = 45 * 60.0; ///< a longer one begins another flight
@@ -45,6 +46,29 @@ WindRow windRow(double sine, double cosine)
     WindRow row;
     row << 1.0, sine, cosine, 2.0 * sine * cosine, cosine * cosine - sine * sine;
     return row;
+}
+
+/// Ground velocity between two positions [kt], each component uncertain by their steps: even within a step, σ = step/√12 at both ends.
+struct GroundByPositions {
+    Eigen::Vector2d velocity_kt;
+    double error_kt = 0;
+};
+constexpr double kShortestFix_s = 10, kLongestFix_s = 600;
+
+std::optional<GroundByPositions> groundBetween(double latitude_deg, double longitude_deg, const WindReport& report, double seconds)
+{
+    if (!(std::abs(seconds) >= kShortestFix_s && std::abs(seconds) <= kLongestFix_s))
+        return {};
+    constexpr double kAxis_m = 6378137.0, kEccentricity2 = 0.00669437999014, kKnot_m_s = 1852.0 / 3600.0; // WGS84
+    const double middle = toRadians((latitude_deg + report.latitude_deg) / 2), sine = std::sin(middle);
+    const double root = std::sqrt(1 - kEccentricity2 * sine * sine);
+    const double north_m = kAxis_m * (1 - kEccentricity2) / (root * root * root), east_m = kAxis_m / root * std::cos(middle);
+    const double metresToKnots = 1 / (seconds * kKnot_m_s);
+    GroundByPositions ground;
+    ground.velocity_kt = {toRadians(wrap180(report.longitude_deg - longitude_deg)) * east_m * metresToKnots,
+        toRadians(report.latitude_deg - latitude_deg) * north_m * metresToKnots};
+    ground.error_kt = toRadians(report.positionStep_deg) * north_m * std::sqrt(2.0 / 12.0) * std::abs(metresToKnots);
+    return ground;
 }
 
 /// The running fit of the first order; what the headings do not tell yet stays near 0.
@@ -126,6 +150,7 @@ WindStudy::Flight& WindStudy::flightOf(Aircraft& aircraft, const WindReport& rep
 std::optional<LeftOut> WindStudy::filter(Flight& flight, const WindReport& report, const Use& use) const
 {
     const double apart_s = std::abs(report.time_s - flight.last_s);
+    const double track_deg = known(report.track_deg) ? report.track_deg : directionOf_deg(use.ground);
     std::optional<LeftOut> why;
     if (known(report.roll_deg) && std::abs(report.roll_deg) > m_options.mostRoll_deg)
         why = LeftOut::Rolling;
@@ -133,11 +158,11 @@ std::optional<LeftOut> WindStudy::filter(Flight& flight, const WindReport& repor
         why = flight.lastLeftOut; // the same report against another source
     else if (apart_s <= kNear_s && std::abs(report.altitude_m - flight.lastAltitude_m) > m_options.mostClimb_m_s * apart_s)
         why = LeftOut::Climbing;
-    else if (apart_s <= kNear_s && std::abs(wrap180(report.track_deg - flight.lastTrack_deg)) > m_options.mostTurn_deg_s * apart_s + 1.0)
+    else if (apart_s <= kNear_s && std::abs(wrap180(track_deg - flight.lastTrack_deg)) > m_options.mostTurn_deg_s * apart_s + 1.0)
         why = LeftOut::Turning;
     flight.last_s = report.time_s;
     flight.lastAltitude_m = report.altitude_m;
-    flight.lastTrack_deg = report.track_deg;
+    flight.lastTrack_deg = track_deg;
     flight.lastLeftOut = why;
     if (why)
         return why;
@@ -198,6 +223,7 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
     ++sector.count;
     sector.heading_deg += read_deg;
     sector.error_deg += error_deg;
+    aircraft.addDot({read_deg, error_deg});
 
     const double left = error_deg - row.dot(aircraft.running), sigma = std::max(kLeastSigma_deg, 1.4826 * aircraft.median_deg);
     constexpr double kAnyLeg_deg = 30.0;
@@ -210,7 +236,10 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
     aircraft.median_deg
         *= std::exp((std::abs(off) > aircraft.median_deg ? 1.0 : -1.0) / (10.0 + std::pow(static_cast<double>(aircraft.used), 0.7)));
 
-    const double weight = robust * airspeed * airspeed / (kReferenceAirspeed_kt * kReferenceAirspeed_kt);
+    // A reference wind is wrong by some 5 kt: what positions add to that makes a report count less.
+    const double share
+        = kReferenceError_kt * kReferenceError_kt / (kReferenceError_kt * kReferenceError_kt + use.groundError_kt * use.groundError_kt);
+    const double weight = robust * share * airspeed * airspeed / (kReferenceAirspeed_kt * kReferenceAirspeed_kt);
     const Eigen::Vector2d apart = use.wind - use.reference;
     const double ground = std::max(use.ground.norm(), 1e-9);
     const Eigen::Vector2d acrossTrack = rightOf(use.ground) / ground;
@@ -261,9 +290,23 @@ void WindStudy::add(const WindReport& report)
     const bool hasHeading = known(report.heading_deg) && known(report.tas_kt);
     if (!known(report.reference_kt) || !(known(report.referenceFrom_deg) || report.reference_kt == 0))
         return leave(LeftOut::NoReference);
-    if (!known(report.groundSpeed_kt) || !known(report.track_deg) || (!hasWind && !hasHeading))
+    const bool hasGround = known(report.groundSpeed_kt) && known(report.track_deg);
+    const bool hasFix = known(report.latitude_deg) && known(report.longitude_deg) && known(report.time_s);
+    if ((!hasGround && !hasFix) || (!hasWind && !hasHeading))
         return leave(LeftOut::NoWind);
     Flight& flight = flightOf(aircraft, report);
+    std::optional<GroundByPositions> between;
+    if (hasFix && !hasGround) {
+        if (known(flight.lastFix_s))
+            between = groundBetween(flight.lastLatitude_deg, flight.lastLongitude_deg, report, report.time_s - flight.lastFix_s);
+        flight.lastLatitude_deg = report.latitude_deg;
+        flight.lastLongitude_deg = report.longitude_deg;
+        flight.lastFix_s = report.time_s;
+        if (!between)
+            return leave(LeftOut::NoWind);
+    }
+    if (!report.group.empty() && aircraft.group.empty())
+        aircraft.group = report.group;
     if (known(report.time_s) || known(report.latitude_deg)) {
         const std::uint64_t print = fingerprintOf(report);
         if (std::find(flight.recent.begin(), flight.recent.end(), print) != flight.recent.end())
@@ -271,7 +314,13 @@ void WindStudy::add(const WindReport& report)
         flight.recent[flight.recentNext++ % flight.recent.size()] = print;
     }
     Use use;
-    use.ground = velocityOf(report.track_deg, report.groundSpeed_kt);
+    use.ground = between ? between->velocity_kt : velocityOf(report.track_deg, report.groundSpeed_kt);
+    if (between) {
+        ++aircraft.fromPositions;
+        aircraft.positionSquares += between->error_kt * between->error_kt;
+        // Beside a wind of its own it turns both air velocities alike; of heading and airspeed it is the error itself.
+        use.groundError_kt = hasWind ? 0 : between->error_kt;
+    }
     use.reference = report.reference_kt == 0 ? Eigen::Vector2d(0, 0) : velocityOf(report.referenceFrom_deg, -report.reference_kt);
     use.wind = !hasWind       ? Eigen::Vector2d(use.ground - velocityOf(report.heading_deg, report.tas_kt))
         : report.wind_kt == 0 ? Eigen::Vector2d(0, 0)

@@ -41,8 +41,16 @@ struct WindOptions {
     double leastAirspeed_kt = 60; ///< below, a wind tells little of the heading
     TableFactor factor = TableFactor::Paper;
     bool removeCommon = false; ///< the fleet's mean sine is taken out of every aircraft
+    /// A group (or an aircraft) whose headings are held to be right, as by laser gyros: what it shows is the reference's error. Winds of the
+    /// others are told as multiples of its own, and the common sine is that of its aircraft. Empty: none.
+    std::string control;
     /// What the file says of its winds is believed though the figures speak against it.
     bool believed = false;
+};
+
+/// A report as a dot of a scatter.
+struct WindDot {
+    double heading_deg = 0, error_deg = 0; ///< as read, and e
 };
 
 enum class LeftOut { NoReference, NoWind, Rolling, Climbing, Turning, Slow, Duplicate };
@@ -81,6 +89,11 @@ struct AircraftWinds {
     double secondOrderP = 1;      ///< the chance that it is not there; below 0.05 it is in the fit and the table
     ClusteredFit secondOrder;     ///< all five
     std::optional<double> airspeedOffset_kt, airspeedOffsetError_kt;
+    std::string group;              ///< of its reports; empty: none stated
+    std::int64_t fromPositions = 0; ///< reports whose ground velocity is that between positions
+    double positionError_kt = 0;    ///< of these, rms, as far as the positions' steps make it
+    WindSquares squaresBefore, squaresAfter;
+    std::vector<WindDot> dots; ///< some of its reports, spread over all
     WindRmse before;
     std::optional<WindRmse> after;    ///< each flight corrected by what the others tell; none of one flight
     std::vector<FoundChange> changes; ///< in order of time
@@ -109,6 +122,13 @@ struct CommonSine {
     [[nodiscard]] double asWind_kt() const;
 };
 
+/// Aircraft of one kind of heading source, as laser gyros beside flux valves.
+struct WindGroup {
+    std::string group;
+    int aircraft = 0, corrected = 0; ///< corrected: that have winds after
+    WindSquares before, after;
+};
+
 struct WindBin {
     double from_deg = 0, to_deg = 0; ///< of the size; the last has no end (infinite)
     int aircraft = 0;
@@ -128,6 +148,8 @@ struct WindResult {
     std::optional<CommonSine> common;
     std::vector<WindBin> bins;
     std::vector<std::size_t> outliers; ///< rows of aircraft
+    std::vector<WindGroup> groups;     ///< where reports name one, by name
+    std::optional<WindGroup> control;  ///< that was asked for and is there
     std::vector<WindBand> altitudes;
     std::vector<WindSourceTold> sources;
     std::optional<double> sourcesApart_kt; ///< rms between two sources of one report
@@ -148,6 +170,7 @@ private:
     struct Aircraft;
     struct Use;
     Aircraft& aircraftOf(std::string_view name);
+    void groupUp(WindResult& result) const;
     Flight& flightOf(Aircraft& aircraft, const WindReport& report);
     static void mergeInto(Flight& flight, Aircraft& aircraft, double gap_s);
     std::optional<LeftOut> filter(Flight& flight, const WindReport& report, const Use& use) const;

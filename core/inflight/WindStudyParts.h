@@ -16,6 +16,7 @@ struct WindStudy::Flight {
     std::int64_t levelled = 0;
     // The report before.
     double last_s = kMissing, lastAltitude_m = kMissing, lastTrack_deg = kMissing;
+    double lastLatitude_deg = kMissing, lastLongitude_deg = kMissing, lastFix_s = kMissing;
     std::optional<LeftOut> lastLeftOut;
     std::array<std::uint64_t, 64> recent{}; ///< fingerprints: a report that comes again is known among so many
     std::size_t recentNext = 0;
@@ -44,6 +45,26 @@ struct WindStudy::Aircraft {
     double declinations = 0, declinationSquares = 0, declinationErrors = 0, errors = 0;
     std::int64_t declined = 0;
     std::array<WindSector, 36> sectors{}; ///< sums
+    std::string group;
+    std::int64_t fromPositions = 0;
+    double positionSquares = 0; ///< Σ of variances [kt²]
+    std::vector<WindDot> dots;
+    std::int64_t dotStride = 1;
+
+    /// One in so many, so that few stand for all.
+    void addDot(const WindDot& dot)
+    {
+        constexpr std::size_t kMostDots = 600;
+        if (used % dotStride != 0)
+            return;
+        dots.push_back(dot);
+        if (dots.size() < kMostDots)
+            return;
+        for (std::size_t i = 0; 2 * i < dots.size(); ++i)
+            dots[i] = dots[2 * i];
+        dots.resize(dots.size() / 2);
+        dotStride *= 2;
+    }
 
     void add(const FlightSums::Report& report)
     {
@@ -73,6 +94,7 @@ struct WindStudy::Twin {
 struct WindStudy::Use {
     Eigen::Vector2d ground, wind, reference; ///< winds blow to
     Eigen::Vector2d air, airReference;
+    double groundError_kt = 0; ///< of the ground velocity, each component, where it stands in the heading's error
 };
 
 } // namespace lubberline

@@ -4,13 +4,19 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTabWidget>
+
+#include <algorithm>
 
 #include "core/angle/AngleText.h"
 #include "core/inflight/InflightSwing.h"
 #include "core/swing/SwingResult.h"
 #include "ui/kit/Words.h"
+#include "ui/plots/drawn/DrawnPlot.h"
+#include "ui/plots/inflight/InflightDrawing.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
+#include "ui/report/forms/InflightSheets.h"
 #include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
@@ -41,8 +47,6 @@ QStringList wordsOf(const LegsSolution& solution)
                               plainNumber(solution.air.standardError_kt(), 1), plainNumber(solution.air.airspeed_kt, 1),
                               plainNumber(solution.air.airspeedError_kt, 1))
                           .arg(solution.legs.size())};
-    for (const auto& warning : solution.warnings)
-        lines += toText(warning);
     return lines;
 }
 
@@ -71,7 +75,9 @@ FlightLogPage::FlightLogPage(db::Stores& stores, FileQuestions questions, QWidge
     , m_open(new QPushButton(tr("&Open a log of legs or headings…")))
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_make(new QPushButton(tr("&Make a swing of it")))
+    , m_tabs(new QTabWidget)
     , m_plot(makeCurvePlot())
+    , m_told(new DrawnPlot(tr("What is told")))
     , m_worker([this](Result<FlightLog> read) { take(std::move(read)); }, [this](int percent) { say(tr("Reading… %1 %").arg(percent)); })
 {
     build();
@@ -93,12 +99,21 @@ void FlightLogPage::build()
     m_cancel->hide();
     for (QLineEdit* line : {m_variation, m_noise})
         line->setFixedWidth(fontMetrics().averageCharWidth() * 30);
+    auto* row = new QHBoxLayout; // beside the title they would cut it
     for (QWidget* one : std::initializer_list<QWidget*>{m_variation, m_noise, m_open, m_cancel, m_make})
-        head().addWidget(one);
+        row->addWidget(one);
+    row->addStretch(1);
+    body().addLayout(row);
     messageLine().setWordWrap(true);
-    body().addWidget(m_plot, 1);
+    m_tabs->addTab(m_plot, tr("Deviation"));
+    m_tabs->addTab(m_told, tr("What is told"));
+    m_told->setObjectName(QStringLiteral("flightTold"));
+    body().addWidget(m_tabs, 1);
     setFocusProxy(m_open);
     follow(*m_plot);
+    follow(*m_told);
+    showNothing();
+    connect(m_tabs, &QTabWidget::currentChanged, this, &Page::stateChanged);
     connect(m_open, &QPushButton::clicked, this, &FlightLogPage::choose);
     connect(m_make, &QPushButton::clicked, this, &FlightLogPage::make);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
@@ -120,11 +135,44 @@ Result<void> FlightLogPage::open(const FleetItem& record)
     if (!aircraft)
         return aircraft.error();
     m_compass = *compass;
+    takeFlown();
     setTitle(tr("A swing in flight of %1 · %2").arg(toText(aircraft->registration), toText(compass->name)));
     return {};
 }
 
-Plot* FlightLogPage::plot() const { return m_plot; }
+Plot* FlightLogPage::plot() const { return m_tabs->currentIndex() == 0 ? static_cast<Plot*>(m_plot) : m_told; }
+
+/// An empty plot says what to do.
+void FlightLogPage::showNothing()
+{
+    const QString what = tr("Open a log: legs by GPS, or headings beside a reference.");
+    SwingPicture picture;
+    picture.whyNoAnalysis = what;
+    m_plot->setPicture(picture);
+    DrawnPicture told;
+    told.notice = what;
+    m_told->setPicture(told);
+}
+
+/// A continuous swing goes on from what the swings in flight on record tell; a compass that was corrected since begins anew.
+void FlightLogPage::takeFlown()
+{
+    m_before.reset();
+    m_flown = 0;
+    const auto rows = m_stores.swings.swingsOf(m_compass.id); // newest first
+    std::vector<Swing> flown;
+    for (const SwingRow& row : rows ? *rows : std::vector<SwingRow>()) {
+        if (row.superseded)
+            continue;
+        if (row.kind != SwingKind::Air)
+            break;
+        if (auto swing = m_stores.swings.swing(row.id))
+            flown.push_back(std::move(swing.value()));
+    }
+    std::reverse(flown.begin(), flown.end());
+    m_before = stateAfter(flown, ContinuousOptions{}.noise_deg);
+    m_flown = m_before ? static_cast<int>(flown.size()) : 0;
+}
 
 void FlightLogPage::choose()
 {
@@ -161,6 +209,7 @@ void FlightLogPage::start()
         }
         filter.noise_deg = *noise_deg;
     }
+    filter.start = m_before;
     m_cancel->show();
     m_open->setEnabled(false);
     m_make->setEnabled(false);
@@ -176,13 +225,23 @@ void FlightLogPage::take(Result<FlightLog> read)
         refuse(messageOf(read.error()));
         return;
     }
-    const auto* legs = std::get_if<LegsSolution>(&read->solved);
-    const auto* continuous = std::get_if<ContinuousResult>(&read->solved);
+    m_log = std::make_shared<const FlightLog>(std::move(read.value()));
+    const auto* legs = std::get_if<LegsSolution>(&m_log->solved);
+    const auto* continuous = std::get_if<ContinuousResult>(&m_log->solved);
     m_swing = legs ? swingOf(*legs) : swingOf(continuous->legs);
     QStringList lines{QFileInfo(m_path).fileName()};
     lines += legs ? wordsOf(*legs) : wordsOf(*continuous);
-    for (const auto& warning : read->warnings)
-        lines += toText(warning);
+    if (continuous && m_flown > 0)
+        lines += tr("It goes on from %n swing(s) in flight on record, recomputed from their readings.", nullptr, m_flown);
+    m_said.clear();
+    if (legs)
+        for (const auto& warning : legs->warnings)
+            m_said += toText(warning);
+    for (const auto& warning : m_log->warnings)
+        m_said += toText(warning);
+    lines += m_said;
+    m_told->setPicture(legs ? legCircle(*legs) : convergence(*continuous));
+    m_tabs->setTabText(1, legs ? tr("Wind") : tr("Convergence"));
     SwingRecord record;
     record.swing = m_swing;
     record.compass = m_compass;
@@ -199,6 +258,26 @@ void FlightLogPage::take(Result<FlightLog> read)
     picture.readingsTitle = tr("means of legs");
     m_plot->setPicture(picture);
     m_make->setEnabled(!m_swing.readings.empty() && m_compass.id.valid() && !m_stores.readOnly());
+}
+
+void FlightLogPage::writeReport()
+{
+    if (!m_log) {
+        refuse(tr("Nothing to write yet; open a log first"));
+        return;
+    }
+    const QString path = m_questions.save(tr("Write the report"), QStringLiteral("swing-in-flight.pdf"), tr("PDF (*.pdf)"));
+    if (path.isEmpty())
+        return;
+    const QString source = QFileInfo(m_path).fileName();
+    const auto* legs = std::get_if<LegsSolution>(&m_log->solved);
+    ReferenceSheet sheet
+        = legs ? legsSheet(*legs, source, m_said) : continuousSheet(std::get<ContinuousResult>(m_log->solved), source, m_said);
+    sheet.madeAtUtc = toText(m_stores.clock().nowUtc());
+    if (const auto written = writeReferenceSheet(sheet, path); !written)
+        emit failed(messageOf(written.error()));
+    else
+        emit readOut(tr("wrote %1").arg(path));
 }
 
 void FlightLogPage::make()

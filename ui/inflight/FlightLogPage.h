@@ -13,9 +13,11 @@
 
 class QLineEdit;
 class QPushButton;
+class QTabWidget;
 
 namespace lubberline::ui {
 
+class DrawnPlot;
 class SwingPlot;
 
 /// What a log turned out to be.
@@ -34,6 +36,7 @@ public:
     Result<void> open(const FleetItem& record) override;
     [[nodiscard]] Plot* plot() const override;
     void readLog(const QString& path);
+    void writeReport(); ///< asks where to: PDF
 
 signals:
     void makeSwing(const lubberline::Swing& swing);
@@ -44,15 +47,23 @@ private:
     void start();
     void take(Result<FlightLog> read);
     void make();
+    void takeFlown();
+    void showNothing();
 
     db::Stores& m_stores;
     FileQuestions m_questions;
     CompassSystem m_compass;
     QString m_path;
     Swing m_swing;
+    std::optional<ContinuousState> m_before; ///< what the swings in flight on record tell
+    int m_flown = 0;                         ///< of these
+    std::shared_ptr<const FlightLog> m_log;
+    QStringList m_said;
     QLineEdit *m_variation, *m_noise;
     QPushButton *m_open, *m_cancel, *m_make;
+    QTabWidget* m_tabs;
     SwingPlot* m_plot;
+    DrawnPlot* m_told;
     Worker<FlightLog> m_worker;
 };
 

@@ -3,17 +3,16 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSplitter>
 #include <QTableWidget>
 
 #include "core/base/OutputFile.h"
-#include "core/fleet/Proportion.h"
 #include "core/format/results/WindsJson.h"
-#include "core/swing/SwingResult.h"
 #include "ui/kit/Words.h"
-#include "ui/plots/swing/PictureOf.h"
-#include "ui/plots/swing/SwingPlot.h"
+#include "ui/plots/drawn/DrawnPlot.h"
+#include "ui/plots/inflight/InflightDrawing.h"
 #include "ui/report/forms/WindSheet.h"
 #include "ui/text/NumberText.h"
 
@@ -22,36 +21,6 @@ namespace lubberline::ui {
 namespace {
 
 constexpr double kKnotsOfMetresASecond = 3600.0 / 1852.0;
-
-/// The means over headings of 10° as readings: deviation is the indication error the other way.
-SwingRecord sectorRecord(const AircraftWinds& one)
-{
-    SwingRecord record;
-    record.aircraft.registration = one.aircraft;
-    record.swing.kind = SwingKind::Air;
-    record.compass.resolution_deg = 0.1;
-    for (const auto& sector : one.sectors)
-        if (sector.count > 0) {
-            Reading reading;
-            reading.compass = CompassHeading::fromDegrees(sector.heading_deg);
-            reading.magnetic = toMagnetic(*reading.compass, Deviation::fromDegrees(-sector.error_deg));
-            record.swing.readings.push_back(std::move(reading));
-        }
-    return record;
-}
-
-/// The curve is that of the fit by flights, and so is the band.
-void putFit(ApproximateFit& into, const ClusteredFit& fit)
-{
-    for (int i = 0; i < kWindColumns; ++i) {
-        const auto place = static_cast<std::size_t>(i);
-        const bool told = fit.told[i] && i < fit.columns;
-        into.value[place] = told || i < 3 ? std::optional(toRadians(-fit.value(i))) : std::nullopt;
-        into.standardError[place] = told && fit.errorsTold ? std::optional(toRadians(fit.standardError(i))) : std::nullopt;
-    }
-    into.covariance = fit.covariance * (kRadiansPerDegree * kRadiansPerDegree);
-    into.intervalFactor = fit.errorsTold && fit.flights > 1 ? std::optional(studentFactor(fit.flights - 1)) : std::nullopt;
-}
 
 } // namespace
 
@@ -65,7 +34,9 @@ WindsPage::WindsPage(FileQuestions questions, std::function<QString()> now, QWid
     , m_sense(new QComboBox)
     , m_unit(new QComboBox)
     , m_table(new QTableWidget)
-    , m_plot(makeCurvePlot())
+    , m_control(new QLineEdit)
+    , m_scatter(new DrawnPlot(tr("Reports over heading"), {360, 200}))
+    , m_rose(new DrawnPlot(tr("Headings flown"), {180, 180}))
     , m_worker([this](Result<WindFile> read) { take(std::move(read)); }, [this](int percent) { say(tr("Reading… %1 %").arg(percent)); })
 {
     build();
@@ -95,16 +66,38 @@ void WindsPage::build()
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_cancel->hide();
-    for (QWidget* one : std::initializer_list<QWidget*>{m_sense, m_unit, m_factor, m_open, m_cancel})
-        head().addWidget(one);
+    m_control->setObjectName(QStringLiteral("windsControl"));
+    m_control->setPlaceholderText(tr("held against (group or aircraft)"));
+    m_control->setToolTip(
+        tr("Aircraft whose headings are held to be right, as by laser gyros: a name of the column group, or of an aircraft. "
+           "What they have in common is the error of the reference wind."));
+    auto* row = new QHBoxLayout; // beside the title they would cut it
+    for (QWidget* one : std::initializer_list<QWidget*>{m_open, m_cancel, m_sense, m_unit, m_factor, m_control})
+        row->addWidget(one);
+    row->addStretch(1);
+    body().addLayout(row);
+    m_scatter->setObjectName(QStringLiteral("windsScatter"));
+    m_rose->setObjectName(QStringLiteral("windsRose"));
+    DrawnPicture nothing;
+    nothing.notice = tr("Open wind reports to see an aircraft's deviation over heading.");
+    m_scatter->setPicture(nothing);
+    nothing.notice = tr("The headings that were flown stand here.");
+    m_rose->setPicture(nothing);
+    auto* plots = new QSplitter(Qt::Horizontal);
+    plots->addWidget(m_scatter);
+    plots->addWidget(m_rose);
+    plots->setStretchFactor(0, 3);
+    plots->setStretchFactor(1, 1);
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->addWidget(m_table);
-    splitter->addWidget(m_plot);
+    splitter->addWidget(plots);
     splitter->setStretchFactor(1, 1);
     body().addWidget(splitter, 1);
     messageLine().setWordWrap(true);
     setFocusProxy(m_open);
-    follow(*m_plot);
+    follow(*m_scatter);
+    follow(*m_rose);
+    connect(m_control, &QLineEdit::returnPressed, this, &WindsPage::start);
     connect(m_open, &QPushButton::clicked, this, &WindsPage::choose);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &WindsPage::showAircraft);
@@ -112,7 +105,7 @@ void WindsPage::build()
         connect(box, &QComboBox::activated, this, &WindsPage::start);
 }
 
-Plot* WindsPage::plot() const { return m_plot; }
+Plot* WindsPage::plot() const { return m_rose->hasFocus() ? m_rose : m_scatter; }
 TableFactor WindsPage::factor() const { return static_cast<TableFactor>(m_factor->currentIndex()); }
 
 void WindsPage::choose()
@@ -139,6 +132,7 @@ void WindsPage::start()
     reading.referenceToward = sense == 2 || sense == 3;
     reading.windFactor = unit == 1 ? kKnotsOfMetresASecond : 1.0;
     reading.referenceFactor = unit == 2 ? kKnotsOfMetresASecond : 1.0;
+    options.control = m_control->text().trimmed().toStdString();
     options.believed = sense != 0 || unit != 0;
     m_cancel->show();
     m_open->setEnabled(false);
@@ -194,22 +188,18 @@ void WindsPage::showAircraft()
         tr("%1: %2 reports, %3 used.").arg(QFileInfo(m_path).fileName()).arg(m_file->result.observations).arg(m_file->result.used)};
     for (const auto& warning : m_file->warnings)
         lines += toText(warning);
+    if (const auto& control = m_file->result.control; control && one.fitted && control->before.rmse().transverse_kt > 0)
+        lines += tr("Across the track %1 is %2 times as far off as %3%4.")
+                     .arg(toText(one.aircraft), plainNumber(one.before.transverse_kt / control->before.rmse().transverse_kt, 2),
+                         toText(control->group),
+                         one.after ? tr(", %1 times once corrected")
+                                         .arg(plainNumber(one.after->transverse_kt / control->before.rmse().transverse_kt, 2))
+                                   : QString());
     for (const auto& warning : one.warnings)
         lines += toText(one.aircraft) + QStringLiteral(": ") + toText(warning);
     say(lines.join('\n'));
-    const SwingRecord record = sectorRecord(one);
-    std::shared_ptr<Analysis> analysis;
-    QString why;
-    if (auto made = resultOf(record); made && one.fitted) {
-        analysis = std::make_shared<Analysis>(std::move(made.value()));
-        putFit(analysis->approximate, one.fit.fit);
-    } else {
-        why = made ? tr("Nothing is fitted") : toText(made.error().message);
-    }
-    SwingPicture picture = pictureOf(record, analysis, why, nullptr, {}, AngleStyle::DecimalDegrees);
-    picture.title = toText(one.aircraft);
-    picture.readingsTitle = tr("means over 10°");
-    m_plot->setPicture(picture);
+    m_scatter->setPicture(windScatter(one));
+    m_rose->setPicture(windRose(one));
 }
 
 void WindsPage::writeTables()

@@ -10,12 +10,13 @@
 #include "ui/kit/Worker.h"
 
 class QComboBox;
+class QLineEdit;
 class QPushButton;
 class QTableWidget;
 
 namespace lubberline::ui {
 
-class SwingPlot;
+class DrawnPlot;
 
 class WindsPage : public Page {
     Q_OBJECT
@@ -47,7 +48,8 @@ private:
     QPushButton *m_open, *m_cancel;
     QComboBox *m_factor, *m_sense, *m_unit;
     QTableWidget* m_table;
-    SwingPlot* m_plot;
+    QLineEdit* m_control;
+    DrawnPlot *m_scatter, *m_rose;
     Worker<WindFile> m_worker;
 };
 

@@ -1,12 +1,11 @@
 #include "core/format/csv/FigureCsv.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <limits>
 
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
+#include "core/base/PlainNumber.h"
 
 namespace lubberline {
 
@@ -191,8 +190,7 @@ bool FigureCsv::takePlain(std::string_view text, double& value)
         value = std::numeric_limits<double>::quiet_NaN();
         return true;
     }
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return fault == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+    return takePlainNumber(text, value);
 }
 
 bool FigureCsv::takeOther(std::string_view text, double& value) const

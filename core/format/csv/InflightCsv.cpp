@@ -157,6 +157,8 @@ Result<ContinuousFile> readContinuousCsv(std::istream& input, const std::string&
     constexpr std::size_t kMostLoads = (kMostStates - 5) / 2;
     if (currents.size() > kMostLoads)
         return csv.here({MARKED("core", "there are %1 loads; expected %2 at most"), currents.size(), kMostLoads});
+    if (options.start && options.start->loads.empty() && !options.loads.empty())
+        options.start = withLoads(*options.start, options.loads);
     if (options.start && options.start->loads != options.loads)
         return csv.here(
             MARKED("core", "the state that was kept has other electrical loads than this log; expected the same current_A columns"));

@@ -1,9 +1,10 @@
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 
 #include "core/base/FileText.h"
 #include "core/base/LineReader.h"
 #include "core/base/Number.h"
+#include "core/base/PlainNumber.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/RowSplitter.h"
 #include "core/format/csv/SensorLogColumns.h"
@@ -152,8 +153,7 @@ void LogReader::bindColumns()
 bool LogReader::takeCell(std::string_view cell, std::vector<double>& values)
 {
     double value = 0;
-    if (const auto [end, fault] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-        fault == std::errc() && end == cell.data() + cell.size() && std::isfinite(value)) {
+    if (takePlainNumber(cell, value)) {
         values.push_back(value);
         return true;
     }

@@ -1,7 +1,7 @@
 #include "core/format/csv/WindCsv.h"
 
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -77,6 +77,48 @@ bool within(Bounds bounds, double value)
     return true;
 }
 
+/// "T10:00:00Z", what stands behind the day; NaN: it is no time.
+double secondsOfDay(std::string_view text)
+{
+    const auto digits = [&](std::size_t at, int most) {
+        if (at + 2 > text.size() || text[at] < '0' || text[at] > '9' || text[at + 1] < '0' || text[at + 1] > '9')
+            return -1;
+        const int value = 10 * (text[at] - '0') + text[at + 1] - '0';
+        return value <= most ? value : -1;
+    };
+    if (text.size() < 6 || (text[0] != 'T' && text[0] != ' ') || text[3] != ':')
+        return kMissing;
+    const int hour = digits(1, 23), minute = digits(4, 59);
+    double second = 0;
+    std::string_view rest = text.substr(6);
+    if (rest.starts_with(':')) {
+        const int whole = digits(7, 60);
+        if (whole < 0)
+            return kMissing;
+        rest.remove_prefix(3);
+        second = whole;
+        if (rest.starts_with('.') || rest.starts_with(',')) {
+            double unit = 0.1;
+            rest.remove_prefix(1);
+            while (!rest.empty() && rest.front() >= '0' && rest.front() <= '9') {
+                second += unit * (rest.front() - '0');
+                unit *= 0.1;
+                rest.remove_prefix(1);
+            }
+        }
+    }
+    if (hour < 0 || minute < 0 || !(rest.empty() || rest == "Z" || rest == "z" || rest == "+00:00"))
+        return kMissing;
+    return hour * 3600.0 + minute * 60.0 + second;
+}
+
+/// Seconds since 1970 to the beginning of a day "2014-01-05"; NaN: it is none.
+double secondsToDay(std::string_view text)
+{
+    const auto day = Date::read(text);
+    return day ? static_cast<double>(std::chrono::sys_days(day->day()).time_since_epoch().count()) * 86400.0 : kMissing;
+}
+
 class WindReader {
 public:
     WindReader(
@@ -110,11 +152,17 @@ public:
     }
 
 private:
+    [[nodiscard]] static bool isGround(const WindField& field)
+    {
+        return field.field == &WindReport::groundSpeed_kt || field.field == &WindReport::track_deg;
+    }
+
     Result<void> takeHeader()
     {
         if (const auto header = m_csv.readHeader(kWindColumnNames); !header)
             return header;
         std::vector<bool> known(m_csv.columns().size());
+        const bool fromPositions = m_csv.column("latitude_deg") && m_csv.column("longitude_deg") && m_csv.column("time_utc");
         for (const auto& field : kWindFields) {
             const auto column = m_csv.column(field.name, field.units);
             if (!column)
@@ -122,10 +170,10 @@ private:
             if (*column) {
                 m_fields.push_back({field, **column});
                 known[(*column)->place] = true;
-            } else if (field.required) {
+            } else if (field.required && !(fromPositions && isGround(field))) {
                 return m_csv.here(
                     {MARKED("core",
-                         "there is no column %1; expected ground_speed_kt, track_deg, wind_speed_kt, wind_from_deg, ref_wind_speed_kt and ref_wind_from_deg"),
+                         "there is no column %1; expected ground_speed_kt, track_deg, wind_speed_kt, wind_from_deg, ref_wind_speed_kt and ref_wind_from_deg; or, in place of both first, latitude_deg, longitude_deg and time_utc"),
                         inQuotes(std::string(field.name) + std::string(field.units.front().suffix))});
             }
         }
@@ -139,6 +187,8 @@ private:
         m_flight = text("flight");
         m_time = text("time_utc");
         m_source = text("source");
+        m_group = text("group");
+        m_latitude = fromPositions ? m_csv.column("latitude_deg") : std::nullopt;
         const bool hasWind = m_csv.column("wind_speed", kSpeeds)->has_value() && m_csv.column("wind", kFromOrToward)->has_value();
         const bool hasHeading = m_csv.column("heading_deg") && m_csv.column("tas", kSpeeds)->has_value();
         if (!hasWind && !hasHeading)
@@ -176,7 +226,7 @@ private:
             report.referenceFrom_deg += 180.0;
         if (m_time)
             if (const std::string_view cell = m_csv.cell(*m_time); !cell.empty()) {
-                report.time_s = secondsOfUtc(cell);
+                report.time_s = timeOf(cell);
                 if (!std::isfinite(report.time_s))
                     return m_csv.here({MARKED("core", "time_utc %1 is no time; expected YYYY-MM-DDTHH:MM:SSZ"), inQuotes(cell)});
             }
@@ -184,15 +234,37 @@ private:
         report.aircraft = text(m_aircraft);
         report.flight = text(m_flight);
         report.source = text(m_source);
+        report.group = text(m_group);
+        if (m_latitude) {
+            const std::string_view latitude = m_csv.cell(*m_latitude);
+            const auto point = latitude.find_first_of(".,");
+            if (point != std::string_view::npos)
+                m_decimals = std::clamp(latitude.size() - point - 1, m_decimals, std::size_t{9});
+            report.positionStep_deg = kSteps_deg[m_decimals];
+        }
         m_study.add(report);
         return {};
     }
 
+    /// Reports of one day follow one another.
+    double timeOf(std::string_view cell)
+    {
+        if (cell.substr(0, 10) != m_day) {
+            m_day = cell.substr(0, 10);
+            m_dayFrom_s = secondsToDay(m_day);
+        }
+        return cell.size() > 10 ? m_dayFrom_s + secondsOfDay(cell.substr(10)) : kMissing;
+    }
+
     FigureCsv m_csv;
     WindStudy m_study;
+    std::string m_day;
+    double m_dayFrom_s = kMissing;
     WindReading m_reading;
     std::vector<TakenField> m_fields;
-    std::optional<std::size_t> m_aircraft, m_flight, m_time, m_source;
+    std::optional<std::size_t> m_aircraft, m_flight, m_time, m_source, m_group, m_latitude;
+    std::size_t m_decimals = 0; ///< of latitudes, the most so far: a program may leave zeros away
+    static constexpr std::array<double, 10> kSteps_deg{1, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
     std::vector<Message> m_warnings;
 };
 
@@ -200,41 +272,7 @@ private:
 
 double secondsOfUtc(std::string_view text)
 {
-    const auto digits = [&](std::size_t at, std::size_t count, int most) {
-        int value = 0;
-        for (std::size_t i = at; i < at + count; ++i) {
-            if (i >= text.size() || text[i] < '0' || text[i] > '9')
-                return -1;
-            value = 10 * value + (text[i] - '0');
-        }
-        return value <= most ? value : -1;
-    };
-    const auto day = Date::read(text.substr(0, 10));
-    if (!day || text.size() < 16 || (text[10] != 'T' && text[10] != ' ') || text[13] != ':')
-        return kMissing;
-    const int hour = digits(11, 2, 23), minute = digits(14, 2, 59);
-    double second = 0;
-    std::string_view rest = text.substr(16);
-    if (rest.starts_with(':')) {
-        const int whole = digits(17, 2, 60);
-        if (whole < 0)
-            return kMissing;
-        rest.remove_prefix(3);
-        second = whole;
-        if (rest.starts_with('.') || rest.starts_with(',')) {
-            double unit = 0.1;
-            rest.remove_prefix(1);
-            while (!rest.empty() && rest.front() >= '0' && rest.front() <= '9') {
-                second += unit * (rest.front() - '0');
-                unit *= 0.1;
-                rest.remove_prefix(1);
-            }
-        }
-    }
-    if (hour < 0 || minute < 0 || !(rest.empty() || rest == "Z" || rest == "z" || rest == "+00:00"))
-        return kMissing;
-    const auto days = std::chrono::sys_days(day->day()).time_since_epoch().count();
-    return static_cast<double>(days) * 86400.0 + hour * 3600.0 + minute * 60.0 + second;
+    return text.size() > 10 ? secondsToDay(text.substr(0, 10)) + secondsOfDay(text.substr(10)) : kMissing;
 }
 
 Result<WindFile> readWindCsv(

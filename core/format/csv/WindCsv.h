@@ -1,6 +1,7 @@
 #pragma once
 /// Wind CSV, a report a row: `ground_speed_kt, track_deg, wind_speed_kt, wind_from_deg, ref_wind_speed_kt, ref_wind_from_deg`, optional
-/// `tas_kt, aircraft, flight, time_utc, latitude_deg, longitude_deg, altitude_m, roll_deg, heading_deg, source`. Speeds may be `_m_s` or
+/// `tas_kt, aircraft, flight, group, time_utc, latitude_deg, longitude_deg, altitude_m, roll_deg, heading_deg, source`; without ground_speed
+/// and track they follow from positions and times. Speeds may be `_m_s` or
 /// `_km_h`, altitudes `_ft`, winds `_toward_deg`; a row without a wind of its own needs heading and tas. Other columns are named in a warning.
 
 #include <istream>

@@ -111,6 +111,9 @@ WindJson aircraftJson(const AircraftWinds& one, TableFactor factor)
     json["tables"] = tables;
     json["rmse_kt"]
         = one.fitted ? WindJson{{"before", rmseJson(one.before)}, {"after", one.after ? rmseJson(*one.after) : WindJson()}} : WindJson();
+    json["group"] = one.group.empty() ? WindJson() : WindJson(one.group);
+    json["from_positions"] = one.fromPositions;
+    json["position_error_kt"] = figureOr(one.fromPositions > 0, one.positionError_kt);
     json["change"] = one.changes.empty() ? WindJson() : changeJson(one.changes.back());
     json["changes"] = WindJson::array();
     for (const auto& change : one.changes)
@@ -118,6 +121,27 @@ WindJson aircraftJson(const AircraftWinds& one, TableFactor factor)
     json["fit_before_change"] = one.beforeChange ? fitJson(*one.beforeChange) : WindJson();
     json["warnings"] = inEnglish(one.warnings);
     return json;
+}
+
+/// Parts of the control's own.
+WindJson normalisedJson(const AircraftWinds& one, const std::optional<WindGroup>& control)
+{
+    if (!control || !one.fitted)
+        return {};
+    const WindRmse norm = control->before.rmse();
+    const auto parts = [&norm](const WindRmse& rmse) {
+        return WindJson{{"total", figureOr(norm.total_kt > 0, rmse.total_kt / norm.total_kt)},
+            {"longitudinal", figureOr(norm.longitudinal_kt > 0, rmse.longitudinal_kt / norm.longitudinal_kt)},
+            {"transverse", figureOr(norm.transverse_kt > 0, rmse.transverse_kt / norm.transverse_kt)}};
+    };
+    return {{"before", parts(one.before)}, {"after", one.after ? parts(*one.after) : WindJson()}};
+}
+
+WindJson groupJson(const WindGroup& group)
+{
+    return {{"group", group.group}, {"aircraft", group.aircraft}, {"observations", group.before.count},
+        {"rmse_kt",
+            {{"before", rmseJson(group.before.rmse())}, {"after", group.after.count > 0 ? rmseJson(group.after.rmse()) : WindJson()}}}};
 }
 
 WindJson commonJson(const std::optional<CommonSine>& common)
@@ -150,6 +174,7 @@ std::string toJson(const WindResult& result, TableFactor factor)
     WindJson warnings = inEnglish(result.warnings);
     for (const auto& one : result.aircraft) {
         json["aircraft"].push_back(aircraftJson(one, factor));
+        json["aircraft"].back()["rmse_of_control"] = normalisedJson(one, result.control);
         for (const auto& warning : one.warnings)
             warnings.push_back((one.aircraft.empty() ? std::string() : one.aircraft + ": ") + warning.english());
     }
@@ -160,6 +185,10 @@ std::string toJson(const WindResult& result, TableFactor factor)
     json["outliers"] = WindJson::array();
     for (const std::size_t row : result.outliers)
         json["outliers"].push_back({{"aircraft", result.aircraft[row].aircraft}, {"size_deg", result.aircraft[row].size_deg()}});
+    json["groups"] = WindJson::array();
+    for (const auto& group : result.groups)
+        json["groups"].push_back(groupJson(group));
+    json["control"] = result.control ? groupJson(*result.control) : WindJson();
     json["altitudes"] = WindJson::array();
     for (const auto& band : result.altitudes)
         json["altitudes"].push_back(

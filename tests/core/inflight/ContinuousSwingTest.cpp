@@ -253,6 +253,51 @@ TEST(ContinuousSwing, twoFlightsAreOneWhenTheStateIsKept)
     EXPECT_EQ(b.state.updates, 600);
 }
 
+TEST(ContinuousSwing, aStateIsRecomputedFromTheSwingsOnRecord)
+{
+    std::vector<Swing> flown(2);
+    for (std::size_t flight = 0; flight < 2; ++flight) {
+        std::vector<LegMean> legs;
+        for (int i = 0; i < 8; ++i) {
+            const double heading = 45.0 * i + 10.0 * static_cast<double>(flight);
+            legs.push_back({"", 0, heading, 1 + 2 * std::sin(toRadians(heading)) - std::cos(toRadians(heading)), 10});
+        }
+        flown[flight] = swingOf(legs);
+    }
+    flown[1].readings.back().exclusion = Exclusion{"turning"};
+    const auto state = stateAfter(flown, 0.5);
+    ASSERT_TRUE(state);
+    EXPECT_EQ(state->updates, 15);
+    EXPECT_NEAR(state->state_deg(0), 1, 1e-9);
+    EXPECT_NEAR(state->state_deg(1), 2, 1e-9);
+    EXPECT_NEAR(state->state_deg(2), -1, 1e-9);
+    EXPECT_NEAR(state->covariance(0, 0), 0.25 / 15, 0.003);
+    // One heading tells nothing whole.
+    flown.resize(1);
+    flown[0].readings.resize(1);
+    EXPECT_FALSE(stateAfter(flown, 0.5));
+    EXPECT_FALSE(stateAfter({}, 0.5));
+    // A log with a load goes on from a state that knows none.
+    const ContinuousState wide = withLoads(*state, {"radar"});
+    EXPECT_EQ(wide.state_deg.size(), 7);
+    EXPECT_EQ(wide.covariance(0, 1), state->covariance(0, 1));
+    EXPECT_NEAR(wide.covariance(5, 5), 100, 1e-9);
+    EXPECT_EQ(wide.covariance(5, 0), 0);
+    ContinuousOptions options;
+    options.loads = {"radar"};
+    options.start = wide;
+    ContinuousSwing swing(options);
+    for (int i = 0; i < 60; ++i) {
+        const double heading = 37.0 * i;
+        swing.add({double(i), heading,
+            1 + 2 * std::sin(toRadians(heading)) - std::cos(toRadians(heading)) + 0.1 * (i % 2) * 10 * std::sin(toRadians(heading)), {}, {},
+            {i % 2 * 10.0}});
+    }
+    const auto result = swing.finish();
+    ASSERT_TRUE(result.state_deg[5]);
+    EXPECT_NEAR(*result.state_deg[5], 0.1, 0.02);
+}
+
 TEST(ContinuousSwing, legMeansAreTheReadingsOfASwingInFlight)
 {
     ContinuousSwing swing({});

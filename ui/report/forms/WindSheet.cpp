@@ -74,6 +74,44 @@ Table windTable(const WindResult& result)
     return table;
 }
 
+Table groupTable(const WindResult& result)
+{
+    const QString knots = QStringLiteral("kt");
+    Table table{Words::tr("Error of reported winds by source of heading"),
+        {{Words::tr("Group"), {}, {}, 46, TableColumn::Align::Left}, {Words::tr("Aircraft"), {}, {}, 16},
+            {Words::tr("Total"), Words::tr("before"), knots, 20}, {Words::tr("Along"), Words::tr("before"), knots, 20},
+            {Words::tr("Across"), Words::tr("before"), knots, 20}, {Words::tr("Total"), Words::tr("after"), knots, 20},
+            {Words::tr("Across"), Words::tr("after"), knots, 20}},
+        {}};
+    const auto add = [&table](const QString& name, const WindGroup& group) {
+        const WindRmse before = group.before.rmse(), after = group.after.rmse();
+        const bool told = group.after.count > 0;
+        table.rows.push_back({{name, QString::number(group.aircraft), figure(before.total_kt, 1), figure(before.longitudinal_kt, 1),
+            figure(before.transverse_kt, 1), told ? figure(after.total_kt, 1) : dash(), told ? figure(after.transverse_kt, 1) : dash()}});
+    };
+    for (const auto& group : result.groups)
+        add(printable(group.group), group);
+    if (result.control)
+        add(Words::tr("held against: %1").arg(printable(result.control->group)), *result.control);
+    return table;
+}
+
+Table altitudeTable(const WindResult& result)
+{
+    const QString knots = QStringLiteral("kt");
+    Table table{Words::tr("Error of reported winds by altitude, before any correction"),
+        {{Words::tr("From"), {}, QStringLiteral("m"), 20}, {Words::tr("To"), {}, QStringLiteral("m"), 20},
+            {Words::tr("Reports"), {}, {}, 24}, {Words::tr("Total"), {}, knots, 24}, {Words::tr("Along"), {}, knots, 24},
+            {Words::tr("Across"), {}, knots, 24}},
+        {}};
+    for (const auto& band : result.altitudes) {
+        const WindRmse rmse = band.before.rmse();
+        table.rows.push_back({{figure(band.from_m, 0), figure(band.to_m, 0), QString::number(band.before.count), figure(rmse.total_kt, 1),
+            figure(rmse.longitudinal_kt, 1), figure(rmse.transverse_kt, 1)}});
+    }
+    return table;
+}
+
 Table uploadTable(const WindSheet& sheet)
 {
     Table table{Words::tr("Corrections to upload (deviation's sign, easterly positive)"),
@@ -118,6 +156,9 @@ Result<void> writeWindSheet(const WindSheet& sheet, const QString& path)
             std::vector<Block> blocks = factBlocks(windFacts(sheet), {family, 8, mm(34)}, room.width());
             append(blocks, tableBlocks(windTable(sheet.result), room.width(), family, kDenseTableRow));
             append(blocks, tableBlocks(uploadTable(sheet), room.width(), family, kDenseTableRow));
+            for (const Table& table : {groupTable(sheet.result), altitudeTable(sheet.result)})
+                if (!table.rows.empty())
+                    append(blocks, tableBlocks(table, room.width(), family, kDenseTableRow));
             blocks.push_back(titleBlock(Words::tr("What has to be said of each"), family));
             append(blocks, factBlocks(remarks(sheet.result), {family, 7.5, mm(34)}, room.width()));
             return blocks;
