@@ -4,11 +4,17 @@
 #include "app/Console.h"
 #include "app/LogOptions.h"
 #include "app/Outputs.h"
+#include "app/Paths.h"
+#include "app/QtSession.h"
 #include "core/base/Number.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/ActionsCsv.h"
 #include "core/format/results/SensorTestsJson.h"
+#include "ui/plots/base/PlotFile.h"
+#include "ui/plots/calibration/SensorTestDrawing.h"
+#include "ui/report/forms/InflightSheets.h"
+#include "ui/report/forms/SensorTestSheets.h"
 
 namespace lubberline::app {
 
@@ -48,6 +54,37 @@ void printSpectrum(const LogSpectrum& spectrum, const SensorLog& log)
     }
 }
 
+/// A report as PDF, with the time.
+int writeSheet(ui::ReferenceSheet sheet, const Output& output)
+{
+    const auto session = makeDrawingSession();
+    sheet.madeAtUtc = nowUtc();
+    if (const auto written = ui::writeReferenceSheet(sheet, QString::fromStdString(output.path)); !written)
+        return fail(written.error());
+    sayWritten(output);
+    return kDone;
+}
+
+bool isPicture(const Output& output) { return output.kind == ".png" || output.kind == ".svg"; }
+
+/// The spectrum, and beneath it how its lines come and go.
+Result<void> writeSpectrumPlot(const LogSpectrum& spectrum, const SensorLog& log, const Output& output)
+{
+    const auto session = makeDrawingSession();
+    const QString unit = QString::fromStdString(std::string(log.figureUnit()));
+    const auto spectrogram = spectrogramOf(log, spectrum.column, spectrum.segment);
+    const bool both = spectrogram && spectrogram->density.size() > 1;
+    const auto paint = [&](QPainter& painter, const QRectF& target) {
+        const double height = both ? 0.55 * target.height() : target.height();
+        ui::renderDrawn(painter, QRectF(target.topLeft(), QSizeF(target.width(), height)), ui::spectrumDrawing(spectrum, unit));
+        if (both)
+            ui::renderDrawn(painter, QRectF(target.left(), target.top() + height, target.width(), target.height() - height),
+                ui::spectrogramDrawing(*spectrogram, unit));
+    };
+    return ui::writePlotFile(QString::fromStdString(output.path), {1000, both ? 900 : 560}, QStringLiteral("Spectrum"), paint,
+        QString::fromStdString(output.kind.substr(1)));
+}
+
 int spectrumCommand(const SensorTestArguments& options)
 {
     const auto log = readLog(options.log);
@@ -60,7 +97,17 @@ int spectrumCommand(const SensorTestArguments& options)
         warn(log->warnings);
         warn(spectrum->warnings);
     }
-    if (!options.output.empty()) {
+    if (options.output.kind == ".pdf") {
+        const int written = writeSheet(ui::spectrumSheet(*spectrum, *log, ui::sourceName(options.log.file)), options.output);
+        if (written != kDone || !options.json)
+            return written;
+    } else if (isPicture(options.output)) {
+        if (const auto written = writeSpectrumPlot(*spectrum, *log, options.output); !written)
+            return fail(written.error());
+        sayWritten(options.output);
+        if (!options.json)
+            return kDone;
+    } else if (!options.output.empty()) {
         std::string rows = log->unit == FieldUnit::Counts ? "frequency_hz,density_per_hz\n" : "frequency_hz,density_nT2_per_hz\n";
         for (std::size_t k = 0; k < spectrum->density.size(); ++k)
             rows += shortestNumber(spectrum->frequency_hz[k]) + "," + shortestNumber(spectrum->density[k]) + "\n";
@@ -90,12 +137,16 @@ int coilCommand(const SensorTestArguments& options)
     const auto result = coilBench(*log);
     if (!result)
         return failIn(result.error(), options);
-    if (options.json) {
+    if (options.json)
         std::printf("%s\n", toJson(*result, *log).c_str());
-        return kDone;
+    else {
+        warn(log->warnings);
+        warn(result->warnings);
     }
-    warn(log->warnings);
-    warn(result->warnings);
+    if (!options.output.empty())
+        return writeSheet(ui::coilSheet(*result, ui::sourceName(options.log.file)), options.output);
+    if (options.json)
+        return kDone;
     std::printf("%zu samples, %zu used\n%-28s%14s%14s%14s\n", result->samples, result->used, "", "x", "y", "z");
     printThree("scale, measured per applied", result->scale, 6);
     printThree("  standard error", result->scaleError, 6);
@@ -124,12 +175,16 @@ int interferenceCommand(const SensorTestArguments& options)
     const auto result = interferenceTest(*log, *actions, {options.limits_nT[0], options.limits_nT[1], options.limits_nT[2]});
     if (!result)
         return failIn(result.error(), options);
-    if (options.json) {
+    if (options.json)
         std::printf("%s\n", toJson(*result, *log).c_str());
-        return kDone;
+    else {
+        warn(log->warnings);
+        warn(result->warnings);
     }
-    warn(log->warnings);
-    warn(result->warnings);
+    if (!options.output.empty())
+        return writeSheet(ui::interferenceSheet(*result, *log, ui::sourceName(options.log.file)), options.output);
+    if (options.json)
+        return kDone;
     std::printf("limits %.0f, %.0f, %.0f nT\n%-32s%10s%27s%29s\n", result->limits_nT.x(), result->limits_nT.y(), result->limits_nT.z(),
         "action", "from (s)", "worst x, y, z (nT)", "at (s)");
     for (const auto& action : result->actions)
@@ -167,10 +222,13 @@ void addSensorTests(CLI::App& app, Invocation& invocation)
     spectrum->add_option("--tachometer", options->spectrum.tachometer, "a column of rev/min: orders of a rotor");
     spectrum->add_option("--max-delay-ms", options->spectrum.maxDelay_ms, "choose notches and a low-pass within this delay")
         ->check(CLI::Range(0.01, 10000.0));
-    addOutputOption(*spectrum, invocation, "-o,--output", options->output, "write frequency and density", {".csv"});
+    addOutputOption(*spectrum, invocation, "-o,--output", options->output, "write frequency and density, the plot, or the report",
+        {".csv", ".png", ".svg", ".pdf"});
 
     options = std::make_shared<SensorTestArguments>();
-    addTest(app, invocation, options, "coil", "a sensor in a coil: applied (ax_nT, ay_nT, az_nT) against measured", coilCommand);
+    auto* coil
+        = addTest(app, invocation, options, "coil", "a sensor in a coil: applied (ax_nT, ay_nT, az_nT) against measured", coilCommand);
+    addOutputOption(*coil, invocation, "-o,--output", options->output, "the report", {".pdf"});
 
     options = std::make_shared<SensorTestArguments>();
     auto* interference = addTest(
@@ -180,6 +238,7 @@ void addSensorTests(CLI::App& app, Invocation& invocation)
         ->delimiter(',')
         ->expected(3)
         ->capture_default_str();
+    addOutputOption(*interference, invocation, "-o,--output", options->output, "the report", {".pdf"});
 }
 
 } // namespace lubberline::app

@@ -343,8 +343,11 @@ Result<AttitudeResult> fitAttitude(const SensorLog& log, const AttitudeOptions& 
     const auto used = usableRows(log, quality);
     result.used = static_cast<std::size_t>(std::count(used.begin(), used.end(), std::uint8_t{1}));
     const std::size_t regressors = 4 + log.currents.size();
-    if (result.used < regressors + 1)
+    if (result.used < regressors + 1) {
+        if (Message why = whyFewUsable(log, quality); !why.empty())
+            return Error{ErrorCode::Numeric, std::move(why)};
         return Error{ErrorCode::Numeric, {MARKED("core", "has %1 usable samples; expected %2 or more"), result.used, regressors + 1}};
+    }
     if (Message own = headingOfItsOwn(log, used); !own.empty())
         return Error{ErrorCode::InvalidInput, std::move(own)};
 

@@ -409,6 +409,8 @@ EllipsoidResult fitEllipsoid(const SensorLog& log, EllipsoidShape shape, std::op
     result.usedRows = offered;
     result.used = static_cast<std::size_t>(std::count(offered.begin(), offered.end(), std::uint8_t{1}));
     if (const Message flat = flatness(log, rows, shape); !flat.empty()) {
+        if (Message why = whyFewUsable(log, quality); !why.empty())
+            result.reasons.push_back(std::move(why));
         result.reasons.push_back(flat);
         result.nextSteps.push_back({MARKED("core", "turn the sensor through all attitudes, each side up once, with a full turn in each")});
         return result;

@@ -174,6 +174,34 @@ void findSpikes(const SensorLog& log, LogQuality& quality)
 
 } // namespace
 
+Message whyFewUsable(const SensorLog& log, const LogQuality& quality)
+{
+    const auto lost = [&quality](SampleFault fault) { return quality.of(fault); };
+    const auto usable = lost(SampleFault::None) + lost(SampleFault::Repeat), all = static_cast<std::int64_t>(log.size());
+    if (all == 0 || 2 * usable > all)
+        return {};
+    constexpr std::array kFaults{SampleFault::Stuck, SampleFault::Missing, SampleFault::Clipped, SampleFault::Spike};
+    const SampleFault worst
+        = *std::max_element(kFaults.begin(), kFaults.end(), [&](SampleFault a, SampleFault b) { return lost(a) < lost(b); });
+    switch (worst) {
+    case SampleFault::Stuck: {
+        // The axis that stands longest.
+        std::array<std::int64_t, 3> standing{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (std::size_t row = 1; row < log.size(); ++row)
+                standing[axis] += log.field[axis][row] == log.field[axis][row - 1] ? 1 : 0;
+        const auto axis = std::max_element(standing.begin(), standing.end()) - standing.begin();
+        return {MARKED("core",
+                    "axis %1 is stuck in %2 of %3 samples: its figure stands while another axis moves; look at its cable and its column"),
+            "xyz"[axis], lost(worst), all};
+    }
+    case SampleFault::Missing: return {MARKED("core", "%1 of %2 samples have no whole field: empty cells, or NaN"), lost(worst), all};
+    case SampleFault::Clipped:
+        return {MARKED("core", "%1 of %2 samples are cut off: the field is beyond the sensor's range"), lost(worst), all};
+    default: return {MARKED("core", "%1 of %2 samples are spikes"), lost(worst), all};
+    }
+}
+
 LogQuality qualityOf(const SensorLog& log)
 {
     LogQuality quality;

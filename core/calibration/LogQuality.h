@@ -25,6 +25,9 @@ struct LogQuality {
     [[nodiscard]] std::int64_t of(SampleFault fault) const { return count[static_cast<std::size_t>(fault)]; }
 };
 
+/// Why most rows cannot be used, with their figure and the axis that is at fault; empty where most can.
+[[nodiscard]] Message whyFewUsable(const SensorLog& log, const LogQuality& quality);
+
 /// Repeat: a row of three figures that are the row's before it (data read faster than the sensor makes them); kept in use, as it is only
 /// no news. Stuck: one axis shows the same figure in 50 rows and more while another one moves by more than 20 of its own steps.
 /// Clipped: three rows and more stand at the largest or smallest figure of an axis, and no figure is near it. Spike: a row that leaves

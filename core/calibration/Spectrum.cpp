@@ -372,4 +372,30 @@ Result<LogSpectrum> spectrumOf(const SensorLog& log, const SpectrumOptions& opti
     return result;
 }
 
+Result<Spectrogram> spectrogramOf(const SensorLog& log, const std::string& column, std::size_t segment, std::size_t most)
+{
+    const LogQuality quality = qualityOf(log);
+    const auto* values = columnNamed(log, column);
+    if (!values)
+        return Error{ErrorCode::InvalidInput, {MARKED("core", "has no column %1"), inQuotes(column)}};
+    if (!quality.rate_hz)
+        return Error{ErrorCode::InvalidInput, MARKED("core", "has no time; expected a column time_s that goes on")};
+    Spectrogram spectrogram;
+    spectrogram.rate_hz = *quality.rate_hz;
+    spectrogram.step_hz = *quality.rate_hz / static_cast<double>(segment);
+    const auto runs = runsOf(*values, quality, values == &log.field[0] || values == &log.field[1] || values == &log.field[2]);
+    const std::size_t length = std::max(segment, values->size() / std::max<std::size_t>(1, most) / segment * segment);
+    for (std::size_t place = 0; place < runs.size(); ++place) {
+        const auto& run = runs[place];
+        const std::size_t first = place == 0 ? 0 : quality.gaps[place - 1].before; // row of the run
+        for (std::size_t from = 0; from + length <= run.size(); from += length) {
+            const std::vector<std::vector<double>> part{
+                {run.begin() + static_cast<std::ptrdiff_t>(from), run.begin() + static_cast<std::ptrdiff_t>(from + length)}};
+            spectrogram.density.push_back(welch(part, segment, *quality.rate_hz).density);
+            spectrogram.time_s.push_back((log.time_s[first + from] + log.time_s[first + from + length - 1]) / 2);
+        }
+    }
+    return spectrogram;
+}
+
 } // namespace lubberline

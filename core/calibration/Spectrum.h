@@ -45,6 +45,15 @@ struct LogSpectrum {
 /// Errors: InvalidInput (no such column, no time, too short).
 Result<LogSpectrum> spectrumOf(const SensorLog& log, const SpectrumOptions& options);
 
+/// Densities over time: how lines come and go.
+struct Spectrogram {
+    double rate_hz = 0, step_hz = 0;
+    std::vector<double> time_s;               ///< the middle of each
+    std::vector<std::vector<double>> density; ///< of each time, at 0, step, …; as LogSpectrum's
+};
+/// Of a column as spectrumOf() names them, in at most `most` times, each of some segments. Errors: as spectrumOf().
+Result<Spectrogram> spectrogramOf(const SensorLog& log, const std::string& column, std::size_t segment, std::size_t most = 200);
+
 /// Where sampling at `rate_hz` puts a frequency: 0 … rate/2.
 [[nodiscard]] double aliasOf_hz(double frequency_hz, double rate_hz);
 

@@ -3,6 +3,7 @@
 #include <fftw3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -50,6 +51,22 @@ private:
     fftw_plan m_plan = nullptr;
 };
 
+/// In eight sums that do not wait for each other.
+double sumOf(const double* values, std::size_t count)
+{
+    std::array<double, 8> sums{};
+    std::size_t i = 0;
+    for (; i + sums.size() <= count; i += sums.size())
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            sums[k] += values[i + k];
+    double sum = 0;
+    for (; i < count; ++i)
+        sum += values[i];
+    for (const double one : sums)
+        sum += one;
+    return sum;
+}
+
 } // namespace
 
 WelchSpectrum welch(std::span<const std::vector<double>> runs, std::size_t segment, double rate_hz)
@@ -68,15 +85,15 @@ WelchSpectrum welch(std::span<const std::vector<double>> runs, std::size_t segme
     SegmentTransform transform(segment);
     for (const auto& run : runs)
         for (std::size_t from = 0; from + segment <= run.size(); from += segment / 2) {
-            double mean = 0;
+            const double* const samples = run.data() + from;
+            double* const in = transform.in();
+            const double mean = sumOf(samples, segment) / static_cast<double>(segment);
             for (std::size_t i = 0; i < segment; ++i)
-                mean += run[from + i];
-            mean /= static_cast<double>(segment);
-            for (std::size_t i = 0; i < segment; ++i)
-                transform.in()[i] = (run[from + i] - mean) * window[i];
-            const fftw_complex* out = transform.run();
+                in[i] = (samples[i] - mean) * window[i];
+            const fftw_complex* const out = transform.run();
+            double* const density = spectrum.density.data();
             for (std::size_t k = 0; k < spectrum.density.size(); ++k)
-                spectrum.density[k] += out[k][0] * out[k][0] + out[k][1] * out[k][1];
+                density[k] += out[k][0] * out[k][0] + out[k][1] * out[k][1];
             ++spectrum.segments;
         }
     const double factor = spectrum.segments > 0 ? 1.0 / (rate_hz * power * static_cast<double>(spectrum.segments)) : 0.0;

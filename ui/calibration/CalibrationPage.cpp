@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -14,6 +15,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "core/base/Number.h"
 #include "core/base/OutputFile.h"
 #include "core/calibration/ModelHeader.h"
 #include "core/format/exchange/ModelJson.h"
@@ -26,6 +28,7 @@ namespace lubberline::ui {
 namespace {
 
 constexpr std::size_t kMostSphereDots = 3000;
+constexpr int kMostFormWidth = 380;
 const QString kColumnsKey = QStringLiteral("calibration/columns");
 
 std::shared_ptr<const std::vector<double>> shared(std::vector<double> values)
@@ -84,6 +87,7 @@ CalibrationPage::CalibrationPage(QSettings& settings, FileQuestions questions, Q
     , m_calibrate(new QPushButton(tr("&Calibrate")))
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_save(new QPushButton(tr("&Save the model…")))
+    , m_store(new QPushButton(tr("Store with the c&ompass")))
     , m_tabs(new QTabWidget)
     , m_logPlot(new SeriesPlot(tr("Log")))
     , m_beforeAfter(new SeriesPlot(tr("Before and after")))
@@ -103,7 +107,7 @@ QWidget* CalibrationPage::buildForm()
         auto* box = new QComboBox;
         box->setObjectName(QStringLiteral("calibrationColumn_") + QString::fromLatin1(key));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(16);
+        box->setMinimumContentsLength(10);
         m_columns.emplace_back(key, box);
         form->addRow(title, box);
         connect(box, &QComboBox::activated, this, [this] { start(true); });
@@ -146,11 +150,18 @@ void CalibrationPage::build()
     m_save->setObjectName(QStringLiteral("calibrationSave"));
     m_calibrate->setEnabled(false);
     m_save->setEnabled(false);
+    m_store->setObjectName(QStringLiteral("calibrationStore"));
+    m_store->setToolTip(
+        tr("Among the sensor models of the compass from whose page this one was opened: maps and predictions take it from there"));
+    m_store->setEnabled(false);
     m_cancel->hide();
-    auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {m_open, m_calibrate, m_cancel, m_save})
-        buttons->addWidget(button);
-    buttons->addStretch();
+    auto* buttons = new QGridLayout; // two rows: the plots keep their room on a small screen
+    buttons->addWidget(m_open, 0, 0);
+    buttons->addWidget(m_calibrate, 0, 1);
+    buttons->addWidget(m_cancel, 0, 2);
+    buttons->addWidget(m_save, 1, 0);
+    buttons->addWidget(m_store, 1, 1);
+    buttons->setColumnStretch(2, 1);
     auto* left = new QWidget;
     auto* column = new QVBoxLayout(left);
     column->addLayout(buttons);
@@ -162,7 +173,7 @@ void CalibrationPage::build()
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(left->minimumSizeHint().width() + 20);
+    scroll->setMinimumWidth(std::min(left->minimumSizeHint().width() + 20, kMostFormWidth));
     scroll->setWidget(left);
     m_tabs->addTab(m_logPlot, m_logPlot->name());
     m_tabs->addTab(m_sphere, tr("Directions"));
@@ -171,6 +182,8 @@ void CalibrationPage::build()
     splitter->addWidget(scroll);
     splitter->addWidget(m_tabs);
     splitter->setStretchFactor(1, 1);
+    splitter->setSizes({kMostFormWidth, 2 * kMostFormWidth});
+    splitter->setChildrenCollapsible(false);
     setTitle(tr("Calibration of a magnetometer from its log"));
     body().addWidget(splitter, 1);
     setFocusProxy(m_open);
@@ -180,8 +193,38 @@ void CalibrationPage::build()
     connect(m_calibrate, &QPushButton::clicked, this, [this] { start(false); });
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     connect(m_save, &QPushButton::clicked, this, &CalibrationPage::save);
+    connect(m_store, &QPushButton::clicked, this, &CalibrationPage::store);
     for (SeriesPlot* plot : {m_logPlot, m_beforeAfter})
         follow(*plot);
+}
+
+Result<void> CalibrationPage::open(const FleetItem& record)
+{
+    const auto* compass = std::get_if<CompassId>(&record);
+    m_compass = compass ? *compass : CompassId();
+    m_store->setEnabled(m_run && m_run->model && m_compass.valid() && m_run->part->unit != FieldUnit::Counts);
+    return {};
+}
+
+/// Its uncertainties and verdict stand in the note, in English whatever the window's language.
+void CalibrationPage::store()
+{
+    if (!m_run || !m_run->model || !m_compass.valid())
+        return;
+    SensorRecord sensor;
+    sensor.compass = m_compass;
+    sensor.name = QFileInfo(m_path).completeBaseName().toStdString();
+    sensor.origin = ModelOrigin::Loaded;
+    sensor.model = *m_run->model;
+    sensor.note = "calibrated from " + QFileInfo(m_path).fileName().toStdString() + ": " + std::string(nameOf(m_run->verdict()));
+    const auto& parameters = m_run->ellipsoid ? m_run->ellipsoid->fit->parameters : m_run->attitude->parameters;
+    for (const FittedParameter& parameter : parameters)
+        if (parameter.standard_error)
+            sensor.note += "; " + parameter.name + " \u00B1 "
+                + lubberline::figureText(*parameter.standard_error, parameter.unit == "1" ? 5 : 1)
+                + (parameter.unit == "1" ? "" : " " + parameter.unit);
+    m_store->setEnabled(false); // once
+    emit storeModel(sensor);
 }
 
 Plot* CalibrationPage::plot() const { return dynamic_cast<Plot*>(m_tabs->currentWidget()); }
@@ -303,6 +346,7 @@ void CalibrationPage::showRun()
 {
     m_words->setText(wordsOf(*m_run));
     m_save->setEnabled(m_run->model.has_value());
+    m_store->setEnabled(m_run->model && m_compass.valid() && m_run->part->unit != FieldUnit::Counts);
     if (m_log != m_run->log) {
         m_log = m_run->log;
         showLog();

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/record/SensorRecord.h"
 #include "ui/calibration/CalibrationRun.h"
 #include "ui/kit/FileQuestions.h"
 #include "ui/kit/Page.h"
@@ -33,9 +34,13 @@ public:
     [[nodiscard]] const std::shared_ptr<const CalibrationRun>& run() const { return m_run; }
 
     static PageDescription description(PageContext& context);
-    Result<void> open(const FleetItem&) override { return {}; }
+    /// A compass whose sensor models take the calibration; any other record: none.
+    Result<void> open(const FleetItem& record) override;
     [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
     [[nodiscard]] Plot* plot() const override;
+
+signals:
+    void storeModel(const lubberline::SensorRecord& sensor); ///< with the compass; undoably
 
 private:
     void build();
@@ -50,6 +55,7 @@ private:
     void showCoverage();
     void showBeforeAfter();
     void save();
+    void store();
     [[nodiscard]] Result<CalibrationWish> wish() const;
     [[nodiscard]] Result<std::string> modelText(const QString& path) const;
 
@@ -63,7 +69,8 @@ private:
     QComboBox *m_unit, *m_method;
     QLineEdit *m_field, *m_dip, *m_attitudeError;
     QCheckBox* m_onlySeen;
-    QPushButton *m_open, *m_calibrate, *m_cancel, *m_save;
+    QPushButton *m_open, *m_calibrate, *m_cancel, *m_save, *m_store;
+    CompassId m_compass;
     QTabWidget* m_tabs;
     SeriesPlot *m_logPlot, *m_beforeAfter;
     CoverageSphere* m_sphere;

@@ -1,18 +1,46 @@
 // How the window reaches the calibration from logs.
 
 #include "ui/calibration/CalibrationPage.h"
+#include "ui/calibration/SensorTestsPage.h"
 #include "ui/kit/PageDescription.h"
+#include "ui/sensor/SensorEdits.h"
 
 namespace lubberline::ui {
 
 PageDescription CalibrationPage::description(PageContext& context)
 {
-    PageDescription page{QStringLiteral("calibration"), [&context] { return new CalibrationPage(context.settings, context.files); }};
-    page.commands = {{MenuId::Model, 115, tr("&Calibration from a log…"), tr("Ctrl+Alt+G"), "calibration",
-        [&context](Page&) { context.go({"calibration"}); }}};
+    PageDescription page{QStringLiteral("calibration"), [&context] {
+                             auto* calibration = new CalibrationPage(context.settings, context.files);
+                             connect(calibration, &CalibrationPage::storeModel, &context.window, [&context](const SensorRecord& sensor) {
+                                 context.undo.push(new MakeSensor(context.edits, sensor, MakeSensor::Direction::Make,
+                                     tr("calibration %1").arg(QString::fromStdString(sensor.name))));
+                             });
+                             return calibration;
+                         }};
+    page.commands = {{MenuId::Model, 115, tr("&Calibration from a log…"), tr("Ctrl+Alt+G"), "calibration", [&context](Page& shown) {
+                          context.go({"calibration", shown.shown().compass.valid() ? FleetItem(shown.shown().compass) : FleetItem()});
+                      }}};
     page.help = tr(
         "Open a log of a magnetometer that was turned through all attitudes: its hard and soft iron, how sure they are, why no surer and what to do for "
-        "better. Zoom into the log to use a part of it; Directions shows where no sample is; the model is saved as JSON or as a C header.");
+        "better. Zoom into the log to use a part of it; Directions shows where no sample is; the model is saved as JSON or as a C header, or stored among the sensor models of the compass from whose page this one was opened.");
+    return page;
+}
+
+PageDescription SensorTestsPage::description(PageContext& context)
+{
+    PageDescription page{QStringLiteral("sensorTests"), [&context] {
+                             return new SensorTestsPage(
+                                 context.files, [&context] { return QString::fromStdString(context.stores.clock().nowUtc()); });
+                         }};
+    page.commands = {{MenuId::Model, 117, tr("&Tests of a sensor: spectrum, coil, interference…"), tr("Ctrl+Alt+T"), "sensorTests",
+        [&context](Page&) { context.go({"sensorTests"}); }}};
+    page.outputs = {{MenuId::File, 218, tr("Write the &report as PDF…"), {}, "writeSensorTestReport",
+        [](Page& shown) { dynamic_cast<SensorTestsPage&>(shown).writeReport(); }}};
+    page.help = tr(
+        "Spectrum: Welch's method (1967), periodic Hann window, half overlap; lines are named by the supplies (50, 60, 115, 400 Hz and harmonics) or by orders of a rotor, "
+        "also where sampling folds them down: a frequency f stands at |f − n·rate|, and one that falls on 0 looks like hard iron. Notches of Q 5 cost 1/(2π f Q) of delay, a "
+        "low-pass 1/(2π f). Coil: measured = scale · applied + bias + temperature + hysteresis. Interference: the aircraft stands still, things are switched at noted times, and "
+        "the field must not change by more than 5, 5 and 8 mG (500, 500, 800 nT) on x, y and z, as makers ask.");
     return page;
 }
 

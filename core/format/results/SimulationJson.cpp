@@ -1,5 +1,7 @@
 #include "core/format/results/SimulationJson.h"
 
+#include <array>
+
 #include <nlohmann/json.hpp>
 
 namespace lubberline {
@@ -52,6 +54,31 @@ std::string toJson(std::span<const SensorReading> points, const MeridianField& f
     for (const auto& point : points)
         json["points"].push_back(pointJson(point));
     json["field"] = fieldJson(field);
+    return json.dump(2);
+}
+
+std::string toJson(const CompensatorResult& result, const AttitudeRange& range, double limit_deg)
+{
+    const auto setting = [](const CompensatorSetting& one) {
+        return Json{{"magnets_nT", {one.magnets_nT.x(), one.magnets_nT.y(), one.magnets_nT.z()}}, {"soft_fore_aft", one.foreAft},
+            {"soft_athwart", one.athwart}};
+    };
+    const auto residual = [](const RangeResidual& one) {
+        return Json{{"largest_deg", one.largest_deg}, {"rms_deg", one.rms_deg}, {"heading_deg", one.heading_deg},
+            {"pitch_deg", one.pitch_deg}, {"roll_deg", one.roll_deg}};
+    };
+    Json json{{"range", {{"pitch_deg", range.pitch_deg}, {"roll_deg", range.roll_deg}}}, {"before", residual(result.before)},
+        {"level", {{"setting", setting(result.level)}, {"residual", residual(result.afterLevel)}}},
+        {"best", {{"setting", setting(result.best)}, {"residual", residual(result.after)}}}, {"limit_deg", limit_deg},
+        {"within_limit", result.after.largest_deg <= limit_deg}};
+    json["at_end_of_reach"] = Json::array();
+    constexpr std::array<const char*, 5> kParts{"magnet_x", "magnet_y", "magnet_z", "soft_fore_aft", "soft_athwart"};
+    for (std::size_t i = 0; i < kParts.size(); ++i)
+        if (result.atEnd[i])
+            json["at_end_of_reach"].push_back(kParts[i]);
+    json["warnings"] = Json::array();
+    for (const Message& warning : result.warnings)
+        json["warnings"].push_back(warning.english());
     return json.dump(2);
 }
 

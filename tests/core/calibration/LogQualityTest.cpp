@@ -1,4 +1,5 @@
 #include "core/calibration/LogQuality.h"
+#include "core/calibration/Ellipsoid.h"
 
 #include <gmock/gmock.h>
 
@@ -62,6 +63,23 @@ TEST(LogQuality, aStuckAxisIsNamed)
     const auto quality = qualityOf(log);
     EXPECT_EQ(quality.of(SampleFault::Stuck), 200);
     EXPECT_THAT(said(quality), HasSubstr("axis y is stuck"));
+}
+
+TEST(LogQuality, whyFewSamplesCanBeUsed)
+{
+    SensorLog log = turning(2000);
+    EXPECT_TRUE(whyFewUsable(log, qualityOf(log)).empty());
+    for (auto& value : log.field[2])
+        value = 1234.5;
+    const std::string stuck = whyFewUsable(log, qualityOf(log)).english();
+    EXPECT_THAT(stuck, HasSubstr("axis z is stuck in 2000 of 2000 samples"));
+    const auto result = fitEllipsoid(log, EllipsoidShape::General, {});
+    ASSERT_FALSE(result.reasons.empty());
+    EXPECT_EQ(result.reasons.front().english(), stuck); // and not only that there are no usable samples
+    log = turning(2000);
+    for (std::size_t row = 0; row < 1500; ++row)
+        log.field[0][row] = kNoValue;
+    EXPECT_THAT(whyFewUsable(log, qualityOf(log)).english(), HasSubstr("1500 of 2000 samples have no whole field"));
 }
 
 TEST(LogQuality, clippingIsNamed)

@@ -1,0 +1,70 @@
+#pragma once
+/// Tests of a sensor from its log: what disturbs it periodically, how it measures in a coil, and what switching things changes. One log at a
+/// time; a tab is a test.
+
+#include <memory>
+#include <optional>
+
+#include "core/calibration/CoilBench.h"
+#include "core/calibration/Interference.h"
+#include "core/calibration/Spectrum.h"
+#include "ui/kit/FileQuestions.h"
+#include "ui/kit/Page.h"
+#include "ui/kit/Worker.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+class QTabWidget;
+
+namespace lubberline::ui {
+
+class DrawnPlot;
+
+/// What one log tells; a test that it does not allow has its reason.
+struct SensorTests {
+    std::shared_ptr<const SensorLog> log;
+    Result<LogSpectrum> spectrum;
+    std::optional<Spectrogram> spectrogram;
+    Result<CoilResult> coil;
+    std::optional<Result<InterferenceResult>> interference; ///< none: no actions were opened
+};
+
+class SensorTestsPage : public Page {
+    Q_OBJECT
+
+public:
+    /// @param now the time in words, for what is printed
+    SensorTestsPage(FileQuestions questions, std::function<QString()> now, QWidget* parent = nullptr);
+
+    static PageDescription description(PageContext& context);
+    Result<void> open(const FleetItem&) override { return {}; }
+    [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
+    [[nodiscard]] Plot* plot() const override;
+    void openLog(const QString& path);
+    void openActions(const QString& path);
+    void writeReport();
+
+private:
+    void build();
+    void run();
+    void take(Result<SensorTests> tests);
+    void showSpectrum();
+    void showCoil();
+    void showInterference();
+
+    FileQuestions m_questions;
+    std::function<QString()> m_now;
+    QString m_path, m_actionsPath;
+    std::shared_ptr<const SensorTests> m_tests;
+    QPushButton *m_open, *m_actions, *m_cancel;
+    QLineEdit *m_column, *m_tachometer, *m_delay, *m_limits;
+    QTabWidget* m_tabs;
+    DrawnPlot *m_spectrum, *m_spectrogram, *m_interference;
+    QTableWidget *m_lines, *m_coil, *m_outcomes;
+    QLabel *m_filter, *m_coilWords, *m_verdict;
+    Worker<SensorTests> m_worker;
+};
+
+} // namespace lubberline::ui
