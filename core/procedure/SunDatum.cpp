@@ -64,7 +64,7 @@ Message hourDoubt(const Place& place, std::span<const UtcTime> times, double A_d
 
 Message hourDoubt(const SwingJob& job, const JobState& state, const Place& place)
 {
-    if (!takesSun(job.datum.kind))
+    if (!takesSun(state.datum.kind))
         return {};
     std::map<int, UtcTime> taken; // the last of a station counts
     for (const JobEvent& event : job.events)

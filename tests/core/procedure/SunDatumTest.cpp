@@ -60,6 +60,7 @@ struct SunSwingRead {
     {
         job.datum = shadowPin();
         job.datum.kind = kind;
+        state.datum = job.datum;
         for (int i = 0; i < stations; ++i) {
             const auto minute = std::to_string(10 + 5 * i);
             const UtcTime shown = at(("2026-06-01T09:" + minute + ":00Z").c_str()), truth = shown - std::chrono::hours(hoursFast);
