@@ -1,5 +1,7 @@
 #include "app/QtSession.h"
 
+#include <QSettings>
+
 #include <cstdio>
 #include <cstdlib>
 
@@ -66,7 +68,7 @@ Result<std::unique_ptr<QApplication>> makeWindowSession(int& argc, char** argv)
     qInstallMessageHandler(showMessage);
     auto session = std::make_unique<QApplication>(argc, argv);
     describeApplication();
-    ui::speak(ui::wantedLanguages());
+    ui::speak(ui::wantedLanguages(QSettings().value("view/language").toString()));
     return session;
 }
 

@@ -19,6 +19,8 @@ using Matrix5 = Eigen::Matrix<double, 5, 5>;
 constexpr double kTwitch_deg = 0.4;       ///< of a reader and a swaying card, besides the resolution
 constexpr double kTurnedWithin_deg = 3.0; ///< how near to the wanted heading an aircraft is turned (procedures: within 5°)
 constexpr double kLeastShown = 0.01;
+// A heading on an exact step of the round was laid out, and not read: seldom its figure slips, and never to one beside the steps.
+constexpr double kStep_deg = 45.0, kOnStep_deg = 1e-6, kLaidOutRead = 0.1, kLaidOutBeside = 1e-3;
 
 Vector5 designAt(double compass_deg)
 {
@@ -88,6 +90,16 @@ double likelihoodOfDatum(double magnetic_deg, const std::optional<double>& nomin
     return nominal_deg ? normalDensity(wrap180(magnetic_deg - *nominal_deg), kTurnedWithin_deg) : 1.0 / 360.0;
 }
 
+bool onStep(double magnetic_deg) { return std::abs(std::remainder(magnetic_deg, kStep_deg)) < kOnStep_deg; }
+
+/// All headings of the swing until now, this one included.
+bool laidOut(const Observation& reading, const SlipContext& context)
+{
+    return onStep(reading.magnetic.degrees()) && std::all_of(context.earlier.begin(), context.earlier.end(), [](const Observation& one) {
+        return onStep(one.magnetic.degrees());
+    });
+}
+
 /// Every slip with its weight: how likely it is before the reading is looked at, times how well it explains the reading.
 std::vector<SlipCandidate> weighedSlips(const Observation& reading, const SlipContext& context, const Expectation& expectation)
 {
@@ -97,9 +109,11 @@ std::vector<SlipCandidate> weighedSlips(const Observation& reading, const SlipCo
     for (const auto& variant : slipVariantsOf(compass))
         slips.push_back({variant.slip, SlippedFigure::Compass, variant.meant_deg,
             variant.prior * datumHere * expectation.likelihood(magnetic, variant.meant_deg)});
+    const bool placed = laidOut(reading, context);
+    const auto readAs = [placed](double meant_deg) { return !placed ? 1.0 : onStep(meant_deg) ? kLaidOutRead : kLaidOutBeside; };
     for (const auto& variant : slipVariantsOf(magnetic))
         slips.push_back({variant.slip, SlippedFigure::Datum, variant.meant_deg,
-            variant.prior * likelihoodOfDatum(variant.meant_deg, context.nominal_deg)
+            variant.prior * readAs(variant.meant_deg) * likelihoodOfDatum(variant.meant_deg, context.nominal_deg)
                 * expectation.likelihood(variant.meant_deg, compass)});
     const double turned = wrap360(2.0 * magnetic - compass);
     slips.push_back(

@@ -13,6 +13,7 @@
 #include "core/angle/Circle.h"
 #include "core/deviation/LeastSquares.h"
 #include "core/deviation/SerialCorrelation.h"
+#include "core/deviation/SmithRows.h"
 #include "core/deviation/ToldCoefficients.h"
 
 namespace lubberline {
@@ -64,32 +65,6 @@ Result<int> enoughHeadings(std::span<const Observation> readings, const std::vec
         return Error{ErrorCode::InvalidInput,
             {MARKED_N("core", "all %1 readings are on %n heading(s); expected at least 3 different headings"), distinct, readings.size()}};
     return distinct;
-}
-
-/// The readings' deviations about `index_deg`: without a jump from +180° to −180° among them.
-double aboutIndex_deg(const Observation& reading, double index_deg)
-{
-    return index_deg + wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - index_deg);
-}
-
-/// What distinguishes the two fits: a row of the design matrix and its right-hand side.
-struct Row {
-    std::array<double, kCoefficientCount> x;
-    double y;
-};
-
-Row approximateRow(const Observation& reading, double index_deg)
-{
-    const double s1 = std::sin(reading.compass.radians()), c1 = std::cos(reading.compass.radians());
-    return {{1, s1, c1, 2 * s1 * c1, c1 * c1 - s1 * s1}, toRadians(aboutIndex_deg(reading, index_deg))};
-}
-
-/// As if the compass had been turned in its mount by the index.
-Row exactRow(const Observation& reading, double index_deg)
-{
-    const double z = reading.compass.radians() + toRadians(index_deg), sum = reading.magnetic.radians() + z;
-    const double deviation = reading.magnetic.radians() - z;
-    return {{std::cos(deviation), std::sin(z), std::cos(z), std::sin(sum), std::cos(sum)}, std::sin(deviation)};
 }
 
 void fillStatistics(SmithFitReport& report)
@@ -170,7 +145,7 @@ Result<Fit> fit(std::span<const Observation> readings, const FitWishes& wishes, 
     Design design(n, 5);
     Eigen::VectorXd observed(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        const Row row = makeRow(readings[order[static_cast<std::size_t>(i)]], toDegrees(report.index_rad));
+        const SmithRow row = makeRow(readings[order[static_cast<std::size_t>(i)]], toDegrees(report.index_rad));
         design.row(i) = Eigen::Map<const Eigen::Matrix<double, 1, 5>>(row.x.data());
         observed(i) = row.y;
     }
@@ -280,7 +255,7 @@ std::optional<double> bandHalfWidth_rad(const ApproximateFit& fit, CompassHeadin
 {
     if (!fit.intervalFactor)
         return std::nullopt;
-    const Row row = approximateRow({MagneticHeading{}, compass}, 0.0);
+    const SmithRow row = approximateRow({MagneticHeading{}, compass}, 0.0);
     const auto x = Eigen::Map<const Eigen::Matrix<double, 5, 1>>(row.x.data());
     const double variance = x.dot(fit.covariance * x); // rows without a value are zero
     return *fit.intervalFactor * std::sqrt(std::max(0.0, variance));

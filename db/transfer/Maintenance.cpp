@@ -12,6 +12,7 @@
 #include "core/base/OutputFile.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
+#include "db/schema/Schema.h"
 #include "db/stores/FleetStore.h"
 #include "db/stores/JobStore.h"
 #include "db/stores/ResultCache.h"
@@ -233,6 +234,94 @@ Result<void> backup(Database& database, const QString& path)
     return copied
         ? Error{ErrorCode::Io, MARKED("db", "the backup could not be written to its place; expected a folder that may be written"), file}
         : named(copied.error(), file);
+}
+
+namespace {
+
+/// A copy that is known to be a whole database of ours, of this program's schema; gone with it unless it is taken.
+class CheckedCopy {
+public:
+    explicit CheckedCopy(QString path) : m_path(std::move(path)) {}
+    CheckedCopy(const CheckedCopy&) = delete;
+    CheckedCopy& operator=(const CheckedCopy&) = delete;
+    ~CheckedCopy()
+    {
+        for (const std::string& file : filesOf(m_path))
+            QFile::remove(QString::fromStdString(file));
+    }
+
+    Result<void> copy(const QString& from) const
+    {
+        if (QFileInfo(from + "-wal").size() > 0)
+            return Error{ErrorCode::Locked,
+                MARKED("db", "the file is in use, or was not closed properly; expected a backup that no program has open"),
+                from.toStdString()};
+        if (!QFile::copy(from, m_path))
+            return Error{ErrorCode::Io, MARKED("db", "the backup could not be copied; expected a file that may be read, and space for it"),
+                from.toStdString()};
+        QFile::setPermissions(m_path, QFile::permissions(m_path) | QFile::WriteOwner); // a backup may be protected
+        if (const auto checked = check(); !checked)
+            return named(checked.error(), from.toStdString());
+        if (!reachesTheDrive(m_path))
+            return Error{ErrorCode::Io, MARKED("db", "the copy of the backup could not be written"), from.toStdString()};
+        return {};
+    }
+
+private:
+    [[nodiscard]] Result<void> check() const
+    {
+        auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
+        if (!database)
+            return database.error();
+        VerifyReport report;
+        if (auto read = checkStructure(*database, report); !read)
+            return read;
+        if (!report.findings.empty())
+            return Error{ErrorCode::Corrupt, {MARKED("db", "the backup is damaged: %1"), report.findings.front()}};
+        return {};
+    }
+    QString m_path;
+};
+
+/// Taking the log away needs the database for oneself alone.
+Result<void> requireNobodyElse(const QString& path)
+{
+    auto database = openDatabase(path, OpenMode::ReadWriteCreate);
+    if (!database)
+        return database.error();
+    if (database->readOnly())
+        return Error{
+            ErrorCode::ReadOnly, MARKED("db", "the database may only be read; expected one that may be replaced"), path.toStdString()};
+    return execute(*database, "PRAGMA journal_mode = DELETE");
+}
+
+} // namespace
+
+Result<void> restore(const QString& backup, const QString& path, const QString& aside)
+{
+    const bool there = QFileInfo::exists(path);
+    if (QFileInfo(backup).canonicalFilePath() == QFileInfo(path).canonicalFilePath() && there)
+        return Error{ErrorCode::InvalidInput, MARKED("db", "this is the database itself; expected a backup of it"), path.toStdString()};
+    if (there && QFileInfo::exists(aside))
+        return Error{ErrorCode::Conflict,
+            MARKED("db", "there is a file of this name already; expected a new name for the database as it is now"), aside.toStdString()};
+    const QString partial = path + "." + QString::fromStdString(newRecordId()).left(8) + ".partial";
+    const CheckedCopy copy(partial);
+    if (auto copied = copy.copy(backup); !copied)
+        return copied;
+    if (there)
+        if (auto alone = requireNobodyElse(path); !alone)
+            return alone;
+    if (there && !QFile::rename(path, aside))
+        return Error{
+            ErrorCode::Io, MARKED("db", "the database could not be put aside; expected a folder that may be written"), path.toStdString()};
+    if (QFile::rename(partial, path) && reachesTheDrive(QFileInfo(path).absolutePath()))
+        return {};
+    if (there)
+        QFile::rename(aside, path);
+    return Error{ErrorCode::Io,
+        MARKED("db", "the backup could not be put in the place of the database; expected a folder that may be written"),
+        path.toStdString()};
 }
 
 Result<VerifyReport> verify(Database& database, const Progress& progress)

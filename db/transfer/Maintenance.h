@@ -15,6 +15,11 @@ namespace lubberline::db {
 /// writable), Full.
 Result<void> backup(Database& database, const QString& path);
 
+/// Puts a copy of a backup in the place of a database, which is kept as `aside`. The backup stays as it is; one of an older program is
+/// brought up to date in its copy. Errors: those of opening the backup; Conflict when `aside` exists; Locked while somebody has the
+/// database open; Io, Full. Then nothing was changed.
+Result<void> restore(const QString& backup, const QString& path, const QString& aside);
+
 struct VerifyReport {
     std::int64_t swings = 0;
     std::int64_t readings = 0;

@@ -28,6 +28,36 @@ TEST(Maintenance, aBackupIsWholeWhileOthersWrite)
     EXPECT_EQ(QDir(folder.path()).entryList({"*.partial"}).size(), 0);
 }
 
+TEST(Maintenance, aBackupIsRestoredAndWhatWasThereIsKept)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("a.db"), copy = folder.filePath("copy.db"), aside = folder.filePath("a before.db");
+    const auto swingsIn = [](const QString& file) {
+        auto database = db::openDatabase(file, db::OpenMode::ReadOnly);
+        return database ? db::FleetStore(*database).totals()->swings : -1;
+    };
+    {
+        auto database = db::openDatabase(path, db::OpenMode::ReadWriteCreate);
+        const Stored stored = store(*database);
+        ASSERT_TRUE(db::backup(*database, copy));
+        ASSERT_TRUE(save(db::SwingStore(*database), swingOf(stored)));
+        EXPECT_EQ(db::restore(copy, path, aside).error().code, ErrorCode::Locked); // it is open here
+    }
+    EXPECT_EQ(swingsIn(path), 1);
+    EXPECT_EQ(db::restore(folder.filePath("none.db"), path, aside).error().code, ErrorCode::Io);
+    EXPECT_EQ(db::restore(path, path, aside).error().code, ErrorCode::InvalidInput);
+    const auto foreign = db::restore(__FILE__, path, aside);
+    ASSERT_FALSE(foreign);
+    EXPECT_EQ(foreign.error().file, __FILE__);
+    EXPECT_EQ(swingsIn(path), 1);
+    const auto restored = db::restore(copy, path, aside);
+    ASSERT_TRUE(restored) << describe(restored.error());
+    EXPECT_EQ(swingsIn(path), 0);
+    EXPECT_EQ(swingsIn(aside), 1);
+    EXPECT_EQ(db::restore(copy, path, aside).error().code, ErrorCode::Conflict);
+    EXPECT_EQ(QDir(folder.path()).entryList({"*.partial*"}).size(), 0);
+}
+
 TEST(Maintenance, verifyFindsResultsThatAreNotThoseOfTheReadings)
 {
     auto database = inMemory();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "db/stores/Stores.h"
 #include "ui/earth/FieldValues.h"
@@ -144,6 +145,12 @@ void EarthFieldPage::connectInputs()
     connect(m_date, &QLineEdit::editingFinished, this, &EarthFieldPage::recompute);
     connect(m_model, &QComboBox::activated, this, &EarthFieldPage::takeModel);
     connect(m_element, &QComboBox::activated, this, &EarthFieldPage::recompute);
+    connect(m_map, &WorldFieldPlot::placeClicked, this, [this](double latitude_deg, double longitude_deg) {
+        const auto hundredths = [](double value_deg) { return std::round(value_deg * 100) / 100; };
+        m_latitude->setText(latitudeToType(hundredths(latitude_deg)));
+        m_longitude->setText(longitudeToType(hundredths(longitude_deg)));
+        typedPlace();
+    });
     follow(*m_map);
 }
 

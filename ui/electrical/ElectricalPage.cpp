@@ -20,6 +20,7 @@
 #include "ui/earth/FieldText.h"
 #include "ui/electrical/ElectricalSteps.h"
 #include "ui/kit/StoredEdit.h"
+#include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
@@ -108,8 +109,10 @@ void ElectricalPage::build()
     m_fourPoints->setVerticalHeaderLabels({QStringLiteral("000"), QStringLiteral("090"), QStringLiteral("180"), QStringLiteral("270")});
     m_headings->setObjectName(QStringLiteral("electricalHeadings"));
     m_headings->setHorizontalHeaderLabels({tr("indicated"), tr("error"), tr("by turntable")});
-    for (QTableWidget* table : {m_fourPoints, m_headings})
+    for (QTableWidget* table : {m_fourPoints, m_headings}) {
         table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+        new EnterAdvances(*table);
+    }
     for (QWidget* tool : std::initializer_list<QWidget*>{m_chooser, m_add, m_make, m_write})
         head().addWidget(tool);
     auto* right = new QWidget;

@@ -80,6 +80,13 @@ Result<void> OverviewPage::open(const FleetItem& record)
     return {};
 }
 
+Shown OverviewPage::shown() const
+{
+    Shown shown;
+    shown.type = m_type;
+    return shown;
+}
+
 PageDescription PopulationPage::description(PageContext& context)
 {
     PageDescription page{

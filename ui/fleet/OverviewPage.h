@@ -27,6 +27,7 @@ public:
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
     [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
+    [[nodiscard]] Shown shown() const override;
     void fleetChanged() override { refresh(); }
 
 signals:

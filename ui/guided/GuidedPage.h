@@ -13,7 +13,11 @@ class QMenu;
 class QSettings;
 class QStackedWidget;
 
+class QSettings;
+
 namespace lubberline::ui {
+
+class Preferences;
 
 class CrewDisplay;
 class GuidedPrepare;
@@ -33,6 +37,8 @@ public:
     /// @param settings keeps what is typed and not stored yet; none: nothing does.
     GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent = nullptr, QSettings* settings = nullptr);
     ~GuidedPage() override;
+    /// What people have chosen once for all: base and instrument, where it is heard from, how large it is.
+    void take(const Preferences& preferences, QSettings& settings);
 
     /// Asks what a new guided swing of this compass is to be.
     Result<void> begin(CompassId compass);

@@ -1,10 +1,14 @@
 // How the window reaches the guided swing: a compass begins one, a swing that has one open goes on with it.
 
+#include <QSettings>
+
 #include <algorithm>
 
 #include "ui/guided/GuidedPage.h"
 #include "ui/guided/GuidedStart.h"
+#include "ui/intake/LivePanel.h"
 #include "ui/kit/PageDescription.h"
+#include "ui/kit/Preferences.h"
 #include "ui/plots/swing/SwingPlot.h"
 
 namespace lubberline::ui {
@@ -43,6 +47,7 @@ GuidedPage* makePage(PageContext& context)
 {
     auto* page = new GuidedPage(
         context.stores, [&stores = context.stores] { return stores.clock().nowUtc(); }, nullptr, &context.settings);
+    page->take(*context.preferences, context.settings);
     QObject::connect(page, &GuidedPage::notStored, &context.window, [&context, page](SwingId, std::size_t place, const JobEvent& event) {
         context.keep(page->job().record(), LostStep{place, event});
     });
@@ -65,6 +70,20 @@ PageDescription GuidedPage::description(PageContext& context)
         "A heading that was left out is read at any later time: F2, a click on it in the strip below, or the arrows there and Enter. "
         "Every figure is kept as it is typed; an interrupted swing goes on where it stood, from the overview, the tree, the page of its compass or Ctrl+Shift+G.");
     return page;
+}
+
+void GuidedPage::take(const Preferences& preferences, QSettings& settings)
+{
+    m_start->setUsual(
+        [&preferences] { return preferences.site().toStdString(); }, [&preferences] { return preferences.instrument().toStdString(); });
+    m_live->rememberIn(settings);
+    // Every text that is made larger here says its size in pixels.
+    for (QWidget* widget : findChildren<QWidget*>())
+        if (QFont font = widget->font();
+            widget->testAttribute(Qt::WA_SetFont) && font.pixelSize() > 0 && preferences.rampSize_percent() != 100) {
+            font.setPixelSize(font.pixelSize() * preferences.rampSize_percent() / 100);
+            widget->setFont(font);
+        }
 }
 
 Result<void> GuidedPage::open(const FleetItem& record)

@@ -140,6 +140,24 @@ void GuidedStart::build()
     connect(cancel, &QPushButton::clicked, this, &GuidedStart::cancelled);
 }
 
+void GuidedStart::setUsual(std::function<RecordId()> site, std::function<RecordId()> datum)
+{
+    m_usualSite = std::move(site);
+    m_usualDatum = std::move(datum);
+}
+
+namespace {
+
+template <class Record>
+void chooseUsual(QComboBox& box, const std::vector<Record>& records, const std::function<RecordId()>& usual, int first)
+{
+    for (std::size_t i = 0; usual && i < records.size(); ++i)
+        if (records[i].record == usual())
+            box.setCurrentIndex(static_cast<int>(i) + first);
+}
+
+} // namespace
+
 Result<void> GuidedStart::begin(CompassId compass, Date today)
 {
     const auto system = m_stores.fleet.compass(compass);
@@ -165,6 +183,8 @@ Result<void> GuidedStart::begin(CompassId compass, Date today)
     for (const auto& one : m_instruments)
         m_datum->addItem(toText(one.name));
     m_datum->addItem(toText(plainDatum().name));
+    chooseUsual(*m_site, m_sites, m_usualSite, 1);
+    chooseUsual(*m_datum, m_instruments, m_usualDatum, 0);
     m_procedure->setCurrentIndex(static_cast<int>(system->compensator == Compensator::None ? ProcedureKind::CheckOnly
             : system->kind == CompassKind::RemoteUnstabilised || system->kind == CompassKind::RemoteStabilised
             ? ProcedureKind::FluxValve

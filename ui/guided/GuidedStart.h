@@ -29,6 +29,8 @@ public:
     Result<void> begin(CompassId compass, Date today);
     [[nodiscard]] CompassId compass() const { return m_compassSystem.id; }
     [[nodiscard]] AircraftId aircraft() const { return m_compassSystem.aircraft; }
+    /// What it begins with from now on, by RecordId; what is not there is left open.
+    void setUsual(std::function<RecordId()> site, std::function<RecordId()> datum);
     [[nodiscard]] const QString& whose() const { return m_whose; } ///< aircraft and compass, for the page's head
 
 signals:
@@ -56,6 +58,7 @@ private:
     std::vector<DatumInstrument> m_instruments;
     QString m_whose;
     QVBoxLayout* m_open; ///< a button for each that was begun
+    std::function<RecordId()> m_usualSite, m_usualDatum;
     QComboBox *m_procedure, *m_points, *m_datum, *m_site, *m_radio;
     QLabel* m_meaning;
     QLineEdit *m_date, *m_engines, *m_electrics, *m_further, *m_datumReader, *m_cockpitReader, *m_adjuster, *m_reason, *m_workOrder,

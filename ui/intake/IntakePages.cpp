@@ -3,6 +3,7 @@
 #include "ui/intake/NewSwingPage.h"
 #include "ui/intake/NmeaImportPage.h"
 #include "ui/kit/PageDescription.h"
+#include "ui/kit/Preferences.h"
 #include "ui/plots/swing/SwingPlot.h"
 
 namespace lubberline::ui {
@@ -12,6 +13,7 @@ PageDescription NewSwingPage::description(PageContext& context)
     PageDescription page{
         QStringLiteral("newSwing"), [&context] {
             auto* fresh = new NewSwingPage(context.edits, context.undo);
+            fresh->setUsualSite([&context] { return context.preferences->site().toStdString(); });
             connect(fresh, &NewSwingPage::created, &context.window, [&context](SwingId id) { context.go({{}, id, true}); });
             connect(fresh, &NewSwingPage::cancelled, &context.window, [&context] { context.goBack("swing"); });
             return fresh;

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSettings>
 #include <QShortcut>
 #include <QTimer>
 
@@ -20,6 +21,7 @@ namespace {
 enum Kind { Serial, Udp, Replay };
 constexpr int kFigure_px = 48;
 constexpr int kSecond_ms = 1000;
+constexpr char kKindKey[] = "live/kind", kWhereKey[] = "live/where";
 
 QString placeFor(int kind)
 {
@@ -114,6 +116,17 @@ void LivePanel::build()
     });
 }
 
+void LivePanel::rememberIn(QSettings& settings)
+{
+    m_settings = &settings;
+    const int kind = settings.value(kKindKey, static_cast<int>(Serial)).toInt();
+    if (kind < 0 || kind >= m_kind->count())
+        return;
+    m_kind->setCurrentIndex(kind);
+    if (const QString where = settings.value(kWhereKey).toString(); !where.isEmpty())
+        m_where->setText(where);
+}
+
 void LivePanel::connectOrClose()
 {
     if (m_input->state() != LiveInput::State::Closed) {
@@ -146,6 +159,10 @@ void LivePanel::connectOrClose()
             return;
         }
         m_input->open(SerialSettings{parts.front(), baud});
+    }
+    if (m_settings) {
+        m_settings->setValue(kKindKey, m_kind->currentIndex());
+        m_settings->setValue(kWhereKey, m_where->text().trimmed());
     }
     m_silent_s = 0;
     m_heard = 0;

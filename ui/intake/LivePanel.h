@@ -14,6 +14,7 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QSettings;
 class QTimer;
 
 namespace lubberline::ui {
@@ -25,6 +26,8 @@ public:
     /// @param now_s as LiveHeading takes it.
     explicit LivePanel(std::function<double()> now_s = {}, QWidget* parent = nullptr);
 
+    /// Begins with the source of the last time, and remembers the one that is connected.
+    void rememberIn(QSettings& settings);
     [[nodiscard]] LiveInput& input() { return *m_input; }
     [[nodiscard]] LiveHeading& heading() { return *m_heading; }
     void takeDatum();   ///< F6
@@ -57,6 +60,7 @@ private:
     QLabel *m_datumValue, *m_compassValue, *m_turn, *m_notes;
     QPushButton *m_useDatum, *m_useCompass;
     QTimer* m_silence;
+    QSettings* m_settings = nullptr;
     int m_heard = 0; ///< sentences when it was looked last
     int m_silent_s = 0;
 };

@@ -128,6 +128,9 @@ void NewSwingPage::begin(AircraftId aircraft, CompassId compass)
     auto sites = m_context.stores.sites.sites();
     m_sites = sites ? std::move(sites.value()) : std::vector<Site>();
     fill(*m_site, m_sites, &Site::name);
+    for (const Site& site : m_sites)
+        if (m_usualSite && site.record == m_usualSite())
+            m_site->setCurrentText(toText(site.name));
     loadLimits();
     preselect(aircraft, compass);
 }

@@ -1,6 +1,8 @@
 #pragma once
 /// Asks for what a swing must have before its first reading: the aircraft and its compass, picked or typed anew.
 
+#include <functional>
+
 #include "core/record/FleetRows.h"
 #include "ui/kit/EditContext.h"
 #include "ui/kit/Page.h"
@@ -21,6 +23,8 @@ public:
 
     /// Opens with what the window shows already chosen; a compass or aircraft that is not valid is left open.
     void begin(AircraftId aircraft, CompassId compass);
+    /// The base that it begins with from now on; one that is not there is none.
+    void setUsualSite(std::function<RecordId()> record) { m_usualSite = std::move(record); }
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
@@ -46,6 +50,7 @@ private:
 
     EditContext& m_context;
     QUndoStack& m_stack;
+    std::function<RecordId()> m_usualSite;
     QComboBox* m_type;
     QComboBox* m_aircraft;
     QComboBox* m_compass;

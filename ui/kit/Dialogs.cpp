@@ -1,5 +1,6 @@
 #include "ui/kit/Dialogs.h"
 
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -7,6 +8,7 @@
 #include <QPrinter>
 #include <QRegularExpression>
 #include <QSettings>
+#include <QUrl>
 
 namespace lubberline::ui {
 
@@ -54,6 +56,13 @@ QString DesktopDialogs::ask(QFileDialog& dialog)
     m_settings.setValue(kFolder, QFileInfo(path).absolutePath());
     return path;
 }
+
+QString DesktopDialogs::chooseFolder(QWidget* parent, const QString& title, const QString& before)
+{
+    return QFileDialog::getExistingDirectory(parent, title, QFileInfo(before).isDir() ? before : QDir::homePath());
+}
+
+bool DesktopDialogs::openOutside(const QString& path) { return QDesktopServices::openUrl(QUrl::fromLocalFile(path)); }
 
 void DesktopDialogs::printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint)
 {

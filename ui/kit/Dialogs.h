@@ -19,7 +19,11 @@ public:
     virtual QString openFile(QWidget* parent, const QString& title, const QString& filter) = 0;
     /// The file's ending is that of the filter that was chosen, unless one was typed.
     virtual QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) = 0;
+    /// @return the folder chosen, or empty.
+    virtual QString chooseFolder(QWidget* parent, const QString& title, const QString& before) = 0;
     virtual void printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) = 0;
+    /// A file or folder in the program that the desktop has for it. @return false: there is none
+    virtual bool openOutside(const QString& path) = 0;
 };
 
 /// Those of the desktop. They begin in the folder of the file that was chosen last, also the next time the program runs; a file that is
@@ -29,7 +33,9 @@ public:
     explicit DesktopDialogs(QSettings& settings) : m_settings(settings) {}
     QString openFile(QWidget* parent, const QString& title, const QString& filter) override;
     QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) override;
+    QString chooseFolder(QWidget* parent, const QString& title, const QString& before) override;
     void printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) override;
+    bool openOutside(const QString& path) override;
 
 private:
     QString ask(QFileDialog& dialog);

@@ -28,6 +28,8 @@ struct Shown {
     bool rowSelected = false; ///< a reading is chosen
     bool writable = false;    ///< the database can be written; the window's to say
     bool plot = false;        ///< a plot is in front; likewise
+    bool base = false;        ///< a compass base is chosen
+    AircraftTypeId type = {}; ///< alone, on the overview of a type
 
     /// The nearest of them as a place to go: compass, else aircraft.
     [[nodiscard]] FleetItem item() const;

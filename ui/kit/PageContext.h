@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "ui/kit/Destination.h"
 #include "ui/kit/Dialogs.h"
@@ -17,6 +18,8 @@
 namespace lubberline::ui {
 
 class DueWatch;
+class Preferences;
+struct PageDescription;
 
 struct PageContext {
     db::Stores& stores;
@@ -27,6 +30,7 @@ struct PageContext {
     QWidget& window; ///< receives what a page tells until it is retired; parent of dialogs
     FileQuestions files;
     DueWatch* due = nullptr; ///< finds what is due in the background
+    Preferences* preferences = nullptr;
 
     std::function<void(const Destination&)> go = {};
     std::function<void(const QString& page)> goBack = {}; ///< to a page as it was left; to the fleet where it shows nothing any more
@@ -37,6 +41,9 @@ struct PageContext {
     std::function<void()> leaveField = {}; ///< what is being typed is stored before something else happens
     std::function<void()> chooseImport = {};
     std::function<void()> openDemonstration = {};
+    std::function<const std::vector<PageDescription>&()> pages = {}; ///< all that there are
+    std::function<QString()> pageInFront = {};                       ///< PageDescription::id; empty before there is one
+    std::function<void()> reopen = {};                               ///< the window anew; may be empty
 
     /// ISO 8601, UTC.
     [[nodiscard]] std::function<Date()> today() const

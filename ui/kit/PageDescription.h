@@ -33,6 +33,9 @@ struct Command {
 [[nodiscard]] inline bool needsSwing(const Shown& shown) { return shown.swing.valid(); }
 [[nodiscard]] inline bool needsDraft(const Shown& shown) { return shown.editable; }
 [[nodiscard]] inline bool needsPlot(const Shown& shown) { return shown.plot; }
+[[nodiscard]] inline bool needsType(const Shown& shown) { return shown.writable && shown.type.valid(); }
+[[nodiscard]] inline bool needsAircraftToChange(const Shown& shown) { return shown.writable && shown.aircraft.valid(); }
+[[nodiscard]] inline bool needsCompassToChange(const Shown& shown) { return shown.writable && shown.compass.valid(); }
 [[nodiscard]] inline bool needsReading(const Shown& shown) { return shown.editable && shown.rowSelected; }
 
 struct PageDescription {
@@ -43,7 +46,8 @@ struct PageDescription {
     std::vector<Command> outputs = {};  ///< what can be printed or exported: in the menu File while the page is in front
     /// Whether it is the page of such a record when no page is named; the first that says so is taken.
     std::function<bool(const FleetItem&)> shows = {};
-    bool focus = false; ///< the cursor goes into it whenever it is shown
+    std::function<void(Page&)> print = {}; ///< what Ctrl+P prints of it, with a preview; none: the page as it is seen
+    bool focus = false;                    ///< the cursor goes into it whenever it is shown
 };
 
 } // namespace lubberline::ui

@@ -41,6 +41,17 @@ void applyTheme(bool dark)
     QApplication::setPalette(dark ? darkPalette() : QApplication::style()->standardPalette());
 }
 
+void applyTextSize(int percent)
+{
+    static const double desktops_pt = QApplication::font().pointSizeF(); // asked once: what follows is ours
+    QFont font = QApplication::font();
+    const double wanted_pt = desktops_pt * percent / 100.0;
+    if (desktops_pt <= 0 || font.pointSizeF() == wanted_pt) // a font in pixels is a test's
+        return;
+    font.setPointSizeF(wanted_pt);
+    QApplication::setFont(font);
+}
+
 QIcon icon(const QString& name)
 {
     static const bool initialised = (initResources(), true);

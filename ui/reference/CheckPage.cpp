@@ -12,6 +12,7 @@
 #include "core/earth/FieldModel.h"
 #include "core/record/Completeness.h"
 #include "db/stores/Stores.h"
+#include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
 #include "ui/report/forms/ReferenceSheet.h"
 
@@ -94,6 +95,7 @@ void CheckPage::build()
     connect(m_count, &QSpinBox::valueChanged, this, &CheckPage::choose);
     connect(m_tolerance, &QDoubleSpinBox::valueChanged, this, &CheckPage::choose);
     connect(m_error, &QDoubleSpinBox::valueChanged, this, &CheckPage::choose);
+    new EnterAdvances(*m_table);
     connect(m_table, &QTableWidget::cellChanged, this, &CheckPage::judge);
     connect(m_store, &QPushButton::clicked, this, &CheckPage::store);
     setFocusProxy(m_table);

@@ -10,6 +10,7 @@
 #include "core/earth/FieldModel.h"
 #include "core/format/reference/PairCsv.h"
 #include "db/stores/Stores.h"
+#include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
 #include "ui/report/forms/ReferenceSheet.h"
 
@@ -88,6 +89,7 @@ void ComparePage::build()
     connect(m_due, &QPushButton::clicked, this, &ComparePage::makeDue);
     connect(m_second, &QComboBox::activated, this, &ComparePage::chooseSecond);
     connect(load, &QPushButton::clicked, this, &ComparePage::load);
+    new EnterAdvances(*m_table);
     connect(m_table, &QTableWidget::cellChanged, this, &ComparePage::judge);
     setFocusProxy(m_table);
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lubberline::ui {
 
@@ -48,6 +49,37 @@ QValidator::State NumberSpin::validate(QString& text, int& position) const
 
 void NumberSpin::wheelEvent(QWheelEvent* event) { event->ignore(); }
 
+void PlaySlider::mousePressEvent(QMouseEvent* event)
+{
+    m_fineFrom_px = event->position().toPoint().x();
+    QSlider::mousePressEvent(event);
+}
+
+void PlaySlider::mouseMoveEvent(QMouseEvent* event)
+{
+    const int at_px = event->position().toPoint().x();
+    const int moved = at_px - std::exchange(m_fineFrom_px, at_px);
+    if (!(event->modifiers() & Qt::ShiftModifier))
+        QSlider::mouseMoveEvent(event);
+    else if (moved != 0)
+        emit stepped(moved, false);
+}
+
+void PlaySlider::mouseDoubleClickEvent(QMouseEvent*) { emit resetWanted(); }
+
+void PlaySlider::keyPressEvent(QKeyEvent* event)
+{
+    switch (event->key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Down: emit stepped(-1, false); break;
+    case Qt::Key_Right:
+    case Qt::Key_Up: emit stepped(1, false); break;
+    case Qt::Key_PageDown: emit stepped(-1, true); break;
+    case Qt::Key_PageUp: emit stepped(1, true); break;
+    default: QSlider::keyPressEvent(event);
+    }
+}
+
 void PlaySlider::mouseReleaseEvent(QMouseEvent* event)
 {
     QSlider::mouseReleaseEvent(event);
@@ -76,6 +108,7 @@ ParameterCell::ParameterCell(const ParameterSpec& spec, QWidget* parent)
     , m_slider(new PlaySlider(Qt::Horizontal))
     , m_low(spec.low)
     , m_high(spec.high)
+    , m_curved(spec.curved)
 {
     m_spin->setLocale(QLocale::c());
     m_spin->setObjectName(spec.name);
@@ -87,9 +120,10 @@ ParameterCell::ParameterCell(const ParameterSpec& spec, QWidget* parent)
     m_spin->setSingleStep((spec.high - spec.low) / 200);
     m_slider->setObjectName(spec.name + QStringLiteral("Slider"));
     m_slider->setAccessibleName(spec.meaning);
-    m_slider->setToolTip(spec.meaning);
+    m_slider->setToolTip(
+        tr("%1\nArrow keys, or Shift while dragging: fine steps; page keys: coarse ones; double click: back to zero").arg(spec.meaning));
     m_slider->setRange(-kSliderSteps, kSliderSteps);
-    m_slider->setSingleStep(kSliderSteps / 100);
+    m_slider->setSingleStep(1);
     m_slider->setPageStep(kSliderSteps / 10);
     m_slider->setMinimumWidth(40);
     m_label->setBuddy(m_spin);
@@ -108,6 +142,27 @@ ParameterCell::ParameterCell(const ParameterSpec& spec, QWidget* parent)
     connect(m_spin, &QDoubleSpinBox::editingFinished, this, &ParameterCell::settled);
     connect(m_slider, &QSlider::valueChanged, this, &ParameterCell::playSlider);
     connect(m_slider, &PlaySlider::letGo, this, &ParameterCell::settled);
+    connect(m_slider, &PlaySlider::stepped, this, &ParameterCell::playSteps);
+    connect(m_slider, &PlaySlider::resetWanted, this, &ParameterCell::reset);
+}
+
+double ParameterCell::valueAt(double part) const
+{
+    if (!m_curved)
+        return ((m_high + m_low) + part * (m_high - m_low)) / 2;
+    if (m_low == -m_high)
+        return part * std::abs(part) * m_high;
+    const double way = (part + 1) / 2; // from zero on
+    return m_low + way * way * (m_high - m_low);
+}
+
+double ParameterCell::partOf(double value) const
+{
+    if (!m_curved)
+        return (2 * value - m_low - m_high) / (m_high - m_low);
+    if (m_low == -m_high)
+        return std::copysign(std::sqrt(std::abs(value) / m_high), value);
+    return 2 * std::sqrt(std::max(0.0, (value - m_low) / (m_high - m_low))) - 1;
 }
 
 void ParameterCell::setValue(double value)
@@ -134,8 +189,7 @@ void ParameterCell::setRange(double low, double high)
 void ParameterCell::placeSlider()
 {
     const QSignalBlocker noSlider(m_slider);
-    const double part = (2 * m_value - m_low - m_high) / (m_high - m_low);
-    m_slider->setValue(static_cast<int>(std::lround(std::clamp(part, -1.0, 1.0) * kSliderSteps)));
+    m_slider->setValue(static_cast<int>(std::lround(std::clamp(partOf(m_value), -1.0, 1.0) * kSliderSteps)));
 }
 
 void ParameterCell::playTyped(double value)
@@ -147,11 +201,31 @@ void ParameterCell::playTyped(double value)
 
 void ParameterCell::playSlider(int position)
 {
-    const double part = static_cast<double>(position) / kSliderSteps;
     const QSignalBlocker noSpin(m_spin);
-    m_spin->setValue(((m_high + m_low) + part * (m_high - m_low)) / 2);
+    m_spin->setValue(valueAt(static_cast<double>(position) / kSliderSteps));
     m_value = m_spin->value(); // what is read is what acts
     emit played(m_value);
+}
+
+void ParameterCell::playSteps(int steps, bool coarse)
+{
+    constexpr double kFine = 1.0 / 4000, kCoarse = 1.0 / 80; // of the slider's way: 10 nT and 500 nT of hard iron
+    const double wanted = m_value + steps * (coarse ? kCoarse : kFine) * (m_high - m_low);
+    const QSignalBlocker noSpin(m_spin);
+    m_spin->setValue(std::clamp(wanted, std::min(m_low, m_value), std::max(m_high, m_value)));
+    m_value = m_spin->value();
+    placeSlider();
+    emit played(m_value);
+}
+
+void ParameterCell::reset()
+{
+    const QSignalBlocker noSpin(m_spin);
+    m_spin->setValue(std::clamp(0.0, m_low, m_high));
+    m_value = m_spin->value();
+    placeSlider();
+    emit played(m_value);
+    emit settled();
 }
 
 } // namespace lubberline::ui

@@ -26,7 +26,8 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 };
 
-/// Says when it is let go, by mouse, key or because it is left.
+/// Says when it is let go, by mouse, key or because it is left. Arrow keys, and dragging with Shift, go in fine steps, the page keys in
+/// coarse ones; a double click resets.
 class PlaySlider : public QSlider {
     Q_OBJECT
 
@@ -35,12 +36,21 @@ public:
 
 signals:
     void letGo();
+    void stepped(int steps, bool coarse);
+    void resetWanted();
 
 protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+
+private:
+    int m_fineFrom_px = 0; ///< where the last fine step was made
 };
 
 struct ParameterSpec {
@@ -51,6 +61,7 @@ struct ParameterSpec {
     int decimals = 1;
     double low = 0, high = 1;   ///< the slider's ends
     double least = 0, most = 1; ///< what may be typed
+    bool curved = false;        ///< the slider is finer near zero: it goes with the square
 };
 
 class ParameterCell : public QWidget {
@@ -72,12 +83,17 @@ signals:
 private:
     void playTyped(double value);
     void playSlider(int position);
+    void playSteps(int steps, bool coarse);
+    void reset();
+    [[nodiscard]] double valueAt(double part) const; ///< −1 … 1 of the slider's way
+    [[nodiscard]] double partOf(double value) const;
     void placeSlider();
 
     QLabel* m_label;
     NumberSpin* m_spin;
     PlaySlider* m_slider;
     double m_low, m_high;
+    bool m_curved;
     double m_value = 0; ///< as given, whatever is shown of it
 };
 

@@ -20,7 +20,7 @@ struct SensorParametersTexts {
 ParameterSpec symmetric(
     const QString& name, const QString& label, const QString& meaning, const QString& suffix, int decimals, double slider, double typed)
 {
-    return {name, label, meaning, suffix, decimals, -slider, slider, -typed, typed};
+    return {name, label, meaning, suffix, decimals, -slider, slider, -typed, typed, suffix != QStringLiteral("°")};
 }
 
 ParameterSpec fieldSpec(const QString& name, const QString& label, const QString& meaning)
@@ -73,7 +73,7 @@ std::vector<Parameter<SensorModel>> hardIronParameters()
 std::vector<Parameter<PolarHardIron>> polarParameters()
 {
     const ParameterSpec size{"polar_size", SensorParametersTexts::tr("size"), SensorParametersTexts::tr("size of the hard iron"),
-        QStringLiteral(" nT"), 1, 0, kHardIron_nT, 0, kMostField_nT};
+        QStringLiteral(" nT"), 1, 0, kHardIron_nT, 0, kMostField_nT, true};
     return {
         {size, [](const PolarHardIron& polar) { return polar.size_nT; }, [](PolarHardIron& polar, double value) { polar.size_nT = value; }},
         {angleSpec("polar_elevation", QStringLiteral("γ"),

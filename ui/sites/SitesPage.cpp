@@ -16,6 +16,7 @@
 #include "core/site/SiteSurvey.h"
 #include "core/swing/SwingField.h"
 #include "ui/earth/FieldText.h"
+#include "ui/kit/PasteTable.h"
 #include "ui/kit/PlaceText.h"
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
@@ -75,11 +76,12 @@ SitesPage::SitesPage(EditContext& context, QUndoStack& stack, std::function<Date
     , m_fields([this](const Site& after, const QString& field) { store(after, field); })
     , m_list(new QListWidget)
     , m_add(new QPushButton(tr("&New base")))
+    , m_remove(new QPushButton(tr("&Remove this base")))
     , m_model(new QPushButton(tr("Variation from the &model, today")))
     , m_fitness(new QLabel)
     , m_lines(new QLabel)
     , m_summary(new QLabel)
-    , m_table(new QTableWidget)
+    , m_table(new PasteTable)
     , m_drawing(new SurveyDrawing)
 {
     build();
@@ -89,6 +91,7 @@ void SitesPage::build()
 {
     m_list->setObjectName(QStringLiteral("siteList"));
     m_add->setObjectName(QStringLiteral("newSite"));
+    m_remove->setObjectName(QStringLiteral("removeSite"));
     m_model->setObjectName(QStringLiteral("siteModel"));
     m_fitness->setObjectName(QStringLiteral("siteFitness"));
     m_lines->setObjectName(QStringLiteral("siteLines"));
@@ -117,6 +120,7 @@ void SitesPage::build()
     auto* list = new QVBoxLayout(chooser);
     list->addWidget(m_list);
     list->addWidget(m_add);
+    list->addWidget(m_remove);
     auto* splitter = new QSplitter;
     splitter->addWidget(chooser);
     splitter->addWidget(scroll);
@@ -127,6 +131,7 @@ void SitesPage::build()
     setFocusProxy(m_list);
     connect(m_list, &QListWidget::currentRowChanged, this, &SitesPage::showSite);
     connect(m_add, &QPushButton::clicked, this, &SitesPage::addSite);
+    connect(m_remove, &QPushButton::clicked, this, &SitesPage::removeSite);
     connect(m_model, &QPushButton::clicked, this, &SitesPage::takeModelVariation);
     buildSurvey();
     connect(&m_context.stores.changes(), &db::Changes::sitesChanged, this, [this] {
@@ -222,6 +227,8 @@ void SitesPage::showSite()
     const bool there = row >= 0 && row < static_cast<int>(m_sites.size());
     const bool editable = there && !m_context.stores.readOnly();
     m_fields.show(there ? m_sites[static_cast<std::size_t>(row)] : Site(), editable);
+    m_remove->setEnabled(editable);
+    emit stateChanged();
     m_model->setEnabled(editable && variationToday().has_value());
     m_table->setEnabled(editable);
     showSurvey();
@@ -302,6 +309,16 @@ void SitesPage::addSite()
         return; // refused
     findChild<QLineEdit*>(QStringLiteral("siteName"))->setFocus();
     findChild<QLineEdit*>(QStringLiteral("siteName"))->selectAll();
+}
+
+void SitesPage::removeSite()
+{
+    const Site site = m_fields.record();
+    if (site.record.empty())
+        return;
+    m_stack.push(new StoredEdit(m_context, storedSites(), std::optional(site), std::optional<Site>(),
+        tr("removal of %1").arg(toText(site.name)), Destination{QStringLiteral("sites")}));
+    reload();
 }
 
 void SitesPage::takeModelVariation()

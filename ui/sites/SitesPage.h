@@ -2,6 +2,7 @@
 /// Compass bases: where they are, their class and certificate, what is painted there, and how they were surveyed.
 
 #include <functional>
+#include <memory>
 
 #include "ui/kit/EditContext.h"
 #include "ui/kit/FormField.h"
@@ -10,11 +11,11 @@
 class QLabel;
 class QListWidget;
 class QPushButton;
-class QTableWidget;
 class QUndoStack;
 
 namespace lubberline::ui {
 
+class PasteTable;
 class SurveyDrawing;
 
 /// As it is typed, to eight digits; empty where it is not stated.
@@ -31,6 +32,7 @@ public:
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
     [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
+    [[nodiscard]] Shown shown() const override;
 
 private:
     void build();
@@ -38,6 +40,7 @@ private:
     void showSite();
     void showFitness();
     void addSite();
+    void removeSite();
     void takeModelVariation();
     void store(const Site& after, const QString& what);
 
@@ -55,10 +58,11 @@ private:
     std::vector<Site> m_sites;
     FormFields<Site> m_fields;
     QListWidget* m_list;
-    QPushButton* m_add;
+    QPushButton *m_add, *m_remove;
+    std::shared_ptr<bool> m_addWanted = std::make_shared<bool>(false); ///< when it is opened next
     QPushButton* m_model;
     QLabel *m_fitness, *m_lines, *m_summary;
-    QTableWidget* m_table;
+    PasteTable* m_table;
     SurveyDrawing* m_drawing;
 };
 

@@ -4,7 +4,6 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QLabel>
-#include <QShortcut>
 #include <QTableWidget>
 
 #include <cmath>
@@ -12,6 +11,8 @@
 #include "core/site/SiteSurvey.h"
 #include "core/swing/SwingField.h"
 #include "ui/kit/ClipboardRows.h"
+#include "ui/kit/PasteTable.h"
+#include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
 #include "ui/sites/SitesPage.h"
 #include "ui/sites/SurveyDrawing.h"
@@ -56,10 +57,9 @@ void SitesPage::buildSurvey()
         {tr("east (m)"), tr("north (m)"), tr("height (m)"), tr("declination (°, E +)"), tr("total field (nT)")});
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->setToolTip(tr("From the centre of the base. Paste (Ctrl+V) takes columns from a spreadsheet"));
+    new EnterAdvances(*m_table);
     connect(m_table, &QTableWidget::cellChanged, this, &SitesPage::takeSurvey, Qt::QueuedConnection);
-    auto* pasting = new QShortcut(QKeySequence::Paste, m_table);
-    pasting->setContext(Qt::WidgetShortcut);
-    connect(pasting, &QShortcut::activated, this, &SitesPage::paste);
+    connect(m_table, &PasteTable::pasteWanted, this, &SitesPage::paste);
 }
 
 void SitesPage::showSurvey()

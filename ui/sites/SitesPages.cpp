@@ -1,5 +1,7 @@
 // How the window reaches compass bases and datum instruments.
 
+#include <utility>
+
 #include "ui/kit/PageDescription.h"
 #include "ui/sites/InstrumentsPage.h"
 #include "ui/sites/SitesPage.h"
@@ -8,9 +10,22 @@ namespace lubberline::ui {
 
 PageDescription SitesPage::description(PageContext& context)
 {
-    PageDescription page{QStringLiteral("sites"), [&context] { return new SitesPage(context.edits, context.undo, context.today()); }};
+    auto add = std::make_shared<bool>(false);
+    PageDescription page{QStringLiteral("sites"), [&context, add] {
+                             auto* sites = new SitesPage(context.edits, context.undo, context.today());
+                             sites->m_addWanted = add;
+                             return sites;
+                         }};
     page.commands
-        = {{MenuId::Fleet, 120, tr("Compass &bases"), tr("Ctrl+Alt+B"), "showSites", [&context](Page&) { context.go({"sites"}); }}};
+        = {{MenuId::Fleet, 120, tr("Compass &bases"), tr("Ctrl+Alt+B"), "showSites", [&context](Page&) { context.go({"sites"}); }},
+            {MenuId::Fleet, 13, tr("New &base…"), {}, "newBase",
+                [&context, add](Page&) {
+                    *add = true;
+                    context.go({"sites"});
+                },
+                needsWriting},
+            {MenuId::Fleet, 23, tr("Remove this base"), {}, "removeBase", [](Page& shown) { dynamic_cast<SitesPage&>(shown).removeSite(); },
+                [](const Shown& shown) { return shown.writable && shown.base; }}};
     page.help = tr(
         "Compass bases: place, class and certificate, the lines that are painted there, and the survey. Paste the survey's points from a spreadsheet with Ctrl+V: whether the base is fit, and for what, follows.");
     return page;
@@ -19,7 +34,16 @@ PageDescription SitesPage::description(PageContext& context)
 Result<void> SitesPage::open(const FleetItem&)
 {
     reload();
+    if (std::exchange(*m_addWanted, false))
+        addSite();
     return {};
+}
+
+Shown SitesPage::shown() const
+{
+    Shown shown;
+    shown.base = !m_fields.record().record.empty();
+    return shown;
 }
 
 PageDescription InstrumentsPage::description(PageContext& context)

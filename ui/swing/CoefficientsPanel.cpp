@@ -1,6 +1,7 @@
 #include "ui/swing/CoefficientsPanel.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QScrollBar>
 #include <QTableWidget>
@@ -30,8 +31,8 @@ CoefficientsPanel::CoefficientsPanel(QWidget* parent)
     m_table->setHorizontalHeaderLabels({tr("Approx. (°)"), tr("95 % ±"), tr("Exact"), tr("95 % ±"), tr("Rule (°)")});
     m_table->setVerticalHeaderLabels({"A", "B", "C", "D", "E"});
     const QString tips[] = {tr("Least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ on compass headings"),
-        tr("Standard error"), tr("Exact Smith coefficients, dimensionless, on magnetic headings"), tr("Standard error"),
-        tr("The classical rule for 8 or 4 points")};
+        tr("Half of the 95 % interval"), tr("Exact Smith coefficients, dimensionless, on magnetic headings"),
+        tr("Half of the 95 % interval"), tr("The classical rule for 8 or 4 points")};
     for (int column = 0; column < kColumns; ++column)
         m_table->horizontalHeaderItem(column)->setToolTip(tips[column]);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -45,6 +46,9 @@ CoefficientsPanel::CoefficientsPanel(QWidget* parent)
     m_table->setFixedHeight(static_cast<int>(kCoefficientCount) * (fontMetrics().height() + 4)
         + m_table->horizontalHeader()->sizeHint().height() + 4
         + m_table->horizontalScrollBar()->sizeHint().height()); // where it is narrow it scrolls, and hides no row
+    m_table->setToolTip(tr("A click or Enter on a number opens where it comes from"));
+    m_table->installEventFilter(this);
+    connect(m_table, &QTableWidget::cellClicked, this, &CoefficientsPanel::askFor);
     m_summary->setObjectName(QStringLiteral("fitSummary"));
     m_summary->setWordWrap(true);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -56,6 +60,25 @@ CoefficientsPanel::CoefficientsPanel(QWidget* parent)
     layout->addWidget(m_table);
     layout->addWidget(m_summary);
     layout->addWidget(m_limitations);
+}
+
+void CoefficientsPanel::askFor(int row, int column)
+{
+    const auto kind = column <= ApproximateError ? CoefficientPlace::Kind::Approximate
+        : column <= ExactError                   ? CoefficientPlace::Kind::Exact
+                                                 : CoefficientPlace::Kind::Rule;
+    if (row >= 0)
+        emit derivationWanted({kind, kCoefficients[static_cast<std::size_t>(row)]});
+}
+
+bool CoefficientsPanel::eventFilter(QObject* object, QEvent* event)
+{
+    if (object == m_table && event->type() == QEvent::KeyPress)
+        if (const int key = static_cast<QKeyEvent*>(event)->key(); key == Qt::Key_Return || key == Qt::Key_Enter) {
+            askFor(m_table->currentRow(), m_table->currentColumn());
+            return true;
+        }
+    return QWidget::eventFilter(object, event);
 }
 
 void CoefficientsPanel::setCell(int row, int column, const QString& text, const QString& whyNone)

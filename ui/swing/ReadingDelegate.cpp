@@ -1,5 +1,6 @@
 #include "ui/swing/ReadingDelegate.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
@@ -35,13 +36,41 @@ void ReadingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
 {
     QStyleOptionViewItem look = option;
     look.font.setItalic(index.data(ReadingsModel::PlaceholderRole).toBool());
-    QStyledItemDelegate::paint(painter, look, index);
-    if (!index.data(ReadingsModel::RejectedRole).toBool())
+    if (index.data(ReadingsModel::RejectedRole).toBool()) {
+        paintRefused(*painter, look, index);
         return;
-    painter->save();
-    painter->setPen(QPen(kRefused, 2));
-    painter->drawRect(QRectF(option.rect).adjusted(1, 1, -2, -2));
-    painter->restore();
+    }
+    QStyledItemDelegate::paint(painter, look, index);
+}
+
+/// The stored value keeps its place; what was typed stands before it in what room is left.
+void ReadingDelegate::paintRefused(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    QStyleOptionViewItem background = option;
+    initStyleOption(&background, index);
+    background.text.clear();
+    const QWidget* view = option.widget;
+    (view ? view->style() : QApplication::style())->drawControl(QStyle::CE_ItemViewItem, &background, &painter, view);
+    constexpr int kMargin_px = 4;
+    QRect room = option.rect.adjusted(kMargin_px, 0, -kMargin_px, 0);
+    const QString stored = index.data(ReadingsModel::StoredRole).toString();
+    painter.save();
+    painter.setClipRect(option.rect);
+    painter.setFont(option.font);
+    painter.setPen(option.palette.color(option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text));
+    painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, stored);
+    if (!stored.isEmpty())
+        room.setRight(room.right() - option.fontMetrics.horizontalAdvance(stored) - kMargin_px);
+    QFont struck = option.font;
+    struck.setStrikeOut(!stored.isEmpty());
+    painter.setFont(struck);
+    painter.setPen(option.state & QStyle::State_Selected ? painter.pen().color() : kRefused);
+    const QString typed = index.data().toString();
+    painter.drawText(room, (stored.isEmpty() ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
+        option.fontMetrics.elidedText(typed, Qt::ElideRight, room.width()));
+    painter.setPen(QPen(kRefused, 2));
+    painter.drawRect(QRectF(option.rect).adjusted(1, 1, -2, -2));
+    painter.restore();
 }
 
 bool ReadingDelegate::eventFilter(QObject* object, QEvent* event)
@@ -50,6 +79,11 @@ bool ReadingDelegate::eventFilter(QObject* object, QEvent* event)
     if (!editor || event->type() != QEvent::KeyPress)
         return QStyledItemDelegate::eventFilter(object, event);
     const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape) {
+        emit closeEditor(editor, RevertModelCache);
+        emit escaped();
+        return true;
+    }
     if (key != Qt::Key_Return && key != Qt::Key_Enter)
         return QStyledItemDelegate::eventFilter(object, event);
     // At once, not queued as Qt does: a fast typist's next key must find the next cell.

@@ -4,8 +4,8 @@
 
 namespace lubberline::ui {
 
-/// Edits a cell in a plain line; Enter stores it and says so. A cell whose text was not stored has a red frame, a suspect or
-/// placeholder one its own look.
+/// Edits a cell in a plain line; Enter stores it and says so. A cell whose text was not stored has a red frame and that text, struck out,
+/// beside the value that is stored; a suspect or placeholder one its own look.
 class ReadingDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -17,7 +17,11 @@ public:
     bool eventFilter(QObject* object, QEvent* event) override;
 
 signals:
+    void escaped(); ///< Escape ended an edit: nothing of it stands
     void entered(); ///< Enter ended an edit; what was typed is stored or refused by now
+
+private:
+    void paintRefused(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
 };
 
 } // namespace lubberline::ui

@@ -10,6 +10,7 @@
 #include "core/format/csv/TextCell.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/ReadingBlock.h"
+#include "ui/swing/SlipWords.h"
 #include "ui/swing/SwingEditor.h"
 
 namespace lubberline::ui {
@@ -161,17 +162,35 @@ QString ReadingsModel::studentisedText(int row) const
     return tr("t = %1").arg(number.replace('-', QChar(0x2212)));
 }
 
+namespace {
+
+QString incompleteWords(const Reading& reading)
+{
+    if (!reading.magnetic && !reading.compass)
+        return reading.nominal_deg ? ReadingsModel::tr("incomplete: not read yet")
+                                   : ReadingsModel::tr("incomplete: both headings are missing");
+    return reading.magnetic ? ReadingsModel::tr("incomplete: the compass heading is missing")
+                            : ReadingsModel::tr("incomplete: the magnetic heading is missing");
+}
+
+} // namespace
+
 QString ReadingsModel::stateText(int row) const
 {
     const Reading& reading = m_rows[static_cast<std::size_t>(row)];
     if (reading.exclusion)
         return tr("excluded: %1").arg(toText(reading.exclusion->reason));
     if (!reading.complete())
-        return tr("incomplete");
+        return incompleteWords(reading);
+    QStringList words;
     const AnalysedReading* analysed = m_editor.analysed(row);
     if (analysed && analysed->suspect)
-        return tr("suspect, %1").arg(studentisedText(row));
-    return {};
+        words += tr("suspect, %1").arg(studentisedText(row));
+    if (const QString slip = slipOfRow(m_editor, row, m_style); !slip.isEmpty())
+        words += slip;
+    if (const QString far = farFromNominal(reading, m_style); !far.isEmpty())
+        words += far;
+    return words.join(QStringLiteral("; "));
 }
 
 QString ReadingsModel::displayText(int row, ReadingColumn column) const
@@ -195,7 +214,7 @@ QString ReadingsModel::displayText(int row, ReadingColumn column) const
 QString ReadingsModel::toolTip(const QModelIndex& index) const
 {
     if (const Rejected* rejected = rejectedAt(index))
-        return tr("Not stored: %1").arg(rejected->message);
+        return tr("Not stored: %1\nStored: %2\nEscape puts the stored value back.").arg(rejected->message, storedWords(index));
     const auto column = static_cast<ReadingColumn>(index.column());
     if (isPlaceholder(index.row(), column))
         return tr("The nominal heading: nobody has read it yet. Enter or = accepts it, typing replaces it");
@@ -223,6 +242,9 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const
         return {};
     case Qt::ToolTipRole: return toolTip(index);
     case RejectedRole: return rejected != nullptr;
+    case StoredRole: return displayText(row, column);
+    case Qt::AccessibleTextRole:
+        return rejected ? tr("%1, not stored; stored: %2").arg(rejected->text, displayText(row, column)) : displayText(row, column);
     case PlaceholderRole: return !rejected && isPlaceholder(row, column);
     default: return {};
     }
@@ -371,6 +393,20 @@ QString ReadingsModel::rejection(const QModelIndex& index) const
 {
     const Rejected* rejected = index.isValid() ? rejectedAt(index) : nullptr;
     return rejected ? rejected->message : QString();
+}
+
+QString ReadingsModel::storedWords(const QModelIndex& index) const
+{
+    const QString stored = displayText(index.row(), static_cast<ReadingColumn>(index.column()));
+    return stored.isEmpty() || isPlaceholder(index.row(), static_cast<ReadingColumn>(index.column())) ? tr("nothing") : stored;
+}
+
+bool ReadingsModel::restoreStored(const QModelIndex& index)
+{
+    if (!index.isValid() || m_rejected.erase(cellAt(index)) == 0)
+        return false;
+    emit dataChanged(index, index);
+    return true;
 }
 
 QModelIndex ReadingsModel::firstRejected() const

@@ -20,6 +20,7 @@ class ReadingsModel : public QAbstractTableModel {
 public:
     enum Role {
         RejectedRole = Qt::UserRole, ///< bool: the cell holds typed text that was not stored
+        StoredRole,                  ///< text: what is stored beside such a text
         PlaceholderRole,             ///< bool: the grey nominal heading where no magnetic heading was read
     };
 
@@ -44,6 +45,8 @@ public:
     [[nodiscard]] bool isNewRow(int row) const { return row >= static_cast<int>(m_rows.size()); }
     /// Why the text of a cell was not stored; empty when it was.
     [[nodiscard]] QString rejection(const QModelIndex& index) const;
+    /// What was refused in a cell goes; the stored value is seen again. @return false: nothing was refused there
+    bool restoreStored(const QModelIndex& index);
     /// The first cell with text that was not stored, or an invalid index.
     [[nodiscard]] QModelIndex firstRejected() const;
     /// The row's studentised residual in words: "t = 15.0"; empty if there is none.
@@ -68,6 +71,7 @@ private:
     [[nodiscard]] const Rejected* rejectedAt(const QModelIndex& index) const;
     [[nodiscard]] QString displayText(int row, ReadingColumn column) const;
     [[nodiscard]] QString stateText(int row) const;
+    [[nodiscard]] QString storedWords(const QModelIndex& index) const;
     [[nodiscard]] QString toolTip(const QModelIndex& index) const;
     bool reject(const QModelIndex& index, const QString& text, const QString& message);
     bool isPlaceholder(int row, ReadingColumn column) const;

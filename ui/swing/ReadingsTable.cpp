@@ -21,12 +21,13 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent) : QTableView
     auto* delegate = new ReadingDelegate(this);
     setItemDelegate(delegate);
     connect(delegate, &ReadingDelegate::entered, this, &ReadingsTable::advance);
+    connect(delegate, &ReadingDelegate::escaped, this, &ReadingsTable::restoreStored);
     setEditTriggers(AnyKeyPressed | DoubleClicked | EditKeyPressed);
     setSelectionMode(ExtendedSelection);
     setAlternatingRowColors(true);
     setTabKeyNavigation(false); // Tab leaves the table; inside an editor it goes to the next cell
     setCornerButtonEnabled(false);
-    addClipboardActions();
+    addCellActions();
     setWordWrap(false);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
@@ -39,21 +40,22 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent) : QTableView
     horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::Note), QHeaderView::Stretch);
 }
 
-/// Only where the table itself has the keyboard: a line that is typed into has a clipboard of its own.
-void ReadingsTable::addClipboardActions()
+/// The keys are those of the menu Edit, which acts on whatever has the keyboard: here they are only shown.
+void ReadingsTable::addCellActions()
 {
-    const auto add = [this](const QString& text, const QKeySequence& keys, const char* name, auto act) {
-        auto* action = new QAction(text, this);
+    const auto add = [this](const QString& text, const QKeySequence& keys, const char* name, void (ReadingsTable::*act)()) {
+        const QString shown = keys.isEmpty() ? text : text + u'\t' + keys.toString(QKeySequence::NativeText);
+        auto* action = new QAction(shown, this);
         action->setObjectName(QLatin1String(name));
-        action->setShortcut(keys);
-        action->setShortcutContext(Qt::WidgetShortcut);
         connect(action, &QAction::triggered, this, act);
         addAction(action);
     };
-    add(tr("Cu&t"), QKeySequence::Cut, "cutReadings", [this] { cut(); });
-    add(tr("&Copy"), QKeySequence::Copy, "copyReadings", [this] { copy(false); });
-    add(tr("Copy with &headings"), tr("Ctrl+Shift+C"), "copyReadingsWithHeadings", [this] { copy(true); });
-    add(tr("&Paste"), QKeySequence::Paste, "pasteReadings", [this] { paste(); });
+    add(tr("Cu&t"), QKeySequence::Cut, "cutReadings", &ReadingsTable::cut);
+    add(tr("&Copy"), QKeySequence::Copy, "copyReadings", &ReadingsTable::copy);
+    add(tr("Copy with &headings"), {}, "copyReadingsWithHeadings", &ReadingsTable::copyWithHeadings);
+    add(tr("&Paste"), QKeySequence::Paste, "pasteReadings", &ReadingsTable::paste);
+    add(tr("&Empty the cells"), Qt::Key_Delete, "clearReadings", &ReadingsTable::clearCells);
+    add(tr("Select &all"), QKeySequence::SelectAll, "selectReadings", &ReadingsTable::selectAll);
     setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
@@ -69,7 +71,10 @@ void ReadingsTable::tell(const Result<void>& result)
         emit refused(messageOf(result.error()));
 }
 
-void ReadingsTable::copy(bool headings)
+void ReadingsTable::copy() { copyCells(false); }
+void ReadingsTable::copyWithHeadings() { copyCells(true); }
+
+void ReadingsTable::copyCells(bool headings)
 {
     if (const QString text = m_model.copied(chosenCells(), headings); !text.isEmpty())
         QGuiApplication::clipboard()->setText(text);
@@ -77,7 +82,7 @@ void ReadingsTable::copy(bool headings)
 
 void ReadingsTable::cut()
 {
-    copy(false);
+    copyCells(false);
     clearCells();
 }
 
@@ -103,6 +108,14 @@ void ReadingsTable::clearCells()
         m_model.setData(cells.front(), QString()); // as if it had been typed
     else
         tell(m_model.clear(cells));
+}
+
+bool ReadingsTable::restoreStored()
+{
+    bool restored = false;
+    for (const QModelIndex& cell : chosenCells())
+        restored = m_model.restoreStored(cell) || restored;
+    return restored;
 }
 
 void ReadingsTable::goTo(int row, ReadingColumn column)
@@ -156,8 +169,34 @@ void ReadingsTable::enterCell()
     advance();
 }
 
+/// They come as keys, and not as the shortcuts of a menu, as in a line that is typed into.
+bool ReadingsTable::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        for (const auto known : {QKeySequence::Cut, QKeySequence::Copy, QKeySequence::Paste, QKeySequence::SelectAll})
+            if (key->matches(known)) {
+                event->accept();
+                return true;
+            }
+    }
+    return QTableView::event(event);
+}
+
 void ReadingsTable::keyPressEvent(QKeyEvent* event)
 {
+    if (event->matches(QKeySequence::Cut)) {
+        cut();
+        return;
+    }
+    if (event->matches(QKeySequence::Copy)) {
+        copy();
+        return;
+    }
+    if (event->matches(QKeySequence::Paste)) {
+        paste();
+        return;
+    }
     const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
     if (plain && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter))
         enterCell();
@@ -165,6 +204,8 @@ void ReadingsTable::keyPressEvent(QKeyEvent* event)
         acceptNominal();
     else if (plain && (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace))
         clearCells();
+    else if (plain && event->key() == Qt::Key_Escape && restoreStored())
+        event->accept();
     else
         QTableView::keyPressEvent(event);
 }

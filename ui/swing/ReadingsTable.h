@@ -1,6 +1,7 @@
 #pragma once
 /// The table of readings, for the keyboard: type, Enter, type, Enter. Delete clears a cell, "=" or Ctrl+D accepts the nominal
-/// heading as read. Cells and blocks are copied, cut and pasted as spreadsheets do, by key and in the menu of the right button.
+/// heading as read, Escape puts the stored value back where a text was refused. Cells and blocks are copied, cut and pasted as spreadsheets
+/// do: by key, in the menu Edit and in that of the right button.
 
 #include <QTableView>
 
@@ -22,23 +23,29 @@ public:
     void leaveCell();
     [[nodiscard]] std::vector<int> selectedReadings() const;
 
-    void copy(bool headings);
+public slots:
+    void copy();
+    void copyWithHeadings();
     void cut();
     void paste();
+    void clearCells();
 
 signals:
     void done(const QString& what);
     void refused(const QString& why);
 
 protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
     /// Enter: on to the next cell that is read, unless the text of this one was refused.
     void advance();
     void enterCell();
-    void addClipboardActions();
-    void clearCells();
+    void addCellActions();
+    void copyCells(bool headings);
+    /// @return false: nothing of the chosen cells was refused
+    bool restoreStored();
     [[nodiscard]] QModelIndexList chosenCells() const;
     void tell(const Result<void>& result);
     [[nodiscard]] ReadingColumn currentColumn() const { return static_cast<ReadingColumn>(currentIndex().column()); }

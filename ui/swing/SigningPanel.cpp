@@ -11,6 +11,7 @@
 
 #include "core/record/SwingDifferences.h"
 #include "ui/kit/Words.h"
+#include "ui/swing/AuditWords.h"
 #include "ui/swing/SwingEditor.h"
 
 namespace lubberline::ui {
@@ -70,7 +71,7 @@ SigningPanel::SigningPanel(EditContext& context, const SwingEditor& editor, QWid
     , m_amend(new QPushButton(tr("Amend in a new &revision")))
     , m_differences(readOnlyTable("differences", {tr("what"), tr("before"), tr("now")}))
     , m_showAudit(new QToolButton)
-    , m_audit(readOnlyTable("auditTrail", {tr("time (UTC)"), tr("what was done"), tr("detail")}))
+    , m_audit(readOnlyTable("auditTrail", {tr("time (UTC)"), tr("what was done"), tr("from"), tr("to"), tr("by")}))
 {
     build();
 }
@@ -209,7 +210,8 @@ void SigningPanel::showAudit()
     if (shown) {
         const auto rows = m_context.stores.signing.auditOf(record().swing.record);
         for (const auto& row : rows ? *rows : std::vector<AuditRow>())
-            addRow(*m_audit, {toText(row.timeUtc), toText(row.what), toText(row.detail)});
+            for (const AuditLine& line : auditLines(row))
+                addRow(*m_audit, {line.when, line.what, line.before, line.after, line.who});
     }
     fit(*m_audit);
 }

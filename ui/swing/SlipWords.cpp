@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle/Circle.h"
 #include "core/deviation/SlipWords.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/SwingEditor.h"
@@ -109,6 +110,32 @@ std::optional<int> likeliestSlip(const SwingEditor& editor)
         }
     }
     return worst;
+}
+
+QString slipOfRow(const SwingEditor& editor, int row, AngleStyle style)
+{
+    const Reading& reading = editor.readings()[static_cast<std::size_t>(row)];
+    if (!reading.used() || editor.computing() || editor.readings().size() > kMostJudged)
+        return {};
+    const auto& analysis = editor.analysis();
+    const int index = analysis && !analysis->slips.slips.empty() ? editor.analysedIndex(row) : -1;
+    if (index >= 0)
+        if (const QString words = suspicionOf(*analysis, static_cast<std::size_t>(index), style); !words.isEmpty())
+            return words;
+    if (analysis && !analysis->slips.slips.empty())
+        return {}; // the whole swing tells which it is
+    return slipSentence(judgeRow(editor, row), reading, style);
+}
+
+QString farFromNominal(const Reading& reading, AngleStyle style)
+{
+    if (!reading.magnetic || !reading.nominal_deg)
+        return {};
+    const double off_deg = std::abs(wrap180(reading.magnetic->degrees() - *reading.nominal_deg));
+    if (off_deg <= kFarFromNominal_deg)
+        return {};
+    return SlipWordsTexts::tr("magnetic %1 is %2° off its nominal heading %3: is it this row's?")
+        .arg(figure(reading.magnetic->degrees(), style), QString::number(std::lround(off_deg)), figure(*reading.nominal_deg, style));
 }
 
 QString slipSentence(const SlipJudgement& judgement, const Reading& reading, AngleStyle style)

@@ -25,6 +25,15 @@ class SwingEditor;
 /// The row that is most likely wrong, if any is more likely wrong than right.
 [[nodiscard]] std::optional<int> likeliestSlip(const SwingEditor& editor);
 
+/// What the row most likely slipped by, whether the whole swing tells it or the readings until now: it stays until the figure is another
+/// or the reading is left out. Empty: nothing.
+[[nodiscard]] QString slipOfRow(const SwingEditor& editor, int row, AngleStyle style);
+
+/// From how far off its nominal a magnetic heading is remarked [deg]: aircraft are turned to within five.
+inline constexpr double kFarFromNominal_deg = 10.0;
+/// "225° is 45° off its nominal heading 180°: is it this row's?"; empty where it is near, or there is no nominal.
+[[nodiscard]] QString farFromNominal(const Reading& reading, AngleStyle style);
+
 /// "on 270° the compass reads 279°; 269° ± 1° is expected. Look again: most likely a 10° slip, 269° meant (92 %)"; empty unless
 /// lookAgain().
 [[nodiscard]] QString slipSentence(const SlipJudgement& judgement, const Reading& reading, AngleStyle style);

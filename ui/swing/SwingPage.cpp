@@ -6,6 +6,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSplitter>
+#include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -15,6 +16,7 @@
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/swing/CardPanel.h"
 #include "ui/swing/CoefficientsPanel.h"
+#include "ui/swing/DerivationPanel.h"
 #include "ui/swing/ExclusionPanel.h"
 #include "ui/swing/FieldStampPanel.h"
 #include "ui/swing/PlotTabs.h"
@@ -173,6 +175,7 @@ void SwingPage::connectParts()
     connect(
         m_exclusion, &ExclusionPanel::reasonGiven, m_editor, [this](int row, const QString& reason) { m_editor->exclude(row, reason); });
     connect(m_exclusion, &ExclusionPanel::closed, m_table, qOverload<>(&QWidget::setFocus));
+    connect(m_coefficients, &CoefficientsPanel::derivationWanted, this, &SwingPage::showDerivation);
     connect(m_complete, &QPushButton::clicked, this, &SwingPage::toggleComplete);
     connect(m_showParticulars, &QToolButton::toggled, this, &SwingPage::showParticulars);
     connect(m_showSigning, &QToolButton::toggled, this, &SwingPage::showSigning);
@@ -253,6 +256,18 @@ void SwingPage::showCardFigures()
         standing && standing->superseded);
 }
 
+void SwingPage::showDerivation(CoefficientPlace place)
+{
+    m_table->leaveCell();
+    if (!m_derivation) {
+        m_derivation = new DerivationPanel;
+        static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_derivation);
+        connect(
+            m_derivation, &DerivationPanel::closed, this, [this] { findChild<QTableWidget*>(QStringLiteral("coefficients"))->setFocus(); });
+    }
+    m_derivation->show(m_editor->analysis(), place);
+}
+
 void SwingPage::openCard() { m_showCard->setChecked(true); }
 
 void SwingPage::openSigning()
@@ -289,6 +304,8 @@ void SwingPage::showResults()
     const bool computing = m_editor->computing();
     m_coefficients->setEnabled(!computing);
     m_computing->setVisible(computing);
+    if (m_derivation && m_derivation->isVisibleTo(this))
+        m_derivation->refresh(analysis);
     if (m_card && m_showCard->isChecked())
         showCardFigures();
     m_meaning->setText(meaning());
@@ -314,6 +331,9 @@ QString SwingPage::suspicion() const
     const auto& analysis = m_editor->analysis();
     if (m_editor->computing())
         return {};
+    if (currentRow() >= 0)
+        if (const QString own = slipOfRow(*m_editor, currentRow(), m_style); !own.isEmpty())
+            return own;
     if (analysis && !analysis->slips.slips.empty()) {
         const int current = m_editor->analysedIndex(currentRow());
         if (current >= 0 && analysis->readings[static_cast<std::size_t>(current)].suspect)
@@ -326,13 +346,31 @@ QString SwingPage::suspicion() const
     return {};
 }
 
+/// Of the magnetic heading that was typed last, before its compass is read: the chosen row, else the first that is far off.
+QString SwingPage::remark() const
+{
+    const auto& readings = m_editor->readings();
+    if (const int row = currentRow(); row >= 0)
+        if (const QString own = farFromNominal(readings[static_cast<std::size_t>(row)], m_style); !own.isEmpty())
+            return own;
+    for (const Reading& reading : readings)
+        if (!reading.exclusion)
+            if (const QString words = farFromNominal(reading, m_style); !words.isEmpty())
+                return words;
+    return {};
+}
+
 void SwingPage::showMessageLine()
 {
     QString rejected = m_model->rejection(m_table->currentIndex());
     if (rejected.isEmpty())
         rejected = m_model->rejection(m_model->firstRejected());
     if (!rejected.isEmpty()) {
-        refuse(tr("Not stored: %1").arg(rejected));
+        refuse(tr("Not stored: %1 (Esc: the stored value)").arg(rejected));
+        return;
+    }
+    if (const QString far = remark(); !far.isEmpty()) {
+        say(tr("◉ %1").arg(far));
         return;
     }
     if (const QString suspect = suspicion(); !suspect.isEmpty()) {

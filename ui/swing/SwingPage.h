@@ -20,12 +20,15 @@ namespace lubberline::ui {
 class CoefficientsPanel;
 class ExclusionPanel;
 class CardPanel;
+class DerivationPanel;
 class PlotTabs;
 class ReadingsModel;
 class ReadingsTable;
 class SigningPanel;
 class SwingEditor;
 class SwingParticulars;
+
+struct CoefficientPlace;
 
 class SwingPage : public Page {
     Q_OBJECT
@@ -85,11 +88,13 @@ private:
     [[nodiscard]] QString meaning() const;
     void showMessageLine();
     [[nodiscard]] QString suspicion() const;
+    [[nodiscard]] QString remark() const;
     void onRowChanged();
     void showParticulars(bool visible);
     void showSigning(bool visible);
     void showCard(bool visible);
     void showCardFigures();
+    void showDerivation(CoefficientPlace place);
     [[nodiscard]] int currentRow() const; ///< −1: none, or the empty row
 
     EditContext& m_context;
@@ -101,6 +106,7 @@ private:
     ExclusionPanel* m_exclusion;
     SwingParticulars* m_particulars = nullptr; ///< made when first opened
     SigningPanel* m_signing = nullptr;         ///< likewise
+    DerivationPanel* m_derivation = nullptr;   ///< likewise
     CardPanel* m_card = nullptr;               ///< likewise
     QLabel* m_state;
     QProgressBar* m_computing; ///< in front while results of a log are computed

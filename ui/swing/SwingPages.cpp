@@ -56,8 +56,7 @@ std::vector<Command> outputs(PageContext& context)
 {
     return {
         {MenuId::File, 200, SwingPage::tr("&Report…"), SwingPage::tr("Ctrl+R"), "report", onSwing(context, writeReportFile), needsSwing},
-        {MenuId::File, 210, SwingPage::tr("&Print preview of the report…"), QKeySequence::Print, "printReport",
-            onSwing(context, previewReport), needsSwing},
+        {MenuId::File, 210, SwingPage::tr("&Print preview of the report…"), {}, "printReport", onSwing(context, previewReport), needsSwing},
         {MenuId::File, 220, SwingPage::tr("Correction &card, every 30°…"), SwingPage::tr("Ctrl+K"), "card30",
             [&context](Page& shown) { writeCardFile(context, swingPageOf(shown), {30}); }, needsSwing},
         {MenuId::File, 230, SwingPage::tr("Correction card, every &45°…"), SwingPage::tr("Ctrl+Shift+K"), "card45",
@@ -132,9 +131,11 @@ PageDescription SwingPage::description(PageContext& context)
     page.help = tr(
         "Type the magnetic heading, Enter, the compass reading, Enter: the next row follows. Angles as 3.25, 3.25W, 3°15'W, 3 15 W; decimal point or comma.\n"
         "In the deviation column, W and E (or a sign) give the compass heading. = or Ctrl+D takes the nominal heading as read. Delete empties a cell.\n"
+        "A text that is refused stands beside the stored value; Escape puts that back. A click or Enter on a coefficient opens where it comes from.\n"
         "Cells and blocks are copied, cut and pasted as in a spreadsheet (Ctrl+C, X, V), with or without a first row of headings.\n"
         "Ctrl+Z undoes everything, across swings. Ctrl+E leaves a reading out, with a reason that stays on the record.");
     page.outputs = outputs(context);
+    page.print = onSwing(context, previewReport);
     for (const auto& commands : {readingCommands(), stateCommands(context), plotCommands()})
         page.commands.insert(page.commands.end(), commands.begin(), commands.end());
     page.shows = [](const FleetItem& item) { return std::holds_alternative<SwingId>(item); };

@@ -28,10 +28,12 @@ void install(std::unique_ptr<QTranslator> translator)
 
 } // namespace
 
-QStringList wantedLanguages()
+QStringList wantedLanguages(const QString& preferred)
 {
     const QString chosen = qEnvironmentVariable("LUBBERLINE_LANGUAGE");
-    return chosen.trimmed().isEmpty() ? QLocale::system().uiLanguages() : QStringList{chosen};
+    if (!chosen.trimmed().isEmpty())
+        return {chosen};
+    return preferred.isEmpty() ? QLocale::system().uiLanguages() : QStringList{preferred};
 }
 
 QString speak(const QStringList& languages)

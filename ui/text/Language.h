@@ -7,8 +7,8 @@
 
 namespace lubberline::ui {
 
-/// LUBBERLINE_LANGUAGE ("pl", "en"), else those that the system prefers, the first before the others: "pl-PL", "de".
-[[nodiscard]] QStringList wantedLanguages();
+/// LUBBERLINE_LANGUAGE ("pl", "en"), else the one that is preferred, else those of the system, the first before the others: "pl-PL", "de".
+[[nodiscard]] QStringList wantedLanguages(const QString& preferred = {});
 
 /// From now on the first of these that is English or has a catalogue; English where none has. The application must be there.
 /// @return what is spoken: "en", "pl".

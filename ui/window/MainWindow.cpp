@@ -5,7 +5,9 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
@@ -21,6 +23,7 @@
 #include "ui/intake/ImportPanels.h"
 #include "ui/kit/ControlNames.h"
 #include "ui/kit/MessagePanel.h"
+#include "ui/kit/Mnemonics.h"
 #include "ui/kit/Theme.h"
 #include "ui/kit/Words.h"
 #include "ui/window/PageStack.h"
@@ -38,6 +41,7 @@ constexpr int kElsewhere_ms = 1000; // a page does not show for long what anothe
 MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     : m_stores(stores)
     , m_services(std::move(services))
+    , m_preferences(m_services.settings)
     , m_context{stores,
           [this](const Error& error) {
               fail(messageOf(error));
@@ -50,7 +54,8 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
           stores, [this] { return m_stores.clock().today(); }, this))
     , m_pageContext(contextOfPages())
 {
-    applyTheme(m_services.settings.value("view/dark", false).toBool());
+    applyTheme(m_preferences.dark());
+    applyTextSize(m_preferences.textSize_percent());
     setWindowIcon(icon("lubberline"));
     setAcceptDrops(true);
     buildParts();
@@ -59,7 +64,12 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     showPlace();
     restorePlacement();
     qApp->installEventFilter(this);
-    connect(&m_stack, &QUndoStack::indexChanged, this, [this] { showSaved(true); });
+    connect(&m_stack, &QUndoStack::indexChanged, this, [this] {
+        m_messages->mended();
+        showSaved(true);
+    });
+    connect(&m_preferences, &Preferences::changed, this, &MainWindow::applyPreferences);
+    rememberDatabase();
     connect(&m_stores.changes(), &db::Changes::fleetChanged, this, &MainWindow::afterFleetChange);
     connect(m_progress, &ProgressStrip::cancelled, this, [this] { m_transfer.cancel(); });
     connect(m_naming, &NamingStrip::named, this, &MainWindow::importFile);
@@ -90,10 +100,19 @@ PageContext MainWindow::contextOfPages()
         [this](const QString& title, const QString& filter) { return m_services.dialogs.openFile(this, title, filter); },
         [this](const QString& title, const QString& suggestion, const QString& filter) { return askToSave(title, suggestion, filter); }};
     PageContext context{m_stores, m_context, m_stack, m_services.settings, m_services.dialogs, *this, files};
+    context.preferences = &m_preferences;
+    context.pages = [this]() -> const std::vector<PageDescription>& { return m_pages->descriptions(); };
+    context.pageInFront = [this] { return m_pages->description() ? m_pages->description()->id : QString(); };
+    context.reopen = m_services.reopen;
     context.due = m_dueWatch;
     context.go = [this](const Destination& destination) { navigate(destination); };
     context.goBack = [this](const QString& page) { goBack(page); };
-    context.say = [this](const QString& message) { m_messages->add(MessagePanel::Kind::Information, message); };
+    context.say = [this](const QString& message) {
+        if (!m_asked.isEmpty() && message.contains(m_asked))
+            tellWritten(message, std::exchange(m_asked, {}));
+        else
+            m_messages->add(MessagePanel::Kind::Information, message);
+    };
     context.fail = [this](const QString& message) { fail(message); };
     context.makeSwing = [this](Swing swing) { makeSwing(std::move(swing)); };
     context.keep = [this](const SwingRecord& record, std::variant<LostStep, LostReading> what) { keepElsewhere(record, std::move(what)); };
@@ -124,12 +143,13 @@ void MainWindow::buildCentre()
     m_progress = new ProgressStrip;
     m_naming = new NamingStrip;
     m_pages = new PageStack(m_pageContext, allPages(m_pageContext));
-    m_pages->setAngleStyle(
-        m_services.settings.value("view/minutes", false).toBool() ? AngleStyle::DegreesMinutes : AngleStyle::DecimalDegrees);
+    m_pages->setAngleStyle(m_preferences.angleStyle());
     connect(m_pages, &PageStack::failed, this, &MainWindow::fail);
     connect(m_pages, &PageStack::stateChanged, this, &MainWindow::updateActions);
     connect(m_pages, &PageStack::turned, this, [this] {
         m_readOut->clear();
+        m_messages->turned();
+        makeMnemonicsDistinct(m_pages->current(), menuBar());
         updateActions();
         showPlace();
     });
@@ -188,7 +208,8 @@ void MainWindow::populate()
     watchElsewhere();
     offerRecovery();
     if (m_stores.readOnly())
-        m_messages->add(MessagePanel::Kind::Information, tr("This database can only be read: nothing can be changed here."));
+        m_messages->add(MessagePanel::Kind::Information, tr("This database can only be read: nothing can be changed here."), {},
+            MessagePanel::Stay::UntilClosed);
 }
 
 void MainWindow::leaveField()
@@ -203,7 +224,9 @@ void MainWindow::go(const FleetItem& item) { navigate({{}, item}); }
 
 void MainWindow::navigate(const Destination& destination)
 {
+    m_leaving = true; // a figure that is refused on the way out is told on the next page, too
     leaveField();
+    m_leaving = false;
     if (const auto shown = m_pages->show(destination); !shown)
         fail(messageOf(shown.error()));
     else
@@ -279,7 +302,17 @@ Shown MainWindow::shown() const
 
 void MainWindow::afterFleetChange() { m_pages->current().fleetChanged(); }
 
-void MainWindow::fail(const QString& message) { m_messages->add(MessagePanel::Kind::Failure, message); }
+void MainWindow::fail(const QString& message)
+{
+    const auto stay = m_leaving ? MessagePanel::Stay::UntilClosed : MessagePanel::Stay::OnThisPage;
+    m_messages->add(MessagePanel::Kind::Failure, message, {}, stay);
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Escape || !m_messages->closeShown())
+        QMainWindow::keyPressEvent(event);
+}
 
 /// Found on a worker after the first paint, and whenever something changed.
 void MainWindow::watchDue()
@@ -324,13 +357,15 @@ void MainWindow::offerRecovery()
     m_messages->add(MessagePanel::Kind::Failure,
         tr("%n figures or steps could not be stored last time and were kept: %1.", nullptr, static_cast<int>(lost.size()))
             .arg(subjects.join(QStringLiteral("; "))),
-        tr("Put them in"), [this] {
-            const auto restored = m_recovery.restore(m_stores);
-            if (restored.done > 0)
-                m_messages->add(MessagePanel::Kind::Information, tr("%n were put in.", nullptr, restored.done));
-            for (const QString& failure : restored.failures)
-                fail(failure);
-        });
+        {{tr("Put them in"),
+            [this] {
+                const auto restored = m_recovery.restore(m_stores);
+                if (restored.done > 0)
+                    m_messages->add(MessagePanel::Kind::Information, tr("%n were put in.", nullptr, restored.done));
+                for (const QString& failure : restored.failures)
+                    fail(failure);
+            }}},
+        MessagePanel::Stay::UntilClosed);
 }
 
 void MainWindow::keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what)

@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "ui/intake/ImportFile.h"
+#include "ui/kit/MessagePanel.h"
 #include "ui/kit/PageDescription.h"
+#include "ui/kit/Preferences.h"
 #include "ui/plots/base/AsksToSave.h"
 #include "ui/window/Trail.h"
 #include "ui/window/Transfers.h"
@@ -22,7 +24,6 @@ namespace lubberline::ui {
 
 class DueWatch;
 class FleetPanel;
-class MessagePanel;
 class NamingStrip;
 class PageStack;
 class ProgressStrip;
@@ -34,6 +35,12 @@ struct WindowServices {
     std::function<void()> openDemonstration;                 ///< the first of the three choices of an empty database
     std::function<Result<void>(const QString& path)> backup; ///< may be empty: then there is no Backup
     QStringList recoveryFiles = {};                          ///< where what cannot be stored is kept; none: nowhere
+    /// Another database in place of this window; `make`: a new one. Errors: those of opening it; then this window stays. May be empty.
+    std::function<Result<void>(const QString& path, bool make)> openDatabase = {};
+    /// A backup in place of this database, which is kept beside it; the window is opened anew. May be empty.
+    std::function<Result<void>(const QString& backup)> restore = {};
+    std::function<void()> reopen = {}; ///< this window anew, for what is chosen at its start; may be empty
+    bool demonstration = false;        ///< the database is the demonstration fleet
 };
 
 class MainWindow : public QMainWindow, public AsksToSave {
@@ -64,6 +71,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override; ///< the mouse's buttons for back and forward, wherever it points
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     // MainWindow.cpp: parts and navigation
@@ -91,12 +99,9 @@ private:
 
     // MainWindowActions.cpp: menus, toolbar, undo
     void buildActions();
-    void buildEditMenu(QMenu& menu);
     void addViewChoices(QMenu& menu);
     [[nodiscard]] std::vector<Command> ownCommands();
     [[nodiscard]] std::vector<Command> plotCommands();
-    [[nodiscard]] std::vector<Command> helpCommands();
-    void help(); ///< the topic of the page in front
     void showOutputs();
     void addCommands(QMenu& menu, const std::vector<Command>& commands);
     QAction* addCommand(QMenu& menu, const Command& command);
@@ -106,21 +111,43 @@ private:
     void redo();
     void showEdited(int command);
 
-    // MainWindowFiles.cpp: import, export, backup
+    // MainWindowEdit.cpp: the menu Edit; what is chosen once for all
+    void buildEditMenu(QMenu& menu);
+    void applyPreferences();
+    void setTextSize(int change_percent); ///< 0: as it comes
+    void setFullScreen(bool full);
+
+    // MainWindowDatabases.cpp: which database, its copies; print
+    [[nodiscard]] std::vector<Command> databaseCommands();
+    void addRecent(QMenu& file);
+    void rememberDatabase();
+    void openAnother(const QString& path, bool make);
+    void goBackToOwn();
+    void print();
+    void saveCopy();
+    void backUp();
+    void restore();
+    void writeBackup(const QString& path);
+    void tellWritten(const QString& message, const QString& path);
+
+    // MainWindowFiles.cpp: import, export
     void chooseImport();
     void finishTransfer(const Result<TransferOutcome>& outcome);
     void askWhose(const QString& path);
     void startTransfer(const QString& what, const Transfer& transfer);
     void exportExchange(bool wholeFleet);
-    void backUp();
+    void watchFile(const QString& path);
+    [[nodiscard]] QString namedFor(const QString& suggestion) const;
 
     db::Stores& m_stores;
     WindowServices m_services;
+    Preferences m_preferences;
     EditContext m_context;
     QUndoStack m_stack;
     Recovery m_recovery;
     Worker<TransferOutcome> m_transfer; ///< of a file, in or out
     QString m_importPath;               ///< of the import that is running
+    QString m_asked;                    ///< the file that was asked for last, until it is told that it was written
     DueWatch* m_dueWatch;
     PageContext m_pageContext;
 
@@ -134,12 +161,14 @@ private:
 
     QAction* m_undo = nullptr;
     QAction* m_redo = nullptr;
+    QAction *m_fullScreen = nullptr, *m_minutes = nullptr, *m_dark = nullptr;
     std::vector<std::pair<QAction*, bool (*)(const Shown&)>> m_needs; ///< when each can be used
     std::vector<std::pair<QAction*, QString>> m_outputs;              ///< and the page that each is of
     bool m_painted = false;
     Trail m_trail;
     std::vector<FleetItem> m_path; ///< that is marked in the tree
     QAction *m_back = nullptr, *m_forward = nullptr;
+    bool m_leaving = false; ///< a field, on the way to another page
 };
 
 } // namespace lubberline::ui

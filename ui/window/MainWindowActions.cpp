@@ -12,7 +12,7 @@
 
 #include "ui/fleet/FleetPanel.h"
 #include "ui/kit/Edit.h"
-#include "ui/kit/MessagePanel.h"
+#include "ui/kit/Mnemonics.h"
 #include "ui/kit/Theme.h"
 #include "ui/plots/base/Plot.h"
 #include "ui/window/MainWindow.h"
@@ -67,11 +67,14 @@ void MainWindow::buildActions()
         QMenu& menu = *menuBar()->addMenu(title);
         auto& own = commands[id];
         std::stable_sort(own.begin(), own.end(), [](const Command& a, const Command& b) { return a.place < b.place; });
-        addCommands(menu, own);
         if (id == MenuId::Edit)
             buildEditMenu(menu);
+        addCommands(menu, own);
+        if (id == MenuId::File)
+            addRecent(menu);
         if (id == MenuId::View)
             addViewChoices(menu);
+        connect(&menu, &QMenu::aboutToShow, &menu, [&menu] { makeMnemonicsDistinct(menu); });
     }
     for (const PageDescription& page : m_pages->descriptions())
         for (const Command& output : page.outputs)
@@ -89,6 +92,8 @@ void MainWindow::buildActions()
 void MainWindow::showOutputs()
 {
     const PageDescription* front = m_pages->description();
+    // F11 is the crew's display on the ramp
+    m_fullScreen->setShortcut(front && front->id == QStringLiteral("guided") ? QKeySequence() : QKeySequence(Qt::Key_F11));
     const auto* bar = findChild<QToolBar*>(QStringLiteral("mainTools"));
     for (const auto& [action, page] : m_outputs)
         action->setVisible((front && front->id == page) || bar->actions().contains(action));
@@ -99,16 +104,13 @@ std::vector<Command> MainWindow::ownCommands()
 {
     const QString exports = tr("&Export exchange file");
     std::vector<Command> commands{
-        {MenuId::File, 110, tr("&Import…"), tr("Ctrl+I"), "import", [this](Page&) { chooseImport(); }, needsWriting},
-        {MenuId::File, 120, tr("This &aircraft…"), {}, "exportAircraft", [this](Page&) { exportExchange(false); }, needsAircraft, exports},
-        {MenuId::File, 121, tr("The whole &fleet…"), {}, "exportFleet", [this](Page&) { exportExchange(true); }, nullptr, exports},
+        {MenuId::File, 400, tr("&Import…"), tr("Ctrl+I"), "import", [this](Page&) { chooseImport(); }, needsWriting},
+        {MenuId::File, 410, tr("This &aircraft…"), {}, "exportAircraft", [this](Page&) { exportExchange(false); }, needsAircraft, exports},
+        {MenuId::File, 411, tr("The whole &fleet…"), {}, "exportFleet", [this](Page&) { exportExchange(true); }, nullptr, exports},
         {MenuId::File, 900, tr("&Quit"), QKeySequence::Quit, "quit", [this](Page&) { close(); }},
-        {MenuId::Fleet, 140, tr("&Search everything"), QKeySequence::Find, "search", [this](Page&) { m_fleet->focusSearch(); }},
         {MenuId::Fleet, 150, tr("Go to the &tree"), tr("Ctrl+T"), "focusTree", [this](Page&) { m_fleet->focusTree(); }},
     };
-    if (m_services.backup)
-        commands.push_back({MenuId::File, 130, tr("&Back up the database…"), {}, "backup", [this](Page&) { backUp(); }});
-    for (const auto& more : {plotCommands(), helpCommands()})
+    for (const auto& more : {plotCommands(), databaseCommands()})
         commands.insert(commands.end(), more.begin(), more.end());
     return commands;
 }
@@ -132,59 +134,29 @@ std::vector<Command> MainWindow::plotCommands()
     };
 }
 
-void MainWindow::help()
-{
-    if (const PageDescription* front = m_pages->description())
-        m_messages->add(MessagePanel::Kind::Information, m_pages->current().title() + '\n' + front->help);
-}
-
-std::vector<Command> MainWindow::helpCommands()
-{
-    return {
-        {MenuId::Help, 100, tr("&Help on this page"), QKeySequence::HelpContents, "help", [this](Page&) { help(); }},
-        {MenuId::Help, 110, tr("&About Lubberline"), {}, "about",
-            [this](Page&) {
-                m_messages->add(MessagePanel::Kind::Information,
-                    tr("Lubberline %1: aircraft magnetic deviation. Based in part on the work of the Qwt project (http://qwt.sf.net).")
-                        .arg(QApplication::applicationVersion()));
-            }},
-    };
-}
-
-void MainWindow::buildEditMenu(QMenu& menu)
-{
-    m_undo = addCommand(menu, {MenuId::Edit, 100, tr("&Undo"), QKeySequence::Undo, "undo", [this](Page&) { undo(); }});
-    m_redo = addCommand(menu, {MenuId::Edit, 110, tr("&Redo"), QKeySequence::Redo, "redo", [this](Page&) { redo(); }});
-    m_undo->setEnabled(false);
-    m_redo->setEnabled(false);
-    connect(&m_stack, &QUndoStack::canUndoChanged, m_undo, &QAction::setEnabled);
-    connect(&m_stack, &QUndoStack::canRedoChanged, m_redo, &QAction::setEnabled);
-    connect(&m_stack, &QUndoStack::undoTextChanged, m_undo, [this](const QString& text) { m_undo->setText(tr("&Undo %1").arg(text)); });
-    connect(&m_stack, &QUndoStack::redoTextChanged, m_redo, [this](const QString& text) { m_redo->setText(tr("&Redo %1").arg(text)); });
-}
-
 void MainWindow::addViewChoices(QMenu& menu)
 {
     menu.addSeparator();
-    auto* minutes = menu.addAction(tr("Degrees and &minutes"));
-    minutes->setObjectName(QStringLiteral("minutes"));
-    minutes->setShortcut(tr("Ctrl+M"));
-    minutes->setCheckable(true);
-    minutes->setChecked(m_services.settings.value("view/minutes", false).toBool());
-    connect(minutes, &QAction::toggled, this, [this](bool on) {
-        m_services.settings.setValue("view/minutes", on);
-        m_pages->setAngleStyle(on ? AngleStyle::DegreesMinutes : AngleStyle::DecimalDegrees);
-    });
-    auto* dark = menu.addAction(tr("&Dark"));
-    dark->setObjectName(QStringLiteral("dark"));
-    dark->setShortcut(tr("Ctrl+Shift+D"));
-    dark->setCheckable(true);
-    dark->setChecked(m_services.settings.value("view/dark", false).toBool());
-    connect(dark, &QAction::toggled, this, [this](bool on) {
-        m_services.settings.setValue("view/dark", on);
-        applyTheme(on);
-    });
+    const auto toggle = [&](const QString& text, const QKeySequence& keys, const char* name, bool on, auto act) {
+        auto* action = menu.addAction(text);
+        action->setObjectName(QLatin1String(name));
+        action->setShortcut(keys);
+        action->setCheckable(true);
+        action->setChecked(on);
+        connect(action, &QAction::toggled, this, act);
+        return action;
+    };
+    m_minutes = toggle(tr("Degrees and &minutes"), tr("Ctrl+M"), "minutes", m_preferences.angleStyle() == AngleStyle::DegreesMinutes,
+        [this](bool on) { m_preferences.setAngleStyle(on ? AngleStyle::DegreesMinutes : AngleStyle::DecimalDegrees); });
+    m_dark = toggle(tr("&Dark"), tr("Ctrl+Shift+D"), "dark", m_preferences.dark(), [this](bool on) { m_preferences.setDark(on); });
+    const int step = Preferences::kStep_percent;
+    addCommand(
+        menu, {MenuId::View, 900, tr("&Larger text"), QKeySequence::ZoomIn, "largerText", [this, step](Page&) { setTextSize(step); }});
+    addCommand(
+        menu, {MenuId::View, 900, tr("Smaller te&xt"), QKeySequence::ZoomOut, "smallerText", [this, step](Page&) { setTextSize(-step); }});
+    addCommand(menu, {MenuId::View, 900, tr("&Usual text size"), tr("Ctrl+Shift+0"), "usualText", [this](Page&) { setTextSize(0); }});
     menu.addSeparator();
+    m_fullScreen = toggle(tr("&Full screen"), Qt::Key_F11, "fullScreen", isFullScreen(), [this](bool on) { setFullScreen(on); });
     auto* dock = findChild<QDockWidget*>(QStringLiteral("fleetDock"))->toggleViewAction();
     dock->setShortcut(tr("F9"));
     menu.addAction(dock);

@@ -1,6 +1,11 @@
-// What the main window does with files: import, export, backup.
+// What the main window does with files: import and export, and every file that is asked for.
 
+#include <QDateTime>
 #include <QFileInfo>
+#include <QRegularExpression>
+#include <QTimer>
+
+#include <utility>
 
 #include "core/base/OutputFile.h"
 #include "ui/intake/ImportPanels.h"
@@ -31,6 +36,7 @@ void MainWindow::importFile(const QString& path, const CsvParticulars& particula
 
 void MainWindow::startTransfer(const QString& what, const Transfer& transfer)
 {
+    m_messages->mended(); // of the file before
     m_progress->begin(what);
     m_transfer.start(transfer);
 }
@@ -46,15 +52,19 @@ void MainWindow::finishTransfer(const Result<TransferOutcome>& outcome)
         if (error.code == ErrorCode::Cancelled)
             m_messages->add(MessagePanel::Kind::Information, tr("Cancelled: nothing was changed."));
         else if (unnamed)
-            m_messages->add(MessagePanel::Kind::Failure, messageOf(error), tr("Name the aircraft…"), [this, path] { askWhose(path); });
+            m_messages->add(MessagePanel::Kind::Failure, messageOf(error), {{tr("Name the aircraft…"), [this, path] { askWhose(path); }}});
         else
             fail(messageOf(error));
     } else {
         if (outcome->fleetChanged)
             m_stores.changes().announceFleet();
-        m_messages->add(MessagePanel::Kind::Information, (QStringList(outcome->message) + outcome->warnings).join('\n'));
         if (outcome->swing.valid())
             navigate({{}, outcome->swing});
+        const QString message = (QStringList(outcome->message) + outcome->warnings).join('\n');
+        if (const QString written = std::exchange(m_asked, {}); !written.isEmpty() && path.isEmpty())
+            tellWritten(message, written);
+        else
+            m_messages->add(MessagePanel::Kind::Information, message);
     }
     emit importFinished();
 }
@@ -89,28 +99,48 @@ void MainWindow::exportExchange(bool wholeFleet)
     startTransfer(tr("Exporting"), exporting(m_stores, wanted, path));
 }
 
+/// What a file of this page is called: with the registration and the day, unless the suggestion has them.
+QString MainWindow::namedFor(const QString& suggestion) const
+{
+    const Shown now = shown();
+    QString registration, day = toText(m_stores.clock().today());
+    if (const auto record = now.swing.valid() ? m_stores.swings.record(now.swing) : Result<SwingRecord>(Error{}); record) {
+        registration = toText(record->aircraft.registration);
+        day = toText(record->swing.date);
+    } else if (const auto aircraft = now.aircraft.valid() ? m_stores.fleet.aircraft(now.aircraft) : Result<Aircraft>(Error{}); aircraft) {
+        registration = toText(aircraft->registration);
+    }
+    static const QRegularExpression unusable(QStringLiteral(R"([/\\:*?"<>|\x00-\x1f])")), dated(QStringLiteral("\\d{4}-\\d{2}-\\d{2}"));
+    registration.replace(unusable, QStringLiteral("-"));
+    QString name = suggestion;
+    if (!dated.match(name).hasMatch())
+        name.prepend(day + u' ');
+    if (!registration.isEmpty() && !name.contains(registration))
+        name.prepend(registration + u' ');
+    return name;
+}
+
 QString MainWindow::askToSave(const QString& title, const QString& suggestion, const QString& filter)
 {
-    const QString path = m_services.dialogs.saveFile(this, title, suggestion, filter);
+    const QString path = m_services.dialogs.saveFile(this, title, namedFor(suggestion), filter);
     if (path.isEmpty())
         return {};
     if (const auto allowed = checkOutput(path.toStdString(), db::filesOf(m_stores.location())); !allowed) {
         fail(messageOf(allowed.error()));
         return {};
     }
+    watchFile(path);
     return path;
 }
 
-void MainWindow::backUp()
+/// Whoever asked writes it before the event loop goes on; that it was written is said where nobody has said so.
+void MainWindow::watchFile(const QString& path)
 {
-    const QString path = askToSave(tr("Back up the database"), QFileInfo(m_stores.location()).completeBaseName() + "-backup.lubberline",
-        tr("Lubberline databases (*.lubberline)"));
-    if (path.isEmpty())
-        return;
-    if (const auto done = m_services.backup(path); done)
-        m_messages->add(MessagePanel::Kind::Information, tr("Backup written: %1").arg(path));
-    else
-        fail(messageOf(done.error()));
+    m_asked = path;
+    QTimer::singleShot(0, this, [this, path, before = QFileInfo(path).lastModified()] {
+        if (m_asked == path && !m_transfer.running() && QFileInfo(path).lastModified() != before)
+            tellWritten(tr("Written: %1").arg(path), std::exchange(m_asked, {}));
+    });
 }
 
 } // namespace lubberline::ui

@@ -8,14 +8,17 @@
 #include "ui/earth/PredictionPage.h"
 #include "ui/electrical/ElectricalPage.h"
 #include "ui/fleet/AircraftPage.h"
+#include "ui/fleet/NewRecordPage.h"
 #include "ui/fleet/OverviewPage.h"
 #include "ui/fleet/PopulationPage.h"
 #include "ui/fleet/StartPage.h"
 #include "ui/guided/GuidedPage.h"
+#include "ui/help/HelpPage.h"
 #include "ui/inflight/FlightLogPage.h"
 #include "ui/inflight/WindsPage.h"
 #include "ui/intake/NewSwingPage.h"
 #include "ui/intake/NmeaImportPage.h"
+#include "ui/preferences/PreferencesPage.h"
 #include "ui/reference/CheckPage.h"
 #include "ui/reference/ComparePage.h"
 #include "ui/reference/DatumPage.h"
@@ -55,6 +58,11 @@ std::vector<PageDescription> allPages(PageContext& context)
         DuePage::description(context),
         SitesPage::description(context),
         InstrumentsPage::description(context),
+        NewRecordPage::description(context, NewRecordPage::Kind::Type),
+        NewRecordPage::description(context, NewRecordPage::Kind::Aircraft),
+        NewRecordPage::description(context, NewRecordPage::Kind::Compass),
+        PreferencesPage::description(context),
+        HelpPage::description(context),
     };
 }
 

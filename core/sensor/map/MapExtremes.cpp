@@ -78,6 +78,8 @@ bool near(const MapAxis& axis, double a_deg, double b_deg)
 
 } // namespace
 
+constexpr double kFlat_rad = 1e-6; ///< no figure of a map is shown so finely
+
 std::vector<MapExtreme> extremesOf(const DeviationMap& map, std::size_t most)
 {
     const Neighbourhood around(map);
@@ -95,6 +97,9 @@ std::vector<MapExtreme> extremesOf(const DeviationMap& map, std::size_t most)
             if (const int kind = around.extremeAt(x, y))
                 local.push_back(extreme(map, x, y, kind > 0));
         }
+    // A map without iron, or of a mount alone, is flat: its highest place is one of rounding.
+    if (!largest || difference(largest->deviation_rad, smallest->deviation_rad) < kFlat_rad)
+        return {};
     std::vector<MapExtreme> found;
     if (largest && most > 0)
         found.push_back(*largest);

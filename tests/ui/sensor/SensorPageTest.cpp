@@ -26,6 +26,8 @@ private slots:
     void figuresBeyondTheSlider();
     void dragIsOneUndoStep();
     void keysOfASliderAreStoredWhenLetGo();
+    void slidersGoFineAndCoarseAndReset();
+    void anEmptyModelHasNoExtremes();
     void circuitSwitch();
     void circuitsComeAndGo();
     void polarForm();
@@ -134,6 +136,34 @@ void SensorPageTest::keysOfASliderAreStoredWhenLetGo()
     QVERIFY(page.stored().softIron(0, 0) > someIron().softIron(0, 0));
     QTest::keyClick(&slider, Qt::Key_Tab);
     QCOMPARE(page.stack.count(), 1); // left without a change
+}
+
+void SensorPageTest::slidersGoFineAndCoarseAndReset()
+{
+    OpenPage page;
+    page.add("survey", someIron());
+    page.open();
+    auto& slider = page.find<QSlider>("hardIron_QSlider");
+    slider.setFocus();
+    QTest::keyClick(&slider, Qt::Key_Right);
+    QCOMPARE(page.stored().hardIron_nT.y(), -790.0); // 10 nT
+    QTest::keyClick(&slider, Qt::Key_PageUp);
+    QCOMPARE(page.stored().hardIron_nT.y(), -290.0); // 500 nT
+    const int steps = page.stack.count();
+    QTest::mouseDClick(&slider, Qt::LeftButton, {}, {3, 3});
+    QCOMPARE(page.stored().hardIron_nT.y(), 0.0);
+    QCOMPARE(page.stack.count(), steps + 1);
+    slider.setSliderPosition(slider.maximum() / 42); // a pixel of a short slider, beside zero
+    QVERIFY2(std::abs(page.find<QDoubleSpinBox>("hardIron_Q").value()) < 25, qPrintable(page.find<QDoubleSpinBox>("hardIron_Q").text()));
+}
+
+void SensorPageTest::anEmptyModelHasNoExtremes()
+{
+    OpenPage page;
+    page.add("empty", SensorModel());
+    page.open();
+    QVERIFY(page.picture().map);
+    QVERIFY(page.picture().extremes.empty());
 }
 
 void SensorPageTest::circuitSwitch()

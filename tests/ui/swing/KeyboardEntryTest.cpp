@@ -24,6 +24,12 @@ private slots:
     void completeSwingCannotBeTyped();
     void emptyRowBecomesAReading();
     void whatIsTypedSurvivesAShortcut();
+    void aRefusedTextStandsBesideTheStoredValue();
+    void escapeInTheEditorPutsTheStoredValueBack();
+    void aHeadingFarFromItsNominalIsRemarkedAtOnce();
+    void aMisreadSentenceStaysWithItsRow();
+    void whereHeadingsAreLaidOutTheCompassIsBlamed();
+    void theClipboardHasItsKeysWithoutAWindow();
 
 private:
     static std::vector<Reading> stored(SmallFleet& fleet) { return fleet.stores.whole().swings.front().readings; }
@@ -143,7 +149,7 @@ void KeyboardEntryTest::nominalIsAcceptedOnlyVisibly()
     open.type("1");
     open.press(Qt::Key_Return);
     QVERIFY(!stored(fleet)[0].magnetic);
-    QCOMPARE(open.cell(0, ReadingColumn::State), QStringLiteral("incomplete"));
+    QCOMPARE(open.cell(0, ReadingColumn::State), QStringLiteral("incomplete: the magnetic heading is missing"));
     // Enter on the grey heading, "=", and Ctrl+D accept it.
     QCOMPARE(open.table().currentIndex().row(), 1);
     open.press(Qt::Key_Return);
@@ -240,6 +246,122 @@ void KeyboardEntryTest::whatIsTypedSurvivesAShortcut()
         QCOMPARE(stored(fleet).size(), 1u);
         QCOMPARE(stored(fleet)[0].magnetic->degrees(), leaves ? 45.0 : 46.0);
     }
+}
+
+void KeyboardEntryTest::aRefusedTextStandsBesideTheStoredValue()
+{
+    SmallFleet fleet;
+    const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
+    OpenWindow open(fleet.stores);
+    open.window.go(id);
+    open.table().goTo(1, ReadingColumn::Compass);
+    open.type("45x");
+    open.press(Qt::Key_Return);
+    const QModelIndex cell = open.table().model()->index(1, int(ReadingColumn::Compass));
+    QVERIFY(cell.data(ReadingsModel::RejectedRole).toBool());
+    QCOMPARE(cell.data().toString(), QString("45x"));
+    QCOMPARE(cell.data(ReadingsModel::StoredRole).toString(), QString("045.0"));
+    for (const int role : {int(Qt::ToolTipRole), int(Qt::AccessibleTextRole)})
+        QVERIFY2(cell.data(role).toString().contains("045.0"), qPrintable(cell.data(role).toString()));
+    open.table().setCurrentIndex(cell);
+    QTest::keyClick(&open.table(), Qt::Key_Escape);
+    QVERIFY(!cell.data(ReadingsModel::RejectedRole).toBool());
+    QCOMPARE(cell.data().toString(), QString("045.0"));
+    QVERIFY(!open.label("readingsMessage").contains("Not stored"));
+    QCOMPARE(open.window.undoStack().count(), 0);
+}
+
+void KeyboardEntryTest::escapeInTheEditorPutsTheStoredValueBack()
+{
+    SmallFleet fleet;
+    const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
+    OpenWindow open(fleet.stores);
+    open.window.go(id);
+    open.table().goTo(2, ReadingColumn::Magnetic);
+    open.type("north");
+    open.press(Qt::Key_Return);
+    open.table().goTo(2, ReadingColumn::Magnetic);
+    open.press(Qt::Key_F2);
+    open.type("8");
+    open.press(Qt::Key_Escape);
+    const QModelIndex cell = open.table().model()->index(2, int(ReadingColumn::Magnetic));
+    QVERIFY(!cell.data(ReadingsModel::RejectedRole).toBool());
+    QCOMPARE(open.window.undoStack().count(), 0);
+}
+
+void KeyboardEntryTest::aHeadingFarFromItsNominalIsRemarkedAtOnce()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.stores);
+    open.window.go(fleet.swing);
+    open.trigger("layout8");
+    open.table().goTo(1, ReadingColumn::Magnetic);
+    open.type("54"); // for 45
+    open.press(Qt::Key_Return);
+    QVERIFY(!open.label("readingsMessage").contains("nominal")); // 9° off is near
+    open.table().goTo(2, ReadingColumn::Magnetic);
+    open.type("190"); // for 090, before its compass is read
+    open.press(Qt::Key_Return);
+    const QString said = open.label("readingsMessage");
+    QVERIFY2(said.contains("190") && said.contains("090") && said.contains("100"), qPrintable(said));
+    open.type("89");
+    open.press(Qt::Key_Return);
+    QVERIFY2(open.cell(2, ReadingColumn::State).contains("nominal"), qPrintable(open.cell(2, ReadingColumn::State)));
+}
+
+void KeyboardEntryTest::aMisreadSentenceStaysWithItsRow()
+{
+    SmallFleet fleet;
+    auto readings = eightPoints();
+    readings[3].second = 145; // 135: the next figure of the card
+    const SwingId id = fleet.addSwing("2026-11-21", readings);
+    OpenWindow open(fleet.stores);
+    open.window.go(id);
+    for (int row = 0; row < 8; ++row) {
+        open.table().goTo(row, ReadingColumn::Compass);
+        QVERIFY2(open.cell(3, ReadingColumn::State).contains("135"), qPrintable(open.cell(3, ReadingColumn::State)));
+    }
+    QVERIFY(open.cell(0, ReadingColumn::State).isEmpty());
+    open.table().goTo(3, ReadingColumn::Compass);
+    open.type("135");
+    open.press(Qt::Key_Return);
+    QVERIFY2(open.cell(3, ReadingColumn::State).isEmpty(), qPrintable(open.cell(3, ReadingColumn::State)));
+}
+
+void KeyboardEntryTest::whereHeadingsAreLaidOutTheCompassIsBlamed()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.stores);
+    open.window.go(fleet.swing);
+    // Headings on exact steps; the compass of 090 is read as its neighbour.
+    for (const auto& [magnetic, compass] : {std::pair{"0", "359"}, {"45", "44"}, {"90", "99"}}) {
+        open.type(magnetic);
+        open.press(Qt::Key_Return);
+        open.type(compass);
+        open.press(Qt::Key_Return);
+    }
+    open.table().goTo(2, ReadingColumn::Compass);
+    QVERIFY2(!open.label("readingsMessage").contains("in the magnetic heading"), qPrintable(open.label("readingsMessage")));
+}
+
+void KeyboardEntryTest::theClipboardHasItsKeysWithoutAWindow()
+{
+    SmallFleet fleet;
+    const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
+    OpenWindow open(fleet.stores);
+    open.window.go(id);
+    open.table().goTo(4, ReadingColumn::Compass);
+    QTest::keyClick(&open.table(), Qt::Key_X, Qt::ControlModifier);
+    QVERIFY(!stored(fleet).empty());
+    QVERIFY(!fleet.stores.swings.swing(id)->readings[4].compass);
+    QTest::keyClick(&open.table(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(fleet.stores.swings.swing(id)->readings[4].compass->degrees(), 180.0);
+    QCOMPARE(open.window.undoStack().count(), 2);
+    QTest::keyClick(&open.window, Qt::Key_Y, Qt::ControlModifier); // nothing to redo
+    QTest::keyClick(&open.window, Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(&open.window, Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(&open.window, Qt::Key_Y, Qt::ControlModifier);
+    QVERIFY(!fleet.stores.swings.swing(id)->readings[4].compass);
 }
 
 QTEST_MAIN(KeyboardEntryTest)

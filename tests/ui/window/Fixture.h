@@ -2,6 +2,7 @@
 /// A window on a small fleet in memory, with dialogs that answer themselves.
 
 #include <QApplication>
+#include <QFile>
 #include <QLabel>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -23,7 +24,19 @@ public:
     int previews = 0;
     std::function<void(const std::function<void(QPrinter&)>&)> onPreview;
     QString openFile(QWidget*, const QString&, const QString&) override { return answer; }
-    QString saveFile(QWidget*, const QString&, const QString&, const QString&) override { return answer; }
+    QString suggested;
+    QString saveFile(QWidget*, const QString&, const QString& suggestion, const QString&) override
+    {
+        suggested = suggestion;
+        return answer;
+    }
+    QString chooseFolder(QWidget*, const QString&, const QString&) override { return answer; }
+    QString openedOutside;
+    bool openOutside(const QString& path) override
+    {
+        openedOutside = path;
+        return true;
+    }
     void printPreview(QWidget*, const std::function<void(QPrinter&)>& paint) override
     {
         ++previews;
@@ -84,9 +97,10 @@ struct OpenWindow {
     int demonstrations = 0;
     MainWindow window;
 
-    explicit OpenWindow(db::Stores& stores)
+    /// @param databases with what leads to other databases.
+    explicit OpenWindow(db::Stores& stores, bool databases = false)
         : settings(folder.filePath("settings.ini"), QSettings::IniFormat)
-        , window(stores, {dialogs, settings, [this] { ++demonstrations; }, [this](const QString& path) { return backup(path); }})
+        , window(stores, services(databases))
     {
         window.resize(1366, 720);
         window.show();
@@ -95,11 +109,31 @@ struct OpenWindow {
         QApplication::processEvents();
     }
 
-    QString backedUpTo;
+    QString backedUpTo, opened;
+    bool writeBackups = false, refuse = false;
     Result<void> backup(const QString& path)
     {
         backedUpTo = path;
+        if (QFile file(path); writeBackups && !file.open(QIODevice::WriteOnly))
+            qFatal("the test's backup cannot be written");
         return {};
+    }
+    WindowServices services(bool databases)
+    {
+        WindowServices made{dialogs, settings, [this] { ++demonstrations; }, [this](const QString& path) { return backup(path); }};
+        if (!databases)
+            return made;
+        made.openDatabase = [this](const QString& path, bool make) -> Result<void> {
+            if (refuse)
+                return Error{ErrorCode::Format, Message::verbatim(std::string("no database"))};
+            opened = path + (make ? " made" : "");
+            return {};
+        };
+        made.restore = [this](const QString& path) -> Result<void> {
+            opened = path + " restored";
+            return {};
+        };
+        return made;
     }
 
     template <class Widget>

@@ -36,6 +36,7 @@ public:
     /// @param suggestion  of the file's name, without its ending; empty: the plot's name.
     void exportInteractively(const QString& suggestion = {});
     void copyToClipboard();
+    Q_INVOKABLE void copy() { copyToClipboard(); } ///< for the menu Edit
 
     [[nodiscard]] QSize sizeHint() const override { return {560, 480}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {220, 200}; }

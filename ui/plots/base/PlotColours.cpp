@@ -33,7 +33,9 @@ PlotColours coloursOn(const QColor& ground, const QColor& text)
     colours.limitEdge = mixed(kGreen, ground, dark ? 0.70 : 0.60);
     colours.hatch = mixed(text, ground, 0.28);
     colours.noise = kVermilion;
-    colours.coefficient = {mixed(text, ground, 0.65), dark ? kYellow : kSkyBlue, kOrange, kGreen, kPurple};
+    // On a dark ground yellow beside orange, and grey beside purple, would look alike.
+    colours.coefficient = dark ? std::array{mixed(text, ground, 0.9), kYellow, kVermilion, kGreen, kPurple}
+                               : std::array{mixed(text, ground, 0.65), kSkyBlue, kOrange, kGreen, kPurple};
     return colours;
 }
 

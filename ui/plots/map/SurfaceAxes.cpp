@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/plots/map/MapText.h"
@@ -122,9 +123,15 @@ void SurfaceAxes::paintUpright(QPainter& painter) const
     }
     painter.save();
     painter.setPen(m_look.colours.text);
-    painter.translate(at(0) - QPointF(kTick + 3 * kGap + widest, 0));
+    const double height = QFontMetricsF(m_look.font).height(),
+                 length = QFontMetricsF(m_look.font).horizontalAdvance(mapValueTitle(m_picture));
+    QPointF foot_px = at(0) - QPointF(kTick + 3 * kGap + widest, 0);
+    if (const QRectF& within = m_look.within; within.isValid()) {
+        foot_px.setX(std::max(foot_px.x(), within.left() + height));
+        foot_px.setY(std::clamp(foot_px.y(), within.top() + length / 2, std::max(within.top() + length / 2, within.bottom() - length / 2)));
+    }
+    painter.translate(foot_px);
     painter.rotate(-90);
-    const double height = QFontMetricsF(m_look.font).height();
     painter.drawText(QRectF(-400, -height, 800, height), Qt::AlignCenter, mapValueTitle(m_picture));
     painter.restore();
 }
@@ -135,6 +142,10 @@ void SurfaceAxes::paintLabel(QPainter& painter, QPointF at, QPointF outward, con
     const QFontMetricsF metrics(m_look.font);
     QRectF box(0, 0, metrics.horizontalAdvance(text) + 1, metrics.height());
     box.moveCenter(at + QPointF(outward.x() * box.width() / 2, outward.y() * box.height() / 2));
+    if (const QRectF& within = m_look.within; within.isValid()) {
+        box.moveLeft(std::clamp(box.left(), within.left(), std::max(within.left(), within.right() - box.width())));
+        box.moveTop(std::clamp(box.top(), within.top(), std::max(within.top(), within.bottom() - box.height())));
+    }
     painter.setPen(m_look.colours.text);
     painter.drawText(box, Qt::AlignCenter, text);
 }

@@ -62,7 +62,7 @@ void SurfaceChart::paintIn(QPainter& painter, const QRectF& rect, const QFont& f
     painter.fillRect(rect, colours().ground);
     if (!mesh)
         return paintNotice(painter, rect, tr("There is no map yet."), colours(), font);
-    paintSurface(painter, rect, picture(), *mesh, projectionIn(rect, font), {scale(), colours(), font, turning});
+    paintSurface(painter, rect, picture(), *mesh, projectionIn(rect, font), {scale(), colours(), font, turning, rect});
 }
 
 QPointF SurfaceChart::pixelOf(const BoxPoint& point) const { return projectionIn(m_canvas->rect(), font())(point); }

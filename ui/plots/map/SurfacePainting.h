@@ -40,6 +40,7 @@ struct SurfaceLook {
     PlotColours colours;
     QFont font;
     bool turning = false; ///< no smooth edges and no mesh
+    QRectF within = {};   ///< labels stay in it, however the box is turned
 };
 
 void paintSurface(QPainter& painter, const QRectF& room, const MapPicture& picture, const SurfaceMesh& mesh,

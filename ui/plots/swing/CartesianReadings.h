@@ -16,7 +16,11 @@ namespace lubberline::ui {
 class CartesianReadings : public QwtPlotItem {
 public:
     CartesianReadings();
-    void setPoints(std::vector<ReadingPoint> points) { m_points = std::move(points); }
+    void setPoints(std::vector<ReadingPoint> points)
+    {
+        m_points = std::move(points);
+        setZ(depthOf(m_points.size()));
+    }
     void setSelectedRow(int row) { m_selectedRow = row; }
     void setLook(const PlotColours& colours, const QFont& font);
     [[nodiscard]] const std::vector<ReadingPoint>& points() const { return m_points; }

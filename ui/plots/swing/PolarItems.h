@@ -47,7 +47,11 @@ private:
 class PolarReadings : public QwtPolarItem {
 public:
     PolarReadings();
-    void setPoints(std::vector<ReadingPoint> points) { m_points = std::move(points); }
+    void setPoints(std::vector<ReadingPoint> points)
+    {
+        m_points = std::move(points);
+        setZ(depthOf(m_points.size()));
+    }
     void setSelectedRow(int row) { m_selectedRow = row; }
     void setLook(const PlotColours& colours, const QFont& font);
     [[nodiscard]] const std::vector<ReadingPoint>& points() const { return m_points; }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 
 #include "ui/plots/swing/PictureText.h"
 
@@ -13,6 +15,7 @@ namespace lubberline::ui {
 
 namespace {
 
+constexpr double kDensityCell = 4, kLightest = 0.12, kDarkest = 0.55; ///< of the density; never so dark that a curve is lost in it
 constexpr double kRadius = 3.5, kRing = 7.5, kHalo = 10, kCap = 3;
 /// More readings than this are a log: they would hide each other, and take longer to draw than a keystroke may. One in a cell of this
 /// side is drawn, without its bar; suspect, excluded and chosen ones always are.
@@ -74,6 +77,28 @@ void paintMark(QPainter& painter, const ReadingPoint& point, bool selected, bool
         painter.setPen(QPen(colours.suspect, 2));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(at, kRing, kRing);
+    }
+}
+
+/// Of so many readings that their marks would hide each other, and the curve: how many there are in each place, from light to dark.
+void paintDensity(
+    QPainter& painter, const std::vector<ReadingPoint>& points, const Projection& project, const QRectF& within, const PlotColours& colours)
+{
+    std::map<std::pair<int, int>, int> counts;
+    int most = 1;
+    for (const ReadingPoint& point : points) {
+        const QPointF at = project(point.heading_deg, point.value_deg);
+        if (!point.excluded && within.contains(at))
+            most = std::max(most, ++counts[{static_cast<int>(std::floor(at.x() / kDensityCell)), static_cast<int>(std::floor(at.y() / kDensityCell))}]);
+    }
+    painter.setPen(Qt::NoPen);
+    for (const auto& [cell, count] : counts) {
+        const double share = kLightest + (kDarkest - kLightest) * std::log1p(count) / std::log1p(most);
+        const auto mixed = [share](int ground, int ink) { return static_cast<int>(std::lround(ground + share * (ink - ground))); };
+        const QColor &ground = colours.ground, &ink = colours.readings;
+        painter.setBrush(
+            QColor(mixed(ground.red(), ink.red()), mixed(ground.green(), ink.green()), mixed(ground.blue(), ink.blue()))); // opaque: PDF/A
+        painter.drawRect(QRectF(cell.first * kDensityCell, cell.second * kDensityCell, kDensityCell, kDensityCell));
     }
 }
 
@@ -142,8 +167,12 @@ void paintReadings(QPainter& painter, const std::vector<ReadingPoint>& points, i
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     const auto marks = marksOf(points, selectedRow, project, room.within);
+    const bool dense = points.size() > kMostSeenApart;
+    if (dense)
+        paintDensity(painter, points, project, room.within, colours);
     for (const ReadingPoint* point : marks)
-        paintMark(painter, *point, point->row == selectedRow, points.size() <= kMostMarks, project, colours);
+        if (!dense || point->suspect || point->excluded || point->row == selectedRow)
+            paintMark(painter, *point, point->row == selectedRow, points.size() <= kMostMarks, project, colours);
     paintLabels(painter, marks, project, room, colours, font);
     painter.restore();
 }

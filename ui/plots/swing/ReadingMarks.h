@@ -40,6 +40,10 @@ struct LabelRoom {
     std::vector<QRectF> taken = {};
 };
 
+/// From so many on they are drawn as a density, beneath the curves, so that a fit is seen.
+inline constexpr std::size_t kMostSeenApart = 150;
+[[nodiscard]] inline double depthOf(std::size_t readings) { return readings > kMostSeenApart ? 8 : 30; }
+
 /// Labels keep clear of each other, of the points, and of what is taken, where they can.
 void paintReadings(QPainter& painter, const std::vector<ReadingPoint>& points, int selectedRow, const Projection& project,
     const LabelRoom& room, const PlotColours& colours, const QFont& font);

@@ -84,6 +84,9 @@ void SpectrumBars::drawValue(QPainter& painter, const SpectrumBar& bar, const Qw
         return;
     place.moveCenter({xMap.transform(bar.order), 0});
     place.moveBottom(yMap.transform(bar.amplitude_deg) - 1);
+    if (m_noise_deg)
+        if (const double line = yMap.transform(*m_noise_deg); place.top() < line + 2 && place.bottom() > line - 2)
+            place.moveBottom(line - 2);
     painter.setFont(m_font);
     painter.setPen(Qt::NoPen);
     painter.setBrush(m_colours.ground);

@@ -3,6 +3,7 @@
 
 #include <QFont>
 
+#include <optional>
 #include <vector>
 
 #include <qwt_plot_item.h>
@@ -22,6 +23,7 @@ public:
     SpectrumBars();
     /// Orders above `highestResolvable` up to `last` are hatched.
     void setBars(std::vector<SpectrumBar> bars, int highestResolvable, int last);
+    void setNoise(std::optional<double> noise_deg) { m_noise_deg = noise_deg; } ///< figures stand clear of that line
     void setNyquistShown(bool shown) { m_nyquistShown = shown; }
     void setHatchShown(bool shown) { m_hatchShown = shown; }
     void setLook(const PlotColours& colours, const QFont& font);
@@ -38,6 +40,7 @@ private:
 
     std::vector<SpectrumBar> m_bars;
     int m_highestResolvable = 0, m_last = 0;
+    std::optional<double> m_noise_deg;
     bool m_nyquistShown = true, m_hatchShown = true;
     PlotColours m_colours;
     QFont m_font;

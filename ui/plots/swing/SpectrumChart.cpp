@@ -27,15 +27,26 @@ namespace {
 constexpr int kLeastLastOrder = 12; ///< hatched up to here when the headings resolve fewer
 constexpr int kMostOrders = 60;     ///< drawn: of a log there are thousands, and higher ones say nothing of a compass
 
-/// Whole orders only, with "A", "B/C", "D/E" beneath.
+/// Whole orders only, with "A", "B/C", "D/E" beneath: in two lines where the orders stand close. Figures that would touch are left out.
 class OrderScaleDraw : public CentredScaleDraw {
 public:
+    void setFont(const QFont& font) { m_font = font; }
     [[nodiscard]] QwtText label(double order) const override
     {
         const int whole = static_cast<int>(std::lround(order));
+        const QFontMetricsF metrics(m_font);
+        const double room = length() / std::max(1.0, std::abs(scaleDiv().range()));
+        const int every = room <= 0 ? 1 : static_cast<int>(std::ceil((metrics.horizontalAdvance(QStringLiteral("00")) + 4) / room));
+        const QString number = whole % std::max(1, every) == 0 || (whole <= 2 && every <= 2) ? QString::number(whole) : QString();
         const QString name = orderName(whole);
-        return name.isEmpty() ? QString::number(whole) : QStringLiteral("%1\n%2").arg(whole).arg(name);
+        if (name.isEmpty())
+            return number;
+        const bool close = metrics.horizontalAdvance(QStringLiteral("D/E")) + 4 > room;
+        return number + (close && whole == 1 ? QStringLiteral("\n\n") : QStringLiteral("\n")) + name;
     }
+
+private:
+    QFont m_font = paperFont();
 };
 
 class OrderScaleEngine : public QwtLinearScaleEngine {
@@ -128,6 +139,7 @@ void SpectrumChart::setPicture(const SwingPicture& picture)
     entry(m_nyquistEntry).present = hasNyquist(bars);
     entry(m_noiseEntry).present = harmonics.noiseFloor_rad.has_value();
     entry(m_hatchEntry).present = last > harmonics.highestResolvable;
+    m_bars->setNoise(harmonics.noiseFloor_rad ? std::optional(noise_deg) : std::nullopt);
     m_bars->setBars(std::move(bars), harmonics.highestResolvable, last);
     plot().setBase(-0.6, last + 0.6, 0, scale.end, scale.step);
     plot().setNotice(noticeFor(picture));
@@ -145,6 +157,7 @@ void SpectrumChart::styleItems()
     CartesianChart::styleItems();
     const LineLooks looks = lineLooks(colours());
     m_bars->setLook(colours(), font());
+    static_cast<OrderScaleDraw*>(plot().axisScaleDraw(QwtAxis::XBottom))->setFont(pixelFont(font()));
     m_noise->setPen(looks.noise);
     styleEntry(entry(m_barsEntry), colours().approximate, colours().approximate);
     styleEntry(entry(m_nyquistEntry), colours().approximate, colours().band);

@@ -4,6 +4,8 @@
 #include <qwt_scale_draw.h>
 #include <qwt_text.h>
 
+#include <algorithm>
+
 #include "core/base/Contract.h"
 #include "ui/plots/base/CartesianPlot.h"
 #include "ui/plots/base/HeadingScale.h"
@@ -47,9 +49,10 @@ void WorldFieldChart::setGrid(std::shared_ptr<const FieldGrid> grid)
     LUBBERLINE_EXPECT(!grid || (grid->columns >= 2 && grid->rows >= 2), "a grid of the world has at least two nodes each way");
     m_grid = std::move(grid);
     m_item->setGrid(m_grid);
-    const QString title = m_grid
-        ? tr("%1, %2, %3").arg(fieldElementTitle(m_grid->element), QString::fromStdString(m_grid->model)).arg(m_grid->year, 0, 'f', 1)
-        : tr("The field is being computed.");
+    const QString title = m_grid ? tr("%1, %2, %3; equirectangular, equal scales")
+                                       .arg(fieldElementTitle(m_grid->element), QString::fromStdString(m_grid->model))
+                                       .arg(m_grid->year, 0, 'f', 1)
+                                 : tr("The field is being computed.");
     m_plot->setTitles(title, {});
     replotAll();
 }
@@ -62,15 +65,36 @@ void WorldFieldChart::setPlace(const std::optional<Place>& place, const QString&
 
 std::vector<QWidget*> WorldFieldChart::canvases() const { return {m_plot->canvas()}; }
 
-QString WorldFieldChart::readOutAt(const CanvasPlace& place) const
+std::optional<QPointF> WorldFieldChart::placeAt(const QPointF& at_px) const
 {
-    const QPointF at = m_plot->valueAt(place.at);
-    if (!m_grid || !QRectF(-180, -90, 360, 180).contains(at))
-        return {};
-    return worldReadOut(*m_grid, at.y(), at.x());
+    const QPointF at = m_plot->valueAt(at_px);
+    return QRectF(-180, -90, 360, 180).contains(at) ? std::optional(at) : std::nullopt;
 }
 
-void WorldFieldChart::zoomInto(const QWidget*, const QRectF& rect) { m_plot->zoomInto(rect); }
+QString WorldFieldChart::readOutAt(const CanvasPlace& place) const
+{
+    const auto at = placeAt(place.at);
+    return m_grid && at ? worldReadOut(*m_grid, at->y(), at->x()) : QString();
+}
+
+/// What is framed is wholly seen, in the shape that the world keeps.
+void WorldFieldChart::zoomInto(const QWidget* canvas, const QRectF& rect)
+{
+    const double shape = static_cast<double>(canvas->width()) / std::max(1, canvas->height());
+    QRectF whole(QPointF(), QSizeF(std::max(rect.width(), rect.height() * shape), std::max(rect.height(), rect.width() / shape)));
+    whole.moveCenter(rect.center());
+    m_plot->zoomInto(whole);
+}
+
+QRectF WorldFieldChart::inShape(const QRectF& rect, double unit) const
+{
+    const double aside = (m_plot->width() - m_plot->canvas()->width()) * unit,
+                 above = (m_plot->height() - m_plot->canvas()->height()) * unit;
+    const double width = std::max(1.0, rect.width() - aside), height = std::max(1.0, rect.height() - above);
+    QRectF shaped(0, 0, std::min(width, 2 * height) + aside, std::min(height, width / 2) + above);
+    shaped.moveCenter(rect.center());
+    return shaped;
+}
 void WorldFieldChart::zoomAt(const CanvasPlace& place, double factor) { m_plot->zoomAt(place.at, factor); }
 void WorldFieldChart::panBy(const QWidget*, const QPointF& by) { m_plot->panBy(by); }
 void WorldFieldChart::resetZoom() { m_plot->resetZoom(); }
@@ -87,12 +111,19 @@ void WorldFieldChart::styleItems()
     m_item->setLook(colours(), font());
 }
 
-void WorldFieldChart::layoutPlots(const QRect& rect) { m_plot->setGeometry(rect); }
+void WorldFieldChart::layoutPlots(const QRect& rect)
+{
+    m_plot->setGeometry(rect);
+    m_plot->updateLayout(); // its axes say how much they need
+    m_plot->setGeometry(inShape(rect, 1).toRect());
+}
 
 void WorldFieldChart::paintPlots(QPainter& painter, const QRectF& device)
 {
     m_plot->replot();
-    m_plot->paintInto(painter, device);
+    m_plot->setGeometry(QRect(QPoint(), size()));
+    m_plot->updateLayout();
+    m_plot->paintInto(painter, inShape(device, device.width() / std::max(1, width())));
 }
 
 void WorldFieldChart::replotAll() { m_plot->replot(); }

@@ -1,5 +1,6 @@
 #pragma once
-/// An element of the Earth's field over the world.
+/// An element of the Earth's field over the world, in the equirectangular projection with equal scales (plate carrée): a degree is as long
+/// eastward as northward.
 
 #include <memory>
 #include <optional>
@@ -20,6 +21,8 @@ public:
 
     void setGrid(std::shared_ptr<const FieldGrid> grid);
     void setPlace(const std::optional<Place>& place, const QString& label);
+    /// Longitude and latitude [deg] under a place of the canvas; none beyond the world.
+    [[nodiscard]] std::optional<QPointF> placeAt(const QPointF& at_px) const;
     [[nodiscard]] CartesianPlot& plot() const { return *m_plot; }
     [[nodiscard]] const WorldFieldItem& item() const { return *m_item; }
 
@@ -40,6 +43,8 @@ protected:
     void replotAll() override;
 
 private:
+    /// The part of a place in which the canvas has the shape of the world; `unit`: of the place, in pixels of the plot.
+    [[nodiscard]] QRectF inShape(const QRectF& rect, double unit) const;
     CartesianPlot* m_plot;
     WorldFieldItem* m_item; ///< the plot owns it
     std::shared_ptr<const FieldGrid> m_grid;

@@ -10,7 +10,10 @@ namespace lubberline::ui {
 WorldFieldPlot::WorldFieldPlot(QWidget* parent) : Plot(tr("World map"), parent), m_chart(new WorldFieldChart)
 {
     adopt(m_chart);
-    watchMouse();
+    connect(watchMouse(), &ChartMouse::clicked, this, [this](const QWidget*, const QPointF& at) {
+        if (const auto place = m_chart->placeAt(at))
+            emit placeClicked(place->y(), place->x());
+    });
 }
 
 void WorldFieldPlot::setGrid(std::shared_ptr<const FieldGrid> grid)

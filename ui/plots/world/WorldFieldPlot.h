@@ -26,6 +26,10 @@ public:
     void setGrid(std::shared_ptr<const FieldGrid> grid);
     void setPlace(const std::optional<Place>& place, const QString& label);
     void render(QPainter& painter, const QRectF& target) const override;
+signals:
+    void placeClicked(double latitude_deg, double longitude_deg);
+
+public:
     [[nodiscard]] WorldFieldChart* chart() const { return m_chart; }
 
 private:

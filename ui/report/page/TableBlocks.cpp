@@ -17,6 +17,7 @@ constexpr double kCellSize_pt = 8;
 constexpr double kHeadSize_pt = 7;
 constexpr double kHeadLine = mm(3.1);
 constexpr double kPadding = mm(0.8);
+constexpr double kNameGap = mm(1.5); ///< between the name of a fact and what it is
 
 /// Where the columns stand, and where in each the decimal points stand. Shared by the blocks of one table.
 struct Setting {
@@ -73,6 +74,12 @@ std::shared_ptr<const Setting> settingOf(const Table& table, double width, const
     return setting;
 }
 
+QFont smaller(QFont font, double factor)
+{
+    font.setPixelSize(std::max(1, static_cast<int>(font.pixelSize() * factor)));
+    return font;
+}
+
 void paintCell(QPainter& painter, const Setting& setting, std::size_t column, const QRectF& row, const QFont& font, const QString& text)
 {
     const double left = row.left() + setting.left[column];
@@ -80,6 +87,9 @@ void paintCell(QPainter& painter, const Setting& setting, std::size_t column, co
     if (setting.table.columns[column].align == TableColumn::Align::Left) {
         const double ascent = QFontMetricsF(setting.cell).ascent();
         paintWrapped(painter, font, QRectF(left + kPadding, baseline - ascent, setting.width[column] - 2 * kPadding, row.height()), text);
+    } else if (const double room = setting.width[column] - kPadding, needed = QFontMetricsF(font).horizontalAdvance(text); needed > room) {
+        // what is too long for its column is set smaller, and never into the next
+        paintLine(painter, smaller(font, room / needed), {left + setting.width[column] / 2, baseline}, Qt::AlignHCenter, text);
     } else if (isFigure(text)) {
         const double whole = QFontMetricsF(font).horizontalAdvance(text.left(pointOf(text)));
         paintLine(painter, font, {row.left() + setting.point[column] - whole, baseline}, Qt::AlignLeft, text);
@@ -141,7 +151,9 @@ void paintHead(QPainter& painter, const Setting& setting, const QRectF& rect)
         const QStringList lines = headLines(column);
         double baseline = rect.bottom() - mm(0.6) - metrics.descent() - kHeadLine * static_cast<double>(lines.size() - 1);
         for (const QString& line : lines) {
-            paintLine(painter, setting.head, {x, baseline}, left ? Qt::AlignLeft : Qt::AlignHCenter, line);
+            const double room = setting.width[i] - (left ? kPadding : 0), needed = metrics.horizontalAdvance(line);
+            const QFont font = needed <= room ? setting.head : smaller(setting.head, room / needed);
+            paintLine(painter, font, {x, baseline}, left ? Qt::AlignLeft : Qt::AlignHCenter, line);
             baseline += kHeadLine;
         }
     }
@@ -182,12 +194,14 @@ std::vector<Block> factBlocks(const std::vector<Fact>& facts, const FactStyle& s
     const double lineHeight = QFontMetricsF(value).lineSpacing(), ascent = QFontMetricsF(value).ascent();
     std::vector<Block> blocks;
     for (const Fact& fact : facts) {
+        const QStringList heads = wrappedLines(name, style.nameWidth - kNameGap, fact.name);
         const QStringList lines = wrappedLines(value, width - style.nameWidth, fact.value);
         // A block for each line: a note of any length goes on on the next page.
-        for (qsizetype i = 0; i < lines.size(); ++i) {
-            const QString head = i == 0 ? fact.name : QString();
-            blocks.push_back({lineHeight + (i + 1 == lines.size() ? mm(0.5) : 0),
-                [head, line = lines[i], name, value, ascent, left = style.nameWidth](QPainter& painter, const QRectF& rect) {
+        const qsizetype count = std::max(heads.size(), lines.size());
+        for (qsizetype i = 0; i < count; ++i) {
+            blocks.push_back({lineHeight + (i + 1 == count ? mm(0.5) : 0),
+                [head = heads.value(i), line = lines.value(i), name, value, ascent, left = style.nameWidth](
+                    QPainter& painter, const QRectF& rect) {
                     painter.setPen(Ink::text());
                     paintLine(painter, name, {rect.left(), rect.top() + ascent}, Qt::AlignLeft, head);
                     paintLine(painter, value, {rect.left() + left, rect.top() + ascent}, Qt::AlignLeft, line);

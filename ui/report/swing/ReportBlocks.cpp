@@ -177,23 +177,51 @@ std::vector<Block> plotBlocks(const ReportContent& content, const QString& famil
         curve(content, family, curveHeight)};
 }
 
-/// Methods stand below the tables where there is room, else below the plots; plots, and what is left of the words, on one page:
-/// the last one of the tables if that has room for all, else a page of their own.
+/// The blocks of the methods that fit where the tables end; a title alone, or one line beneath it, is none.
+std::size_t fitting(const std::vector<Block>& methods, double room)
+{
+    constexpr std::size_t kLeast = 4; // gap, title, two lines
+    double height = 0;
+    std::size_t count = 0;
+    while (count < methods.size() && height + methods[count].height <= room)
+        height += methods[count++].height;
+    return count < kLeast ? 0 : count;
+}
+
+/// What the tables leave of their last page is used before another page is begun: for all of the rest, else for the methods, else for the
+/// polar plot, else for as much of the methods as fits. The plots have what the words leave of their page.
 void appendPlots(std::vector<Block>& blocks, const ReportContent& content, const QString& family, QSizeF body)
 {
     std::vector<Block> methods = methodBlocks(content, family, body.width());
-    std::vector<Block> words{gap(kGap), signatureBlock(content, family, body.width())};
-    const double below = roomBelow(blocks, body.height()) - mm(0.2);
-    const double all = kLeastPolar + kGap + kLeastCurve + heightOf(methods) + heightOf(words);
-    const bool newPage = below < all;
-    if (newPage && below >= heightOf(methods))
+    std::vector<Block> signatures{gap(kGap), signatureBlock(content, family, body.width())};
+    const double below = roomBelow(blocks, body.height()) - mm(0.2), whole = body.height() - mm(0.2);
+    const double words = heightOf(methods) + heightOf(signatures);
+    if (below >= kLeastPolar + kGap + kLeastCurve + words) {
+        append(blocks, plotBlocks(content, family, below - words));
         append(blocks, std::move(methods));
-    else
-        words.insert(words.begin(), methods.begin(), methods.end());
-    std::vector<Block> plots = plotBlocks(content, family, (newPage ? body.height() - mm(0.2) : below) - heightOf(words));
-    plots.front().newPage = newPage;
-    append(blocks, std::move(plots));
-    append(blocks, std::move(words));
+    } else if (below >= kLeastPolar + kGap && below < heightOf(methods)) {
+        blocks.push_back(gap(kGap));
+        blocks.push_back(polarAndSpectrum(content, family, std::min(below - kGap, kMostPolar)));
+        Block large = curve(content, family, std::clamp(whole - words, kLeastCurve, kMostCurve));
+        large.newPage = true;
+        blocks.push_back(std::move(large));
+        append(blocks, std::move(methods));
+    } else {
+        const auto here = static_cast<std::ptrdiff_t>(fitting(methods, below));
+        std::vector<Block> rest(methods.begin() + here, methods.end());
+        methods.erase(methods.begin() + here, methods.end());
+        append(blocks, std::move(methods));
+        const bool begun = here > 0 && !rest.empty(); // the methods go on at the top of the page of the plots
+        std::vector<Block> plots = plotBlocks(content, family, whole - heightOf(rest) - heightOf(signatures));
+        (begun ? rest : plots).front().newPage = true;
+        if (begun) {
+            append(blocks, std::move(rest));
+            rest.clear();
+        }
+        append(blocks, std::move(plots));
+        append(blocks, std::move(rest));
+    }
+    append(blocks, std::move(signatures));
 }
 
 } // namespace

@@ -62,7 +62,7 @@ QString variationWords(std::optional<double> variation_deg, const QString& sourc
     if (!variation_deg)
         return {};
     const QString value = Words::tr("variation %1° (east +)").arg(signedFigure(variation_deg, 2));
-    return source.isEmpty() ? value : Words::tr("%1 by %2").arg(value, source);
+    return source.isEmpty() ? value : Words::tr("%1, source: %2").arg(value, source);
 }
 
 QString classWords(const Site& site)

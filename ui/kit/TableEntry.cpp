@@ -1,0 +1,50 @@
+#include "ui/kit/TableEntry.h"
+
+#include <QKeyEvent>
+#include <QTableWidget>
+
+namespace lubberline::ui {
+
+EnterAdvances::EnterAdvances(QTableWidget& table) : QStyledItemDelegate(&table), m_table(table)
+{
+    table.setItemDelegate(this);
+    table.installEventFilter(this);
+}
+
+void EnterAdvances::advance()
+{
+    const int rows = m_table.rowCount(), columns = m_table.columnCount();
+    int row = m_table.currentRow(), column = m_table.currentColumn();
+    for (int step = 0; row >= 0 && step < rows * columns; ++step) {
+        if (++row == rows) {
+            row = 0;
+            column = (column + 1) % columns;
+        }
+        const QTableWidgetItem* item = m_table.item(row, column);
+        if (!m_table.isColumnHidden(column) && item && (item->flags() & Qt::ItemIsEditable)) {
+            m_table.setCurrentCell(row, column);
+            return;
+        }
+    }
+}
+
+bool EnterAdvances::eventFilter(QObject* object, QEvent* event)
+{
+    const auto* key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event) : nullptr;
+    const bool enter = key && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter)
+        && (key->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    if (object == &m_table) {
+        if (enter)
+            advance();
+        return enter;
+    }
+    auto* editor = qobject_cast<QWidget*>(object);
+    if (!enter || !editor)
+        return QStyledItemDelegate::eventFilter(object, event);
+    emit commitData(editor); // at once: a fast typist's next key must find the next cell
+    emit closeEditor(editor, NoHint);
+    advance();
+    return true;
+}
+
+} // namespace lubberline::ui
