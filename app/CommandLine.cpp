@@ -83,6 +83,8 @@ int runCommandLine(int argc, char** argv)
     addExport(app, invocation);
     addSwings(app, invocation);
     addSign(app, invocation);
+    addKeys(app, invocation);
+    addVerify(app, invocation);
     addFleet(app, invocation);
     addDue(app, invocation);
     addRule(app, invocation);

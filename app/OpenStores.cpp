@@ -1,5 +1,6 @@
 #include "app/OpenStores.h"
 
+#include "app/Console.h"
 #include "app/Paths.h"
 
 namespace lubberline::app {
@@ -9,7 +10,11 @@ Result<std::unique_ptr<db::Stores>> openStores(const std::string& option, db::Op
     const auto path = databasePath(option);
     if (!path)
         return path.error();
-    return db::openStores(*path, mode);
+    auto stores = db::openStores(*path, mode);
+    if (stores)
+        for (const auto& told : inEnglish((*stores)->database().told()))
+            say(told);
+    return stores;
 }
 
 } // namespace lubberline::app

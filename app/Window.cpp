@@ -6,6 +6,8 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <unistd.h>
+
 #include "app/Console.h"
 #include "app/Demonstration.h"
 #include "app/OpenStores.h"
@@ -33,9 +35,12 @@ int failVisibly(const Error& error)
 QStringList recoveryFiles()
 {
     QStringList files;
-    for (const auto place : {QStandardPaths::AppLocalDataLocation, QStandardPaths::RuntimeLocation, QStandardPaths::TempLocation})
+    const QString name = QStringLiteral("/lubberline-recovery.jsonl");
+    for (const auto place : {QStandardPaths::AppLocalDataLocation, QStandardPaths::RuntimeLocation})
         if (const QString folder = QStandardPaths::writableLocation(place); !folder.isEmpty())
-            files += folder + QStringLiteral("/lubberline-recovery.jsonl");
+            files += folder + name;
+    // Everybody writes into that folder: a folder of one's own in it.
+    files += QStandardPaths::writableLocation(QStandardPaths::TempLocation) + QStringLiteral("/lubberline-%1").arg(::geteuid()) + name;
     files.removeDuplicates();
     return files;
 }

@@ -16,6 +16,7 @@ namespace {
 
 struct DbArguments {
     std::string file;
+    std::vector<std::string> heads;
     bool json = false;
 };
 
@@ -38,18 +39,20 @@ int statusCommand(db::Database& database, bool json)
             nlohmann::ordered_json{{"path", status->path}, {"size_bytes", status->bytes}, {"schema", status->schema},
                 {"newest_schema", db::schemaVersion()}, {"journal", status->journal}, {"types", status->totals.types},
                 {"aircraft", status->totals.aircraft}, {"compasses", status->totals.compasses}, {"swings", status->totals.swings},
-                {"readings", status->readings}, {"sensor_models", status->sensorModels}, {"audit_entries", status->auditEntries}}
+                {"readings", status->readings}, {"sensor_models", status->sensorModels}, {"audit_entries", status->auditEntries},
+                {"audit_head", status->chain.head}, {"audit_chained_since_utc", status->chain.sinceUtc},
+                {"audit_entries_before_chain", status->chain.before}, {"file", status->chain.file}}
                 .dump(2)
                 .c_str());
         return kDone;
     }
     std::printf(
         "database       %s\nsize           %.1f MiB\nschema         %d (this program knows up to %d)\njournal        %s\ntypes          %d\n"
-        "aircraft       %d\ncompasses      %d\nswings         %lld\nreadings       %lld\nsensor models  %lld\naudit entries  %lld\n",
+        "aircraft       %d\ncompasses      %d\nswings         %lld\nreadings       %lld\nsensor models  %lld\naudit entries  %lld\naudit head     %s\nchained since  %s\n",
         status->path.c_str(), static_cast<double>(status->bytes) / 1048576.0, status->schema, db::schemaVersion(), status->journal.c_str(),
         status->totals.types, status->totals.aircraft, status->totals.compasses, static_cast<long long>(status->totals.swings),
         static_cast<long long>(status->readings), static_cast<long long>(status->sensorModels),
-        static_cast<long long>(status->auditEntries));
+        static_cast<long long>(status->auditEntries), status->chain.head.c_str(), status->chain.sinceUtc.c_str());
     return kDone;
 }
 
@@ -57,30 +60,57 @@ int backupCommand(db::Database& database, const std::string& file)
 {
     if (const auto done = db::backup(database, QString::fromStdString(file)); !done)
         return fail(done.error());
-    say("wrote " + file);
+    if (database.readAsCopy()) {
+        say("wrote " + file);
+        return kDone;
+    }
+    const auto status = db::status(database);
+    if (!status)
+        return fail(status.error());
+    say(text("wrote %s; audit head %s after %lld entries", file.c_str(), status->chain.head.c_str(),
+        static_cast<long long>(status->chain.entries)));
     return kDone;
 }
 
-int verifyCommand(db::Database& database, bool json)
+Result<std::vector<db::NotedHead>> notedHeads(const std::vector<std::string>& heads)
 {
-    const auto report = db::verify(database, consoleProgress("verifying"));
+    constexpr std::size_t kLeast = 12, kAll = 64;
+    std::vector<db::NotedHead> noted;
+    for (const auto& head : heads) {
+        if (head.size() < kLeast || head.size() > kAll || head.find_first_not_of("0123456789abcdef") != std::string::npos)
+            return Error{ErrorCode::InvalidInput, {MARKED("app", "--head: '%1' is no head; expected 12 to 64 hexadecimal digits"), head}};
+        noted.push_back({head, MARKED("app", "the command line")});
+    }
+    return noted;
+}
+
+int verifyCommand(db::Database& database, bool json, const std::vector<std::string>& heads)
+{
+    const auto noted = notedHeads(heads);
+    if (!noted)
+        return fail(noted.error());
+    const auto report = db::verify(database, consoleProgress("verifying"), *noted);
     if (!report)
         return fail(report.error());
     if (json)
         std::printf("%s\n",
-            nlohmann::ordered_json{{"swings", report->swings}, {"readings", report->readings}, {"findings", inEnglish(report->findings)}}
+            nlohmann::ordered_json{{"swings", report->swings}, {"readings", report->readings}, {"findings", inEnglish(report->findings)},
+                {"notes", inEnglish(report->notes)}, {"audit_head", report->head}, {"audit_entries", report->entries}}
                 .dump(2)
                 .c_str());
     else
         for (const auto& finding : inEnglish(report->findings))
             std::printf("%s\n", finding.c_str());
+    if (!json)
+        for (const auto& note : inEnglish(report->notes))
+            std::printf("note: %s\n", note.c_str());
     if (!report->findings.empty())
         return fail(
             {ErrorCode::Corrupt, {MARKED("app", "%1 findings in %2 swings; expected none"), report->findings.size(), report->swings},
                 database.path().toStdString()});
     if (!json)
-        std::printf("all is well: %lld swings with %lld readings\n", static_cast<long long>(report->swings),
-            static_cast<long long>(report->readings));
+        std::printf("all is well: %lld swings with %lld readings; audit head %s after %lld entries\n", static_cast<long long>(report->swings),
+            static_cast<long long>(report->readings), report->head.c_str(), static_cast<long long>(report->entries));
     return kDone;
 }
 
@@ -113,12 +143,14 @@ void addDb(CLI::App& app, Invocation& invocation)
         };
     });
 
-    auto* verify = command->add_subcommand("verify", "integrity, references, and every kept result recomputed from its readings");
+    auto* verify = command->add_subcommand(
+        "verify", "integrity, references, audit trail, signatures, and every kept result recomputed from its readings");
     verify->add_flag("--json", options->json, "one JSON object on standard output");
+    verify->add_option("--head", options->heads, "a head of the audit trail noted earlier (report, backup): the trail must hold it");
     addDatabaseOption(*verify, invocation);
     verify->callback([options, &invocation] {
         invocation.action = [options, &invocation] {
-            return onDatabase(invocation.database, [&](db::Database& database) { return verifyCommand(database, options->json); });
+            return onDatabase(invocation.database, [&](db::Database& database) { return verifyCommand(database, options->json, options->heads); });
         };
     });
 }

@@ -1,6 +1,7 @@
 #include "app/Console.h"
 #include "app/Outputs.h"
 #include "app/commands/Command.h"
+#include "app/commands/ExportSignature.h"
 #include "core/base/OutputFile.h"
 #include "core/format/exchange/Exchange.h"
 #include "db/transfer/Transfer.h"
@@ -11,11 +12,18 @@ namespace {
 
 struct ExportArguments {
     std::vector<std::string> aircraft;
+    std::string signature, role;
     Output output;
 };
 
 int exportCommand(db::Stores& stores, const ExportArguments& options)
 {
+    if (!options.signature.empty())
+        return exportSignatures(stores, options.signature, options.role, options.output.path);
+    if (!options.output.toStandardOutput() && options.output.kind != ".json") {
+        say("export: a .txt is what a signature stands for; expected --signature RECORD with it");
+        return kUsage;
+    }
     std::vector<AircraftId> aircraft;
     for (const auto& registration : options.aircraft) {
         const auto id = stores.fleet.aircraftNamed(registration);
@@ -40,7 +48,10 @@ void addExport(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<ExportArguments>();
     auto* command = app.add_subcommand("export", "write aircraft with all their swings as exchange JSON (.lubberline.json)");
     command->add_option("--aircraft", options->aircraft, "registrations (default: the whole fleet)");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".json"})->required();
+    command->add_option("--signature", options->signature,
+        "instead: what the signatures of this swing stand for, as text, with FILE.asc by each key, for `gpg --verify` and `lubberline verify`");
+    command->add_option("--role", options->role, "of these only the last by a performer, an inspector or an authority");
+    addOutputOption(*command, invocation, "-o,--output", options->output, "the file to write", {".json", ".txt"})->required();
     actOnStores(*command, invocation, db::OpenMode::ReadOnly, [options](db::Stores& stores) { return exportCommand(stores, *options); });
 }
 

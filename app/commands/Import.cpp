@@ -39,6 +39,7 @@ int importCommand(const ImportArguments& options, const std::string& database)
     const auto imported = db::importAll((*stores)->database(), fleets, consoleProgress("storing"));
     if (!imported)
         return fail(imported.error());
+    warn(imported->warnings);
     say(text("stored %d new swings of %d new aircraft; %d swings were there already", imported->swings, imported->aircraft,
         imported->alreadyThere));
     return kDone;

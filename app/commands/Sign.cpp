@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -7,13 +8,14 @@
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/record/RecordWords.h"
+#include "db/openpgp/KeyCheck.h"
 
 namespace lubberline::app {
 
 namespace {
 
 struct SignArguments {
-    std::string record, role, name, licence, reason;
+    std::string record, role, name, licence, key, reason;
     bool json = false;
 };
 
@@ -41,13 +43,43 @@ int told(const Result<void>& done, db::Stores& stores, SwingId swing)
     return kDone;
 }
 
+/// Prepared, and signed by a key of the user's ring. gpg asks for the pass phrase or the card.
+Result<Signature> withKey(db::Stores& stores, SwingId swing, Signature signature, const std::string& wanted)
+{
+    const Progress progress = consoleProgress("signing");
+    const auto keys = db::secretKeys(progress);
+    if (!keys)
+        return keys.error();
+    const auto isWanted = [&](const db::OpenPgpKey& one) {
+        return one.fingerprint.ends_with(wanted) || one.userId.find(wanted) != std::string::npos;
+    };
+    const auto found = std::count_if(keys->begin(), keys->end(), isWanted);
+    if (found != 1)
+        return Error{ErrorCode::NotFound,
+            {found == 0 ? MARKED("app", "--key: the key ring has no secret key %1; expected one of `gpg --list-secret-keys`")
+                        : MARKED("app", "--key: several secret keys are called %1; expected its fingerprint"),
+                wanted}};
+    signature.key = std::find_if(keys->begin(), keys->end(), isWanted)->fingerprint;
+    const auto prepared = stores.signing.prepare(swing, std::move(signature));
+    if (!prepared)
+        return prepared.error();
+    const auto content = stores.signing.contentOf(swing, *prepared);
+    return content ? db::signedBy(*prepared, *content, progress) : content.error();
+}
+
 int sign(db::Stores& stores, SwingId swing, const SignArguments& options)
 {
     const auto role = choiceOf<SignatureRole>(options.role);
     if (!role)
         return fail(Error{ErrorCode::InvalidInput,
             {MARKED("app", "--role: '%1' is not known; expected %2"), options.role, allowedWords<SignatureRole>()}});
-    return told(stores.signing.sign(swing, Signature{*role, options.name, options.licence, {}, {}}), stores, swing);
+    if (const auto last = stores.signing.clockStandsBefore(); last && !last->empty())
+        say("the clock of this machine stands before the last entry of the audit trail (" + *last + "): what is signed now would seem older");
+    Signature signature{*role, options.name, options.licence, {}, {}};
+    if (options.key.empty())
+        return told(stores.signing.sign(swing, std::move(signature)), stores, swing);
+    const auto byKey = withKey(stores, swing, std::move(signature), options.key);
+    return told(byKey ? stores.signing.add(swing, *byKey) : Result<void>(byKey.error()), stores, swing);
 }
 
 int amend(db::Stores& stores, SwingId swing, const SignArguments& options)
@@ -105,6 +137,8 @@ void addSign(CLI::App& app, Invocation& invocation)
         app, invocation, "sign", "sign a complete swing; a performer's and an inspector's signature freeze it", options, kWrite, sign);
     signing->add_option("--role", options->role, "performer, inspector or authority")->required();
     signing->add_option("--name", options->name, "who signs")->required();
+    signing->add_option("--key", options->key,
+        "an OpenPGP key of yours: its fingerprint, the end of that, or the user it names; without one nobody has verified the name");
     signing->add_option("--licence", options->licence, "licence, stamp or service number");
     auto* amending = add(app, invocation, "amend", "begin a new revision of a signed swing", options, kWrite, amend);
     amending->add_option("--reason", options->reason, "why")->required();

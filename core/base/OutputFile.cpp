@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <random>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/PartialFile.h"
 #include "core/base/WholeFile.h"
 
 namespace lubberline {
@@ -20,7 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostLinks = 40;   ///< as many as the kernel follows (path_resolution(7))
-constexpr int kMostNames = 1000; ///< tried for the file beside: one that another program left is passed over
 
 Error outputError(const Message& message, const std::string& path) { return {ErrorCode::Io, message, path}; }
 
@@ -91,69 +90,23 @@ Result<void> checkExisting(const struct stat& file, const std::string& path, con
     return {};
 }
 
-/// A new file, open, that is gone with this object unless it was renamed.
-class FileBeside {
-public:
-    explicit FileBeside(const fs::path& folder)
-    {
-        std::random_device random;
-        for (int tries = 0; m_handle < 0 && tries < kMostNames; ++tries) {
-            m_name = (folder / (".lubberline-" + std::to_string(random()) + ".partial")).string();
-            m_handle = ::open(m_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); // less what the user's umask takes away
-            if (m_handle < 0 && errno != EEXIST)
-                break;
-        }
-        m_left = m_handle >= 0;
-    }
-    ~FileBeside()
-    {
-        if (m_handle >= 0)
-            ::close(m_handle);
-        if (m_left)
-            ::unlink(m_name.c_str());
-    }
-    FileBeside(const FileBeside&) = delete;
-    FileBeside& operator=(const FileBeside&) = delete;
+bool takeRights(int handle, const struct stat& file)
+{
+    const bool owned = ::fchown(handle, file.st_uid, file.st_gid) == 0; // another user's file: the new one is ours
+    return ::fchmod(handle, file.st_mode & (owned ? 07777 : 0777)) == 0;
+}
 
-    [[nodiscard]] bool isOpen() const { return m_handle >= 0; }
-    bool takeRightsOf(const struct stat& file)
-    {
-        const bool owned = ::fchown(m_handle, file.st_uid, file.st_gid) == 0; // another user's file: the new one is ours
-        return ::fchmod(m_handle, file.st_mode & (owned ? 07777 : 0777)) == 0;
+bool write(int handle, std::string_view content)
+{
+    while (!content.empty()) {
+        const auto written = ::write(handle, content.data(), content.size());
+        if (written < 0 && errno != EINTR)
+            return false;
+        if (written > 0)
+            content.remove_prefix(static_cast<std::size_t>(written));
     }
-    bool write(std::string_view content)
-    {
-        while (!content.empty()) {
-            const auto written = ::write(m_handle, content.data(), content.size());
-            if (written < 0 && errno != EINTR)
-                return false;
-            if (written > 0)
-                content.remove_prefix(static_cast<std::size_t>(written));
-        }
-        return true;
-    }
-    /// On the drive, and closed: some drives tell only then that they are full.
-    bool finish()
-    {
-        const bool kept = ::fsync(m_handle) == 0 || errno == EINVAL; // a file system without it
-        const int error = errno;
-        const bool closed = ::close(m_handle) == 0;
-        m_handle = -1;
-        if (!kept)
-            errno = error;
-        return kept && closed;
-    }
-    bool renameTo(const fs::path& target)
-    {
-        m_left = std::rename(m_name.c_str(), target.c_str()) != 0;
-        return !m_left;
-    }
-
-private:
-    std::string m_name;
-    int m_handle = -1;
-    bool m_left = false;
-};
+    return true;
+}
 
 /// So that the new name outlives a power cut; the file is there in any case.
 void keepFolder(const fs::path& folder)
@@ -206,13 +159,14 @@ Result<void> writeWholeFile(const std::string& path, std::string_view content, c
     if (!target)
         return target.error();
     const fs::path folder = folderOf(*target);
-    FileBeside beside(folder);
+    PartialFile beside(folder.string());
     if (!beside.isOpen())
         return outputError({MARKED("core", "the folder %1 takes no new file (%2); expected a folder that may be written to"),
                                folder.string(), reasonOf(errno)},
             path);
     const auto before = stateOf(target->string());
-    if ((before && !beside.takeRightsOf(*before)) || !beside.write(content) || !beside.finish() || !beside.renameTo(*target))
+    if ((before && !takeRights(beside.handle(), *before)) || !write(beside.handle(), content) || !beside.finish()
+        || !beside.renameTo(target->string()))
         return writingError(errno, folder, path);
     keepFolder(folder);
     return {};

@@ -27,7 +27,33 @@ void fillInRecordIds(Fleet& fleet, const std::string& site)
         fillIn(profile.record, recordIdOfLimits(profile.name));
 }
 
+template <class Record, class IdType>
+const Record* withId(const std::vector<Record>& records, IdType id)
+{
+    for (const Record& one : records)
+        if (id.valid() && one.id == id)
+            return &one;
+    return nullptr;
+}
+
 } // namespace
+
+SwingRecord recordIn(const Fleet& fleet, const Swing& swing)
+{
+    SwingRecord record;
+    record.swing = swing;
+    if (const auto* compass = withId(fleet.compasses, swing.compass))
+        record.compass = *compass;
+    if (const auto* aircraft = withId(fleet.aircraft, record.compass.aircraft))
+        record.aircraft = *aircraft;
+    if (const auto* type = withId(fleet.types, record.aircraft.type))
+        record.type = *type;
+    if (const auto* site = withId(fleet.sites, swing.site))
+        record.site = *site;
+    if (const auto* limits = withId(fleet.limits, record.compass.limits))
+        record.limits = *limits;
+    return record;
+}
 
 Fleet toFleet(const SwingRecord& record)
 {

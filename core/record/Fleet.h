@@ -64,4 +64,7 @@ struct SwingRecord {
 /// "not stated".
 [[nodiscard]] Fleet toFleet(const SwingRecord& record);
 
+/// A swing of the fleet with what it refers to there; what the fleet does not hold is empty.
+[[nodiscard]] SwingRecord recordIn(const Fleet& fleet, const Swing& swing);
+
 } // namespace lubberline

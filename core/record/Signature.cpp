@@ -72,7 +72,8 @@ Message whyNotSign(const Signature& signature, const std::vector<Signature>& sig
         const bool sameSide = performs == (other.role == SignatureRole::Performer);
         if (!hold[i] || sameSide)
             continue;
-        if (samePerson(signature.name, other.name) || samePerson(signature.licence, other.licence))
+        if (samePerson(signature.name, other.name) || samePerson(signature.licence, other.licence)
+            || (!signature.key.empty() && signature.key == other.key))
             return {performs ? MARKED("core", "%1 has signed as inspector or authority; expected another person as performer")
                              : MARKED("core", "%1 has signed as performer; expected another person who checks the work"),
                 other.name};

@@ -21,6 +21,14 @@ struct Signature {
     std::string timeUtc; ///< ISO 8601
     std::string hash;    ///< SHA-256 of what was signed (core/format/exchange/SignedContent.h), 64 hexadecimal digits
     int contents = 1;    ///< by which version of that
+    // From version 3 of the contents on; an older signature has none of them.
+    std::string file = {};        ///< RecordId of the database in which it was given
+    std::string fileHead = {};    ///< of that database's audit trail just before, 64 hexadecimal digits
+    std::string recordHead = {};  ///< likewise of the swing's own
+    std::string particulars = {}; ///< exchange JSON of what is printed beside the swing, as it was then (signedParticulars())
+    std::string key = {};         ///< OpenPGP fingerprint, capital hexadecimal digits; empty: a name that nobody has verified
+    std::string publicKey = {};   ///< that key, in ASCII armour
+    std::string openPgp = {};     ///< detached signature over the signed content, in ASCII armour
     friend bool operator==(const Signature&, const Signature&) = default;
 };
 
@@ -32,7 +40,7 @@ struct Signature {
 [[nodiscard]] bool samePerson(const std::string& one, const std::string& other);
 
 /// Why this one may not be given beside those that hold: nobody answers for work that he did himself. The performer is another
-/// person than the inspector and the authority, by name and by licence, and so are the adjuster and the inspector whom the swing
+/// person than the inspector and the authority, by name, by licence and by key, and so are the adjuster and the inspector whom the swing
 /// names. Empty: it may.
 [[nodiscard]] Message whyNotSign(const Signature& signature, const std::vector<Signature>& signatures, const std::vector<bool>& hold,
     const std::string& adjuster, const std::string& inspector);

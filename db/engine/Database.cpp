@@ -9,11 +9,15 @@
 #include <QUrl>
 
 #include <atomic>
+#include <limits>
 
+#include "core/base/PartialFile.h"
 #include "db/engine/Changes.h"
+#include "db/engine/Copy.h"
 #include "db/engine/SqlError.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
+#include "db/engine/WorkFolder.h"
 
 namespace lubberline::db {
 
@@ -116,13 +120,17 @@ Result<void> apply(Database& database, const Migration& step)
         return version.error();
     if (*version >= step.version)
         return {};
-    for (const char* statement : step.statements)
-        if (const auto done = execute(database, statement); !done) {
-            Error error = done.error();
-            error.message = {MARKED("db", "the step to schema %1 (%2) failed, nothing was changed: %3"), step.version,
-                std::string(step.description), std::move(error.message)};
-            return error;
-        }
+    Result<void> done;
+    for (std::size_t i = 0; done && i < step.statements.size(); ++i)
+        done = execute(database, step.statements[i]);
+    if (done && step.work)
+        done = step.work(database);
+    if (!done) {
+        Error error = done.error();
+        error.message = {MARKED("db", "the step to schema %1 (%2) failed, nothing was changed: %3"), step.version,
+            std::string(step.description), std::move(error.message)};
+        return error;
+    }
     for (const QString& pragma :
         {QStringLiteral("PRAGMA application_id = %1").arg(kApplicationId), QStringLiteral("PRAGMA user_version = %1").arg(step.version)})
         if (const auto done = execute(database, pragma); !done)
@@ -132,28 +140,29 @@ Result<void> apply(Database& database, const Migration& step)
 
 Result<void> migrate(Database& database, const std::vector<Migration>& steps)
 {
-    const auto version = number(database, "PRAGMA user_version");
-    if (!version)
-        return version.error();
-    for (const auto& step : steps) {
-        if (step.version <= *version)
-            continue;
-        if (database.readOnly())
-            return Error{ErrorCode::ReadOnly,
-                {MARKED("db",
-                     "the database has the old schema %1 and may only be read; expected one that may be written once, to bring it up to date"),
-                    *version},
-                database.path().toStdString()};
-        if (const auto done = apply(database, step); !done)
-            return done;
-    }
+    for (const auto& step : steps)
+        if (step.version > database.fileSchema())
+            if (const auto done = apply(database, step); !done)
+                return done;
     return {};
+}
+
+/// "fleet.lubberline.schema-7.20261127T011500Z.backup", beside it.
+QString placeForBackup(const Database& database)
+{
+    QString time = QString::fromStdString(database.clock().nowUtc());
+    time.remove('-').remove(':');
+    return QStringLiteral("%1.schema-%2.%3.backup").arg(database.path()).arg(database.fileSchema()).arg(time);
 }
 
 } // namespace
 
 struct Database::State {
     QString path;
+    QString file;                     ///< that is open: path, or a copy of it
+    std::unique_ptr<WorkFolder> work; ///< of the copy
+    int schema = 0;                   ///< of path, as it was found
+    std::vector<Message> told;
     QString connection = newConnectionName();
     bool readOnly = false;    ///< we do not write
     bool isProtected = false; ///< we could not
@@ -181,8 +190,8 @@ Result<void> Database::State::connect(bool immutable)
         options += ";QSQLITE_OPEN_READONLY";
     if (immutable)
         options += ";QSQLITE_OPEN_URI";
-    const QUrl url = QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath());
-    handle.setDatabaseName(immutable ? url.toString(QUrl::FullyEncoded) + "?immutable=1" : path);
+    const QUrl url = QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath());
+    handle.setDatabaseName(immutable ? url.toString(QUrl::FullyEncoded) + "?immutable=1" : file);
     handle.setConnectOptions(options);
     if (!handle.open())
         return errorOf(handle.lastError(), path);
@@ -214,12 +223,17 @@ Database::~Database() = default;
 
 QString Database::path() const { return m_state->path; }
 bool Database::readOnly() const { return m_state->readOnly; }
+const std::vector<Message>& Database::told() const { return m_state->told; }
+int Database::fileSchema() const { return m_state->schema; }
+bool Database::readAsCopy() const { return m_state->work != nullptr; }
 QSqlDatabase Database::connection() const { return QSqlDatabase::database(m_state->connection, false); }
 Result<void> Database::onlyRead()
 {
     m_state->readOnly = true;
     return execute(*this, "PRAGMA query_only = ON");
 }
+
+Result<void> Database::setPatience(int milliseconds) { return execute(*this, QStringLiteral("PRAGMA busy_timeout = %1").arg(milliseconds)); }
 
 Changes& Database::changes() const { return m_state->changes; }
 void Database::setFault(Fault fault) { m_state->fault = std::move(fault); }
@@ -247,25 +261,103 @@ Result<void> Database::connectToOurs(int newest)
     return checkIdentity(*this, newest);
 }
 
+/// Connected, known to be ours, set up; its schema is whatever it is.
+Result<void> Database::connectAndConfigure(int newest)
+{
+    // Nothing is written before the file is known to be ours.
+    if (const auto connected = connectToOurs(newest); !connected)
+        return connected.error();
+    if (const auto configured = configure(*this); !configured)
+        return configured.error();
+    const auto version = number(*this, "PRAGMA user_version");
+    if (!version)
+        return version.error();
+    m_state->schema = static_cast<int>(*version);
+    return {};
+}
+
+Result<Database> Database::openAsItIs(const QString& path)
+{
+    if (const auto checked = checkFile(path, OpenMode::ReadOnly); !checked)
+        return checked.error();
+    Database database(stateFor(path, OpenMode::ReadOnly));
+    if (const auto connected = database.connectAndConfigure(std::numeric_limits<int>::max()); !connected)
+        return connected.error();
+    return database;
+}
+
+std::unique_ptr<Database::State> Database::stateFor(const QString& path, OpenMode mode)
+{
+    const bool inMemory = path == ":memory:";
+    auto state = std::make_unique<State>();
+    state->path = state->file = path;
+    state->isProtected = !inMemory && mayNotBeWritten(path);
+    state->readOnly = !inMemory && (state->isProtected || mode == OpenMode::ReadOnly);
+    return state;
+}
+
+/// What may not be changed is copied, and the copy brought up to date.
+Result<Database> Database::openCopy(const QString& path, const Database& original, const std::vector<Migration>& steps)
+{
+    auto state = std::make_unique<State>();
+    state->work = std::make_unique<WorkFolder>();
+    state->path = path;
+    state->file = state->work->filePath("copy.lubberline");
+    const Error none{ErrorCode::ReadOnly,
+        {MARKED("db", "the database has the old schema %1 and may only be read, and no copy could be made to bring up to date; expected room"
+                      " for one among the temporary files"),
+            original.fileSchema()},
+        path.toStdString()};
+    if (!state->work->isValid() || !copyInto(original, state->file))
+        return none;
+    Database copy(std::move(state));
+    if (const auto connected = copy.connectAndConfigure(steps.back().version); !connected)
+        return connected.error();
+    if (const auto migrated = migrate(copy, steps); !migrated)
+        return migrated.error();
+    if (const auto reading = copy.onlyRead(); !reading)
+        return reading.error();
+    copy.m_state->told.push_back({MARKED("db", "the database has the old schema %1; it was read as a copy and stays as it is"), copy.fileSchema()});
+    return copy;
+}
+
+/// A copy as it was, before anything is changed.
+Result<void> Database::bringUpToDate(const std::vector<Migration>& steps)
+{
+    const bool isNew = fileSchema() == 0;
+    const QString copy = placeForBackup(*this);
+    if (!isNew)
+        if (const auto made = copyTo(*this, copy); !made && made.error().code != ErrorCode::Conflict) { // another program made it just now
+            Error error = made.error();
+            error.message = {MARKED("db", "nothing was changed: before the database is brought up to date a copy is made, and it failed: %1"),
+                std::move(error.message)};
+            return error;
+        }
+    if (const auto migrated = migrate(*this, steps); !migrated)
+        return migrated;
+    if (!isNew)
+        m_state->told.push_back({MARKED("db", "the database was brought from schema %1 to %2; a copy as it was stands in %3"), fileSchema(),
+            steps.back().version, copy.toStdString()});
+    return {};
+}
+
 Result<Database> Database::open(const QString& path, OpenMode mode, const std::vector<Migration>& steps)
 {
     const bool inMemory = path == ":memory:";
     if (!inMemory)
         if (const auto checked = checkFile(path, mode); !checked)
             return checked.error();
-
-    auto state = std::make_unique<State>();
-    state->path = path;
-    state->isProtected = !inMemory && mayNotBeWritten(path);
-    state->readOnly = !inMemory && (state->isProtected || mode == OpenMode::ReadOnly);
-    Database database(std::move(state));
-    // Nothing is written before the file is known to be ours.
-    if (const auto connected = database.connectToOurs(steps.back().version); !connected)
+    Database database(stateFor(path, mode));
+    if (const auto connected = database.connectAndConfigure(steps.back().version); !connected)
         return connected.error();
-    if (const auto configured = configure(database); !configured)
-        return configured.error();
-    if (const auto migrated = migrate(database, steps); !migrated)
-        return migrated.error();
+    if (!inMemory && !database.readOnly())
+        removeLeftovers(QFileInfo(path).absolutePath().toStdString());
+    if (database.fileSchema() >= steps.back().version)
+        return database;
+    if (database.readOnly())
+        return openCopy(path, database, steps);
+    if (const auto done = database.bringUpToDate(steps); !done)
+        return done.error();
     return database;
 }
 

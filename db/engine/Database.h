@@ -18,14 +18,17 @@ namespace lubberline::db {
 
 enum class OpenMode {
     ReadWriteCreate, ///< a missing file is made; where file or folder may not be written it is opened for reading
-    ReadOnly,        ///< a missing file is an error
+    ReadOnly,        ///< a missing file is an error; one of an old schema is read as a copy that was brought up to date, and stays as it is
 };
+
+class Database;
 
 /// A numbered step of the schema. It runs in one transaction together with the new user_version: whole or not at all.
 struct Migration {
     int version = 0; ///< of the schema afterwards
     const char* description = "";
     std::vector<const char*> statements;
+    Result<void> (*work)(const Database& database) = nullptr; ///< what statements cannot say, after them
 };
 
 /// The database and what SQLite may keep beside it while it is open: files that nothing else may be written over.
@@ -42,7 +45,8 @@ struct TransactionState {
 class Database {
 public:
     /// Errors, each naming the file: NotFound (missing, ReadOnly), Io (folder), Format (not a database of ours), Corrupt,
-    /// NewerSchema (names both versions), Locked, ReadOnly (needs migrating but may not be written), Full.
+    /// NewerSchema (names both versions), Locked, ReadOnly (of an old schema, and no copy of it could be made), Full.
+    /// Before a file is brought up to date a copy of it as it was is made beside it: told() says where.
     /// `steps`: those of the schema (db/schema), or others in tests of failing migrations.
     static Result<Database> open(const QString& path, OpenMode mode, const std::vector<Migration>& steps);
 
@@ -50,8 +54,17 @@ public:
     Database& operator=(Database&&) noexcept;
     ~Database();
 
+    /// A file of ours in whatever schema it has, for reading it as a whole: no store understands it. Errors: those of open().
+    static Result<Database> openAsItIs(const QString& path);
+
     [[nodiscard]] QString path() const;
+    /// What who opened it should know: that it was brought up to date, and where a copy as it was stands.
+    [[nodiscard]] const std::vector<Message>& told() const;
+    [[nodiscard]] int fileSchema() const; ///< of the file, before anything was done to it; of a new one 0
+    [[nodiscard]] bool readAsCopy() const; ///< of an old schema: what is read is a copy
     [[nodiscard]] bool readOnly() const;
+    /// How long a statement waits for the writer of another connection before it answers Locked (2 s, unless it is said otherwise).
+    Result<void> setPatience(int milliseconds);
     /// From now on nothing is written through this connection.
     Result<void> onlyRead();
     /// Told of what stores change here.
@@ -69,7 +82,11 @@ public:
 private:
     struct State;
     explicit Database(std::unique_ptr<State> state);
+    static std::unique_ptr<State> stateFor(const QString& path, OpenMode mode);
+    static Result<Database> openCopy(const QString& path, const Database& original, const std::vector<Migration>& steps);
     Result<void> connectToOurs(int newest);
+    Result<void> connectAndConfigure(int newest);
+    Result<void> bringUpToDate(const std::vector<Migration>& steps);
     std::unique_ptr<State> m_state;
 };
 

@@ -1,6 +1,8 @@
 // The schema, step by step. A step that has been released is never changed; a new one is added.
 // Enumerations are stored as the numbers of their order in core/record, held by CHECK.
 
+#include "db/chain/Links.h"
+#include "db/engine/Statement.h"
 #include "db/schema/Schema.h"
 
 namespace lubberline::db {
@@ -188,11 +190,46 @@ const Migration kSeventh{7, "a datum instrument may be a shadow pin",
         "ALTER TABLE datum_instrument ADD COLUMN shadow_pin INTEGER NOT NULL DEFAULT 0 CHECK (shadow_pin IN (0, 1))",
     }};
 
+/// The chain over what is in the trail already.
+Result<void> beginTrail(const Database& database)
+{
+    auto done = beginChain(database);
+    if (done)
+        done = execute(database,
+            "CREATE TRIGGER audit_is_not_changed BEFORE UPDATE ON audit_entry BEGIN SELECT RAISE(ABORT, 'the audit trail is append-only'); END");
+    return done;
+}
+
+const Migration kEighth{8, "the audit trail is a hash chain; signatures keep what they cover, with which key they were given; keys of the station",
+    {
+        "ALTER TABLE audit_entry ADD COLUMN link TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE audit_entry ADD COLUMN file_link TEXT NOT NULL DEFAULT ''",
+        // entries_before: were there when the chain was begun
+        "CREATE TABLE audit_head (id INTEGER PRIMARY KEY CHECK (id = 1), file TEXT NOT NULL, entries INTEGER NOT NULL, head TEXT NOT NULL,"
+        " entries_before INTEGER NOT NULL, since_utc TEXT NOT NULL)",
+        "ALTER TABLE signature ADD COLUMN file TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE signature ADD COLUMN file_head TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE signature ADD COLUMN record_head TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE signature ADD COLUMN particulars TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE signature ADD COLUMN key TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE signature ADD COLUMN public_key TEXT NOT NULL DEFAULT ''",
+        "ALTER TABLE signature ADD COLUMN openpgp TEXT NOT NULL DEFAULT ''",
+        "CREATE TABLE signing_key (id INTEGER PRIMARY KEY, fingerprint TEXT NOT NULL UNIQUE CHECK (length(fingerprint) >= 40),"
+        " holder TEXT NOT NULL CHECK (holder <> ''), public_key TEXT NOT NULL CHECK (public_key <> ''), added_utc TEXT NOT NULL)",
+        // Signatures that came with an import had no entry: from here on each has one that names it.
+        "INSERT INTO audit_entry (time_utc, what, record, detail) SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now'), 'kept signature', k.record, k.detail"
+        " FROM (SELECT s.record, CASE g.role WHEN 0 THEN 'performer' WHEN 1 THEN 'inspector' ELSE 'authority' END || ': ' || g.name || ' ' || g.licence"
+        " || ', hash ' || g.hash AS detail, g.id FROM signature g JOIN swing s ON s.id = g.swing_id) k"
+        " WHERE NOT EXISTS (SELECT 1 FROM audit_entry a WHERE a.record = k.record AND a.what = 'signed swing' AND a.detail = k.detail) ORDER BY k.id",
+        "DROP TRIGGER audit_is_not_changed", // made again once the entries have their links
+    },
+    beginTrail};
+
 } // namespace
 
 const std::vector<Migration>& migrations()
 {
-    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh};
+    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh, kEighth};
     return steps;
 }
 

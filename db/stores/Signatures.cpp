@@ -1,6 +1,8 @@
 #include "db/stores/Signatures.h"
 
+#include "core/record/RecordWords.h"
 #include "db/engine/Statement.h"
+#include "db/stores/Audit.h"
 
 namespace lubberline::db {
 
@@ -8,10 +10,13 @@ namespace {
 
 Signature signatureFrom(const Statement& row)
 {
-    return {row.as<SignatureRole>(1), row.text(2), row.text(3), row.text(4), row.text(5), static_cast<int>(row.integer(6))};
+    return {row.as<SignatureRole>(1), row.text(2), row.text(3), row.text(4), row.text(5), static_cast<int>(row.integer(6)), row.text(7),
+        row.text(8), row.text(9), row.text(10), row.text(11), row.text(12), row.text(13)};
 }
 
-const QString kSelectSignature = "SELECT swing_id, role, name, licence, time_utc, hash, contents FROM signature ";
+const QString kSignatureColumns
+    = "swing_id, role, name, licence, time_utc, hash, contents, file, file_head, record_head, particulars, key, public_key, openpgp";
+const QString kSelectSignature = "SELECT " + kSignatureColumns + " FROM signature ";
 
 } // namespace
 
@@ -35,13 +40,21 @@ Result<std::map<SwingId, std::vector<Signature>>> allSignatures(Database& databa
     return all;
 }
 
-Result<void> addSignature(Database& database, SwingId swing, const Signature& signature)
+std::string auditText(const Signature& signature)
+{
+    return std::string(fileWord(signature.role)) + ": " + signature.name + " " + signature.licence + ", hash " + signature.hash;
+}
+
+Result<void> addSignature(Database& database, SwingId swing, const RecordId& record, const Signature& signature, const char* what)
 {
     Statement statement(
-        database, "INSERT INTO signature (swing_id, role, name, licence, time_utc, hash, contents) VALUES (?, ?, ?, ?, ?, ?, ?)");
+        database, "INSERT INTO signature (" + kSignatureColumns + ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     statement << swing << static_cast<int>(signature.role) << signature.name << signature.licence << signature.timeUtc << signature.hash
-              << signature.contents;
-    return statement.run();
+              << signature.contents << signature.file << signature.fileHead << signature.recordHead << signature.particulars
+              << signature.key << signature.publicKey << signature.openPgp;
+    if (const auto kept = statement.run(); !kept)
+        return kept;
+    return audit(database, what, record, auditText(signature));
 }
 
 } // namespace lubberline::db

@@ -1,5 +1,5 @@
 #pragma once
-/// Private to db: the signatures of swings.
+/// Private to db: the signatures of swings as rows.
 
 #include <map>
 #include <vector>
@@ -12,6 +12,15 @@ namespace lubberline::db {
 
 Result<std::vector<Signature>> signaturesOf(Database& database, SwingId swing); ///< in the order in which they were given
 Result<std::map<SwingId, std::vector<Signature>>> allSignatures(Database& database);
-Result<void> addSignature(Database& database, SwingId swing, const Signature& signature); ///< inside the caller's transaction
+
+/// What the audit trail says of a signature that is given here, that comes with an import, or that was there when the trail became a
+/// chain. Each row has one such entry, and each entry a row.
+inline constexpr const char* kSigned = "signed swing";
+inline constexpr const char* kSignedElsewhere = "imported signature";
+inline constexpr const char* kSignedBefore = "kept signature";
+[[nodiscard]] std::string auditText(const Signature& signature);
+
+/// With its entry `what` in the trail of the swing's `record`; inside the caller's transaction.
+Result<void> addSignature(Database& database, SwingId swing, const RecordId& record, const Signature& signature, const char* what);
 
 } // namespace lubberline::db

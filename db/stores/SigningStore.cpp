@@ -1,18 +1,21 @@
 #include "db/stores/SigningStore.h"
 
-#include <QCryptographicHash>
-
 #include <algorithm>
-#include <map>
+#include <optional>
+#include <span>
 
 #include "core/format/exchange/SignedContent.h"
 #include "core/record/Completeness.h"
 #include "core/record/RecordWords.h"
+#include "db/chain/Links.h"
 #include "db/engine/Changes.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
 #include "db/stores/Audit.h"
+#include "db/openpgp/KeyCheck.h"
 #include "db/stores/JobStore.h"
+#include "db/stores/KeyStore.h"
+#include "db/stores/SignatureChecks.h"
 #include "db/stores/Signatures.h"
 #include "db/stores/SwingStore.h"
 
@@ -22,23 +25,39 @@ namespace {
 
 constexpr const char* kWroteCard = "wrote card"; // in the audit trail
 
-}
+/// A swing with the guided swing that belongs to it.
+struct Whole {
+    SwingRecord record;
+    std::optional<SwingJob> job;
+};
 
-Result<std::string> SigningStore::hashOf(SwingId id, int contents)
+Result<Whole> wholeOf(Database& database, SwingId id)
 {
-    const auto record = SwingStore(m_database).record(id);
+    auto record = SwingStore(database).record(id);
     if (!record)
         return record.error();
-    const auto found = JobStore(m_database).jobOf(id);
+    auto found = JobStore(database).jobOf(id);
     if (!found)
         return found.error();
-    std::optional<SwingJob> job;
+    Whole whole{std::move(record.value()), {}};
     if (*found && (*found)->swing == id)
-        job = (*found)->job;
-    return QCryptographicHash::hash(QByteArray::fromStdString(signedContent(*record, job, contents)), QCryptographicHash::Sha256)
-        .toHex()
-        .toStdString();
+        whole.job = std::move((*found)->job);
+    return whole;
 }
+
+Result<void> checkSigner(const Swing& swing, const Signature& signature, const std::vector<bool>& hold)
+{
+    if (swing.state == SwingState::Draft)
+        return Error{
+            ErrorCode::InvalidInput, MARKED("db", "the swing is a draft; expected a complete one: it is completed before it is signed")};
+    if (signature.name.find_first_not_of(' ') == std::string::npos)
+        return Error{ErrorCode::InvalidInput, MARKED("db", "the name is empty; expected who signs")};
+    if (const auto why = whyNotSign(signature, swing.signatures, hold, swing.people.adjuster, swing.people.inspector); !why.empty())
+        return Error{ErrorCode::InvalidInput, why};
+    return {};
+}
+
+} // namespace
 
 Result<void> SigningStore::setState(SwingId id, SwingState state, const std::string& what, const std::string& detail)
 {
@@ -104,64 +123,144 @@ Result<void> SigningStore::sign(SwingId id, Signature signature)
     auto transaction = Transaction::begin(m_database);
     if (!transaction)
         return transaction.error();
-    auto swing = SwingStore(m_database).swing(id);
-    if (!swing)
-        return swing.error();
-    if (swing->state == SwingState::Draft)
-        return Error{
-            ErrorCode::InvalidInput, MARKED("db", "the swing is a draft; expected a complete one: it is completed before it is signed")};
-    if (signature.name.find_first_not_of(' ') == std::string::npos)
-        return Error{ErrorCode::InvalidInput, MARKED("db", "the name is empty; expected who signs")};
-    const auto held = hold(id);
-    if (!held)
-        return held.error();
-    if (const auto why = whyNotSign(signature, swing->signatures, *held, swing->people.adjuster, swing->people.inspector); !why.empty())
-        return Error{ErrorCode::InvalidInput, why};
-    signature.contents = kSignedContents;
-    const auto hash = hashOf(id, signature.contents);
-    if (!hash)
-        return hash.error();
-    signature.timeUtc = m_database.clock().nowUtc();
-    signature.hash = *hash;
-    if (const auto kept = addSignature(m_database, id, signature); !kept)
-        return kept;
-    if (const auto kept = audit(m_database, "signed swing", swing->record,
-            std::string(fileWord(signature.role)) + ": " + signature.name + " " + signature.licence + ", hash " + *hash);
-        !kept)
-        return kept;
-    noteState(id);
-    swing->signatures.push_back(std::move(signature));
-    const auto holding = hold(id);
-    if (!holding)
-        return holding.error();
-    if (swing->state == SwingState::Complete && freezes(swing->signatures, *holding))
-        if (const auto done = setState(id, SwingState::Signed, "froze swing", "hash " + *hash); !done)
-            return done;
+    const auto prepared = prepare(id, std::move(signature));
+    if (!prepared)
+        return prepared.error();
+    if (const auto added = add(id, *prepared); !added)
+        return added;
     return transaction->commit();
 }
 
-Result<std::vector<bool>> SigningStore::hold(SwingId id)
+Result<Signature> SigningStore::prepare(SwingId id, Signature signature)
 {
     const auto snapshot = Transaction::beginReading(m_database);
     if (!snapshot)
         return snapshot.error();
-    const auto signatures = signaturesOf(m_database, id);
-    if (!signatures)
-        return signatures.error();
-    std::map<int, std::string> hashes; // of each version that was used
-    std::vector<bool> hold;
-    for (const auto& signature : *signatures) {
-        auto& hash = hashes[signature.contents];
-        if (hash.empty()) {
-            const auto now = hashOf(id, signature.contents);
-            if (!now)
-                return now.error();
-            hash = *now;
-        }
-        hold.push_back(signature.hash == hash);
-    }
-    return hold;
+    const auto whole = wholeOf(m_database, id);
+    if (!whole)
+        return whole.error();
+    const auto states = statesIn(m_database, whole->record, whole->job);
+    if (!states)
+        return states.error();
+    if (const auto may = checkSigner(whole->record.swing, signature, holding(*states)); !may)
+        return may.error();
+    const auto head = chainHead(m_database);
+    const auto own = recordHead(m_database, whole->record.swing.record);
+    if (!head || !own)
+        return head ? own.error() : head.error();
+    signature.contents = kSignedContents;
+    signature.timeUtc = m_database.clock().nowUtc();
+    signature.file = head->file;
+    signature.fileHead = head->head;
+    signature.recordHead = *own;
+    signature.particulars = signedParticulars(whole->record);
+    signature.hash = sha256(signedContent(whole->record, whole->job, signature, whole->record.swing.signatures));
+    return signature;
 }
+
+Result<std::string> SigningStore::contentOf(SwingId id, const Signature& signature)
+{
+    const auto snapshot = Transaction::beginReading(m_database);
+    if (!snapshot)
+        return snapshot.error();
+    const auto whole = wholeOf(m_database, id);
+    if (!whole)
+        return whole.error();
+    const auto& all = whole->record.swing.signatures;
+    const auto before = std::find(all.begin(), all.end(), signature) - all.begin(); // one that is not stored yet comes after all
+    return signedContent(whole->record, whole->job, signature, std::span(all).first(static_cast<std::size_t>(before)));
+}
+
+Result<void> SigningStore::add(SwingId id, const Signature& prepared)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto whole = wholeOf(m_database, id);
+    if (!whole)
+        return whole.error();
+    Swing swing = whole->record.swing;
+    const auto states = statesIn(m_database, whole->record, whole->job);
+    if (!states)
+        return states.error();
+    if (const auto may = checkSigner(swing, prepared, holding(*states)); !may)
+        return may;
+    const auto own = recordHead(m_database, swing.record);
+    if (!own)
+        return own.error();
+    if (prepared.recordHead != *own || signedParticulars(whole->record) != prepared.particulars
+        || sha256(signedContent(whole->record, whole->job, prepared, swing.signatures)) != prepared.hash)
+        return Error{ErrorCode::Conflict, MARKED("db", "the swing was changed while it was being signed; look at it again and sign anew"),
+            m_database.path().toStdString()};
+    if (const auto kept = addSignature(m_database, id, swing.record, prepared, kSigned); !kept)
+        return kept;
+    noteState(id);
+    swing.signatures.push_back(prepared);
+    const auto holds = hold(id);
+    if (!holds)
+        return holds.error();
+    if (swing.state == SwingState::Complete && freezes(swing.signatures, *holds))
+        if (const auto done = setState(id, SwingState::Signed, "froze swing", "hash " + prepared.hash); !done)
+            return done;
+    return transaction->commit();
+}
+
+Result<std::vector<SignatureState>> SigningStore::states(SwingId id)
+{
+    const auto snapshot = Transaction::beginReading(m_database);
+    if (!snapshot)
+        return snapshot.error();
+    const auto whole = wholeOf(m_database, id);
+    if (!whole)
+        return whole.error();
+    return statesIn(m_database, whole->record, whole->job);
+}
+
+Result<std::vector<bool>> SigningStore::hold(SwingId id)
+{
+    const auto all = states(id);
+    return all ? Result<std::vector<bool>>(holding(*all)) : all.error();
+}
+
+Result<std::vector<KeyVerdict>> SigningStore::verdicts(SwingId id, const Progress& progress)
+{
+    const auto signatures = signaturesOf(m_database, id);
+    const auto station = KeyStore(m_database).all();
+    if (!signatures || !station)
+        return signatures ? station.error() : signatures.error();
+    std::vector<KeyVerdict> verdicts;
+    for (const Signature& one : *signatures) {
+        const auto content = one.key.empty() && one.openPgp.empty() ? Result<std::string>(std::string()) : contentOf(id, one);
+        if (!content)
+            return content.error();
+        verdicts.push_back(verdictOn(one, *content, *station, progress));
+    }
+    return verdicts;
+}
+
+Result<std::vector<SignatureState>> SigningStore::checkedStates(SwingId id, const Progress& progress)
+{
+    auto all = states(id);
+    const auto keys = verdicts(id, progress);
+    if (!all || !keys)
+        return all ? keys.error() : all.error();
+    for (std::size_t i = 0; i < all->size() && i < keys->size(); ++i)
+        (*all)[i].key = (*keys)[i];
+    return all;
+}
+
+Result<std::string> SigningStore::clockStandsBefore()
+{
+    Statement statement(m_database, "SELECT time_utc FROM audit_entry ORDER BY id DESC LIMIT 1");
+    const auto last = firstOf<std::string>(statement, [](Statement& row) { return row.text(0); });
+    if (!last)
+        return last.error();
+    return *last && m_database.clock().nowUtc_ms() < **last ? **last : std::string();
+}
+
+Result<ChainHead> SigningStore::trailHead() { return chainHead(m_database); }
+
+Result<std::vector<Message>> SigningStore::trailFaults(const RecordId& record) { return checkRecordChain(m_database, record); }
 
 Result<SwingId> SigningStore::amend(SwingId id, const std::string& reason)
 {
@@ -227,25 +326,6 @@ Result<bool> SigningStore::cardWasWritten(SwingId id)
     statement << id << std::string(kWroteCard);
     const auto found = firstOf<int>(statement, [](Statement& row) { return static_cast<int>(row.integer(0)); });
     return found ? Result<bool>(found->has_value()) : found.error();
-}
-
-Result<std::vector<Message>> SigningStore::faults()
-{
-    Statement statement(m_database, "SELECT DISTINCT s.id FROM swing s JOIN signature g ON g.swing_id = s.id WHERE s.state = 2");
-    const auto ids = rowsOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
-    if (!ids)
-        return ids.error();
-    std::vector<Message> faults;
-    for (const auto id : *ids) {
-        const auto holding = hold(id);
-        const auto signatures = signaturesOf(m_database, id);
-        const auto swing = SwingStore(m_database).swing(id);
-        if (!signatures || !swing)
-            return signatures ? swing.error() : signatures.error();
-        if (!holding || !freezes(*signatures, *holding))
-            faults.push_back({MARKED("db", "the signed swing of %1 (record %2) is not what was signed"), swing->date, swing->record});
-    }
-    return faults;
 }
 
 } // namespace lubberline::db

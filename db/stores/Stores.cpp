@@ -38,6 +38,7 @@ Stores::Stores(Database database)
     , sites(m_database)
     , due(m_database)
     , electrical(m_database)
+    , keys(m_database)
 {
 }
 

@@ -14,6 +14,7 @@
 #include "db/stores/ElectricalStore.h"
 #include "db/stores/FleetStore.h"
 #include "db/stores/JobStore.h"
+#include "db/stores/KeyStore.h"
 #include "db/stores/SensorStore.h"
 #include "db/stores/SigningStore.h"
 #include "db/stores/SiteStore.h"
@@ -54,6 +55,7 @@ public:
     SiteStore sites;
     DueStore due;
     ElectricalStore electrical;
+    KeyStore keys;
 };
 
 /// Opens a database; a new one gets the shipped limits profiles. Errors: those of Database::open().

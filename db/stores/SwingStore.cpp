@@ -259,10 +259,15 @@ Result<SwingId> SwingStore::insert(Swing swing)
         return id;
     if (const auto inserted = insertRows(m_database, *id, 0, swing.readings); !inserted)
         return inserted.error();
-    for (const auto& signature : swing.signatures)
-        if (const auto kept = addSignature(m_database, *id, signature); !kept)
-            return kept.error();
     swing.id = *id;
+    if (!swing.signatures.empty()) { // the record id may have been made just now
+        const auto record = recordOf(*id);
+        if (!record)
+            return record.error();
+        for (const auto& signature : swing.signatures)
+            if (const auto kept = addSignature(m_database, *id, *record, signature, kSignedElsewhere); !kept)
+                return kept.error();
+    }
     if (const auto stored = storeResult(m_database, swing); !stored)
         return stored.error();
     if (swing.state == state)

@@ -11,7 +11,9 @@
 #include "db/stores/FleetStore.h"
 #include "db/stores/JobStore.h"
 #include "db/stores/SensorStore.h"
+#include "db/stores/SignatureChecks.h"
 #include "db/stores/Signatures.h"
+#include "db/stores/SigningStore.h"
 #include "db/stores/SiteStore.h"
 #include "db/stores/SwingStore.h"
 
@@ -65,6 +67,8 @@ private:
     Result<void> waivers();
     Result<void> electrical();
     Result<SwingId> add(Swing swing, const JobRecord* job);
+    Result<void> checkSigned(const Swing& original, const JobRecord* job);
+    Result<void> checkStored(SwingId id);
     Result<void> goOn(const Swing& incoming, const JobRecord& job, const SwingRecord& stored);
     [[nodiscard]] const JobRecord* jobOf(SwingId id) const;
 
@@ -352,10 +356,58 @@ Result<void> Importer::goOn(const Swing& incoming, const JobRecord& job, const S
             return closed;
     }
     for (const auto& signature : incoming.signatures) // before the swing is frozen
-        if (const auto kept = addSignature(m_database, stored.swing.id, signature); !kept)
+        if (const auto kept = addSignature(m_database, stored.swing.id, stored.swing.record, signature, kSignedElsewhere); !kept)
             return kept;
     const auto before = swings.swing(stored.swing.id);
     return before ? swings.replace(*before, now) : before.error();
+}
+
+/// In the file itself: a signed swing that is not what was signed does not come in.
+Result<void> Importer::checkSigned(const Swing& original, const JobRecord* job)
+{
+    if (original.signatures.empty() || original.state != SwingState::Signed)
+        return {};
+    std::optional<SwingJob> own;
+    if (job) {
+        own = job->job;
+        own->particulars = {};
+    }
+    const SwingRecord record = recordIn(m_fleet, original);
+    const bool cannotBeTold = !original.job.empty() && !job; // a report holds no guided swing: checkStored() marks it
+    if (cannotBeTold || freezes(original.signatures, holding(statesBy(record, own))))
+        return {};
+    return Error{ErrorCode::Corrupt,
+        {MARKED("db", "the signed swing of %1, %2, %3 (record %4) is not what was signed; expected one whose signatures hold. Nothing was stored"),
+            record.aircraft.registration, record.compass.name, original.date, original.record},
+        m_database.path().toStdString()};
+}
+
+/// What stands there now, on the aircraft and compass as they are here, is marked wherever it is shown; and told at once.
+Result<void> Importer::checkStored(SwingId id)
+{
+    const auto record = SwingStore(m_database).record(id);
+    if (!record)
+        return record.error();
+    const Swing& swing = record->swing;
+    const auto tell = [&](Message what) {
+        imported.warnings.push_back({MARKED("db", "the swing of %1, %2, %3 (record %4): %5"), record->aircraft.registration,
+            record->compass.name, swing.date, swing.record, std::move(what)});
+    };
+    if (swing.state == SwingState::Signed && swing.signatures.empty())
+        tell(MARKED("db", "it is signed, and the file does not say by whom"));
+    if (swing.signatures.empty())
+        return {};
+    const auto states = SigningStore(m_database).states(id);
+    if (!states)
+        return states.error();
+    for (std::size_t i = 0; i < states->size(); ++i) {
+        if ((*states)[i].holds)
+            continue;
+        tell({MARKED("db", "the signature of %1 does not hold"), swing.signatures[i].name});
+        for (const auto& one : (*states)[i].since)
+            tell({MARKED("db", "signed as %1 \"%2\", here it is \"%3\""), one.what, one.before, one.after});
+    }
+    return {};
 }
 
 Result<void> Importer::swing(const Swing& original)
@@ -365,6 +417,8 @@ Result<void> Importer::swing(const Swing& original)
     one.compass = translated(m_known.compasses, one.compass);
     one.site = translated(m_known.sites, one.site);
     const JobRecord* job = jobOf(original.id);
+    if (const auto whole = checkSigned(original, job); !whole)
+        return whole;
     SwingStore swings(m_database);
     const auto found = find<SwingId>("swing", one.record, "1 = 0");
     if (!found)
@@ -375,7 +429,7 @@ Result<void> Importer::swing(const Swing& original)
             return stored.error();
         ++imported.swings;
         imported.swingIds.push_back(*stored);
-        return {};
+        return checkStored(*stored);
     }
     const auto record = swings.record(*found);
     if (!record)
@@ -433,6 +487,7 @@ Result<Imported> importAll(Database& database, const std::vector<Fleet>& fleets,
         all.swings += one->swings;
         all.alreadyThere += one->alreadyThere;
         all.swingIds.insert(all.swingIds.end(), one->swingIds.begin(), one->swingIds.end());
+        all.warnings.insert(all.warnings.end(), one->warnings.begin(), one->warnings.end());
     }
     if (const auto committed = transaction->commit(); !committed)
         return committed.error();

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/OutputFile.h"
+#include "db/engine/Copy.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
 #include "db/schema/Schema.h"
@@ -17,7 +17,7 @@
 #include "db/stores/JobStore.h"
 #include "db/stores/ResultCache.h"
 #include "db/stores/SensorStore.h"
-#include "db/stores/SigningStore.h"
+#include "db/stores/SignatureChecks.h"
 #include "db/stores/SiteStore.h"
 #include "db/stores/SwingRows.h"
 #include "db/stores/SwingStore.h"
@@ -25,6 +25,8 @@
 namespace lubberline::db {
 
 namespace {
+
+constexpr int kChainedSchema = 8; ///< since when the audit trail is a chain
 
 /// Cached figures are degrees of the same computation on the same readings; only another build of the mathematics may differ.
 constexpr double kSameResult_deg = 1e-9;
@@ -55,6 +57,20 @@ Result<void> findings(Database& database, VerifyReport& report, const QString& s
         return found.error();
     report.findings.insert(report.findings.end(), found->begin(), found->end());
     return {};
+}
+
+/// The pages of a file that is read as a copy, too: the copy is made anew of what could be read.
+Result<void> checkOriginal(Database& database, VerifyReport& report)
+{
+    if (!database.readAsCopy())
+        return {};
+    report.notes.push_back({MARKED("db", "the file has the old schema %1, in which the audit trail is no chain; it was read as a copy"),
+        database.fileSchema()});
+    auto original = Database::openAsItIs(database.path());
+    if (!original)
+        return original.error();
+    return findings(*original, report, "SELECT integrity_check FROM pragma_integrity_check WHERE integrity_check <> 'ok'",
+        [](Statement& row) { return Message{MARKED("db", "integrity: %1"), row.text(0)}; });
 }
 
 /// SQLite's own checks (integrity_check holds every row against the CHECKs of its table, too), and what the schema cannot
@@ -101,16 +117,35 @@ Result<void> checkSensors(Database& database, VerifyReport& report)
     return {};
 }
 
-/// Guided swings that do not read, and signed swings that are not what was signed.
-Result<void> checkJobs(Database& database, VerifyReport& report)
+/// Guided swings that do not read.
+void checkJobs(Database& database, VerifyReport& report)
 {
     if (const auto jobs = JobStore(database).all(); !jobs)
         report.findings.push_back(jobs.error().message);
-    const auto faults = SigningStore(database).faults();
+}
+
+/// The audit trail and the signatures, each held against the other.
+Result<void> checkTrail(Database& database, VerifyReport& report, std::vector<NotedHead> heads)
+{
+    const auto faults = signatureFaults(database, heads, report.notes, {});
     if (!faults)
         return faults.error();
     for (const auto& fault : *faults)
         report.findings.push_back({MARKED("db", "signature: %1"), fault});
+    if (database.readAsCopy() && database.fileSchema() < kChainedSchema)
+        return {}; // the chain is one that was made just now, in the copy
+    auto chain = checkChain(database, heads);
+    if (!chain)
+        return chain.error();
+    for (auto& finding : chain->findings)
+        report.findings.push_back({MARKED("db", "audit trail: %1"), std::move(finding)});
+    for (auto& note : chain->notes)
+        report.notes.push_back(std::move(note));
+    const auto head = chainHead(database);
+    if (!head)
+        return head.error();
+    report.head = head->head;
+    report.entries = head->entries;
     return {};
 }
 
@@ -186,28 +221,17 @@ Result<void> checkResults(Database& database, VerifyReport& report, const Progre
     return {};
 }
 
-/// SQLite does not wait for a copy to reach the drive (sqlite.org/lang_vacuum.html); a backup that a power cut empties is none.
-bool reachesTheDrive(const QString& path)
+} // namespace
+
+Result<void> backup(Database& database, const QString& path)
 {
-    const int handle = ::open(QFile::encodeName(path).constData(), O_RDONLY);
-    if (handle < 0)
-        return false;
-    const bool done = ::fsync(handle) == 0;
-    ::close(handle);
-    return done;
+    if (!database.readAsCopy())
+        return copyTo(database, path);
+    const auto original = Database::openAsItIs(database.path());
+    return original ? copyTo(*original, path) : original.error();
 }
 
-/// A connection for reading only refuses to write into the copy, too, so it is let write for this.
-Result<void> copyInto(Database& database, const QString& path)
-{
-    if (const auto allowed = execute(database, "PRAGMA query_only = OFF"); !allowed)
-        return allowed;
-    Statement statement(database, "VACUUM INTO ?");
-    statement << path.toStdString();
-    const auto copied = statement.run();
-    const auto restored = database.readOnly() ? execute(database, "PRAGMA query_only = ON") : Result<void>();
-    return copied ? restored : copied;
-}
+namespace {
 
 Error named(Error error, const std::string& file)
 {
@@ -215,28 +239,15 @@ Error named(Error error, const std::string& file)
     return error;
 }
 
-} // namespace
-
-Result<void> backup(Database& database, const QString& path)
+bool reachesTheDrive(const QString& path)
 {
-    const std::string file = path.toStdString();
-    if (QFileInfo::exists(path))
-        return Error{ErrorCode::Conflict, MARKED("db", "there is a file of this name already; expected a new name for the backup"), file};
-    if (auto allowed = checkOutput(file); !allowed)
-        return allowed;
-    const QFileInfo folder(QFileInfo(path).absolutePath());
-    const QString partial = path + "." + QString::fromStdString(newRecordId()).left(8) + ".partial";
-    const auto copied = copyInto(database, partial);
-    const bool kept = copied && reachesTheDrive(partial) && QFile::rename(partial, path) && reachesTheDrive(folder.filePath());
-    if (kept)
-        return {};
-    QFile::remove(partial);
-    return copied
-        ? Error{ErrorCode::Io, MARKED("db", "the backup could not be written to its place; expected a folder that may be written"), file}
-        : named(copied.error(), file);
+    const int handle = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
+    if (handle < 0)
+        return false;
+    const bool done = ::fsync(handle) == 0;
+    ::close(handle);
+    return done;
 }
-
-namespace {
 
 /// A copy that is known to be a whole database of ours, of this program's schema; gone with it unless it is taken.
 class CheckedCopy {
@@ -324,17 +335,20 @@ Result<void> restore(const QString& backup, const QString& path, const QString& 
         path.toStdString()};
 }
 
-Result<VerifyReport> verify(Database& database, const Progress& progress)
+Result<VerifyReport> verify(Database& database, const Progress& progress, const std::vector<NotedHead>& heads)
 {
     const auto snapshot = Transaction::beginReading(database);
     if (!snapshot)
         return snapshot.error();
     VerifyReport report;
+    if (const auto done = checkOriginal(database, report); !done)
+        return done.error();
     if (const auto done = checkStructure(database, report); !done)
         return done.error();
     if (const auto done = checkSensors(database, report); !done)
         return done.error();
-    if (const auto done = checkJobs(database, report); !done)
+    checkJobs(database, report);
+    if (const auto done = checkTrail(database, report, heads); !done)
         return done.error();
     if (const auto done = checkResults(database, report, progress); !done)
         return done.error();
@@ -355,13 +369,17 @@ Result<DatabaseStatus> status(Database& database)
     if (!totals)
         return totals.error();
     status.totals = *totals;
+    const auto chain = chainHead(database);
+    if (!chain)
+        return chain.error();
+    status.chain = *chain;
     Statement statement(database,
         "SELECT (SELECT COUNT(*) FROM reading), (SELECT COUNT(*) FROM audit_entry), (SELECT user_version FROM pragma_user_version),"
         " (SELECT journal_mode FROM pragma_journal_mode), (SELECT COUNT(*) FROM sensor_model)");
     return oneOf<DatabaseStatus>(statement, database, MARKED("db", "status"), [&](Statement& row) {
         status.readings = row.integer(0);
         status.auditEntries = row.integer(1);
-        status.schema = static_cast<int>(row.integer(2));
+        status.schema = database.readAsCopy() ? database.fileSchema() : static_cast<int>(row.integer(2));
         status.journal = row.text(3);
         status.sensorModels = row.integer(4);
         return status;

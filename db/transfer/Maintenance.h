@@ -6,12 +6,13 @@
 
 #include "core/base/Progress.h"
 #include "core/record/FleetRows.h"
+#include "db/chain/ChainCheck.h"
 #include "db/engine/Database.h"
 
 namespace lubberline::db {
 
-/// Writes a whole copy while the database is in use; not inside a transaction. Written beside and renamed: no half copy is
-/// left, and it is on the drive when this returns. Errors: Conflict when the file exists already, Io (folder missing or not
+/// Writes a whole copy of the file as it is, in an old schema too, while it is in use; not inside a transaction. Written beside and
+/// renamed: no half copy is left, and it is on the drive when this returns. Errors: Conflict when the file exists already, Io (folder missing or not
 /// writable), Full.
 Result<void> backup(Database& database, const QString& path);
 
@@ -24,12 +25,16 @@ struct VerifyReport {
     std::int64_t swings = 0;
     std::int64_t readings = 0;
     std::vector<Message> findings; ///< empty: all is well
+    std::vector<Message> notes;    ///< what is no fault and worth knowing: since when the audit trail is chained, a clock set back
+    std::string head;              ///< of the audit trail; note it elsewhere, and it can be held against this file later
+    std::int64_t entries = 0;      ///< of the audit trail
 };
 
-/// SQLite's integrity check, foreign keys, figures that are none, sensor models that do not read, and every cached result
-/// recomputed from its readings, all of one moment, whatever others write meanwhile. Changes nothing. Errors: Corrupt (when not
+/// SQLite's integrity check, foreign keys, figures that are none, sensor models that do not read, the chain of the audit trail, every
+/// signature, and every cached result recomputed from its readings, all of one moment, whatever others write meanwhile. Changes nothing. Errors: Corrupt (when not
 /// even reading is possible), Cancelled.
-Result<VerifyReport> verify(Database& database, const Progress& progress);
+/// @param heads  of the audit trail, noted earlier (in a report, a backup, on paper): the trail must hold each.
+Result<VerifyReport> verify(Database& database, const Progress& progress, const std::vector<NotedHead>& heads = {});
 
 struct DatabaseStatus {
     std::string path;
@@ -40,6 +45,7 @@ struct DatabaseStatus {
     std::int64_t readings = 0;
     std::int64_t sensorModels = 0;
     std::int64_t auditEntries = 0;
+    ChainHead chain;
 };
 Result<DatabaseStatus> status(Database& database);
 

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <QDir>
+
 #include "core/format/exchange/SignedContent.h"
 #include "db/engine/Statement.h"
 #include "db/schema/Schema.h"
@@ -7,7 +9,9 @@
 #include "db/stores/SensorStore.h"
 #include "db/stores/SigningStore.h"
 #include "db/stores/SwingStore.h"
+#include "db/stores/SiteStore.h"
 #include "db/transfer/Maintenance.h"
+#include "db/transfer/Transfer.h"
 #include "tests/db/RawDatabase.h"
 #include "tests/db/TestFleet.h"
 
@@ -64,15 +68,45 @@ TEST_P(OldDatabase, isBroughtUpToDateWithAllThatIsInIt)
     EXPECT_TRUE(save(swings, swingOf({{}, {}, {}, SiteId{1}, CompassId{1}})));
 }
 
-TEST_P(OldDatabase, thatMayOnlyBeReadIsLeftAlone)
+TEST_P(OldDatabase, thatIsOnlyReadIsReadAsACopyAndLeftAlone)
 {
     const QByteArray before = contents(m_path);
-    const auto database = openDatabase(m_path, OpenMode::ReadOnly);
-    ASSERT_FALSE(database);
-    EXPECT_EQ(database.error().code, ErrorCode::ReadOnly);
-    EXPECT_THAT(describe(database.error()),
-        testing::AllOf(testing::HasSubstr("old.db"), testing::HasSubstr("schema " + std::to_string(GetParam()))));
+    auto database = openDatabase(m_path, OpenMode::ReadOnly);
+    ASSERT_TRUE(database) << describe(database.error());
+    EXPECT_TRUE(database->readAsCopy() && database->readOnly());
+    EXPECT_EQ(database->fileSchema(), GetParam());
+    EXPECT_THAT(inEnglish(database->told()), testing::ElementsAre(testing::HasSubstr("schema " + std::to_string(GetParam()))));
+    EXPECT_EQ(db::FleetStore(*database).types()->front().name, "Su-22");
+    EXPECT_FALSE(save(db::SiteStore(*database), Site{{}, {}, "Mielec", {}, {}, {}, {}, {}, {}}));
+    const auto report = db::verify(*database, {});
+    ASSERT_TRUE(report) << describe(report.error());
+    EXPECT_THAT(report->findings, testing::IsEmpty());
+    EXPECT_THAT(inEnglish(report->notes), testing::Contains(testing::HasSubstr("old schema " + std::to_string(GetParam()))));
+    EXPECT_EQ(db::exportFleet(*database, {}, {})->swings.size(), 2u);
+    EXPECT_EQ(db::status(*database)->schema, GetParam());
+    const QString copy = m_folder.filePath("backup.db");
+    ASSERT_TRUE(db::backup(*database, copy));
+    EXPECT_EQ(Database::openAsItIs(copy)->fileSchema(), GetParam()); // as it is, not brought up to date
     EXPECT_EQ(contents(m_path), before);
+}
+
+TEST_P(OldDatabase, isCopiedBesideBeforeItIsBroughtUpToDate)
+{
+    const QStringList before = QDir(m_folder.path()).entryList(QDir::Files);
+    {
+        auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
+        ASSERT_TRUE(database) << describe(database.error());
+        const auto head = db::SigningStore(*database).trailHead();
+        ASSERT_TRUE(head);
+        EXPECT_GT(head->before, 0); // what was there before is said
+        EXPECT_THAT(inEnglish(db::verify(*database, {})->notes), testing::Contains(testing::HasSubstr("chained from")));
+        const QStringList copies = QDir(m_folder.path()).entryList({"old.db.schema-*.backup"}, QDir::Files);
+        ASSERT_EQ(copies.size(), 1);
+        EXPECT_THAT(inEnglish(database->told()), testing::ElementsAre(testing::HasSubstr(m_folder.filePath(copies[0]).toStdString())));
+        EXPECT_EQ(Database::openAsItIs(m_folder.filePath(copies[0]))->fileSchema(), GetParam());
+    }
+    EXPECT_TRUE(openDatabase(m_path, OpenMode::ReadWriteCreate)->told().empty()); // once
+    EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::Files).size(), before.size() + 1);
 }
 
 TEST_P(OldDatabase, isLeftAsItWasWhenAStepFails)

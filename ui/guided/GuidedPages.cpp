@@ -49,7 +49,7 @@ GuidedPage* makePage(PageContext& context)
         context.stores, [&stores = context.stores] { return stores.clock().nowUtc(); }, nullptr, &context.settings);
     page->take(*context.preferences, context.settings);
     QObject::connect(page, &GuidedPage::notStored, &context.window, [&context, page](SwingId, std::size_t place, const JobEvent& event) {
-        context.keep(page->job().record(), LostStep{place, event});
+        context.keep(page->job().record(), LostStep{place, event}, false);
     });
     QObject::connect(page, &GuidedPage::cancelled, &context.window, [&context] { context.go({}); });
     QObject::connect(page, &GuidedPage::abandoned, &context.window, [&context](CompassId compass) { context.go({{}, compass}); });

@@ -8,6 +8,8 @@ namespace lubberline::ui {
 
 namespace {
 
+constexpr std::size_t kMostChannels = 64;
+
 /// Counts while the machine sleeps, too: what was heard before is old then.
 double sinceBoot_s()
 {
@@ -52,6 +54,10 @@ void LiveHeading::clear()
 
 void LiveHeading::add(const LiveChannel& name, bool compass, bool isTrue, double heading_deg)
 {
+    if (m_channels.size() >= kMostChannels && !m_channels.contains(name)) {
+        ++m_bad; // nobody has so many instruments
+        return;
+    }
     const auto [found, isNew] = m_channels.try_emplace(name, Channel{compass, isTrue, SettlingWindow(m_length_s, m_mostSpread_deg)});
     found->second.window.add(m_now_s(), heading_deg);
 }
@@ -68,7 +74,7 @@ void LiveHeading::takeLine(std::string_view line)
 
 void LiveHeading::takeSentence(const NmeaSentence& sentence)
 {
-    if (sentence.hasChecksum)
+    if (sentence.hasChecksum && m_checking.size() < kMostChannels)
         m_checking.insert(sentence.talker);
     if ((!sentence.hasChecksum && m_checking.contains(sentence.talker)) || !isWhole(sentence)) {
         ++m_bad;
@@ -90,7 +96,7 @@ void LiveHeading::takeSentence(const NmeaSentence& sentence)
         ++m_badHeadings;
     }
     for (const char* type : {"HDG", "RMC", "GGA", "ZDA"})
-        if (sentence.type == type)
+        if (sentence.type == type && (m_newest.size() < kMostChannels || m_newest.contains(sentence.talker + type)))
             m_newest.insert_or_assign(sentence.talker + type, sentence);
 }
 

@@ -1,39 +1,26 @@
 #pragma once
-/// Where live sentences come from: a serial port, a UDP port, or a log that is replayed. A source that vanishes is tried again
-/// until it is closed by hand; what it sends is cut into lines whatever it babbles.
+/// Live sentences from a serial port, a UDP port, or a log that is replayed. A source that vanishes is tried again until it is closed
+/// by hand; what it sends is cut into lines whatever it babbles. It is read on a thread of its own, and of a flood only so much comes here
+/// as the window can look at between two keys.
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
+#include <QThread>
 
 #include <memory>
 #include <string_view>
-#include <variant>
 
-#include "core/nmea/NmeaLines.h"
-
-class QIODevice;
+#include "ui/intake/LiveSettings.h"
 
 namespace lubberline::ui {
 
-struct SerialSettings {
-    QString port;    ///< "/dev/ttyUSB0" or the name of the system's list
-    int baud = 4800; ///< NMEA 0183's own; high-speed talkers 38400
-};
-struct UdpSettings {
-    int port = 10110; ///< the port registered for NMEA 0183 over IP
-};
-struct ReplaySettings {
-    QString path;
-    int linesPerSecond = 10;
-};
-using LiveSettings = std::variant<SerialSettings, UdpSettings, ReplaySettings>;
+class LiveReader;
 
 class LiveInput : public QObject {
     Q_OBJECT
 
 public:
-    enum class State { Closed, Open, Waiting }; ///< Waiting: not there at the moment, tried again every two seconds
+    using State = LiveState;
 
     explicit LiveInput(QObject* parent = nullptr);
     ~LiveInput() override;
@@ -42,32 +29,27 @@ public:
     void close();
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] const QString& words() const { return m_words; } ///< the state in words, with what went wrong
+    [[nodiscard]] qint64 dropped() const { return m_dropped; }     ///< lines that were left out since open(): more came than can be looked at
+    [[nodiscard]] bool delivering() const { return m_delivering; } ///< more lines follow at once; delivered() comes after them
 
     /// The system's serial ports.
     [[nodiscard]] static QStringList serialPorts();
 
 signals:
     void lineReceived(std::string_view line); ///< on the window's thread; the view is valid during the call
+    void delivered();
     void stateChanged();
 
 private:
-    void tryOpen();
-    void openSerial(const SerialSettings& settings);
-    void openUdp(const UdpSettings& settings);
-    void openReplay(const ReplaySettings& settings);
-    void enter(State state, const QString& words);
-    void lose(const QString& why);
-    void takeBytes(const QByteArray& bytes);
-    void replayLine();
+    void deliver();
+    void lookAtState();
 
-    LiveSettings m_settings;
+    QThread m_thread;
+    LiveReader* m_reader; ///< on that thread
     State m_state = State::Closed;
-    bool m_wanted = false; ///< from open() to close()
     QString m_words;
-    std::unique_ptr<QIODevice> m_device;
-    NmeaLines m_lines;
-    QTimer m_again;  ///< tries a lost source again
-    QTimer m_replay; ///< gives the next line of a log
+    qint64 m_dropped = 0;
+    bool m_delivering = false;
 };
 
 } // namespace lubberline::ui

@@ -64,7 +64,7 @@ void LivePanel::build()
     m_kind->addItems({tr("serial port"), tr("UDP port"), tr("replay of a log")});
     m_where->setObjectName(QStringLiteral("liveWhere"));
     m_where->setText(placeFor(Serial));
-    m_where->setToolTip(tr("A serial port with its baud rate, as /dev/ttyUSB0 4800; a UDP port, as 10110; or the path of a log"));
+    m_where->setToolTip(tr("A serial port with its baud rate, as /dev/ttyUSB0 4800; a UDP port, as 10110 (from this machine only) or *:10110 (from every machine in the network); or the path of a log"));
     m_connect->setObjectName(QStringLiteral("liveConnect"));
     m_state->setObjectName(QStringLiteral("liveState"));
     m_datum->setObjectName(QStringLiteral("liveDatumChannel"));
@@ -103,7 +103,12 @@ void LivePanel::build()
     connect(m_connect, &QPushButton::clicked, this, &LivePanel::connectOrClose);
     connect(m_input, &LiveInput::lineReceived, m_heading, &LiveHeading::takeLine);
     connect(m_input, &LiveInput::stateChanged, this, &LivePanel::showState);
-    connect(m_heading, &LiveHeading::changed, this, &LivePanel::showHeadings);
+    // Of many lines at once the headings are shown once.
+    connect(m_heading, &LiveHeading::changed, this, [this] {
+        if (!m_input->delivering())
+            showHeadings();
+    });
+    connect(m_input, &LiveInput::delivered, this, &LivePanel::showHeadings);
     connect(m_useDatum, &QPushButton::clicked, this, &LivePanel::takeDatum);
     connect(m_useCompass, &QPushButton::clicked, this, &LivePanel::takeCompass);
     m_silence->setInterval(kSecond_ms);
@@ -144,12 +149,15 @@ void LivePanel::connectOrClose()
     }
     bool number = true;
     if (m_kind->currentIndex() == Udp) {
-        const int port = parts.front().toInt(&number);
+        QString text = parts.front();
+        const bool fromNetwork = text.startsWith(QStringLiteral("*:")) || text.startsWith(QStringLiteral("0.0.0.0:"));
+        const int port = text.remove(0, fromNetwork ? text.indexOf(':') + 1 : 0).toInt(&number);
         if (!number || port < 1 || port > 65535) {
-            emit failed(tr("'%1' is no UDP port; expected a number from 1 to 65535").arg(parts.front()));
+            emit failed(tr("'%1' is no UDP port; expected a number from 1 to 65535, as 10110, or *:10110 for the whole network")
+                            .arg(parts.front()));
             return;
         }
-        m_input->open(UdpSettings{port});
+        m_input->open(UdpSettings{port, fromNetwork});
     } else if (m_kind->currentIndex() == Replay) {
         m_input->open(ReplaySettings{m_where->text().trimmed(), 10});
     } else {
@@ -178,6 +186,8 @@ void LivePanel::showState()
         words += tr("silent for %1 s").arg(m_silent_s);
     if (m_heading->badChecksums() > 0)
         words += tr("%n wrong checksums", nullptr, m_heading->badChecksums());
+    if (m_input->dropped() > 0)
+        words += tr("%1 sentences left out: more come than can be looked at").arg(m_input->dropped());
     words.removeAll(QString());
     m_state->setText(words.join(QStringLiteral(" · ")));
 }

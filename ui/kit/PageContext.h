@@ -37,7 +37,8 @@ struct PageContext {
     std::function<void(const QString&)> say = {};         ///< a message that is no failure
     std::function<void(const QString&)> fail = {};
     std::function<void(Swing)> makeSwing = {};                                              ///< stores one undoably and shows it
-    std::function<void(const SwingRecord&, std::variant<LostStep, LostReading>)> keep = {}; ///< what could not be stored
+    /// What could not be stored; `waits`: because another program is writing, so that it is tried again.
+    std::function<void(const SwingRecord&, std::variant<LostStep, LostReading>, bool waits)> keep = {};
     std::function<void()> leaveField = {}; ///< what is being typed is stored before something else happens
     std::function<void()> chooseImport = {};
     std::function<void()> openDemonstration = {};

@@ -1,5 +1,6 @@
 #pragma once
-/// What could not be stored (a full or vanished drive) is kept in a file elsewhere, a line each, and offered at the next start.
+/// What could not be stored (a full or vanished drive, a long import elsewhere) is kept in a file elsewhere, a line each, and offered at
+/// the next start. It never replaces what has been stored since.
 
 #include <QString>
 #include <QStringList>
@@ -16,21 +17,27 @@ public:
     /// @param paths files in the order of preference; the first that takes a line keeps it. None: nothing is kept.
     explicit Recovery(QStringList paths = {}) : m_paths(std::move(paths)) {}
 
-    /// Errors: Io, when no place takes it.
-    Result<void> keep(const LostEntry& entry) const;
-    /// Those that belong to a database, oldest first; lines that do not read are left where they are.
-    [[nodiscard]] std::vector<LostEntry> entriesFor(const QString& database) const;
-    /// Stores them where they belong. A step that is there already, or a reading that equals its row, is done. What could not
-    /// be put in stays; what was is taken off the files. @return how many were put in, and why others were not.
+    /// Of a reading or step of this database. @return it with the moment and the database's identity. Errors: Io, when no place takes it.
+    Result<LostEntry> keep(db::Stores& stores, LostEntry entry) const;
+    /// Those that belong to the database, however it is named, oldest first, and are not stored by now; lines that do not read are
+    /// left where they are.
+    [[nodiscard]] std::vector<LostEntry> entriesFor(db::Stores& stores) const;
+    /// Files that are not used, and why: each in a sentence.
+    [[nodiscard]] QStringList refusals() const;
+
     struct Restored {
         int done = 0;
-        QStringList failures;
+        bool locked = false;  ///< another program is writing: nothing was tried any further
+        QStringList failures; ///< why others were not
+        QStringList clashes;  ///< what was kept and what has been stored since, side by side
     };
-    Restored restore(db::Stores& stores) const;
-    void forget(const QString& database) const;
+    /// Stores them where they belong. A step that is there already, or a reading that says so already, is done. What could not be put in
+    /// stays, and so does what something else has been stored for since; what was put in is taken off the files.
+    Restored restore(db::Stores& stores, const std::vector<LostEntry>& entries) const;
+    /// The lines of other databases, and those that do not read, stay.
+    void forget(const std::vector<LostEntry>& entries) const;
 
 private:
-    void rewrite(const std::vector<LostEntry>& gone) const;
     QStringList m_paths;
 };
 

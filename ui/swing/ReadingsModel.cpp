@@ -49,6 +49,7 @@ void ReadingsModel::sync()
         const ReadingId id = rejected.first.first;
         return id.valid() && std::none_of(m_rows.begin(), m_rows.end(), [id](const Reading& row) { return row.id == id; });
     });
+    forgetStored();
     if (rowCount() > 0)
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }
@@ -56,6 +57,7 @@ void ReadingsModel::sync()
 void ReadingsModel::syncRow(int row)
 {
     m_rows[static_cast<std::size_t>(row)] = m_editor.readings()[static_cast<std::size_t>(row)];
+    forgetStored();
     const bool same = m_decimals == std::exchange(m_decimals, decimalsFor(m_rows));
     emit dataChanged(index(same ? row : 0, 0), index(same ? row : rowCount() - 1, columnCount() - 1));
 }
@@ -65,6 +67,24 @@ void ReadingsModel::showResults()
     if (rowCount() > 0)
         emit dataChanged(
             index(0, static_cast<int>(ReadingColumn::Residual)), index(rowCount() - 1, static_cast<int>(ReadingColumn::State)));
+}
+
+void ReadingsModel::forgetStored()
+{
+    std::erase_if(m_rejected, [this](const auto& rejected) { return isStoredNow(rejected.first, rejected.second.text); });
+}
+
+/// What was refused for a while (another program was writing) and has been put in since.
+bool ReadingsModel::isStoredNow(const Cell& cell, const QString& text) const
+{
+    const auto found = cell.first.valid()
+        ? std::find_if(m_rows.begin(), m_rows.end(), [&](const Reading& row) { return row.id == cell.first; })
+        : m_rows.empty() ? m_rows.end()
+                         : m_rows.end() - 1;
+    if (found == m_rows.end())
+        return false;
+    Reading typed = *found;
+    return applyTyped(typed, cell.second, text, m_editor.record().swing.variation_deg) && typed == *found;
 }
 
 void ReadingsModel::syncRows()
@@ -264,8 +284,8 @@ bool ReadingsModel::setData(const QModelIndex& index, const QVariant& value, int
     const int row = index.row();
     const auto column = static_cast<ReadingColumn>(index.column());
     const QString text = value.toString();
-    if (text == data(index, Qt::EditRole).toString())
-        return !rejectedAt(index); // left as it was: an angle shown in minutes must not lose its seconds
+    if (!rejectedAt(index) && text == data(index, Qt::EditRole).toString())
+        return true; // left as it was: an angle shown in minutes must not lose its seconds; what was refused is tried again
     Reading after = isNewRow(row) ? Reading() : m_rows[static_cast<std::size_t>(row)];
     if (const auto typed = applyTyped(after, column, text, m_editor.record().swing.variation_deg); !typed)
         return reject(index, text, toText(typed.error().message));

@@ -68,6 +68,8 @@ private:
     void insertRowsAt(int position, const std::vector<Reading>& rows, int told);
     void adoptRejected(ReadingId id);
     [[nodiscard]] Cell cellAt(const QModelIndex& index) const;
+    void forgetStored();
+    [[nodiscard]] bool isStoredNow(const Cell& cell, const QString& text) const;
     [[nodiscard]] const Rejected* rejectedAt(const QModelIndex& index) const;
     [[nodiscard]] QString displayText(int row, ReadingColumn column) const;
     [[nodiscard]] QString stateText(int row) const;

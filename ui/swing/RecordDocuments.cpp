@@ -96,14 +96,27 @@ Result<std::optional<SwingRecord>> radioPartner(db::Stores& stores, const SwingR
 }
 
 /// Whether the signatures of a swing freeze what it says now.
-Result<bool> signaturesHold(db::Stores& stores, const SwingRecord& record)
+bool signaturesHold(const Swing& swing, const std::vector<SignatureState>& states)
 {
-    if (record.swing.signatures.empty()) // signed before signatures were kept: the state is all there is
-        return record.swing.state == SwingState::Signed;
-    const auto hold = stores.signing.hold(record.swing.id);
-    if (!hold)
-        return hold.error();
-    return hold->size() == record.swing.signatures.size() && freezes(record.swing.signatures, *hold);
+    if (swing.signatures.empty()) // signed before signatures were kept: the state is all there is
+        return swing.state == SwingState::Signed;
+    return states.size() == swing.signatures.size() && freezes(swing.signatures, holding(states));
+}
+
+bool areVerified(const std::vector<SignatureState>& states)
+{
+    return std::all_of(states.begin(), states.end(), [](const SignatureState& one) { return isVerified(one.key); });
+}
+
+/// Of the signatures that hold, each once.
+QString signedAsOf(const std::vector<SignatureState>& states)
+{
+    QStringList all;
+    for (const auto& state : states)
+        if (state.holds)
+            all += signedAs(state);
+    all.removeDuplicates();
+    return joined(all);
 }
 
 Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const CardOptions& options)
@@ -112,11 +125,13 @@ Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const
     auto card = analysis ? makeCard(*analysis, options) : Result<Card>(analysis.error());
     if (!card)
         return card.error();
-    const auto standing = standingOf(stores, record);
-    if (!standing)
-        return standing.error();
-    return CardColumn{
-        columnHeading(record.swing.configuration.radio), std::move(card.value()), record, standing->holds, standing->superseded};
+    const auto states = stores.signing.checkedStates(record.swing.id, {});
+    const auto superseded = isSuperseded(stores, record);
+    if (!states || !superseded)
+        return states ? superseded.error() : states.error();
+    return CardColumn{columnHeading(record.swing.configuration.radio), std::move(card.value()), record,
+        signaturesHold(record.swing, *states), *superseded, signedAsOf(*states),
+        areVerified(*states)};
 }
 
 QString nextDue(db::Stores& stores, const SwingRecord& record)
@@ -195,11 +210,11 @@ Result<std::optional<Swing>> withRecord(db::Stores& stores, CompassId compass, c
 
 Result<SignedStanding> standingOf(db::Stores& stores, const SwingRecord& record)
 {
-    const auto holds = signaturesHold(stores, record);
+    const auto states = stores.signing.checkedStates(record.swing.id, {});
     const auto superseded = isSuperseded(stores, record);
-    if (!holds || !superseded)
-        return holds ? superseded.error() : holds.error();
-    return SignedStanding{*holds, *superseded};
+    if (!states || !superseded)
+        return states ? superseded.error() : states.error();
+    return SignedStanding{signaturesHold(record.swing, *states), *superseded};
 }
 
 Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& madeAtUtc)
@@ -216,6 +231,10 @@ Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& made
     auto superseded = withRecord(stores, record->compass.id, record->swing.supersedes);
     if (!previous || !sensors || !job || !superseded)
         return !previous ? previous.error() : !sensors ? sensors.error() : !job ? job.error() : superseded.error();
+    auto states = stores.signing.checkedStates(id, {});
+    const auto head = stores.signing.trailHead();
+    if (!states || !head)
+        return states ? head.error() : states.error();
     auto previousJob = *previous ? stores.jobs.jobOf((*previous)->id) : Result<std::optional<JobRecord>>(std::nullopt);
     if (!previousJob)
         return previousJob.error();
@@ -227,6 +246,8 @@ Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& made
     input.sensors = std::move(sensors.value());
     input.job = std::move(job.value());
     input.superseded = std::move(superseded.value());
+    input.signatures = std::move(states.value());
+    input.audit = {QString::fromStdString(head->head), head->entries};
     input.madeAtUtc = madeAtUtc;
     return input;
 }
@@ -310,13 +331,14 @@ Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString
     auto job = stores.jobs.jobOf(id);
     if (!record || !job)
         return record ? job.error() : record.error();
-    const auto holds = signaturesHold(stores, *record);
+    const auto states = stores.signing.checkedStates(id, {});
     const auto superseded = isSuperseded(stores, *record);
-    if (!holds || !superseded)
-        return holds ? superseded.error() : holds.error();
+    if (!states || !superseded)
+        return states ? superseded.error() : states.error();
     StyleSheet1613 sheet;
     sheet.record = std::move(record.value());
-    sheet.holds = *holds;
+    sheet.holds = signaturesHold(sheet.record.swing, *states);
+    sheet.verified = areVerified(*states);
     sheet.superseded = *superseded;
     sheet.madeAtUtc = madeAtUtc;
     if (const auto analysis = stores.jobs.resultOf(sheet.record))
@@ -332,12 +354,12 @@ Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString
         return compensating.error();
     if (!*compensating)
         return sheet;
-    const auto theirs = signaturesHold(stores, **compensating);
+    const auto theirs = stores.signing.checkedStates((*compensating)->swing.id, {});
     if (!theirs)
         return theirs.error();
     sheet.asFound = (*compensating)->swing;
     sheet.compensating = std::move(**compensating);
-    sheet.compensatingHolds = *theirs;
+    sheet.compensatingHolds = signaturesHold(sheet.compensating->swing, *theirs);
     return sheet;
 }
 

@@ -1,6 +1,8 @@
 #include "ui/swing/SigningPanel.h"
 
 #include <QComboBox>
+#include <QDir>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -9,7 +11,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 #include "core/record/SwingDifferences.h"
+#include "db/openpgp/KeyCheck.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/AuditWords.h"
 #include "ui/swing/SwingEditor.h"
@@ -54,6 +59,20 @@ void fit(QTableWidget& table)
 
 } // namespace
 
+QString SigningPanel::standsFor(const Signature& one, const SignatureState& state)
+{
+    QStringList words{isForged(state.key) ? tr("✗")
+            : state.holds ? tr("✓ what the swing says now (%1…)").arg(toText(one.hash.substr(0, 12)))
+            : state.since.empty() ? tr("✗ no longer: the swing was changed after it")
+                                  : tr("✗ no longer")};
+    for (const SwingDifference& difference : state.since)
+        words += tr("signed as %1: %2").arg(toText(difference.what), toText(difference.before));
+    words += one.key.empty() || state.key.state == KeyState::NameOnly ? tr("name not verified")
+        : state.key.words.empty()                                     ? tr("the key is being checked …")
+                                                                      : toText(state.key.words);
+    return words.join(QStringLiteral(" · "));
+}
+
 SigningPanel::SigningPanel(EditContext& context, const SwingEditor& editor, QWidget* parent)
     : QFrame(parent)
     , m_context(context)
@@ -61,17 +80,26 @@ SigningPanel::SigningPanel(EditContext& context, const SwingEditor& editor, QWid
     , m_strip(new QLabel)
     , m_statement(new QLabel)
     , m_signatures(readOnlyTable("signatures", {tr("role"), tr("name"), tr("licence"), tr("time (UTC)"), tr("stands for")}))
+    , m_trail(new QLabel)
     , m_signRow(new QWidget)
     , m_role(new QComboBox)
+    , m_key(new QComboBox)
     , m_name(new QLineEdit)
     , m_licence(new QLineEdit)
     , m_sign(new QPushButton(tr("&Sign")))
+    , m_cancel(new QPushButton(tr("Waiting for the key: cancel")))
     , m_reason(new QLineEdit)
     , m_change(new QPushButton)
     , m_amend(new QPushButton(tr("Amend in a new &revision")))
     , m_differences(readOnlyTable("differences", {tr("what"), tr("before"), tr("now")}))
     , m_showAudit(new QToolButton)
     , m_audit(readOnlyTable("auditTrail", {tr("time (UTC)"), tr("what was done"), tr("from"), tr("to"), tr("by")}))
+    , m_listing([this](const Result<std::vector<db::OpenPgpKey>>& keys) { showKeys(keys); })
+    , m_checking([this](const Result<std::vector<KeyVerdict>>& verdicts) {
+        if (verdicts)
+            fillSignatures(*verdicts);
+    })
+    , m_byKey([this](const Result<Signature>& made) { finishSigning(made); })
 {
     build();
 }
@@ -83,6 +111,9 @@ void SigningPanel::build()
     m_strip->setTextFormat(Qt::RichText);
     m_statement->setObjectName(QStringLiteral("signStatement"));
     m_statement->setWordWrap(true);
+    m_trail->setObjectName(QStringLiteral("trailFaults"));
+    m_trail->setTextFormat(Qt::PlainText);
+    m_trail->setWordWrap(true);
     m_role->setObjectName(QStringLiteral("signRole"));
     m_role->addItems(choiceWords<SignatureRole>());
     m_name->setObjectName(QStringLiteral("signName"));
@@ -90,6 +121,11 @@ void SigningPanel::build()
     m_licence->setObjectName(QStringLiteral("signLicence"));
     m_licence->setPlaceholderText(tr("licence, stamp or service number"));
     m_sign->setObjectName(QStringLiteral("signButton"));
+    m_cancel->setObjectName(QStringLiteral("cancelSigning"));
+    m_cancel->hide();
+    m_key->setObjectName(QStringLiteral("signKey"));
+    m_key->addItem(tr("name only, not verified"));
+    m_key->setToolTip(tr("An OpenPGP key of yours, from gpg's key ring or a card: it verifies the name"));
     m_reason->setObjectName(QStringLiteral("stateReason"));
     m_reason->setPlaceholderText(tr("reason"));
     m_change->setObjectName(QStringLiteral("changeState"));
@@ -104,7 +140,8 @@ void SigningPanel::build()
     auto* row = new QHBoxLayout(m_signRow);
     row->setContentsMargins(0, 0, 0, 0);
     for (QWidget* part :
-        {static_cast<QWidget*>(m_role), static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_licence), static_cast<QWidget*>(m_sign)})
+        {static_cast<QWidget*>(m_role), static_cast<QWidget*>(m_key), static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_licence),
+            static_cast<QWidget*>(m_sign), static_cast<QWidget*>(m_cancel)})
         row->addWidget(part);
     auto* state = new QHBoxLayout;
     state->addWidget(m_strip, 1);
@@ -116,6 +153,7 @@ void SigningPanel::build()
     column->addLayout(state);
     column->addWidget(m_statement);
     column->addWidget(m_signatures);
+    column->addWidget(m_trail);
     column->addWidget(m_signRow);
     column->addWidget(m_differences);
     column->addWidget(m_showAudit);
@@ -124,6 +162,7 @@ void SigningPanel::build()
     connect(m_name, &QLineEdit::returnPressed, m_licence, qOverload<>(&QWidget::setFocus));
     connect(m_licence, &QLineEdit::returnPressed, this, &SigningPanel::sign);
     connect(m_sign, &QPushButton::clicked, this, &SigningPanel::sign);
+    connect(m_cancel, &QPushButton::clicked, this, [this] { m_byKey.cancel(); });
     connect(m_change, &QPushButton::clicked, this, &SigningPanel::changeState);
     connect(m_amend, &QPushButton::clicked, this, &SigningPanel::amend);
     connect(m_showAudit, &QToolButton::toggled, this, &SigningPanel::showAudit);
@@ -166,23 +205,112 @@ void SigningPanel::showState()
     m_reason->setVisible(writable && state != SwingState::Draft);
     m_amend->setVisible(writable && state == SwingState::Signed);
     m_signRow->setVisible(writable && state != SwingState::Draft);
+    listKeys();
     m_role->setCurrentIndex(record().swing.signatures.empty() ? 0 : state == SwingState::Signed ? 2 : 1);
 }
 
 void SigningPanel::showSignatures()
 {
+    fillSignatures({});
+    checkKeys();
+    showTrail();
+}
+
+/// @param verdicts of their keys; none: not known yet
+void SigningPanel::fillSignatures(const std::vector<KeyVerdict>& verdicts)
+{
     m_signatures->setRowCount(0);
-    const auto hold = m_context.stores.signing.hold(record().swing.id);
+    const auto states = m_context.stores.signing.states(record().swing.id);
     const auto& signatures = record().swing.signatures;
     for (std::size_t i = 0; i < signatures.size(); ++i) {
         const auto& one = signatures[i];
-        const bool holds = hold && i < hold->size() && (*hold)[i];
-        addRow(*m_signatures,
-            {wordFor(one.role), toText(one.name), toText(one.licence), toText(one.timeUtc),
-                holds ? tr("✓ what the swing says now (%1…)").arg(toText(one.hash.substr(0, 12)))
-                      : tr("✗ no longer: the swing was changed after it")});
+        SignatureState state = states && i < states->size() ? (*states)[i] : SignatureState{};
+        if (i < verdicts.size())
+            state.key = verdicts[i];
+        addRow(*m_signatures, {wordFor(one.role), toText(one.name), toText(one.licence), toText(one.timeUtc), standsFor(one, state)});
     }
     fit(*m_signatures);
+}
+
+/// gpg is asked on a worker: a tenth of a second for each.
+void SigningPanel::checkKeys()
+{
+    const auto& signatures = record().swing.signatures;
+    if (std::none_of(signatures.begin(), signatures.end(), [](const Signature& one) { return !one.key.empty(); }))
+        return;
+    m_checking.start([&stores = m_context.stores, id = record().swing.id](const Progress& progress) -> Result<std::vector<KeyVerdict>> {
+        auto own = stores.openForWorker();
+        return own ? (*own)->signing.verdicts(id, progress) : own.error();
+    });
+}
+
+void SigningPanel::showEvent(QShowEvent* event)
+{
+    QFrame::showEvent(event);
+    listKeys();
+}
+
+/// Once, and only where there is a key ring: gpg would make one.
+void SigningPanel::listKeys()
+{
+    const QString home = qEnvironmentVariable("GNUPGHOME", QDir::homePath() + QStringLiteral("/.gnupg"));
+    if (m_listed || !isVisible() || m_signRow->isHidden() || !QFileInfo(home).isDir())
+        return;
+    m_listed = true;
+    m_listing.start([](const Progress& progress) { return db::secretKeys(progress); });
+}
+
+void SigningPanel::showKeys(const Result<std::vector<db::OpenPgpKey>>& keys)
+{
+    if (!keys) {
+        m_key->setToolTip(messageOf(keys.error()));
+        return;
+    }
+    for (const db::OpenPgpKey& one : *keys)
+        m_key->addItem(tr("%1 (key …%2)").arg(toText(one.userId), toText(one.fingerprint).right(8)), toText(one.fingerprint));
+}
+
+/// The swing is prepared here, its text signed on a worker: somebody may have to look for his card.
+void SigningPanel::signWithKey(Signature signature)
+{
+    auto& signing = m_context.stores.signing;
+    const SwingId id = record().swing.id;
+    const auto prepared = signing.prepare(id, std::move(signature));
+    const auto content = prepared ? signing.contentOf(id, *prepared) : Result<std::string>(prepared.error());
+    if (!content) {
+        emit failed(messageOf(content.error()));
+        return;
+    }
+    m_signing = id;
+    m_sign->setEnabled(false);
+    m_cancel->show();
+    m_byKey.start([prepared = *prepared, content = *content](const Progress& progress) { return db::signedBy(prepared, content, progress); });
+}
+
+void SigningPanel::finishSigning(const Result<Signature>& made)
+{
+    m_sign->setEnabled(true);
+    m_cancel->hide();
+    // What was prepared for one swing is added to that one, whatever is shown by now.
+    if (done(made ? m_context.stores.signing.add(m_signing, *made) : Result<void>(made.error()))) {
+        m_name->clear();
+        m_licence->clear();
+    }
+}
+
+/// What speaks against the record as it stands: its own entries of the audit trail, and a clock that would sign in the past.
+void SigningPanel::showTrail()
+{
+    QStringList lines;
+    const auto faults = m_context.stores.signing.trailFaults(record().swing.record);
+    for (const Message& fault : faults ? *faults : std::vector<Message>{faults.error().message})
+        lines += tr("✗ Audit trail: %1").arg(toText(fault));
+    const auto last = m_context.stores.signing.clockStandsBefore();
+    if (last && !last->empty())
+        lines += tr("The clock of this machine stands before the last entry of the audit trail (%1): what is signed now would seem older.")
+                     .arg(toText(*last));
+    m_trail->setText(lines.join(QLatin1Char('\n')));
+    m_trail->setVisible(!lines.isEmpty());
 }
 
 /// Against the revision that this one amends.
@@ -242,6 +370,11 @@ void SigningPanel::sign()
     signature.role = static_cast<SignatureRole>(m_role->currentIndex());
     signature.name = m_name->text().trimmed().toStdString();
     signature.licence = m_licence->text().trimmed().toStdString();
+    signature.key = m_key->currentData().toString().toStdString();
+    if (!signature.key.empty()) {
+        signWithKey(std::move(signature));
+        return;
+    }
     if (done(m_context.stores.signing.sign(record().swing.id, std::move(signature)))) {
         m_name->clear();
         m_licence->clear();

@@ -10,7 +10,9 @@ class QPushButton;
 class QTableWidget;
 class QToolButton;
 
+#include "db/openpgp/Gpg.h"
 #include "ui/kit/EditContext.h"
+#include "ui/kit/Worker.h"
 
 namespace lubberline::ui {
 
@@ -35,31 +37,52 @@ private:
     void build();
     void showState();
     void showSignatures();
+    void fillSignatures(const std::vector<KeyVerdict>& verdicts);
+    void checkKeys();
+    void listKeys();
+    void showKeys(const Result<std::vector<db::OpenPgpKey>>& keys);
+    void signWithKey(Signature signature);
+    void finishSigning(const Result<Signature>& made);
+    void showTrail();
     void showDifferences();
     void showAudit();
     void changeState();
     void sign();
     void amend();
+    [[nodiscard]] static QString standsFor(const Signature& one, const SignatureState& state);
     bool done(const Result<void>& result);
 
     [[nodiscard]] const SwingRecord& record() const;
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
 
     EditContext& m_context;
     const SwingEditor& m_editor;
     QLabel* m_strip;
     QLabel* m_statement;
     QTableWidget* m_signatures;
+    QLabel* m_trail; ///< what speaks against the record as it stands
     QWidget* m_signRow;
     QComboBox* m_role;
+    QComboBox* m_key; ///< of the user's key ring; the first: none, a name that nobody verifies
     QLineEdit* m_name;
     QLineEdit* m_licence;
     QPushButton* m_sign;
+    QPushButton* m_cancel; ///< waiting for the key
     QLineEdit* m_reason; ///< of opening again, and of amending
     QPushButton* m_change;
     QPushButton* m_amend;
     QTableWidget* m_differences;
     QToolButton* m_showAudit;
     QTableWidget* m_audit;
+    bool m_listed = false;
+    SwingId m_signing; ///< what is being signed by a key
+    Worker<std::vector<db::OpenPgpKey>> m_listing;
+    Worker<std::vector<KeyVerdict>> m_checking;
+    Worker<Signature> m_byKey;
 };
 
 } // namespace lubberline::ui

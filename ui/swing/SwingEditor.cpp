@@ -230,6 +230,7 @@ bool SwingEditor::run(QUndoCommand* edit)
     m_context.failed = previouslyFailed;
     m_failure = failure ? messageOf(*failure) : QString();
     m_lost = failure && isOfTheDrive(failure->code);
+    m_waits = failure && failure->code == ErrorCode::Locked;
     if (failure)
         m_context.failed(*failure);
     if (failure && failure->code == ErrorCode::Conflict)
@@ -239,13 +240,13 @@ bool SwingEditor::run(QUndoCommand* edit)
 
 bool SwingEditor::changeReading(int row, const Reading& after, const QString& what)
 {
-    const Reading& before = readings().at(static_cast<std::size_t>(row));
+    const Reading before = readings().at(static_cast<std::size_t>(row));
     if (before == after)
         return true;
     const QString place = placeOf(after.magnetic || after.nominal_deg ? after : before);
     const bool stored = run(new ChangeReading(m_context, id(), before, after, tr("%1 on %2").arg(what, place)));
     if (!stored && m_lost)
-        emit notStored(row, after);
+        emit notStored(row, before, after);
     return stored;
 }
 
@@ -254,6 +255,7 @@ bool SwingEditor::putReadings(const std::vector<Reading>& after, const QString& 
     std::vector<PutReadings::Change> changed;
     std::vector<PlacedReading> added;
     std::vector<PlacedReading> lost;
+    const std::vector<Reading> known = readings();
     for (std::size_t row = 0; row < after.size(); ++row) {
         const int position = static_cast<int>(row);
         if (row >= readings().size())
@@ -269,7 +271,8 @@ bool SwingEditor::putReadings(const std::vector<Reading>& after, const QString& 
     const bool stored = run(new PutReadings(m_context, id(), std::move(changed), std::move(added), what));
     if (!stored && m_lost)
         for (const auto& row : lost)
-            emit notStored(row.position, row.reading);
+            emit notStored(row.position,
+                static_cast<std::size_t>(row.position) < known.size() ? known[static_cast<std::size_t>(row.position)] : Reading(), row.reading);
     return stored;
 }
 
@@ -286,7 +289,7 @@ bool SwingEditor::insertReadings(int position, std::vector<Reading> inserted, co
     const bool stored = run(new InsertReadings(m_context, id(), std::move(rows), what));
     if (!stored && m_lost)
         for (const auto& row : lost)
-            emit notStored(row.position, row.reading);
+            emit notStored(row.position, Reading(), row.reading);
     return stored;
 }
 

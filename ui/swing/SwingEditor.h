@@ -63,6 +63,7 @@ public:
     bool complete();                              ///< draft → complete
     bool exclude(int row, const QString& reason); ///< empty reason: counts again
     [[nodiscard]] const QString& failureMessage() const { return m_failure; }
+    [[nodiscard]] bool waits() const { return m_waits; } ///< the last failure was that another program is writing: it will be free again
 
 signals:
     void opened();                ///< another swing is shown
@@ -72,7 +73,8 @@ signals:
     void computingProgressed(int percent);
     void closed();
     /// A row that could not be stored because the drive or the database failed: to be kept elsewhere.
-    void notStored(int row, const lubberline::Reading& wanted);
+    /// @param before as it was known; without an id: a new row
+    void notStored(int row, const lubberline::Reading& before, const lubberline::Reading& wanted);
 
 private:
     void onSwingChanged(SwingId id, ReadingId only = {});
@@ -93,6 +95,7 @@ private:
     std::optional<SwingRow> m_previous;
     std::shared_ptr<const Analysis> m_previousAnalysis;
     QString m_failure;
+    bool m_waits = false;
     bool m_lost = false; ///< the last failure was of the drive, not of what was typed
     Worker<Analysis> m_worker;
     Worker<Analysis> m_previousWorker;

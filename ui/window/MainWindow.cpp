@@ -35,6 +35,7 @@ namespace {
 
 constexpr int kDueDelay_ms = 300;   // many changes at once are looked at once
 constexpr int kElsewhere_ms = 1000; // a page does not show for long what another window has changed
+constexpr int kPatience_ms = 250, kTryAgain_ms = 1000; // typing goes on meanwhile
 
 } // namespace
 
@@ -58,6 +59,10 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     applyTextSize(m_preferences.textSize_percent());
     setWindowIcon(icon("lubberline"));
     setAcceptDrops(true);
+    // Typing must not stand still for the writer of another program: what is refused is kept, and tried again.
+    static_cast<void>(m_stores.database().setPatience(kPatience_ms)); // else it waits longer
+    m_tryAgain.setInterval(kTryAgain_ms);
+    connect(&m_tryAgain, &QTimer::timeout, this, &MainWindow::tryWaiting);
     buildParts();
     buildActions();
     buildStatusBar();
@@ -115,7 +120,9 @@ PageContext MainWindow::contextOfPages()
     };
     context.fail = [this](const QString& message) { fail(message); };
     context.makeSwing = [this](Swing swing) { makeSwing(std::move(swing)); };
-    context.keep = [this](const SwingRecord& record, std::variant<LostStep, LostReading> what) { keepElsewhere(record, std::move(what)); };
+    context.keep = [this](const SwingRecord& record, std::variant<LostStep, LostReading> what, bool waits) {
+        keepElsewhere(record, std::move(what), waits);
+    };
     context.leaveField = [this] { leaveField(); };
     context.chooseImport = [this] { chooseImport(); };
     context.openDemonstration = [this] { m_services.openDemonstration(); };
@@ -207,6 +214,8 @@ void MainWindow::populate()
     watchDue();
     watchElsewhere();
     offerRecovery();
+    for (const Message& told : m_stores.database().told())
+        m_messages->add(MessagePanel::Kind::Information, toText(told));
     if (m_stores.readOnly())
         m_messages->add(MessagePanel::Kind::Information, tr("This database can only be read: nothing can be changed here."), {},
             MessagePanel::Stay::UntilClosed);
@@ -347,7 +356,9 @@ void MainWindow::lookElsewhere()
 /// What could not be stored when the drive failed is put in when the user says so.
 void MainWindow::offerRecovery()
 {
-    const auto lost = m_recovery.entriesFor(m_stores.location());
+    for (const QString& refusal : m_recovery.refusals())
+        fail(tr("What was kept for recovery is not used: %1").arg(refusal));
+    const auto lost = m_recovery.entriesFor(m_stores);
     if (lost.empty() || m_stores.readOnly())
         return;
     QStringList subjects;
@@ -357,25 +368,51 @@ void MainWindow::offerRecovery()
     m_messages->add(MessagePanel::Kind::Failure,
         tr("%n figures or steps could not be stored last time and were kept: %1.", nullptr, static_cast<int>(lost.size()))
             .arg(subjects.join(QStringLiteral("; "))),
-        {{tr("Put them in"),
-            [this] {
-                const auto restored = m_recovery.restore(m_stores);
-                if (restored.done > 0)
-                    m_messages->add(MessagePanel::Kind::Information, tr("%n were put in.", nullptr, restored.done));
-                for (const QString& failure : restored.failures)
-                    fail(failure);
-            }}},
-        MessagePanel::Stay::UntilClosed);
+        {{tr("Put them in"), [this, lost] { putBack(lost); }}}, MessagePanel::Stay::UntilClosed);
 }
 
-void MainWindow::keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what)
+void MainWindow::putBack(const std::vector<LostEntry>& entries)
+{
+    const auto restored = m_recovery.restore(m_stores, entries);
+    if (restored.done > 0)
+        m_messages->add(MessagePanel::Kind::Information, tr("%n were put in.", nullptr, restored.done));
+    for (const QString& failure : restored.failures)
+        fail(failure);
+    if (!restored.clashes.isEmpty())
+        m_messages->add(MessagePanel::Kind::Failure,
+            tr("Something else has been stored since; it stays as it is:") + '\n' + restored.clashes.join('\n'),
+            {{tr("Forget what was kept"), [this, entries] { m_recovery.forget(entries); }}}, MessagePanel::Stay::UntilClosed);
+    if (restored.locked)
+        fail(tr("Another program is writing to the database; what was kept is offered again at the next start."));
+}
+
+void MainWindow::keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what, bool waits)
 {
     const LostEntry entry{m_stores.location().toStdString(), record.swing.id, record.swing.record,
         record.aircraft.registration + ", " + record.compass.name + ", " + record.swing.date.text(), std::move(what)};
-    if (const auto kept = m_recovery.keep(entry); kept)
-        m_messages->add(MessagePanel::Kind::Information, tr("What could not be stored is kept and offered at the next start."));
-    else
+    const auto kept = m_recovery.keep(m_stores, entry);
+    if (!kept) {
         fail(messageOf(kept.error()));
+    } else if (waits) {
+        m_waiting.push_back(*kept);
+        m_tryAgain.start();
+        m_messages->add(MessagePanel::Kind::Information, tr("What could not be stored is kept, and stored as soon as the database is free."));
+    } else {
+        m_messages->add(MessagePanel::Kind::Information, tr("What could not be stored is kept and offered at the next start."));
+    }
+}
+
+void MainWindow::tryWaiting()
+{
+    const auto restored = m_recovery.restore(m_stores, m_waiting);
+    if (restored.locked)
+        return;
+    m_tryAgain.stop();
+    const auto waited = std::exchange(m_waiting, {});
+    if (restored.done > 0)
+        m_messages->add(MessagePanel::Kind::Information, tr("The database is free again: %n were put in.", nullptr, restored.done));
+    if (!restored.failures.isEmpty() || !restored.clashes.isEmpty())
+        putBack(waited);
 }
 
 void MainWindow::makeSwing(Swing swing)

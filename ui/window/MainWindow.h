@@ -3,6 +3,7 @@
 /// dismissed. Pages and plots are made when they are first needed; nothing is read from storage before the first paint.
 
 #include <QMainWindow>
+#include <QTimer>
 #include <QUndoStack>
 
 #include <functional>
@@ -93,7 +94,9 @@ private:
     void watchElsewhere();
     void lookElsewhere(); ///< what another window or a command has stored is shown
     void offerRecovery();
-    void keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what);
+    void putBack(const std::vector<LostEntry>& entries);
+    void keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what, bool waits);
+    void tryWaiting();
     void makeSwing(Swing swing); ///< of readings that a page has made
     [[nodiscard]] Shown shown() const;
 
@@ -145,6 +148,8 @@ private:
     EditContext m_context;
     QUndoStack m_stack;
     Recovery m_recovery;
+    std::vector<LostEntry> m_waiting; ///< kept while another program writes, an import of ours mostly
+    QTimer m_tryAgain;
     Worker<TransferOutcome> m_transfer; ///< of a file, in or out
     QString m_importPath;               ///< of the import that is running
     QString m_asked;                    ///< the file that was asked for last, until it is told that it was written

@@ -45,6 +45,8 @@ Result<TransferOutcome> importFile(
     outcome.message = importMessage(path, *imported);
     for (const auto& warning : file->warnings)
         outcome.warnings += toText(warning);
+    for (const auto& warning : imported->warnings)
+        outcome.warnings += toText(warning);
     if (imported->swingIds.size() == 1)
         outcome.swing = imported->swingIds.front();
     outcome.fleetChanged = true;

@@ -286,9 +286,11 @@ int exchangeVersionOf(const Fleet& fleet)
            });
     const bool second
         = !fleet.sensors.empty() || any(fleet.swings, [](const Swing& swing) { return swing.field || swing.indexRemoved_deg; });
-    const bool fourth = any(
-        fleet.swings, [&](const Swing& swing) { return any(swing.signatures, [](const Signature& one) { return one.contents != 1; }); });
-    return fourth ? 4 : third ? 3 : second ? 2 : 1;
+    const auto signedBy = [&](int contents) {
+        return any(fleet.swings,
+            [&](const Swing& swing) { return any(swing.signatures, [&](const Signature& one) { return one.contents >= contents; }); });
+    };
+    return signedBy(3) ? 5 : signedBy(2) ? 4 : third ? 3 : second ? 2 : 1;
 }
 
 std::string writeExchange(const Fleet& fleet) { return FleetWriter(fleet).write(); }

@@ -1,6 +1,7 @@
 #include "core/format/exchange/LostJson.h"
 
 #include "core/format/exchange/JobJson.h"
+#include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/ReadingJson.h"
 #include "core/format/json/ReadObject.h"
 
@@ -31,6 +32,8 @@ LostEntry readEntry(JsonObject& object)
     entry.swing = SwingId{static_cast<std::int64_t>(object.requiredNumber("swing", kRowIds))};
     entry.record = object.text("record");
     entry.subject = object.text("subject");
+    entry.file = object.text("file");
+    entry.timeUtc = object.text("time_utc");
     if (object.has("event")) {
         entry.what = readStep(object, object.text("event"));
         return entry;
@@ -40,6 +43,9 @@ LostEntry readEntry(JsonObject& object)
     if (!object.has("reading"))
         object.missing("reading", MARKED("core", "a reading"));
     object.object("reading", [&](JsonObject& reading) { lost.reading = readReading(reading, true); });
+    if (object.has("reading_id"))
+        lost.id = ReadingId{static_cast<std::int64_t>(object.requiredNumber("reading_id", kRowIds))};
+    object.object("before", [&](JsonObject& before) { lost.before = readReading(before, true); });
     entry.what = std::move(lost);
     return entry;
 }
@@ -54,12 +60,21 @@ std::string writeLostEntry(const LostEntry& entry)
     json.integer("swing", entry.swing.value);
     json.text("record", entry.record);
     json.text("subject", entry.subject);
+    textIfAny(json, "file", entry.file);
+    textIfAny(json, "time_utc", entry.timeUtc);
     if (const auto* step = std::get_if<LostStep>(&entry.what)) {
         json.integer("place", static_cast<std::int64_t>(step->place));
         json.text("event", writeJobEvent(step->event));
     } else {
         const auto& lost = std::get<LostReading>(entry.what);
         json.integer("row", lost.row);
+        if (lost.id.valid())
+            json.integer("reading_id", lost.id.value);
+        if (lost.before) {
+            json.beginObject("before");
+            writeReadingKeys(json, *lost.before);
+            json.end();
+        }
         json.beginObject("reading");
         writeReadingKeys(json, lost.reading);
         json.end();

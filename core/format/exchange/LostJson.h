@@ -1,8 +1,9 @@
 #pragma once
-/// What could not be stored, as a line of the recovery file: {"database", "swing", "record", "subject", "place", "event"} is a step
-/// of a guided swing, {…, "row", "reading"} a reading.
+/// What could not be stored, as a line of the recovery file: {"database", "file", "time_utc", "swing", "record", "subject", "place", "event"}
+/// is a step of a guided swing, {…, "row", "reading_id", "before", "reading"} a reading.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -19,10 +20,12 @@ struct LostStep {
     JobEvent event;
     friend bool operator==(const LostStep&, const LostStep&) = default;
 };
-/// A row of readings as it was to be.
+/// A reading as it was to be, and as it was known then.
 struct LostReading {
     int row = 0;
     Reading reading;
+    ReadingId id = {};                    ///< not valid: a new row
+    std::optional<Reading> before = {};   ///< none: a new row, or a line of an earlier program
     friend bool operator==(const LostReading&, const LostReading&) = default;
 };
 
@@ -32,6 +35,8 @@ struct LostEntry {
     RecordId record;     ///< of the swing: an id may be another swing's by then
     std::string subject; ///< whose swing it is, for people
     std::variant<LostStep, LostReading> what;
+    std::string file = {};    ///< the identity of the database, however it is named; empty: of an earlier program
+    std::string timeUtc = {}; ///< when it was to be stored; likewise
     friend bool operator==(const LostEntry&, const LostEntry&) = default;
 };
 

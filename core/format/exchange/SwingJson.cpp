@@ -1,6 +1,8 @@
 #include "core/format/exchange/SwingJson.h"
 #include "core/format/exchange/SignedContent.h"
 
+#include <utility>
+
 #include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/Ranges.h"
 #include "core/format/exchange/RecordChoice.h"
@@ -10,6 +12,11 @@ namespace lubberline {
 namespace {
 
 constexpr std::size_t kMostSigned = 64, kHashDigits = 64;
+
+/// Of signatures by version 3 of the contents.
+constexpr std::pair<const char*, std::string Signature::*> kOfThird[] = {{"file", &Signature::file}, {"file_head", &Signature::fileHead},
+    {"record_head", &Signature::recordHead}, {"particulars", &Signature::particulars}, {"key", &Signature::key},
+    {"public_key", &Signature::publicKey}, {"openpgp", &Signature::openPgp}};
 
 void figures(JsonWriter& json, std::string_view key, const std::vector<double>& values)
 {
@@ -44,6 +51,8 @@ void writeSignatures(JsonWriter& json, const std::vector<Signature>& signatures)
         json.text("hash", one.hash);
         if (one.contents != 1)
             json.integer("contents", one.contents);
+        for (const auto& [key, field] : kOfThird)
+            textIfAny(json, key, one.*field);
         json.end();
     }
     json.end();
@@ -53,7 +62,8 @@ std::vector<Signature> readSignatures(JsonObject& object)
 {
     std::vector<Signature> signatures;
     object.objects("signatures", [&](JsonObject& one) {
-        one.only({"role", "name", "licence", "time_utc", "hash", "contents"});
+        one.only({"role", "name", "licence", "time_utc", "hash", "contents", "file", "file_head", "record_head", "particulars", "key",
+            "public_key", "openpgp"});
         Signature signature;
         signature.role = choice<SignatureRole>(one, "role");
         signature.name = one.requiredText("name");
@@ -63,6 +73,8 @@ std::vector<Signature> readSignatures(JsonObject& object)
         if (signature.hash.size() != kHashDigits || signature.hash.find_first_not_of("0123456789abcdef") != std::string::npos)
             one.fault("hash", MARKED("core", "is no SHA-256; expected 64 hexadecimal digits"));
         signature.contents = one.integer("contents", {1, kSignedContents}).value_or(1);
+        for (const auto& [key, field] : kOfThird)
+            signature.*field = one.text(key);
         signatures.push_back(std::move(signature));
     });
     if (signatures.size() > kMostSigned)

@@ -53,7 +53,14 @@ TEST(LostJson, isOneLineThatReadsBack)
     reading.reading.exclusion = Exclusion{"misread"};
     reading.reading.raw = {{90, 91}, {}, {}};
     reading.reading.extra = {{"wind", "calm"}};
-    for (const LostEntry& lost : {entry(reading), entry(LostStep{3, {"2026-11-23T09:00:00Z", job::Ticked{"tools"}}})}) {
+    LostReading replacing = reading;
+    replacing.id = ReadingId{12};
+    replacing.before = Reading();
+    replacing.before->compass = CompassHeading::fromDegrees(91);
+    LostEntry dated = entry(replacing);
+    dated.file = "0e2d1d4c-6f0b-4a5e-9d5b-0b8f4a1c2d3f";
+    dated.timeUtc = "2026-11-23T09:00:00Z";
+    for (const LostEntry& lost : {entry(reading), dated, entry(LostStep{3, {"2026-11-23T09:00:00Z", job::Ticked{"tools"}}})}) {
         const std::string line = writeLostEntry(lost);
         EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 1);
         const auto back = readLostEntry(line);

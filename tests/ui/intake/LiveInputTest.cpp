@@ -3,11 +3,16 @@
 
 #include <QTemporaryFile>
 #include <QTest>
+#include <QTimer>
 #include <QUdpSocket>
 
 #include <fcntl.h>
 #include <pty.h>
 #include <unistd.h>
+
+#include <atomic>
+#include <thread>
+#include <utility>
 
 #include "core/nmea/NmeaSentence.h"
 #include "ui/intake/LiveHeading.h"
@@ -126,6 +131,84 @@ private slots:
         QCOMPARE(listener.heading.compassChannels(), (QStringList{"HCHDG", "IIHDG"})); // two talkers stay two
         QCOMPARE(listener.heading.heading("GPRMC")->mean_deg, 45.0);
         QCOMPARE(listener.heading.variation()->variation.degrees(), 6.5);
+    }
+
+    /// Nobody in the network, and nobody else on this machine: unless it is asked for.
+    void aUdpPortIsThisMachinesAndOursAlone()
+    {
+        QUdpSocket other; // takes the port first
+        QVERIFY(other.bind(QHostAddress::LocalHost, 0, QUdpSocket::ShareAddress | QUdpSocket::ReuseAddressHint));
+        const int port = other.localPort();
+        Listener listener;
+        listener.input.open(UdpSettings{port});
+        QCOMPARE(listener.input.state(), LiveInput::State::Waiting);
+        other.close();
+        listener.input.open(UdpSettings{port});
+        QCOMPARE(listener.input.state(), LiveInput::State::Open);
+        QVERIFY(listener.input.words().contains("this machine only"));
+        QUdpSocket second;
+        QVERIFY(!second.bind(QHostAddress::LocalHost, static_cast<quint16>(port), QUdpSocket::ShareAddress | QUdpSocket::ReuseAddressHint));
+        // A datagram to another address of this machine does not reach it.
+        QUdpSocket sender;
+        sender.writeDatagram(sentence("HCHDG,10.0,,,,"), QHostAddress("127.0.0.2"), static_cast<quint16>(port));
+        sender.writeDatagram(sentence("HCHDG,20.0,,,,"), QHostAddress::LocalHost, static_cast<quint16>(port));
+        QTRY_COMPARE(listener.heading.sentences(), 1);
+        QCOMPARE(listener.heading.heading("HCHDG")->mean_deg, 20.0);
+        listener.input.open(UdpSettings{port, true});
+        sender.writeDatagram(sentence("IIHDG,30.0,,,,"), QHostAddress("127.0.0.2"), static_cast<quint16>(port));
+        QTRY_VERIFY(listener.heading.compassChannels().contains("IIHDG"));
+    }
+
+    /// A sender as fast as the machine can: the window's thread gets so many lines and no more, the others are counted, and a quiet
+    /// instrument beside it is heard.
+    void aFloodIsThinnedAndAQuietInstrumentHeard()
+    {
+        QUdpSocket probe;
+        QVERIFY(probe.bind(QHostAddress::LocalHost, 0));
+        const auto port = probe.localPort();
+        probe.close();
+        Listener listener;
+        int batches = 0, most = 0, inBatch = 0;
+        QObject::connect(&listener.input, &LiveInput::lineReceived, [&] { ++inBatch; });
+        QObject::connect(&listener.input, &LiveInput::delivered, [&] {
+            ++batches;
+            most = std::max(most, std::exchange(inBatch, 0));
+        });
+        listener.input.open(UdpSettings{port});
+        QCOMPARE(listener.input.state(), LiveInput::State::Open);
+        std::atomic<bool> flooding{true};
+        std::atomic<qint64> sent{0};
+        std::thread flood([&] {
+            QUdpSocket socket;
+            const QByteArray many = sentence("XXHDG,1.0,,,,").repeated(20);
+            while (flooding)
+                sent += socket.writeDatagram(many, QHostAddress::LocalHost, port) > 0 ? 20 : 0;
+        });
+        QUdpSocket quiet;
+        int keys = 0; // what else the window does in the meantime
+        QTimer typing;
+        QObject::connect(&typing, &QTimer::timeout, [&] {
+            ++keys;
+            quiet.writeDatagram(sentence("HCHDG,98.0,,,,"), QHostAddress::LocalHost, port);
+        });
+        typing.start(20);
+        const bool dropped = QTest::qWaitFor([&] { return listener.input.dropped() > 10000 && keys > 50; }, 30000);
+        flooding = false;
+        flood.join();
+        QVERIFY2(dropped, qPrintable(QString("%1 sent, %2 dropped, %3 keys").arg(sent).arg(listener.input.dropped()).arg(keys)));
+        QVERIFY(most <= 200);
+        QTRY_VERIFY(listener.heading.compassChannels().contains("HCHDG"));
+        listener.input.close();
+        QCOMPARE(listener.input.state(), LiveInput::State::Closed);
+    }
+
+    void manySendersAreNotManyInstruments()
+    {
+        LiveHeading heading([] { return 0.0; });
+        for (int i = 0; i < 1000; ++i)
+            heading.takeLine(makeNmea(std::string{char('A' + i / 26 % 26), char('A' + i % 26)} + "HDG,1.0,,,,"));
+        QCOMPARE(heading.compassChannels().size(), 64);
+        QVERIFY(heading.badChecksums() > 0);
     }
 
     void aReplayedLogSettles()

@@ -23,6 +23,8 @@ struct CardColumn {
     SwingRecord record;      ///< that these figures are of
     bool holds = false;      ///< its signatures stand over what the record says now
     bool superseded = false; ///< a later revision amends it
+    QString signedAs = {};   ///< what is printed otherwise today than it was signed; may be empty
+    bool verified = false;   ///< a known key stands behind every name
 
     [[nodiscard]] bool outOfLimits() const { return lubberline::outOfLimits(card, record.limits); }
 

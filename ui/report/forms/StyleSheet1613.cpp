@@ -141,7 +141,7 @@ QString spreadFact(const StyleSheet1613& sheet)
     return parts.isEmpty() ? notStated() : parts.join(QStringLiteral("; "));
 }
 
-QString stateWords(bool isSigned, const Swing& swing)
+QString stateWords(bool isSigned, bool verified, const Swing& swing)
 {
     if (!isSigned)
         return Words::tr("DRAFT — NOT SIGNED");
@@ -149,7 +149,10 @@ QString stateWords(bool isSigned, const Swing& swing)
     for (const auto& one : swing.signatures)
         names += joined({printable(one.name), printable(one.licence)});
     names.removeDuplicates();
-    return names.isEmpty() ? Words::tr("signed before signatures were kept") : Words::tr("signed %1").arg(names.join(QStringLiteral(", ")));
+    if (names.isEmpty())
+        return Words::tr("signed before signatures were kept");
+    const QString who = names.join(QStringLiteral(", "));
+    return verified ? Words::tr("signed %1").arg(who) : Words::tr("signed %1 (names not verified)").arg(who);
 }
 
 QString compensatingFact(const StyleSheet1613& sheet)
@@ -161,7 +164,7 @@ QString compensatingFact(const StyleSheet1613& sheet)
     const SwingRecord& other = *sheet.compensating;
     return joined({printable(other.swing.date), statedWord(other.swing.kind), statedWord(other.swing.stage),
         Words::tr("record %1").arg(printable(other.swing.record)), Words::tr("data %1").arg(dataHash(other).left(8)),
-        stateWords(other.swing.state == SwingState::Signed && sheet.compensatingHolds, other.swing)});
+        stateWords(other.swing.state == SwingState::Signed && sheet.compensatingHolds, false, other.swing)});
 }
 
 std::vector<Fact> factsOf1613(const StyleSheet1613& sheet)
@@ -169,7 +172,7 @@ std::vector<Fact> factsOf1613(const StyleSheet1613& sheet)
     std::vector<Fact> facts = factsOf(sheet.record);
     facts.push_back({Words::tr("Compensating"), compensatingFact(sheet)});
     facts.push_back({Words::tr("Spread"), spreadFact(sheet)});
-    facts.push_back({Words::tr("Signed"), stateWords(sheet.isSigned(), sheet.record.swing)});
+    facts.push_back({Words::tr("Signed"), stateWords(sheet.isSigned(), sheet.verified, sheet.record.swing)});
     facts.push_back({Words::tr("Method"),
         Words::tr("every figure is of the reading nearest to its heading, within 22.5°; a placard by the fit may differ by how far that "
                   "reading lies off the curve")});
@@ -209,7 +212,7 @@ std::vector<Block> blocksOf(const StyleSheet1613& sheet, const QString& family, 
     append(blocks,
         formGrid(joined({printable(sheet.record.compass.name), labelled(Words::tr("S/N"), printable(sheet.record.compass.serialNumber)),
                      Words::tr("swung %1").arg(printable(sheet.record.swing.date)), Words::tr("by the nearest reading"),
-                     stateWords(sheet.isSigned(), sheet.record.swing)}),
+                     stateWords(sheet.isSigned(), sheet.verified, sheet.record.swing)}),
             columns, tearOff(sheet), width, family, mm(7)));
     return blocks;
 }

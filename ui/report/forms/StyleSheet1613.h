@@ -19,6 +19,7 @@ struct StyleSheet1613 {
     std::optional<Swing> asFound; ///< the compensating swing
     QString madeAtUtc;
     bool holds = false;                      ///< the record's signatures stand over what it says now
+    bool verified = false;                   ///< a known key stands behind every name
     bool superseded = false;                 ///< a later revision amends it
     std::optional<SwingRecord> compensating; ///< the record that asFound is of; none: it is of the guided swing of `record`
     bool compensatingHolds = false;

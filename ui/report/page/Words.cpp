@@ -31,6 +31,16 @@ QString printable(const std::string& text)
     return line.simplified();
 }
 
+QString signedAs(const SignatureState& state)
+{
+    QStringList parts;
+    for (const SwingDifference& one : state.since) {
+        const QString before = printable(one.before);
+        parts += QStringLiteral("%1: %2").arg(printable(one.what), before.isEmpty() ? notStated() : before);
+    }
+    return parts.isEmpty() ? QString() : Words::tr("signed as %1").arg(parts.join(QStringLiteral(", ")));
+}
+
 QString notStated() { return Words::tr("not stated"); }
 
 QString joined(const QStringList& parts)

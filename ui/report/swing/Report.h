@@ -9,11 +9,18 @@
 #include "core/angle/AngleText.h"
 #include "core/base/Result.h"
 #include "core/record/Fleet.h"
+#include "core/record/SignatureState.h"
 #include "core/swing/Analysis.h"
 
 class QPagedPaintDevice;
 
 namespace lubberline::ui {
+
+/// The head of an audit trail: noted on paper, it can be held against the database later (`db verify --head`).
+struct AuditHead {
+    QString head; ///< 64 hexadecimal digits; empty: the swing is of no database
+    qint64 entries = 0;
+};
 
 struct ReportInput {
     SwingRecord record;
@@ -24,6 +31,8 @@ struct ReportInput {
     std::optional<JobRecord> previousJob = {}; ///< likewise of the last swing
     std::optional<Swing> superseded = {};      ///< the revision that it amends
     AngleStyle angleStyle = AngleStyle::DecimalDegrees;
+    std::vector<SignatureState> signatures = {}; ///< as Swing::signatures; empty: their hashes alone are looked at
+    AuditHead audit = {};                        ///< of the database that it is of
     QString madeAtUtc;    ///< ISO 8601; printed
     bool archive = false; ///< PDF/A-1b, which may carry no attachment; else PDF 1.6 with the exchange JSON attached
 };

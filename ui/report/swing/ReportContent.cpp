@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 
 #include "core/format/exchange/SignedContent.h"
 #include "core/swing/CardRemarks.h"
@@ -108,6 +109,38 @@ QString roleWord(SignatureRole role)
     return {};
 }
 
+SignatureState stateByHash(const SwingRecord& record, const std::optional<SwingJob>& job, std::size_t which)
+{
+    const Signature& one = record.swing.signatures[which];
+    const std::span<const Signature> before(record.swing.signatures.data(), which);
+    SignatureState state{hashOfText(signedContent(record, job, one, before)).toStdString() == one.hash};
+    if (one.contents >= 3)
+        state.since = changedSince(one.particulars, record);
+    state.holds = state.holds && state.since.empty();
+    if (one.key.empty())
+        state.key.state = KeyState::NameOnly;
+    return state;
+}
+
+QString keyWords(const KeyVerdict& key)
+{
+    return key.state == KeyState::NameOnly || key.words.empty() ? Words::tr("name not verified") : printable(key.words);
+}
+
+QString signWords(const Signature& one, const SignatureState& state)
+{
+    QStringList words;
+    if (isForged(state.key))
+        words += printable(state.key.words);
+    else if (state.holds)
+        words += {Words::tr("signed %1 · hash %2").arg(printable(one.timeUtc).mid(11, 5), printable(one.hash).left(12)),
+            keyWords(state.key)};
+    else
+        words += Words::tr("no longer holds: changed after it");
+    words += signedAs(state);
+    return joined(words);
+}
+
 /// Those that were given, and what is still wanted; where none is, lines for the people of the swing to sign by hand.
 std::vector<SignatureLine> signatureLines(const ReportInput& input)
 {
@@ -116,11 +149,11 @@ std::vector<SignatureLine> signatureLines(const ReportInput& input)
     std::optional<SwingJob> own;
     if (input.job && input.job->job.record == swing.job && input.job->swing == swing.id)
         own = input.job->job;
-    for (const auto& one : swing.signatures) {
-        const QString hash = printable(one.hash), now = hashOfText(signedContent(input.record, own, one.contents));
+    for (std::size_t i = 0; i < swing.signatures.size(); ++i) {
+        const Signature& one = swing.signatures[i];
+        const SignatureState state = i < input.signatures.size() ? input.signatures[i] : stateByHash(input.record, own, i);
         lines.push_back({roleWord(one.role), joined({printable(one.name), printable(one.licence)}), printable(one.timeUtc).left(10),
-            hash == now ? Words::tr("signed %1 · hash %2").arg(printable(one.timeUtc).mid(11, 5), hash.left(12))
-                        : Words::tr("no longer holds: changed after it")});
+            signWords(one, state)});
     }
     if (!lines.empty()) {
         for (const auto role : {SignatureRole::Performer, SignatureRole::Inspector}) // those that freeze a swing
@@ -171,6 +204,8 @@ ReportContent contentOf(const ReportInput& input)
     content.warnings = warningsOf(input.analysis);
     content.picture = pictureFor(input);
     content.method = methodWords(input.analysis);
+    if (!input.audit.head.isEmpty())
+        content.method.push_back({Words::tr("Audit trail"), Words::tr("head %1 after %2 entries").arg(input.audit.head).arg(input.audit.entries)});
     content.signatures = signatureLines(input);
     content.job = jobTables(input);
     content.field = fieldPageOf(input);

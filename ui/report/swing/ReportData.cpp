@@ -72,6 +72,8 @@ QByteArray reportJson(const ReportInput& input)
     nlohmann::ordered_json report;
     report["made_at_utc"] = input.madeAtUtc.toStdString();
     report["data_sha256"] = dataHash(input.record).toStdString();
+    if (!input.audit.head.isEmpty())
+        report["audit"] = {{"head", input.audit.head.toStdString()}, {"entries", input.audit.entries}};
     report["record"] = nlohmann::ordered_json::parse(writeExchange(toFleet(input.record)));
     report["analysis"] = nlohmann::ordered_json::parse(toJson(input.analysis));
     return QByteArray::fromStdString(report.dump(2) + "\n");

@@ -1,0 +1,260 @@
+// What somebody changes in the file behind the program's back is named by verify(): signatures, what they cover, and the audit trail.
+
+#include "core/format/exchange/Exchange.h"
+#include "core/format/exchange/SignedContent.h"
+#include "tests/db/RawDatabase.h"
+#include "tests/db/SwingStores.h"
+
+namespace lubberline::test {
+
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+
+/// A database file with one swing that Ada performed and Ben inspected.
+class SignedFile : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+        ASSERT_TRUE(database);
+        const Stored stored = store(*database);
+        m_swing = *save(db::SwingStore(*database), worksheetSwing(stored));
+        db::SigningStore signing(*database);
+        ASSERT_TRUE(signing.complete(m_swing));
+        ASSERT_TRUE(signing.sign(m_swing, {SignatureRole::Performer, "Ada", "PL 12", "", ""}));
+        ASSERT_TRUE(signing.sign(m_swing, {SignatureRole::Inspector, "Ben", "PL 7", "", ""}));
+        ASSERT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
+        m_head = signing.trailHead()->head;
+    }
+
+    /// Without any trigger in the way.
+    void forge(const QStringList& statements)
+    {
+        RawDatabase raw(m_path);
+        QStringList all;
+        {
+            auto database = db::openDatabase(m_path, db::OpenMode::ReadOnly);
+            db::Statement triggers(*database, "SELECT name FROM sqlite_master WHERE type = 'trigger'");
+            const auto names = db::rowsOf<std::string>(triggers, [](db::Statement& row) { return row.text(0); });
+            for (const auto& name : *names)
+                all += "DROP TRIGGER " + QString::fromStdString(name);
+        }
+        ASSERT_TRUE(raw.run(all + statements)) << statements.join("; ").toStdString();
+    }
+    std::vector<std::string> found(const std::vector<db::NotedHead>& heads = {})
+    {
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+        EXPECT_TRUE(database) << describe(database.error());
+        const auto report = db::verify(*database, {}, heads);
+        EXPECT_TRUE(report) << describe(report.error());
+        return inEnglish(report->findings);
+    }
+    std::vector<bool> holdNow()
+    {
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+        return *db::SigningStore(*database).hold(m_swing);
+    }
+
+    QTemporaryDir m_folder;
+    QString m_path = m_folder.filePath("a.db");
+    SwingId m_swing;
+    std::string m_head;
+};
+
+struct Forgery {
+    const char* name;
+    QStringList statements;
+    const char* words;
+    bool holds; ///< whether both signatures still stand over what the record says
+};
+
+void PrintTo(const Forgery& forgery, std::ostream* out) { *out << forgery.name; }
+
+class Forgeries : public SignedFile, public testing::WithParamInterface<Forgery> {};
+
+const Forgery kForgeries[] = {
+    {"aSignatureIsTakenOut", {"DELETE FROM signature WHERE name = 'Ben'"}, "the signature \"inspector: Ben PL 7", false},
+    {"theFirstSignatureIsTakenOut", {"DELETE FROM signature WHERE name = 'Ada'"}, "the signature \"performer: Ada PL 12", false},
+    {"allSignaturesAreTakenOut", {"DELETE FROM signature"}, "it was taken out or changed", false},
+    {"aSignatureIsPutIn",
+        {"INSERT INTO signature SELECT 99, swing_id, 2, 'Cleo', 'PL 1', time_utc, hash, contents, file, file_head, record_head, particulars, key,"
+         " public_key, openpgp FROM signature WHERE id = 1"},
+        "Cleo (authority) on the swing of 2026-11-20", false},
+    {"anOlderSignatureIsPutIn",
+        {"INSERT INTO signature (swing_id, role, name, licence, time_utc, hash) VALUES (1, 2, 'Cleo', '', '2026-11-20T10:00:00Z', '"
+            + QString(64, 'a') + "')"},
+        "Cleo (authority)", false},
+    {"whoSigned", {"UPDATE signature SET name = 'Eve' WHERE name = 'Ben'"}, "Eve (inspector)", false},
+    {"theLicence", {"UPDATE signature SET licence = 'PL 8' WHERE name = 'Ben'"}, "inspector: Ben PL 7", false},
+    {"theRole", {"UPDATE signature SET role = 2 WHERE name = 'Ben'"}, "Ben (authority)", false},
+    {"theTime", {"UPDATE signature SET time_utc = '2026-11-20T10:00:00Z' WHERE name = 'Ben'"}, "Ben (inspector)", false},
+    {"theTimeOfTheFirst", {"UPDATE signature SET time_utc = '2026-11-20T10:00:00Z' WHERE name = 'Ada'"}, "Ada (performer)", false},
+    {"theKey", {"UPDATE signature SET key = '" + QString(40, 'A') + "' WHERE name = 'Ben'"}, "Ben (inspector)", false},
+    {"theHash", {"UPDATE signature SET hash = '" + QString(64, 'b') + "' WHERE name = 'Ben'"}, "Ben (inspector)", false},
+    {"theRegistration", {"UPDATE aircraft SET registration = '3714'"}, "registration of the aircraft was \"3713\" when it was signed and is \"3714\"",
+        false},
+    {"theSerialNumberOfTheAircraft", {"UPDATE aircraft SET serial_number = '99'"}, "serial_number of the aircraft", false},
+    {"theType", {"UPDATE aircraft_type SET name = 'Su-17'"}, "name of the type was \"Su-22\"", false},
+    {"theCompass", {"UPDATE compass SET name = 'No. 1'"}, "name of the compass was \"standby compass\"", false},
+    {"theSerialNumberOfTheCompass", {"UPDATE compass SET serial_number = 'X1'"}, "serial_number of the compass", false},
+    {"theSite", {"UPDATE site SET name = 'Radom'"}, "name of the site", false},
+    {"theLimits", {"UPDATE limits_profile SET max_deviation_deg = 45"}, "max_deviation_deg of the limits", false},
+    {"anotherAircraft",
+        {"INSERT INTO aircraft SELECT 77, '11111111-1111-4111-8111-111111111111', type_id, 'OTHER', '', '', NULL, '', 0, NULL FROM aircraft LIMIT 1",
+            "UPDATE compass SET aircraft_id = 77"},
+        "registration of the aircraft was \"3713\" when it was signed and is \"OTHER\"", false},
+    {"aReading", {"UPDATE reading SET compass_heading_deg = 315 WHERE position = 0"}, "is not what was signed", false},
+    {"theDate", {"UPDATE swing SET date = '2026-11-21'"}, "does not hold", false},
+    {"theState", {"UPDATE swing SET state = 0"}, "was signed by two people and is not frozen", true},
+    {"anEntryIsChanged", {"UPDATE audit_entry SET detail = 'nothing' WHERE what = 'completed swing'"},
+        "completed swing, record", true},
+    {"theTimeOfAnEntry", {"UPDATE audit_entry SET time_utc = '2020-01-01T00:00:00.000Z' WHERE id = 3"}, "entry 3 (2020-01-01", true},
+    {"anEntryIsTakenOut", {"DELETE FROM audit_entry WHERE id = 4"}, "entry 4 is missing", true},
+    {"entriesAreTakenOut", {"DELETE FROM audit_entry WHERE id BETWEEN 3 AND 5"}, "entries 3 to 5 are missing", true},
+    {"theFirstIsTakenOut", {"DELETE FROM audit_entry WHERE id = 1"}, "entry 1 is missing", true},
+    {"theLastIsTakenOut", {"DELETE FROM audit_entry WHERE id = (SELECT MAX(id) FROM audit_entry)"}, "is missing", true},
+    {"allAreTakenOut", {"DELETE FROM audit_entry"}, "are missing", true},
+    {"entriesChangePlaces",
+        {"UPDATE audit_entry SET id = 1000 WHERE id = 2", "UPDATE audit_entry SET id = 2 WHERE id = 3", "UPDATE audit_entry SET id = 3 WHERE id = 1000"},
+        "does not follow the one before it", true},
+    {"anEntryIsPutIn",
+        {"INSERT INTO audit_entry (time_utc, what, record, detail) VALUES ('2026-11-20T10:00:00.000Z', 'changed swing', 'x', 'date')"},
+        "was put in behind the program's back", true},
+    {"theTailIsCutAndTheHeadMoved",
+        {"DELETE FROM audit_entry WHERE id > 8",
+            "UPDATE audit_head SET entries = 8, head = (SELECT file_link FROM audit_entry WHERE id = 8)"},
+        "is not in the audit trail", true}, // no entry names the signatures any more
+};
+
+} // namespace
+
+TEST_P(Forgeries, isNamed)
+{
+    forge(GetParam().statements);
+    EXPECT_THAT(found(), Contains(HasSubstr(GetParam().words)));
+    const auto hold = holdNow();
+    EXPECT_EQ(std::all_of(hold.begin(), hold.end(), [](bool one) { return one; }) && hold.size() == 2, GetParam().holds);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Forgeries, testing::ValuesIn(kForgeries), [](const auto& test) { return std::string(test.param.name); });
+
+TEST_F(SignedFile, ofTheTailOnlyAHeadElsewhereTells)
+{
+    { // something without a signature, at the end
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+        ASSERT_TRUE(save(db::SiteStore(*database), Site{{}, {}, "Mielec", {}, {}, {}, {}, {}, {}}));
+    }
+    std::string head;
+    {
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadOnly);
+        head = db::SigningStore(*database).trailHead()->head;
+        EXPECT_THAT(db::verify(*database, {}, {{head, {}}, {head.substr(0, 12), {}}, {m_head, {}}})->findings, testing::IsEmpty());
+    }
+    forge({"DELETE FROM site WHERE name = 'Mielec'", "DELETE FROM audit_entry WHERE id = (SELECT MAX(id) FROM audit_entry)",
+        "UPDATE audit_head SET entries = entries - 1, head = (SELECT file_link FROM audit_entry ORDER BY id DESC LIMIT 1)"});
+    EXPECT_THAT(found(), testing::IsEmpty()); // the file alone cannot tell: docs/threat-model.md
+    EXPECT_THAT(found({{head, Message::verbatim(std::string("the report"))}}),
+        Contains(AllOf(HasSubstr(head.substr(0, 12)), HasSubstr("the report"), HasSubstr("cut off"))));
+}
+
+TEST_F(SignedFile, aChangeThroughTheProgramIsToldAndTheSignatureStands)
+{
+    auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+    db::FleetStore fleet(*database);
+    Aircraft renamed = *fleet.aircraft(AircraftId{1});
+    renamed.registration = "3713A";
+    ASSERT_TRUE(save(fleet, renamed));
+    const auto states = *db::SigningStore(*database).states(m_swing);
+    ASSERT_EQ(states.size(), 2u);
+    EXPECT_TRUE(states[0].holds && states[1].holds);
+    ASSERT_EQ(states[0].since.size(), 1u);
+    EXPECT_EQ(states[0].since[0].what.english(), "registration of the aircraft");
+    EXPECT_EQ(states[0].since[0].before.english(), "3713");
+    EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
+}
+
+TEST_F(SignedFile, anImportThatDoesNotHoldIsRefusedOrMarked)
+{
+    auto here = db::openDatabase(m_path, db::OpenMode::ReadOnly);
+    const Fleet fleet = *db::exportFleet(*here, {}, {});
+    const std::string written = writeExchange(fleet);
+    EXPECT_EQ(exchangeVersionOf(fleet), 5);
+    const auto elsewhere = [&](auto change) {
+        auto read = readExchange(written, "a.lubberline.json");
+        EXPECT_TRUE(read) << describe(read.error());
+        change(*read);
+        auto there = inMemory();
+        auto imported = db::importFleet(there, *read, {});
+        std::vector<std::string> findings = imported ? inEnglish(db::verify(there, {})->findings) : std::vector<std::string>();
+        if (imported && imported->warnings.empty()) {
+            EXPECT_EQ(writeExchange(*db::exportFleet(there, {}, {})), written); // both sides keep the heads
+            EXPECT_EQ(db::SwingStore(there).swing(imported->swingIds.front())->signatures, fleet.swings.front().signatures);
+        }
+        return std::pair(std::move(imported), findings);
+    };
+    const auto whole = elsewhere([](Fleet&) {});
+    ASSERT_TRUE(whole.first) << describe(whole.first.error());
+    EXPECT_THAT(whole.first->warnings, testing::IsEmpty());
+    EXPECT_THAT(whole.second, testing::IsEmpty());
+
+    const std::vector<std::function<void(Fleet&)>> refused = {
+        [](Fleet& one) { one.swings[0].readings[0].compass = CompassHeading::fromDegrees(1); },
+        [](Fleet& one) { one.swings[0].signatures[1].name = "Eve"; },
+        [](Fleet& one) { one.swings[0].signatures[0].licence = "PL 99"; },
+        [](Fleet& one) { one.swings[0].signatures.erase(one.swings[0].signatures.begin()); },
+        [](Fleet& one) { one.swings[0].signatures[1].particulars.replace(one.swings[0].signatures[1].particulars.find("3713"), 4, "3714"); },
+    };
+    for (const auto& change : refused) {
+        const auto result = elsewhere(change);
+        ASSERT_FALSE(result.first);
+        EXPECT_EQ(result.first.error().code, ErrorCode::Corrupt);
+        EXPECT_THAT(result.first.error().message.english(), AllOf(HasSubstr("3713"), HasSubstr("2026-11-20"), HasSubstr("is not what was signed")));
+    }
+    // The signatures are whole, but what stands beside them is another aircraft: told, marked, and found.
+    const auto marked = elsewhere([](Fleet& one) { one.aircraft[0].registration = "3714"; });
+    ASSERT_TRUE(marked.first);
+    EXPECT_THAT(inEnglish(marked.first->warnings), Contains(AllOf(HasSubstr("signed as registration of the aircraft \"3713\""), HasSubstr("3714"))));
+    EXPECT_THAT(marked.second, Contains(HasSubstr("does not hold: registration of the aircraft")));
+    const auto unsignedOne = elsewhere([](Fleet& one) { one.swings[0].signatures.clear(); });
+    ASSERT_TRUE(unsignedOne.first);
+    EXPECT_THAT(inEnglish(unsignedOne.first->warnings), Contains(HasSubstr("does not say by whom")));
+}
+
+TEST_F(SignedFile, aClockThatWasSetBackIsTold)
+{
+    using namespace std::chrono;
+    auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+    database->setClock({[] { return Clock::Time(sys_days(2020y / January / 2)); }});
+    db::SigningStore signing(*database);
+    EXPECT_GT(signing.clockStandsBefore()->size(), 10u);
+    ASSERT_TRUE(save(db::SiteStore(*database), Site{{}, {}, "Mielec", {}, {}, {}, {}, {}, {}}));
+    const auto report = *db::verify(*database, {});
+    EXPECT_THAT(report.findings, testing::IsEmpty());
+    EXPECT_THAT(inEnglish(report.notes), Contains(AllOf(HasSubstr("2020-01-02"), HasSubstr("the clock had been set back"))));
+    EXPECT_EQ(*signing.clockStandsBefore(), ""); // that entry is the last now
+}
+
+TEST_F(SignedFile, whatIsSignedWhileTheSwingChangesIsRefused)
+{
+    auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+    db::SigningStore signing(*database);
+    const auto made = signing.amend(m_swing, "wrong site");
+    ASSERT_TRUE(made && signing.complete(*made));
+    const auto prepared = signing.prepare(*made, {SignatureRole::Performer, "Ada", "", "", ""});
+    ASSERT_TRUE(prepared) << describe(prepared.error());
+    EXPECT_EQ(db::sha256(*signing.contentOf(*made, *prepared)), prepared->hash);
+    ASSERT_TRUE(save(db::SiteStore(*database), Site{{}, {}, "Mielec", {}, {}, {}, {}, {}, {}})); // something else may happen meanwhile
+    auto changed = prepared.value();
+    changed.name = "Eve";
+    EXPECT_EQ(signing.add(*made, changed).error().code, ErrorCode::Conflict);
+    ASSERT_TRUE(signing.reopen(*made, "misread") && signing.complete(*made));
+    EXPECT_EQ(signing.add(*made, *prepared).error().code, ErrorCode::Conflict);
+    const auto again = signing.prepare(*made, {SignatureRole::Performer, "Ada", "", "", ""});
+    EXPECT_TRUE(signing.add(*made, *again));
+    EXPECT_EQ(*signing.hold(*made), std::vector<bool>{true});
+}
+
+} // namespace lubberline::test
