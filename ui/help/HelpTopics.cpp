@@ -132,17 +132,17 @@ QString problemReport(const PageContext& context)
     return QStringList{QStringLiteral("Lubberline %1").arg(QCoreApplication::applicationVersion()),
         QStringLiteral("Qt %1, %2, %3").arg(QLatin1String(qVersion()), QGuiApplication::platformName(), QSysInfo::prettyProductName()),
         QStringLiteral("%1 %2").arg(QSysInfo::kernelType(), QSysInfo::currentCpuArchitecture()),
-        QStringLiteral("locale %1, time %2").arg(QLocale().name(), toText(context.stores.clock().nowUtc())),
-        QStringLiteral("screen %1x%2, scale %3, window %4x%5")
+        TopicWords::tr("locale %1, time %2").arg(QLocale().name(), toText(context.stores.clock().nowUtc())),
+        TopicWords::tr("screen %1x%2, scale %3, window %4x%5")
             .arg(screen.width())
             .arg(screen.height())
             .arg(shown ? shown->devicePixelRatio() : 1.0)
             .arg(context.window.width())
             .arg(context.window.height()),
-        QStringLiteral("database of %1 bytes%2")
+        TopicWords::tr("database of %1 bytes%2")
             .arg(QFileInfo(context.stores.location()).size())
-            .arg(context.stores.readOnly() ? QStringLiteral(", read only") : QString()),
-        QStringLiteral("undo steps %1, last: %2").arg(context.undo.count()).arg(context.undo.undoText()), QString(),
+            .arg(context.stores.readOnly() ? TopicWords::tr(", read only") : QString()),
+        TopicWords::tr("undo steps %1, last: %2").arg(context.undo.count()).arg(context.undo.undoText()), QString(),
         TopicWords::tr("What was done:"), QString(), TopicWords::tr("What happened, and what was expected:"), QString()}
         .join(u'\n');
 }

@@ -88,18 +88,18 @@ std::vector<std::pair<QString, QString>> keysEverywhere()
 
 std::vector<LicenceTable> licences()
 {
-    return {{HelpText::tr("Data that are built in"),
-                {{HelpText::tr("World Magnetic Model 2025 (WMM)"), HelpText::tr("NOAA NCEI and British Geological Survey"),
-                     HelpText::tr("public domain")},
-                    {QStringLiteral("IGRF-14"), QStringLiteral("IAGA Division V-MOD, doi 10.5281/zenodo.14012302"),
-                        QStringLiteral("CC BY 4.0")},
-                    {HelpText::tr("coastlines"), QStringLiteral("Natural Earth, 1:110m land"), HelpText::tr("public domain")},
-                    {HelpText::tr("samples of swings"), HelpText::tr("the manuals that they name"),
-                        HelpText::tr("figures, with their source")}}},
+    return {
+        {HelpText::tr("Data that are built in"),
+            {{HelpText::tr("World Magnetic Model 2025 (WMM)"), HelpText::tr("NOAA NCEI and British Geological Survey"),
+                 HelpText::tr("public domain")},
+                {QStringLiteral("IGRF-14"), HelpText::tr("IAGA Division V-MOD, doi 10.5281/zenodo.14012302"), QStringLiteral("CC BY 4.0")},
+                {HelpText::tr("coastlines"), QStringLiteral("Natural Earth, 1:110m land"), HelpText::tr("public domain")},
+                {HelpText::tr("samples of swings"), HelpText::tr("the manuals that they name"),
+                    HelpText::tr("figures, with their source")}}},
         {HelpText::tr("Parts of the program"),
             {{QStringLiteral("Qt 6"), HelpText::tr("window, documents, storage"), QStringLiteral("LGPL-3.0")},
                 {QStringLiteral("Qwt 6.3"), HelpText::tr("plots: based in part on the work of the Qwt project (http://qwt.sf.net)"),
-                    QStringLiteral("LGPL-2.1, Qwt exceptions")},
+                    HelpText::tr("LGPL-2.1, Qwt exceptions")},
                 {QStringLiteral("FFTW 3"), HelpText::tr("Fourier transforms"), QStringLiteral("GPL-2.0-or-later")},
                 {QStringLiteral("Eigen 3.4"), HelpText::tr("linear algebra"), QStringLiteral("MPL-2.0")},
                 {QStringLiteral("GeographicLib"), HelpText::tr("the sums of the Earth's field"), QStringLiteral("MIT")},

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QTabBar>
 
 #include <functional>
 #include <vector>
@@ -47,9 +48,12 @@ struct Carrier {
     std::function<void(const QString&)> set;
 };
 
-void collect(QWidget& page, std::vector<Carrier>& carriers)
+/// What is seen. @param but what stands in this is left out; null: nothing
+void collect(const QWidget& whole, const QWidget* but, std::vector<Carrier>& carriers)
 {
-    for (QWidget* widget : page.findChildren<QWidget*>()) {
+    for (QWidget* widget : whole.findChildren<QWidget*>()) {
+        if (!widget->isVisible() || (but && but->isAncestorOf(widget)))
+            continue;
         if (auto* label = qobject_cast<QLabel*>(widget); label && label->buddy())
             carriers.push_back({label->text(), [label](const QString& text) { label->setText(text); }});
         else if (auto* button = qobject_cast<QAbstractButton*>(widget); button && !button->text().isEmpty())
@@ -62,6 +66,9 @@ void collect(QWidget& page, std::vector<Carrier>& carriers)
                                 }});
         else if (auto* box = qobject_cast<QGroupBox*>(widget); box && !box->title().isEmpty())
             carriers.push_back({box->title(), [box](const QString& text) { box->setTitle(text); }});
+        else if (auto* tabs = qobject_cast<QTabBar*>(widget))
+            for (int tab = 0; tab < tabs->count(); ++tab)
+                carriers.push_back({tabs->tabText(tab), [tabs, tab](const QString& text) { tabs->setTabText(tab, text); }});
     }
 }
 
@@ -113,15 +120,21 @@ void makeMnemonicsDistinct(QMenu& menu)
             actions[i]->setText(distinct[i]);
 }
 
-void makeMnemonicsDistinct(QWidget& page, const QMenuBar* bar)
+void makeMnemonicsDistinct(QWidget& page, const QWidget& window)
 {
     QString taken;
-    if (bar)
+    const auto take = [&taken](const QString& text) {
+        if (const QChar letter = mnemonicOf(text); !letter.isNull())
+            taken += letter;
+    };
+    for (const QMenuBar* bar : window.findChildren<QMenuBar*>())
         for (const QAction* action : bar->actions())
-            if (const QChar letter = mnemonicOf(action->text()); !letter.isNull())
-                taken += letter;
-    std::vector<Carrier> carriers;
-    collect(page, carriers);
+            take(action->text());
+    std::vector<Carrier> around, carriers;
+    collect(window, &page, around);
+    for (const Carrier& carrier : around)
+        take(carrier.text);
+    collect(page, nullptr, carriers);
     QStringList texts;
     for (const Carrier& carrier : carriers)
         texts += carrier.text;

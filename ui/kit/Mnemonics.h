@@ -4,7 +4,6 @@
 #include <QStringList>
 
 class QMenu;
-class QMenuBar;
 class QWidget;
 
 namespace lubberline::ui {
@@ -16,7 +15,8 @@ namespace lubberline::ui {
 [[nodiscard]] QChar mnemonicOf(const QString& text);
 
 void makeMnemonicsDistinct(QMenu& menu); ///< of the entries that are seen, and of its submenus
-/// Labels with a partner, buttons and boxes that belong to the page as it is now; letters of the menu bar are not theirs.
-void makeMnemonicsDistinct(QWidget& page, const QMenuBar* bar);
+/// Labels with a partner, buttons, boxes and tabs that are seen on the page; letters of the menu bar, and of what stands around
+/// the page in its window, are not theirs.
+void makeMnemonicsDistinct(QWidget& page, const QWidget& window);
 
 } // namespace lubberline::ui

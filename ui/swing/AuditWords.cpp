@@ -18,17 +18,20 @@ struct AuditTexts {
 
 const QString kArrow = QStringLiteral(" -> ");
 
+/// "changed_reading": what is stored, as one word.
+QString codeOf(QString deed) { return deed.replace(u' ', u'_'); }
+
 QString deedWords(const QString& deed)
 {
-    const std::map<QString, QString> words{{"added swing", AuditTexts::tr("swing made")},
-        {"changed swing", AuditTexts::tr("particulars changed")}, {"removed swing", AuditTexts::tr("swing removed")},
-        {"added reading", AuditTexts::tr("reading added")}, {"changed reading", AuditTexts::tr("reading changed")},
-        {"removed reading", AuditTexts::tr("reading removed")}, {"set readings", AuditTexts::tr("readings put in")},
-        {"completed swing", AuditTexts::tr("marked complete")}, {"reopened swing", AuditTexts::tr("opened again")},
-        {"signed swing", AuditTexts::tr("signed")}, {"amended swing", AuditTexts::tr("amended: a new revision")},
-        {"added guided swing", AuditTexts::tr("guided swing begun")}, {"finished guided swing", AuditTexts::tr("guided swing finished")},
-        {"abandoned guided swing", AuditTexts::tr("guided swing abandoned")}};
-    const auto found = words.find(deed);
+    const std::map<QString, QString> words{{"added_swing", AuditTexts::tr("swing made")},
+        {"changed_swing", AuditTexts::tr("particulars changed")}, {"removed_swing", AuditTexts::tr("swing removed")},
+        {"added_reading", AuditTexts::tr("reading added")}, {"changed_reading", AuditTexts::tr("reading changed")},
+        {"removed_reading", AuditTexts::tr("reading removed")}, {"set_readings", AuditTexts::tr("readings put in")},
+        {"completed_swing", AuditTexts::tr("marked complete")}, {"reopened_swing", AuditTexts::tr("opened again")},
+        {"signed_swing", AuditTexts::tr("signed")}, {"amended_swing", AuditTexts::tr("amended: a new revision")},
+        {"added_guided_swing", AuditTexts::tr("guided swing begun")}, {"finished_guided_swing", AuditTexts::tr("guided swing finished")},
+        {"abandoned_guided_swing", AuditTexts::tr("guided swing abandoned")}};
+    const auto found = words.find(codeOf(deed));
     return found == words.end() ? deed : found->second;
 }
 
@@ -164,25 +167,25 @@ void addSignature(std::vector<AuditLine>& lines, AuditLine line, const QString& 
 
 std::vector<AuditLine> auditLines(const AuditRow& row)
 {
-    const QString deed = toText(row.what), detail = toText(row.detail);
+    const QString deed = toText(row.what), code = codeOf(deed), detail = toText(row.detail);
     const AuditLine whole{toText(row.timeUtc).left(19).replace(u'T', u' '), deedWords(deed), {}, {}, {}};
     std::vector<AuditLine> lines;
-    if (deed == "changed reading" && detail.contains(kArrow))
+    if (code == "changed_reading" && detail.contains(kArrow))
         addReadingChange(lines, whole, detail);
-    else if (deed == "changed swing")
+    else if (code == "changed_swing")
         addFieldChanges(lines, whole, detail);
-    else if (deed == "signed swing")
+    else if (code == "signed_swing")
         addSignature(lines, whole, detail);
     if (!lines.empty())
         return lines;
     AuditLine line = whole;
-    if (deed == "removed reading")
+    if (code == "removed_reading")
         line.before = readingWords(detail);
-    else if (deed == "added reading")
+    else if (code == "added_reading")
         line.after = readingWords(detail);
-    else if (deed == "set readings")
+    else if (code == "set_readings")
         line.after = AuditTexts::tr("%n reading(s)", nullptr, static_cast<int>(detail.count(QStringLiteral("reading: "))));
-    else if (deed != "added swing")
+    else if (code != "added_swing")
         line.after = detail;
     return {line};
 }

@@ -156,7 +156,7 @@ void MainWindow::buildCentre()
     connect(m_pages, &PageStack::turned, this, [this] {
         m_readOut->clear();
         m_messages->turned();
-        makeMnemonicsDistinct(m_pages->current(), menuBar());
+        makeMnemonicsDistinct(m_pages->current(), *this);
         updateActions();
         showPlace();
     });
@@ -281,6 +281,9 @@ void MainWindow::showPlace()
 
 bool MainWindow::eventFilter(QObject* object, QEvent* event)
 {
+    // What was opened on the page since it came to the front has letters, too.
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Alt)
+        makeMnemonicsDistinct(m_pages->current(), *this);
     if (event->type() == QEvent::MouseButtonPress) {
         const auto button = static_cast<QMouseEvent*>(event)->button();
         const auto* widget = qobject_cast<QWidget*>(object);

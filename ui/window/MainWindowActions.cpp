@@ -97,6 +97,8 @@ void MainWindow::showOutputs()
     const auto* bar = findChild<QToolBar*>(QStringLiteral("mainTools"));
     for (const auto& [action, page] : m_outputs)
         action->setVisible((front && front->id == page) || bar->actions().contains(action));
+    for (const QAction* menu : menuBar()->actions())
+        makeMnemonicsDistinct(*menu->menu());
 }
 
 /// Those that are of no page.
