@@ -58,8 +58,8 @@ TEST(DrawnOutputs, testsOfASensorAreDocuments)
     std::string log = "time_s,bx_nT,by_nT,bz_nT\n", coil = "time_s,ax_nT,ay_nT,az_nT,bx_nT,by_nT,bz_nT\n";
     for (int i = 0; i < 4096; ++i)
         log += std::to_string(i / 240.0) + ","
-            + std::to_string(20000 + 30 * std::sin(kTurn * 50 * i / 240.0) + (i > 2000 ? 900 : 0) + i % 7) + ",0,"
-            + std::to_string(34641 + i % 5) + "\n";
+            + std::to_string(20000 + 30 * std::sin(kTurn * 50 * i / 240.0) + (i > 2000 ? 900 : 0) + i % 7) + "," + std::to_string(i % 3)
+            + "," + std::to_string(34641 + i % 5) + "\n";
     for (int i = 0; i < 600; ++i) {
         const double x = 30000 * std::sin(kTurn * i / 97), y = 30000 * std::sin(kTurn * i / 61), z = 30000 * std::sin(kTurn * i / 41);
         coil += std::to_string(i) + "," + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + ","
@@ -80,7 +80,7 @@ TEST(DrawnOutputs, windsAreHeldAgainstAControl)
         for (int i = 0; i < 10; ++i)
             csv += std::string(flight % 2 == 0 ? "L,F" : "V,F") + std::to_string(flight) + (flight % 2 == 0 ? ",laser," : ",valve,")
                 + "2026-03-0" + std::to_string(1 + flight) + "T1" + std::to_string(i * 6 / 60) + ":" + (i * 6 % 60 < 10 ? "0" : "")
-                + std::to_string(i * 6 % 60) + ":00Z,50.0000," + std::to_string(10 + 1.0360 * i) + "," + (flight % 2 == 0 ? "90" : "93")
+                + std::to_string(i * 6 % 60) + ":00Z,50.0000," + std::to_string(10 + 1.0360 * i) + "," + (flight % 2 == 0 ? "90.5" : "93")
                 + ",400,0,0\n";
     const auto outcome = sandbox.run({"winds", sandbox.write("p.csv", csv), "--control", "laser", "--json"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -91,8 +91,8 @@ TEST(DrawnOutputs, windsAreHeldAgainstAControl)
     EXPECT_GT(json.at("aircraft")[0].at("position_error_kt"), 0.0);
     // 3° of heading at 400 kt across the track: 21 kt.
     EXPECT_NEAR(json.at("groups")[1].at("rmse_kt").at("before").at("transverse"), 21, 1.5);
-    EXPECT_LT(json.at("groups")[0].at("rmse_kt").at("before").at("transverse"), 2.0);
-    EXPECT_GT(json.at("aircraft")[1].at("rmse_of_control").at("before").at("transverse"), 8.0);
+    EXPECT_LT(json.at("groups")[0].at("rmse_kt").at("before").at("transverse"), 4.5);
+    EXPECT_GT(json.at("aircraft")[1].at("rmse_of_control").at("before").at("transverse"), 4.0);
     EXPECT_EQ(
         sandbox.run({"winds", sandbox.write("q.csv", "aircraft,ref_wind_speed_kt,ref_wind_from_deg,heading_deg,tas_kt\nA,1,2,3,400\n")})
             .status,

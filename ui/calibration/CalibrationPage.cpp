@@ -173,7 +173,7 @@ void CalibrationPage::build()
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(std::min(left->minimumSizeHint().width() + 20, kMostFormWidth));
+    scroll->setMinimumWidth(left->minimumSizeHint().width() + 20);
     scroll->setWidget(left);
     m_tabs->addTab(m_logPlot, m_logPlot->name());
     m_tabs->addTab(m_sphere, tr("Directions"));

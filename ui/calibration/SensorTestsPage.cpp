@@ -27,14 +27,16 @@ QLineEdit* testLine(const char* name, const QString& hint)
     auto* line = new QLineEdit;
     line->setObjectName(QString::fromLatin1(name));
     line->setPlaceholderText(hint);
+    line->setAccessibleName(hint);
     line->setMinimumWidth(line->fontMetrics().averageCharWidth() * 14);
     return line;
 }
 
-QTableWidget* testTable(const char* name)
+QTableWidget* testTable(const char* name, const QString& title)
 {
     auto* table = new QTableWidget;
     table->setObjectName(QString::fromLatin1(name));
+    table->setAccessibleName(title);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->verticalHeader()->hide();
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -108,9 +110,9 @@ SensorTestsPage::SensorTestsPage(FileQuestions questions, std::function<QString(
     , m_spectrum(new DrawnPlot(tr("Spectrum"), {320, 180}))
     , m_spectrogram(new DrawnPlot(tr("Spectrogram"), {240, 140}))
     , m_interference(new DrawnPlot(tr("Interference"), {320, 180}))
-    , m_lines(testTable("testsLines"))
-    , m_coil(testTable("testsCoil"))
-    , m_outcomes(testTable("testsActions"))
+    , m_lines(testTable("testsLines", tr("Lines")))
+    , m_coil(testTable("testsCoil", tr("Coil bench")))
+    , m_outcomes(testTable("testsActions", tr("Actions")))
     , m_filter(testWords("testsFilter"))
     , m_coilWords(testWords("testsCoilWords"))
     , m_verdict(testWords("testsVerdict"))
@@ -129,11 +131,14 @@ void SensorTestsPage::build()
     m_actions->setEnabled(false);
     m_cancel->hide();
     messageLine().setWordWrap(true);
-    auto* row = new QHBoxLayout;
-    for (QWidget* one : std::initializer_list<QWidget*>{m_open, m_actions, m_cancel, m_column, m_tachometer, m_delay, m_limits})
-        row->addWidget(one);
-    row->addStretch(1);
-    body().addLayout(row);
+    for (const auto& widgets :
+        {std::vector<QWidget*>{m_open, m_actions, m_cancel}, std::vector<QWidget*>{m_column, m_tachometer, m_delay, m_limits}}) {
+        auto* row = new QHBoxLayout; // in one they would be wider than a small screen
+        for (QWidget* one : widgets)
+            row->addWidget(one);
+        row->addStretch(1);
+        body().addLayout(row);
+    }
     DrawnPicture nothing;
     nothing.notice = tr("Open a log of the sensor: time_s, bx_nT, by_nT, bz_nT.");
     m_spectrum->setPicture(nothing);

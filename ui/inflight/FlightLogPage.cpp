@@ -99,11 +99,14 @@ void FlightLogPage::build()
     m_cancel->hide();
     for (QLineEdit* line : {m_variation, m_noise})
         line->setFixedWidth(fontMetrics().averageCharWidth() * 30);
-    auto* row = new QHBoxLayout; // beside the title they would cut it
-    for (QWidget* one : std::initializer_list<QWidget*>{m_variation, m_noise, m_open, m_cancel, m_make})
-        row->addWidget(one);
-    row->addStretch(1);
-    body().addLayout(row);
+    // Beside the title they would cut it, and in one row be wider than a small screen.
+    for (const auto& widgets : {std::vector<QWidget*>{m_open, m_cancel, m_make}, std::vector<QWidget*>{m_variation, m_noise}}) {
+        auto* row = new QHBoxLayout;
+        for (QWidget* one : widgets)
+            row->addWidget(one);
+        row->addStretch(1);
+        body().addLayout(row);
+    }
     messageLine().setWordWrap(true);
     m_tabs->addTab(m_plot, tr("Deviation"));
     m_tabs->addTab(m_told, tr("What is told"));

@@ -67,15 +67,19 @@ void WindsPage::build()
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_cancel->hide();
     m_control->setObjectName(QStringLiteral("windsControl"));
+    m_control->setAccessibleName(tr("Held against"));
     m_control->setPlaceholderText(tr("held against (group or aircraft)"));
     m_control->setToolTip(
         tr("Aircraft whose headings are held to be right, as by laser gyros: a name of the column group, or of an aircraft. "
            "What they have in common is the error of the reference wind."));
-    auto* row = new QHBoxLayout; // beside the title they would cut it
-    for (QWidget* one : std::initializer_list<QWidget*>{m_open, m_cancel, m_sense, m_unit, m_factor, m_control})
-        row->addWidget(one);
-    row->addStretch(1);
-    body().addLayout(row);
+    // Beside the title they would cut it, and in one row be wider than a small screen.
+    for (const auto& widgets : {std::vector<QWidget*>{m_open, m_cancel, m_factor, m_control}, std::vector<QWidget*>{m_sense, m_unit}}) {
+        auto* row = new QHBoxLayout;
+        for (QWidget* one : widgets)
+            row->addWidget(one);
+        row->addStretch(1);
+        body().addLayout(row);
+    }
     m_scatter->setObjectName(QStringLiteral("windsScatter"));
     m_rose->setObjectName(QStringLiteral("windsRose"));
     DrawnPicture nothing;

@@ -21,7 +21,7 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr int kDatumFormWidth = 380;
+constexpr int kDatumFormWidth = 340;
 
 Result<void> takeSize(double& size, const QString& typed)
 {
@@ -200,6 +200,7 @@ void DatumPage::build()
 {
     setTitle(tr("A datum anywhere"));
     m_method->setObjectName(QStringLiteral("datumMethod"));
+    m_method->setAccessibleName(tr("Way to a heading"));
     m_method->addItems({tr("The sun (shadow pin, astrocompass)"), tr("Lined up on a runway"), tr("Transfer gyro"), tr("By synchro"),
         tr("Grid heading near a pole")});
     std::array<QFormLayout*, 5> forms{};
@@ -235,6 +236,7 @@ void DatumPage::build()
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     }
     m_budget->setObjectName(QStringLiteral("datumBudget"));
+    m_budget->setAccessibleName(tr("Parts of the error"));
     m_budget->setHorizontalHeaderLabels({tr("Part of the error"), tr("one standard deviation (°)")});
     m_budget->verticalHeader()->hide();
     m_budget->setEditTriggers(QAbstractItemView::NoEditTriggers);

