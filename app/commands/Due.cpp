@@ -86,7 +86,10 @@ int dueCommand(const DueArguments& options, const std::string& database)
     auto stores = openStores(database, db::OpenMode::ReadOnly);
     if (!stores)
         return fail(stores.error());
-    const auto news = ui::dueNews(**stores, *today, {});
+    auto forecasts = ui::dueForecasts(**stores, *today, consoleProgress("the history of the fleet"));
+    if (!forecasts)
+        return fail(forecasts.error());
+    const auto news = ui::dueNews(**stores, *today, {}, std::move(forecasts.value()));
     if (!news)
         return fail(news.error());
     std::vector<DueLine> lines;

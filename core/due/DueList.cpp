@@ -103,7 +103,8 @@ std::optional<LimitsFinding> outOfLimits(std::span<const LimitsFinding> newestFi
     return {};
 }
 
-DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today)
+DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today,
+    std::span<const CompassForecast> forecasts)
 {
     DueInput input;
     input.today = today;
@@ -123,16 +124,19 @@ DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std
         input.predictedOutOfLimits = true;
         input.predictedReason = move->reason;
     }
+    const auto forecast = std::ranges::lower_bound(forecasts, compass.compass, {}, &CompassForecast::compass);
+    if (forecast != forecasts.end() && forecast->compass == compass.compass)
+        input.forecast = forecast->forecast;
     return input;
 }
 
-std::vector<DueLine> dueList(
-    std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today)
+std::vector<DueLine> dueList(std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves,
+    Date today, std::span<const CompassForecast> forecasts)
 {
     std::vector<DueLine> lines;
     lines.reserve(compasses.size());
     for (const auto& compass : compasses)
-        lines.push_back({compass, dueOf(inputFor(compass, rules, moves, today))});
+        lines.push_back({compass, dueOf(inputFor(compass, rules, moves, today, forecasts))});
     std::stable_sort(lines.begin(), lines.end(), [](const DueLine& a, const DueLine& b) {
         if (a.answer.state != b.answer.state)
             return a.answer.state > b.answer.state;
@@ -150,11 +154,12 @@ std::vector<CalendarEntry> calendarOf(std::span<const DueLine> lines)
             entries.push_back({"swing-" + line.compass.compassRecord + "@lubberline", line.answer.nextByCalendar,
                 "Compass swing of " + whose + " falls due", "last signed swing " + line.answer.lastSigned.text()});
         for (const auto& flag : line.answer.flags) {
-            if (flag.since.empty() || flag.since == line.answer.nextByCalendar)
-                continue; // no day to stand on; or the calendar's own
-            const std::string what = flag.event.empty() ? "place-" : "event-" + flag.event + "-";
-            entries.push_back({what + line.compass.compassRecord + "@lubberline", flag.since, "Compass swing of " + whose + " is due",
-                flag.reason.english()});
+            const bool calendarsOwn = flag.since == line.answer.nextByCalendar && !flag.probability;
+            if (flag.since.empty() || calendarsOwn)
+                continue; // no day to stand on; or told above
+            const std::string what = flag.probability ? "forecast-" : flag.event.empty() ? "place-" : "event-" + flag.event + "-";
+            entries.push_back({what + line.compass.compassRecord + "@lubberline", flag.since,
+                "Compass swing of " + whose + (flag.state == DueState::DueSoon ? " is due soon" : " is due"), flag.reason.english()});
         }
     }
     return entries;

@@ -17,6 +17,12 @@ struct MovePrediction {
     Message reason; ///< empty: it stays within its limits
 };
 
+/// What is expected of a compass by the history of its fleet.
+struct CompassForecast {
+    CompassId compass;
+    DueForecast forecast;
+};
+
 struct DueLine {
     DueCompass compass;
     DueAnswer answer;
@@ -26,16 +32,17 @@ struct DueLine {
 /// newest day decide, as left before as found; a newer one that is complete and not signed can only say that it is out.
 [[nodiscard]] std::optional<LimitsFinding> outOfLimits(std::span<const LimitsFinding> newestFirst);
 
-/// Events and waivers of the compass's aircraft as the rules take them. @param moves of any compasses; its own is looked for.
-[[nodiscard]] DueInput inputFor(
-    const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today);
+/// Events and waivers of the compass's aircraft as the rules take them.
+/// @param moves, forecasts  of any compasses; its own is looked for. Forecasts are in the order of their compasses.
+[[nodiscard]] DueInput inputFor(const DueCompass& compass, std::span<const DueRule> rules, std::span<const MovePrediction> moves,
+    Date today, std::span<const CompassForecast> forecasts = {});
 
 /// Every compass, overdue first, then due, due soon, not due; in each by the day since which it is, then by name.
-[[nodiscard]] std::vector<DueLine> dueList(
-    std::span<const DueCompass> compasses, std::span<const DueRule> rules, std::span<const MovePrediction> moves, Date today);
+[[nodiscard]] std::vector<DueLine> dueList(std::span<const DueCompass> compasses, std::span<const DueRule> rules,
+    std::span<const MovePrediction> moves, Date today, std::span<const CompassForecast> forecasts = {});
 
 /// Whole-day entries: for each compass with a calendar rule its last day, and for each other open flag the day since which it
-/// is open. A compass that was never swung has no such day: the list tells it, the calendar cannot.
+/// is open or expected. A compass that was never swung has no such day: the list tells it, the calendar cannot.
 [[nodiscard]] std::vector<CalendarEntry> calendarOf(std::span<const DueLine> lines);
 
 [[nodiscard]] std::string_view nameOf(DueState state); ///< "not_due", "due_soon", "due", "overdue"

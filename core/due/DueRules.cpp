@@ -1,6 +1,7 @@
 #include "core/due/DueRules.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lubberline {
 
@@ -31,6 +32,20 @@ std::optional<DueFlag> installationFlag(const DueInput& input, Date lastSigned)
     if (input.installed.empty() || input.installed > input.today || lastSigned >= input.installed)
         return {};
     return DueFlag{DueState::Due, input.installed, {MARKED("core", "installed on %1, and no swing signed since"), input.installed}, {}};
+}
+
+std::optional<DueFlag> forecastFlag(const DueInput& input, Date lastSigned)
+{
+    if (!input.forecast || input.forecast->probability < kForecastSoon || lastSigned > input.forecast->lastSwing)
+        return {};
+    const DueForecast& forecast = *input.forecast;
+    const bool due = forecast.probability >= kForecastDue;
+    const auto percent = static_cast<int>(std::lround(100 * forecast.probability));
+    const Message words = percent > 99
+        ? Message{MARKED("core", "over 99 % likely out of limits by %1: %2"), forecast.by, forecast.reason}
+        : Message{MARKED("core", "%1 % likely out of limits by %2: %3"), percent, forecast.by, forecast.reason};
+    const Date since = due && !forecast.since.empty() ? std::min(forecast.since, forecast.by) : forecast.by;
+    return DueFlag{due ? DueState::Due : DueState::DueSoon, since, words, {}, forecast.probability};
 }
 
 bool answered(const DueEvent& event, const DueInput& input, Date lastSigned)
@@ -64,6 +79,8 @@ DueAnswer dueOf(const DueInput& input)
         answer.flags.push_back({DueState::Due, input.outOfLimitsSince, input.outOfLimitsReason, {}});
     if (input.predictedOutOfLimits)
         answer.flags.push_back({DueState::Due, input.today, input.predictedReason, {}});
+    if (auto flag = forecastFlag(input, answer.lastSigned))
+        answer.flags.push_back(std::move(*flag));
     std::stable_sort(answer.flags.begin(), answer.flags.end(),
         [](const DueFlag& a, const DueFlag& b) { return a.state != b.state ? a.state > b.state : a.since < b.since; });
     if (!answer.flags.empty())

@@ -76,6 +76,14 @@ CoefficientVariance varianceOf(
     return {{}, report.error().message};
 }
 
+/// Jumps and drifts where the crews' training is not taken for one.
+Result<FleetChanges> changesBesideTraining(const FleetSwings& fleet, const FleetCurves& curves, std::span<const CompassHistory> histories,
+    const PlantReport& plants, const Progress& progress)
+{
+    const std::optional<int> crews_day = plants.training ? std::optional(plants.training->day) : std::nullopt;
+    return changesOf(fleet, curves, histories, crews_day, kFalseDiscoveryRate, progress);
+}
+
 std::vector<HarmonicOrder> spectrumOf(const FleetSwings& fleet, const FleetCurves& curves, const FleetOptions& options, SwingStage stage)
 {
     PatternOptions pattern{options.grid, options.vote, stage};
@@ -154,8 +162,8 @@ Result<FleetReport> fleetReportOf(const FleetSwings& fleet, const FleetOptions& 
     report.histories = historiesOf(fleet);
     report.exceedance = exceedanceOf(fleet, *curves, pairsOf(fleet, report.histories), options.limit_deg, options.grid);
     report.plants = plantsOf(fleet, *curves, options.stage, options.training_day);
-    const std::optional<int> crews_day = report.plants.training ? std::optional(report.plants.training->day) : std::nullopt;
-    auto changes = changesOf(fleet, *curves, report.histories, crews_day, kFalseDiscoveryRate, part(progress, 0.3, 0.5));
+    report.softIron = softIronOf(fleet, *curves);
+    auto changes = changesBesideTraining(fleet, *curves, report.histories, report.plants, part(progress, 0.3, 0.5));
     if (!changes)
         return changes.error();
     report.changes = std::move(changes.value());
@@ -181,6 +189,20 @@ Result<FleetReport> fleetReportOf(const FleetSwings& fleet, const FleetOptions& 
     warnOfWhatIsMissing(report, report.warnings);
     report.curves = std::move(curves.value());
     return report;
+}
+
+Result<Ranking> swingNext(const FleetSwings& fleet, int today_day, const Progress& progress)
+{
+    if (fleet.swings.empty())
+        return Ranking{};
+    const auto curves = curvesOf(fleet, part(progress, 0.0, 0.3));
+    if (!curves)
+        return curves.error();
+    const auto histories = historiesOf(fleet);
+    const auto changes = changesBesideTraining(fleet, *curves, histories, plantsOf(fleet, *curves, {}, {}), part(progress, 0.3, 0.8));
+    if (!changes)
+        return changes.error();
+    return rankingOf(fleet, *curves, histories, *changes, {today_day, {}, 0}, part(progress, 0.8, 1.0));
 }
 
 Message inWords(const FleetJump& jump, const FleetSwings& fleet)

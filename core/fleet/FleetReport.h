@@ -6,6 +6,7 @@
 #include "core/fleet/Pattern.h"
 #include "core/fleet/Plants.h"
 #include "core/fleet/Ranking.h"
+#include "core/fleet/SoftIron.h"
 #include "core/fleet/VarianceComponents.h"
 
 namespace lubberline {
@@ -40,7 +41,8 @@ struct FleetReport {
     Exceedance exceedance;
     std::array<CoefficientVariance, kCoefficientCount> variance;
     PlantReport plants;
-    std::vector<CompassHistory> histories; ///< in the order of the columns
+    std::vector<SoftIronStandard> softIron; ///< of all swings, found and left: corrections leave it
+    std::vector<CompassHistory> histories;  ///< in the order of the columns
     FleetChanges changes;
     Ranking ranking;
     std::vector<Message> warnings;
@@ -48,6 +50,10 @@ struct FleetReport {
 
 /// The columns must be in order (putInOrder). Errors: InvalidInput (no swing is left, a grid out of range), Cancelled.
 Result<FleetReport> fleetReportOf(const FleetSwings& fleet, const FleetOptions& options, const Progress& progress = {});
+
+/// Of all that, only who to swing next, each compass against its own limit: what the due list takes. Without a swing: nobody.
+/// Errors: Cancelled.
+Result<Ranking> swingNext(const FleetSwings& fleet, int today_day, const Progress& progress = {});
 
 /// "A jumped by +2.1°" and the like in one line each.
 [[nodiscard]] Message inWords(const FleetJump& jump, const FleetSwings& fleet);

@@ -294,6 +294,8 @@ private:
             steps.push_back(out > 0 ? out - 1 : kHorizonYears * perYear + 1);
         }
         std::ranges::sort(steps);
+        for (int step = 0; step <= kHorizonYears * perYear; ++step)
+            ranked.reachedShare.push_back(static_cast<double>(std::ranges::upper_bound(steps, step) - steps.begin()) / futures);
         const auto day = [&](double share) -> std::optional<int> {
             const int step = steps[static_cast<std::size_t>(share * (futures - 1))];
             if (step > kHorizonYears * perYear)

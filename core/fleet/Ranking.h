@@ -33,6 +33,9 @@ struct RankedCompass {
     int lastSwing_day = 0;
     /// Days by which the limit is reached in 5, 50 and 95 of 100 futures, up to twenty years on; none: not reached in that time.
     std::optional<int> reached5_day, reached50_day, reached95_day;
+    /// Share of the futures in which it was reached by the end of each quarter of a year from the last swing on, the first at that swing
+    /// itself; empty where it is not looked for: far from its limit.
+    std::vector<double> reachedShare;
 };
 
 struct Ranking {

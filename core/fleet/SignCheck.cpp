@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "core/base/Number.h"
 #include "core/fleet/Proportion.h"
@@ -41,41 +42,65 @@ std::optional<KindOfD> kindOf(const std::vector<double>& medians_deg)
 
 } // namespace
 
-std::vector<SignSuspicion> suspectSigns(const FleetSwings& fleet, const FleetCurves& curves)
+std::vector<SuspectCompass> suspectSigns(std::span<const DOfSwing> swings)
 {
-    std::map<std::int32_t, std::vector<std::uint32_t>> rowsOf;
-    for (std::size_t row = 0; row < fleet.swings.size(); ++row)
-        if (curves.curves[row].known(kD))
-            rowsOf[fleet.swings[row].compass].push_back(static_cast<std::uint32_t>(row));
-    const auto valueOf = [&](std::uint32_t row) { return curves.curves[row].value_deg[kD]; };
-    std::vector<std::vector<double>> medians(static_cast<std::size_t>(curves.kinds));
-    for (const auto& [compass, rows] : rowsOf) {
-        std::vector<double> values;
-        for (const auto row : rows)
-            values.push_back(valueOf(row));
-        medians[static_cast<std::size_t>(curves.kindOf[static_cast<std::size_t>(compass)])].push_back(medianOf(values));
+    std::map<std::int32_t, std::vector<std::size_t>> placesOf; // of a compass
+    std::size_t kinds = 0;
+    for (std::size_t place = 0; place < swings.size(); ++place) {
+        placesOf[swings[place].compass].push_back(place);
+        kinds = std::max(kinds, static_cast<std::size_t>(swings[place].kind) + 1);
     }
-    std::vector<SignSuspicion> suspicions;
-    for (const auto& [compass, rows] : rowsOf) {
-        const auto kind = kindOf(medians[static_cast<std::size_t>(curves.kindOf[static_cast<std::size_t>(compass)])]);
+    const auto kindOfCompass
+        = [&](const std::vector<std::size_t>& places) { return static_cast<std::size_t>(swings[places.front()].kind); };
+    std::vector<std::vector<double>> medians(kinds);
+    for (const auto& [compass, places] : placesOf) {
+        std::vector<double> values;
+        for (const auto place : places)
+            values.push_back(swings[place].D_deg);
+        medians[kindOfCompass(places)].push_back(medianOf(std::move(values)));
+    }
+    std::vector<std::optional<KindOfD>> kindsOfD(kinds);
+    std::ranges::transform(medians, kindsOfD.begin(), kindOf);
+    std::vector<SuspectCompass> suspects;
+    for (const auto& [compass, places] : placesOf) {
+        const auto& kind = kindsOfD[kindOfCompass(places)];
         if (!kind)
             continue;
-        SignSuspicion suspicion;
-        suspicion.compass = compass;
-        suspicion.swings = rows.size();
-        suspicion.siblingsD_deg = kind->median_deg;
+        SuspectCompass suspect{compass, {}, places.size(), 0, kind->median_deg};
         std::vector<double> turned;
-        for (const auto row : rows) {
-            const double sd = std::sqrt(curves.variance_deg2(fleet.swings[row], row, kD) + kind->spread_deg * kind->spread_deg);
-            const double apart = std::abs(valueOf(row) - kind->median_deg), apartTurned = std::abs(valueOf(row) + kind->median_deg);
+        for (const auto place : places) {
+            const double sd = std::sqrt(swings[place].variance_deg2 + kind->spread_deg * kind->spread_deg);
+            const double D = swings[place].D_deg, apart = std::abs(D - kind->median_deg), apartTurned = std::abs(D + kind->median_deg);
             if (std::abs(kind->median_deg) > kClear * sd && apart > kClear * sd && apartTurned < 0.5 * apart) {
-                suspicion.rows.push_back(row);
-                turned.push_back(valueOf(row));
+                suspect.swings.push_back(place);
+                turned.push_back(D);
             }
         }
         if (turned.empty())
             continue;
-        suspicion.D_deg = medianOf(turned);
+        suspect.D_deg = medianOf(std::move(turned));
+        suspects.push_back(std::move(suspect));
+    }
+    return suspects;
+}
+
+std::vector<SignSuspicion> suspectSigns(const FleetSwings& fleet, const FleetCurves& curves)
+{
+    std::vector<DOfSwing> swings;
+    std::vector<std::uint32_t> rows;
+    for (std::uint32_t row = 0; row < fleet.swings.size(); ++row) {
+        const auto& swing = fleet.swings[row];
+        if (!curves.curves[row].known(kD))
+            continue;
+        swings.push_back({swing.compass, curves.kindOf[static_cast<std::size_t>(swing.compass)], curves.curves[row].value_deg[kD],
+            curves.variance_deg2(swing, row, kD)});
+        rows.push_back(row);
+    }
+    std::vector<SignSuspicion> suspicions;
+    for (const auto& suspect : suspectSigns(swings)) {
+        SignSuspicion suspicion{suspect.compass, {}, suspect.all, suspect.D_deg, suspect.siblingsD_deg};
+        for (const auto place : suspect.swings)
+            suspicion.rows.push_back(rows[place]);
         suspicions.push_back(std::move(suspicion));
     }
     return suspicions;

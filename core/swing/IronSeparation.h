@@ -23,6 +23,7 @@ struct SwingAtPlace {
     std::string label;                                          ///< site and date, for messages
     int degreesOfFreedom = 0;                                   ///< of the fit that the standard errors are from; 0: they are known well
     std::optional<Eigen::Matrix<double, 5, 5>> covariance = {}; ///< of the fit, A … E; none: the errors are independent
+    Message taken = {}; ///< what was taken from elsewhere because the readings do not tell it; empty: nothing
 };
 
 /// Whether the swing's own errors of B and C are known.

@@ -43,6 +43,8 @@ void warnOfField(Prediction& prediction)
 
 void warnOfSwing(Prediction& prediction, const SwingAtPlace& swing)
 {
+    if (!swing.taken.empty())
+        prediction.warnings.push_back(swing.taken);
     if (std::abs(swing.field.down_nT) < kSmallTanDip * swing.field.horizontal_nT)
         prediction.warnings.push_back(
             {MARKED(

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fleet/SoftIron.h"
 #include "core/format/exchange/JobJson.h"
 #include "core/record/RecordWords.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
 #include "db/stores/Audit.h"
+#include "db/stores/PopulationStore.h"
 #include "db/stores/Saving.h"
 #include "db/stores/SwingStore.h"
 
@@ -26,6 +28,37 @@ struct JobRowIn {
 };
 
 JobRowIn jobRowFrom(const Statement& row) { return {row.integer(0), row.text(1), row.id<SwingId>(2), row.text(3), row.as<JobStanding>(4)}; }
+
+/// What the years of its type say of D and E; none: too few aircraft tell them.
+Result<std::optional<TypeSoftIron>> softIronOfType(Database& database, const SwingRecord& record)
+{
+    FleetSelection selection;
+    selection.type = record.type.name;
+    selection.compass = record.compass.name;
+    const auto fleet = PopulationStore(database).columns(selection);
+    if (!fleet)
+        return fleet.error();
+    const auto curves = curvesOf(*fleet);
+    if (!curves)
+        return curves.error();
+    const auto standards = softIronOf(*fleet, *curves);
+    if (standards.empty())
+        return std::optional<TypeSoftIron>();
+    TypeSoftIron type;
+    const auto& standard = standards.front();
+    const auto estimate = [](const SoftIronCoefficient& one) {
+        return Estimate{std::sin(toRadians(one.mean_deg)), toRadians(one.next_deg)}; // 𝔇 = sin D [P 5]
+    };
+    if (standard.D) {
+        type.D = estimate(*standard.D);
+        type.words = inWords(*standard.D, 'D');
+    }
+    if (standard.E) {
+        type.E = estimate(*standard.E);
+        type.words = standard.D ? Message{MARKED("db", "%1; %2"), type.words, inWords(*standard.E, 'E')} : inWords(*standard.E, 'E');
+    }
+    return std::optional(std::move(type));
+}
 
 const QString kSelectJob = "SELECT j.id, j.record, j.swing_id, j.plan_json, j.state FROM swing_job j ";
 
@@ -150,10 +183,18 @@ Result<Analysis> JobStore::resultOf(SwingId swing)
 
 Result<SwingAtPlace> JobStore::placeOf(const SwingRecord& record)
 {
-    const auto job = jobOf(record.swing.id);
-    if (!job)
-        return job.error();
-    return swingAtPlace(record, *job ? &(*job)->job : nullptr);
+    const auto found = jobOf(record.swing.id);
+    if (!found)
+        return found.error();
+    const SwingJob* job = *found ? &(*found)->job : nullptr;
+    auto place = swingAtPlace(record, job);
+    if (place)
+        return place;
+    const auto result = lubberline::resultOf(record, job, {.maxOrder = 0, .findSlips = false});
+    if (!result || result->exact.parameters != static_cast<int>(kCoefficientCount) - 1)
+        return place;
+    const auto type = softIronOfType(m_database, record);
+    return type && *type ? swingAtPlace(record, job, *type) : std::move(place);
 }
 
 Result<std::vector<JobRecord>> JobStore::all()

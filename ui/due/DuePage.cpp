@@ -204,6 +204,8 @@ void DuePage::fill()
     QString count = tr("%1 of %2 compasses, on %3").arg(m_shown.size()).arg(m_news->lines.size()).arg(toText(m_today()));
     if (m_news->rules.empty())
         count += tr(". No calendar rule is set: see the second tab.");
+    if (!m_news->forecastsAreNew)
+        count += tr(". What the fleet's history expects is being computed.");
     if (!m_news->warnings.empty())
         count += tr(". Not predicted after a move: %1").arg(toText(m_news->warnings.front()));
     m_count->setText(count);

@@ -25,7 +25,9 @@ PageDescription DuePage::description(PageContext& context)
     page.commands = {{MenuId::Fleet, 110, tr("What is &due"), tr("Ctrl+J"), "showDue", [&context](Page&) { context.go({"due"}); }}};
     page.focus = true;
     page.help = tr(
-        "What calls for a swing, and since when: by the calendar rules, by an event such as a lightning strike, or by a move. Enter opens the compass. "
+        "What calls for a swing, and since when: by the calendar rules, by an event such as a lightning strike, by a move, or because "
+        "the fleet's history expects it out of limits before its next date (due from a chance of one half on, due soon from one fifth on). "
+        "Enter opens the compass. "
         "An event that needs no swing is waived, with a reason and a name that stay on the record.");
     page.outputs = {{MenuId::File, 200, tr("Write the &calendar (.ics)…"), {}, "writeCalendar",
         [](Page& shown) { dynamic_cast<DuePage&>(shown).exportCalendar(); }}};

@@ -12,7 +12,8 @@
 namespace lubberline::ui {
 
 /// What is due, found anew on a worker whenever something changed that may change it, and when a new day has begun (windows
-/// stay open over night, laptops sleep); the newest wish wins.
+/// stay open over night, laptops sleep); the newest wish wins. What the fleet's history expects takes longer: it follows when
+/// nothing has changed for a while, and until then what was expected before stands.
 class DueWatch : public QObject {
     Q_OBJECT
 
@@ -25,16 +26,17 @@ public:
     [[nodiscard]] const std::shared_ptr<const DueNews>& news() const { return m_news; } ///< null before the first
 
 signals:
-    void ready();
+    void ready(); ///< twice: with what was expected before, then with what is expected now (DueNews::forecastsAreNew)
     void failed(const QString& message);
 
 private:
+    void forecast();
     void take(Result<DueNews> news);
 
     db::Stores& m_stores;
     std::function<Date()> m_today;
     std::shared_ptr<const DueNews> m_news;
-    QTimer m_dayTimer;
+    QTimer m_dayTimer, m_quietTimer;
     Date m_day; ///< that it was found for; empty: not yet
     Worker<DueNews> m_worker;
 };

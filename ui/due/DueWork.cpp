@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/fleet/FleetReport.h"
 #include "core/swing/MoveRule.h"
+#include "db/stores/PopulationStore.h"
 
 namespace lubberline::ui {
 
@@ -35,7 +37,31 @@ int DueNews::due() const
         std::count_if(lines.begin(), lines.end(), [](const DueLine& line) { return line.answer.state >= DueState::Due; }));
 }
 
-Result<DueNews> dueNews(db::Stores& stores, Date today, const Progress& progress)
+Result<std::vector<CompassForecast>> dueForecasts(db::Stores& stores, Date today, const Progress& progress)
+{
+    const auto half = [&progress](double begin) -> Progress {
+        if (!progress)
+            return {};
+        return [&progress, begin](double fraction) { return progress(begin + fraction / 2); };
+    };
+    const auto fleet = db::PopulationStore(stores.database()).columns({}, half(0.0));
+    if (!fleet)
+        return fleet.error();
+    const auto ranking = swingNext(*fleet, dayOfDate(today.text()).value_or(0), half(0.5));
+    if (!ranking)
+        return ranking.error();
+    std::vector<CompassForecast> forecasts;
+    for (const auto& ranked : ranking->compasses) {
+        const auto day = [](int of) { return Date::read(dateOfDay(of)).value_or(Date()); };
+        const Date since = ranked.reached50_day ? day(*ranked.reached50_day) : Date();
+        forecasts.push_back({fleet->compasses[static_cast<std::size_t>(ranked.compass)].id,
+            {ranked.probability, day(ranked.by_day), since, day(ranked.lastSwing_day), inWords(ranked)}});
+    }
+    std::ranges::sort(forecasts, {}, &CompassForecast::compass);
+    return forecasts;
+}
+
+Result<DueNews> dueNews(db::Stores& stores, Date today, const Progress& progress, std::vector<CompassForecast> forecasts)
 {
     auto compasses = stores.due.compasses();
     auto rules = stores.due.rules();
@@ -66,7 +92,8 @@ Result<DueNews> dueNews(db::Stores& stores, Date today, const Progress& progress
             moves.push_back({compass.compass, *why});
     }
     news.rules = std::move(rules.value());
-    news.lines = dueList(*compasses, news.rules, moves, today);
+    news.forecasts = std::move(forecasts);
+    news.lines = dueList(*compasses, news.rules, moves, today, news.forecasts);
     return news;
 }
 

@@ -4,36 +4,23 @@
 
 #include <memory>
 
-#include "core/fleet/FleetSelection.h"
-#include "db/stores/Stores.h"
+#include "ui/fleet/PopulationNews.h"
 #include "ui/kit/FileQuestions.h"
 #include "ui/kit/Page.h"
 #include "ui/kit/Worker.h"
 #include "ui/plots/fleet/FleetDrawing.h"
-#include "ui/report/page/Table.h"
 
-class QComboBox;
 class QLabel;
-class QLineEdit;
 class QProgressBar;
 class QPushButton;
-class QSlider;
-class QSpinBox;
 class QTableWidget;
 class QTabWidget;
-class QTimer;
 
 namespace lubberline::ui {
 
+class HistoryPanel;
 class PaintedPlot;
-
-/// What the worker brings.
-struct PopulationNews {
-    FleetSwings fleet;
-    FleetReport report;
-    FleetSelection selection;
-    bool firstLook = false; ///< of a part of the swings
-};
+class PopulationFilters;
 
 class PopulationPage : public Page {
     Q_OBJECT
@@ -60,55 +47,36 @@ signals:
 
 private:
     void build();
-    QWidget* buildFilters();
+    QWidget* buildCommands();
     QWidget* buildPattern();
     QWidget* buildRanking();
-    QWidget* buildHistory();
-    void loadChoices();
     void compute();
     void computeWhole();
     void take(Result<std::shared_ptr<const PopulationNews>> news);
     void fill();
-    void fillRanking();
     void fillTables();
-    void fillHistoryChoices();
-    void step();
-    [[nodiscard]] FleetSelection selection() const;
-    [[nodiscard]] FleetOptions options() const;
+    void tellHeading(double heading_deg);
+    void updatePlots();
     [[nodiscard]] PopulationDrawing drawing() const;
 
     db::Stores& m_stores;
     FileQuestions m_questions;
     std::shared_ptr<const PopulationNews> m_news;
+    FleetOptions m_options; ///< of what is being computed
+    DistributionDrawing m_distributions;
     std::optional<double> m_chosen_deg;
-    HistoryDrawing m_history;
     std::vector<SwingId> m_behind; ///< of the rows of m_swings
     CompassId m_wantedCompass;     ///< whose history is shown first
 
-    QComboBox* m_type;
-    QComboBox* m_compass;
-    QComboBox* m_base;
-    QComboBox* m_stage;
-    QComboBox* m_vote;
-    QSpinBox* m_grid;
+    PopulationFilters* m_filters;
     QLabel* m_state;
     QProgressBar* m_progress;
-    QPushButton* m_compute;
-    QPushButton* m_cancel;
-    QPushButton* m_save;
+    QPushButton *m_compute, *m_cancel, *m_save;
     QTabWidget* m_tabs;
-    PaintedPlot* m_curve;
-    PaintedPlot* m_polar;
-    QTableWidget* m_swings;
+    PaintedPlot *m_curve, *m_polar, *m_histograms;
+    QTableWidget *m_swings, *m_ranking;
     QLabel* m_behindWords;
-    QTableWidget* m_ranking;
-    QComboBox* m_historyChoice;
-    QSlider* m_film;
-    QPushButton* m_play;
-    QTimer* m_timer;
-    PaintedPlot* m_coefficients;
-    PaintedPlot* m_curves;
-    QLabel* m_historyWords;
+    HistoryPanel* m_history;
     QTabWidget* m_tables;
     Worker<std::shared_ptr<const PopulationNews>> m_worker; ///< last: its work ends before anything else of the page
 };

@@ -2,6 +2,7 @@
 
 #include "ui/intake/NewSwingPage.h"
 #include "ui/intake/NmeaImportPage.h"
+#include "ui/intake/YearsImportPage.h"
 #include "ui/kit/PageDescription.h"
 #include "ui/kit/Preferences.h"
 #include "ui/plots/swing/SwingPlot.h"
@@ -57,6 +58,26 @@ PageDescription NmeaImportPage::description(PageContext& context)
     page.help
         = tr("Open a log of a slow turn through all headings: what of it is used, what is cut off and why, and the curve that it gives. "
              "Say what the compass is held against, and the variation where the log has none; then make a swing of it.");
+    return page;
+}
+
+PageDescription YearsImportPage::description(PageContext& context)
+{
+    PageDescription page{
+        QStringLiteral("yearsImport"), [&context] {
+            auto* years = new YearsImportPage(context.stores, context.files);
+            connect(years, &YearsImportPage::done, &context.window, [&context](const QString& message) { context.say(message); });
+            return years;
+        }};
+    page.commands = {{MenuId::File, 115, tr("Records of &years…"), tr("Ctrl+Alt+I"), "yearsImport",
+        [&context](Page& shown) {
+            context.go({"yearsImport", shown.shown().item()});
+        },
+        needsWriting}};
+    page.focus = true;
+    page.help = tr(
+        "Swings of many years on paper, typed into one table: open it, say what each column is and what stands under the headings, and look at the "
+        "first swings. Records whose sign the type's D speaks against are told, never turned. What was stored is undone as one step.");
     return page;
 }
 

@@ -18,6 +18,7 @@
 #include "ui/inflight/WindsPage.h"
 #include "ui/intake/NewSwingPage.h"
 #include "ui/intake/NmeaImportPage.h"
+#include "ui/intake/YearsImportPage.h"
 #include "ui/preferences/PreferencesPage.h"
 #include "ui/reference/CheckPage.h"
 #include "ui/reference/ComparePage.h"
@@ -42,6 +43,7 @@ std::vector<PageDescription> allPages(PageContext& context)
         SwingPage::description(context),
         NewSwingPage::description(context),
         NmeaImportPage::description(context),
+        YearsImportPage::description(context),
         FlightLogPage::description(context),
         WindsPage::description(context),
         ElectricalPage::description(context),

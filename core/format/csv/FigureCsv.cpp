@@ -11,6 +11,8 @@ namespace lubberline {
 
 namespace {
 
+constexpr std::size_t kMostComments = 1000; ///< above a header; of a file that has no other lines memory is not taken for all
+
 bool onlyAscii(std::string_view text)
 {
     unsigned char together = 0;
@@ -115,7 +117,12 @@ Result<void> FigureCsv::readHeader(std::span<const std::string_view> known)
             return wholeFile(
                 {m_line == 0 ? MARKED("core", "is empty; expected %1") : MARKED("core", "has no header; expected %1"), m_expected});
         const std::string_view content = trimmed(m_text);
-        if (content.empty() || content.starts_with('#') || content.starts_with("\"#"))
+        if (content.starts_with('#') || content.starts_with("\"#")) {
+            if (m_comments.size() < kMostComments)
+                m_comments.emplace_back(content);
+            continue;
+        }
+        if (content.empty())
             continue;
         if (const auto separator = toldSeparator(content)) {
             told = *separator;

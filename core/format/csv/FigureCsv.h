@@ -38,7 +38,8 @@ public:
     /// Reads up to the header. @param known names of columns by which the separator is told. Errors: Format (empty, binary, no header, a
     /// column twice), Io, Cancelled.
     Result<void> readHeader(std::span<const std::string_view> known);
-    [[nodiscard]] const std::vector<std::string>& columns() const { return m_columns; } ///< in small letters, underscores for spaces
+    [[nodiscard]] const std::vector<std::string>& comments() const { return m_comments; } ///< lines above the header that begin with #
+    [[nodiscard]] const std::vector<std::string>& columns() const { return m_columns; }   ///< in small letters, underscores for spaces
     [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
     /// The one column of this name with one of the units. Errors: InvalidInput (two of them).
     Result<std::optional<FigureColumn>> column(std::string_view name, std::span<const UnitSuffix> units) const;
@@ -56,6 +57,7 @@ public:
     [[nodiscard]] Error here(const Message& message) const { return {ErrorCode::InvalidInput, message, m_name, m_line}; }
     [[nodiscard]] Error wholeFile(const Message& message) const { return {ErrorCode::Format, message, m_name}; }
     [[nodiscard]] std::int64_t line() const { return m_line; }
+    [[nodiscard]] char separator() const { return m_separator; } ///< of cells
 
 private:
     static bool takePlain(std::string_view text, double& value);
@@ -67,7 +69,7 @@ private:
     std::string m_name;
     Message m_expected;
     std::string m_text;
-    std::vector<std::string> m_columns;
+    std::vector<std::string> m_columns, m_comments;
     std::vector<std::string_view> m_cells;
     RowSplitter m_splitter{','};
     char m_separator = ',';

@@ -208,6 +208,18 @@ std::optional<KeyLine> keyLineOf(std::string_view line)
     return KeyLine{key, trimmed(rest.substr(1))};
 }
 
+std::vector<std::string_view> keyNames()
+{
+    std::vector<std::string_view> names;
+    for (const auto& key : kTextKeys)
+        names.push_back(key.key);
+    for (const auto& key : kValueKeys)
+        names.push_back(key.key);
+    return names;
+}
+
+bool isKey(std::string_view name) { return find(kTextKeys, name) || find(kValueKeys, name); }
+
 Result<void> KeyReader::take(const KeyLine& line)
 {
     const std::string known = inSmallLetters(line.key);

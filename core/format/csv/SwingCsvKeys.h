@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/format/csv/SwingCsv.h"
 
@@ -19,6 +20,10 @@ struct KeyLine {
 
 /// @return none for a comment: no word of letters, digits and underscores directly followed by a colon.
 [[nodiscard]] std::optional<KeyLine> keyLineOf(std::string_view line);
+
+/// The keys that mean something, in small letters.
+[[nodiscard]] std::vector<std::string_view> keyNames();
+[[nodiscard]] bool isKey(std::string_view name);
 
 /// Takes key lines into a SwingFile, each key once; keys that are known are so in any case.
 class KeyReader {

@@ -33,6 +33,8 @@ void writeLine(JsonWriter& json, const DueLine& line)
         dayOrNull(json, "since", flag.since);
         json.text("reason", flag.reason.english());
         textOrNull(json, "event", flag.event);
+        if (flag.probability)
+            json.number("probability", *flag.probability);
         json.end();
     }
     json.end();

@@ -228,6 +228,21 @@ Json rankingJson(const FleetReport& report, const FleetSwings& fleet)
     return json;
 }
 
+Json softIronJson(const std::vector<SoftIronStandard>& standards)
+{
+    const auto coefficient = [](const std::optional<SoftIronCoefficient>& one) {
+        return one ? Json{{"aircraft", one->aircraft}, {"mean_deg", toTenDecimals(one->mean_deg)},
+                   {"standard_error_deg", toTenDecimals(one->standardError_deg)}, {"between_aircraft_deg", toTenDecimals(one->between_deg)},
+                   {"next_aircraft_95_deg", intervalJson(one->next95_deg)}}
+                   : Json();
+    };
+    Json json = Json::array();
+    for (const auto& standard : standards)
+        json.push_back(
+            {{"type", standard.type}, {"compass", standard.compass}, {"D", coefficient(standard.D)}, {"E", coefficient(standard.E)}});
+    return json;
+}
+
 Json headingsJson(const std::vector<double>& headings_deg)
 {
     Json json = Json::array();
@@ -253,6 +268,7 @@ std::string toJson(const FleetReport& report, const FleetSwings& fleet)
     json["by_crew"] = groupOfAJson(report.plants.byCrew, "crew");
     json["training"] = trainingJson(report.plants.training);
     json["charts"] = chartsJson(report.plants.charts);
+    json["soft_iron"] = softIronJson(report.softIron);
     json["jumps"] = jumpsJson(report, fleet);
     json["drifts"] = driftsJson(report, fleet);
     json["ranking"] = rankingJson(report, fleet);

@@ -171,6 +171,37 @@ TEST(DueList, theCalendarHasOneEntryForEachDay)
     EXPECT_EQ(calendarOf({}).size(), 0u);
 }
 
+TEST(DueList, whatTheFleetsHistoryExpectsIsAReasonOfItsOwn)
+{
+    const std::vector<DueCompass> fleet{compass(1, "1", {"2026-10-01"}), compass(2, "2", {"2026-10-01"}), compass(3, "3", {"2026-10-01"}),
+        compass(4, "4", {"2026-10-01"}), compass(5, "5", {"2026-11-01"})};
+    const Message drifts = Message::verbatim(std::string("B drifts by +0.45\u00B0 a year"));
+    const std::vector<CompassForecast> forecasts{{{1}, {0.19, "2028-10-01", {}, "2026-10-01", drifts}},
+        {{2}, {0.2, "2028-10-01", "2030-01-01", "2026-10-01", drifts}}, {{3}, {0.5, "2028-10-01", "2028-01-01", "2026-10-01", drifts}},
+        {{4}, {0.9995, "2028-10-01", "2027-01-01", "2026-10-01", drifts}}, {{5}, {0.9, "2028-10-01", "2027-01-01", "2026-10-01", drifts}}};
+    const auto lines = dueList(fleet, kTwoYears, {}, "2026-11-23", forecasts);
+    std::string order;
+    for (const auto& line : lines)
+        order += line.compass.registration + std::string(nameOf(line.answer.state)) + " ";
+    EXPECT_EQ(order, "4due 3due 2due_soon 1not_due 5not_due "); // 5: swung and signed since
+    const auto& flag = lines[1].answer.flags.at(0);
+    EXPECT_EQ(flag.reason.english(), "50 % likely out of limits by 2028-10-01: B drifts by +0.45\u00B0 a year");
+    EXPECT_EQ(flag.since, Date("2028-01-01"));
+    EXPECT_EQ(flag.probability, 0.5);
+    EXPECT_TRUE(lines[0].answer.flags[0].reason.english().starts_with("over 99 % likely"));
+    EXPECT_EQ(lines[2].answer.flags[0].since, Date("2028-10-01"));
+    std::vector<std::string> told;
+    for (const auto& entry : calendarOf(lines))
+        if (entry.uid.starts_with("forecast-"))
+            told.push_back(entry.date.text() + " " + entry.summary);
+    EXPECT_EQ(told,
+        (std::vector<std::string>{"2027-01-01 Compass swing of 4, standby compass is due",
+            "2028-01-01 Compass swing of 3, standby compass is due", "2028-10-01 Compass swing of 2, standby compass is due soon"}));
+    const auto json = nlohmann::json::parse(toJson(lines, {}, "2026-11-23"))["compasses"];
+    EXPECT_EQ(json[1]["flags"][0]["probability"], 0.5);
+    EXPECT_TRUE(json[3]["flags"].empty());
+}
+
 TEST(DueList, whatThereIsNoneOfIsNull)
 {
     const std::vector<DueCompass> fleet{compass(1, "SP-\"X\"", {})};

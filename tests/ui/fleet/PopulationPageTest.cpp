@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -73,7 +74,7 @@ private slots:
         auto* ranking = open.find<QTableWidget>("populationRanking");
         QCOMPARE(ranking->rowCount(), 20);
         QCOMPARE(ranking->item(0, 0)->text(), QStringLiteral("3218"));
-        QCOMPARE(open.find<QTabWidget>("populationTables")->count(), 9);
+        QCOMPARE(open.find<QTabWidget>("populationTables")->count(), 11);
         const QImage grab = open.find<QWidget>("populationCurve")->grab().toImage();
         QVERIFY(grab.pixelColor(grab.width() / 2, grab.height() / 2) != QColor() && !grab.isNull());
     }
@@ -105,6 +106,45 @@ private slots:
         emit choice->activated(choice->currentIndex());
         QVERIFY(open.find<QLabel>("historyWords")->text().contains(QStringLiteral("lightning")));
         QCOMPARE(film->value(), film->maximum());
+    }
+
+    void theFieldsChooseWhatIsComputed()
+    {
+        OpenPopulation open;
+        QVERIFY(open.computeType(kDemoPopulationType));
+        const auto whole = open.page->news()->report.counts.used;
+        open.find<QLineEdit>("populationFrom")->setText("2024-02-30");
+        open.find<QPushButton>("populationCompute")->click();
+        QVERIFY(open.page->message().contains("'2024-02-30' is no day"));
+        QVERIFY(!open.find<QPushButton>("populationCancel")->isEnabled()); // nothing was begun
+        open.find<QLineEdit>("populationFrom")->setText("2022-01-01");
+        open.find<QLineEdit>("populationTo")->setText("2023-12-31");
+        open.find<QLineEdit>("populationTraining")->setText("2023-01-01");
+        QSignalSpy computed(open.page.get(), &PopulationPage::computed);
+        open.find<QPushButton>("populationCompute")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!computed.isEmpty() && computed.last().first().toBool(), 20000);
+        const auto& report = open.page->news()->report;
+        QVERIFY(report.counts.used > 0 && report.counts.used < whole);
+        QVERIFY(report.plants.training && report.plants.training->given);
+        for (const auto& swing : open.page->news()->fleet.swings)
+            QVERIFY(dateOfDay(swing.day).starts_with("2022") || dateOfDay(swing.day).starts_with("2023"));
+        open.find<QComboBox>("populationRadio")->setCurrentIndex(1);
+        computed.clear();
+        open.find<QPushButton>("populationCompute")->click();
+        auto* state = open.find<QLabel>("populationState");
+        QVERIFY(state->text().contains("Computing"));
+        QTRY_VERIFY_WITH_TIMEOUT(state->text().contains("no swing is in the selection"), 20000);
+    }
+
+    void whenTheLimitIsReachedIsADistribution()
+    {
+        OpenPopulation open;
+        QVERIFY(open.computeType(kDemoPopulationType));
+        const auto& ranked = open.page->news()->report.ranking.compasses.front();
+        QVERIFY(!ranked.reachedShare.empty());
+        QVERIFY(ranked.reached50_day.has_value());
+        const QImage grab = open.find<QWidget>("historyDates")->grab().toImage();
+        QVERIFY(!grab.isNull());
     }
 
     void savesWhatItShows()

@@ -136,12 +136,9 @@ void paintCircleGrid(QPainter& painter, const Circle& circle, const FleetLook& l
     }
 }
 
-void paintNothing(QPainter& painter, const QRectF& rect, const FleetLook& look)
+QString wordsForNothing(const QString& given)
 {
-    painter.setFont(look.font);
-    painter.setPen(look.colours.faint);
-    painter.drawText(
-        rect, Qt::AlignCenter | Qt::TextWordWrap, Texts::tr("Nothing to draw: no swing of the selection tells a deviation here."));
+    return given.isEmpty() ? Texts::tr("Nothing to draw: no swing of the selection tells a deviation here.") : given;
 }
 
 /// A legend in one line at the top of the room: a swatch and its words, one after the other.
@@ -173,10 +170,17 @@ std::optional<double> onGrid(double heading_deg, const PopulationPattern& patter
 
 } // namespace
 
+void paintNothing(QPainter& painter, const QRectF& rect, const QString& words, const FleetLook& look)
+{
+    painter.setFont(look.font);
+    painter.setPen(look.colours.faint);
+    painter.drawText(rect, Qt::AlignCenter | Qt::TextWordWrap, words);
+}
+
 void paintPopulationCurve(QPainter& painter, const QRectF& rect, const PopulationDrawing& drawing, const FleetLook& look)
 {
     if (!drawing.pattern || drawing.pattern->points.empty() || largestDrawn(drawing) <= 0)
-        return paintNothing(painter, rect, look);
+        return paintNothing(painter, rect, wordsForNothing(drawing.nothing), look);
     const FleetAxes axes = headingAxes(rect, 1.15 * largestDrawn(drawing), look);
     const auto lines = linesOf(*drawing.pattern, [&](double heading, double deviation) { return axes.at(heading, deviation); });
     paintTint(painter, lines, look);
@@ -202,7 +206,7 @@ void paintPopulationCurve(QPainter& painter, const QRectF& rect, const Populatio
 void paintPopulationPolar(QPainter& painter, const QRectF& rect, const PopulationDrawing& drawing, const FleetLook& look)
 {
     if (!drawing.pattern || drawing.pattern->points.empty() || largestDrawn(drawing) <= 0)
-        return paintNothing(painter, rect, look);
+        return paintNothing(painter, rect, wordsForNothing(drawing.nothing), look);
     const Circle circle = circleOf(rect, drawing, look);
     const auto lines = linesOf(*drawing.pattern, [&](double heading, double deviation) { return circle.at(heading, deviation); });
     paintTint(painter, lines, look);
@@ -240,7 +244,7 @@ void paintFleetSpectrum(QPainter& painter, const QRectF& rect, const std::vector
 {
     const std::size_t orders = std::max(found.size(), left.size());
     if (orders == 0)
-        return paintNothing(painter, rect, look);
+        return paintNothing(painter, rect, wordsForNothing({}), look);
     double largest = 0;
     for (const auto* each : {&found, &left})
         for (const auto& order : *each)

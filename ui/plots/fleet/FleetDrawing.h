@@ -5,7 +5,9 @@
 #include <QFont>
 #include <QPointF>
 #include <QRectF>
+#include <QString>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -25,7 +27,11 @@ struct PopulationDrawing {
     const PopulationPattern* pattern = nullptr;
     std::optional<double> limit_deg = {};
     std::optional<double> chosen_deg = {}; ///< a heading that is marked
+    QString nothing = {};                  ///< what is said where there is no pattern; empty: that no swing tells one
 };
+
+/// Words in the middle, where there is nothing to draw.
+void paintNothing(QPainter& painter, const QRectF& rect, const QString& words, const FleetLook& look);
 
 /// Mean with its standard deviation between aircraft (tint) and 5 to 95 % (thin) against heading.
 void paintPopulationCurve(QPainter& painter, const QRectF& rect, const PopulationDrawing& drawing, const FleetLook& look);
@@ -38,6 +44,27 @@ void paintPopulationPolar(QPainter& painter, const QRectF& rect, const Populatio
 /// Amplitudes by order, as found before as left.
 void paintFleetSpectrum(QPainter& painter, const QRectF& rect, const std::vector<HarmonicOrder>& found,
     const std::vector<HarmonicOrder>& left, const FleetLook& look);
+
+/// How the coefficients of the population are distributed, with those far from the others by name.
+struct DistributionDrawing {
+    struct Outlier {
+        double value_deg = 0;
+        QString aircraft;
+    };
+    struct Coefficient {
+        std::vector<double> values_deg; ///< sorted
+        std::optional<double> mean_deg;
+        std::vector<Outlier> outliers; ///< the farthest first
+    };
+    std::array<Coefficient, kCoefficientCount> coefficients;
+    std::vector<HarmonicOrder> found, left; ///< beside them: their orders (Figure 14 of the source paper)
+};
+[[nodiscard]] DistributionDrawing distributionDrawing(const FleetReport& report, const FleetSwings& fleet);
+/// Five histograms and the spectrum as found over as left.
+void paintDistributions(QPainter& painter, const QRectF& rect, const DistributionDrawing& drawing, const FleetLook& look);
+
+/// By when a limit is reached: share of the futures against the years.
+void paintLimitDates(QPainter& painter, const QRectF& rect, const RankedCompass& ranked, const FleetLook& look);
 
 /// One compass through the years.
 struct HistoryDrawing {

@@ -38,8 +38,8 @@ std::vector<Table> tablesOf(const FleetDocument& document)
 {
     const auto& [report, fleet, selection, made] = document;
     std::vector<Table> tables{rankingTable(report, fleet, kRankedOnPaper), binTable(report), patternTable(report),
-        fleetCoefficientTable(report, fleet), fleetHarmonicTable(report), exceedanceTable(report), varianceTable(report),
-        plantTable(report), jumpTable(report, fleet), driftTable(report, fleet)};
+        fleetCoefficientTable(report, fleet), softIronTable(report), fleetHarmonicTable(report), exceedanceTable(report),
+        varianceTable(report), plantTable(report), alarmTable(report), jumpTable(report, fleet), driftTable(report, fleet)};
     std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
     return tables;
 }
@@ -66,12 +66,12 @@ std::vector<Block> documentBlocks(const FleetDocument& document, const QString& 
     blocks.push_back(plotBlock(Words::tr("Mean deviation and spread against magnetic heading"), mm(78), family,
         [drawing = drawingOf(document)](
             QPainter& painter, const QRectF& rect, const FleetLook& look) { paintPopulationCurve(painter, rect, drawing, look); }));
-    blocks.push_back(plotBlock(Words::tr("The same, polar; amplitudes by order as found and as left"), mm(84), family,
-        [drawing = drawingOf(document), &report](QPainter& painter, const QRectF& rect, const FleetLook& look) {
-            paintPopulationPolar(painter, QRectF(rect.left(), rect.top(), rect.width() * 0.48, rect.height()), drawing, look);
-            paintFleetSpectrum(
-                painter, QRectF(rect.center().x(), rect.top(), rect.width() * 0.5, rect.height()), report.found, report.left, look);
-        }));
+    blocks.push_back(plotBlock(Words::tr("The same, polar"), mm(84), family,
+        [drawing = drawingOf(document)](
+            QPainter& painter, const QRectF& rect, const FleetLook& look) { paintPopulationPolar(painter, rect, drawing, look); }));
+    blocks.push_back(plotBlock(Words::tr("Distribution of the coefficients; amplitudes by order"), mm(92), family,
+        [drawing = distributionDrawing(report, document.fleet)](
+            QPainter& painter, const QRectF& rect, const FleetLook& look) { paintDistributions(painter, rect, drawing, look); }));
     for (const auto& table : tablesOf(document))
         append(blocks, tableBlocks(table, room.width(), family, kDenseTableRow));
     blocks.push_back(titleBlock(Words::tr("How the figures were made"), family));
@@ -104,6 +104,9 @@ QByteArray fleetHtml(const FleetDocument& document, const PageFrame& frame, cons
                     paintFleetSpectrum(painter, rect, report.found, report.left, how);
                 }),
         "pair");
+    body += figureHtml(Words::tr("Distribution of the coefficients; amplitudes by order"), {980, 560}, "spread",
+        [&, spread = distributionDrawing(report, document.fleet)](
+            QPainter& painter, const QRectF& rect, const FleetLook& how) { paintDistributions(painter, rect, spread, how); });
     for (const auto& table : tablesOf(document))
         body += tableHtml(table);
     body += listHtml(Words::tr("How the figures were made"), fleetMethods(report));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "ui/report/page/Figures.h"
 #include "ui/report/page/Words.h"
@@ -163,24 +164,48 @@ Table fleetCoefficientTable(const FleetReport& report, const FleetSwings& fleet)
     return table;
 }
 
+Table softIronTable(const FleetReport& report)
+{
+    Table table{Words::tr("Standard soft-iron correction of a type: D and E, alike in all its aircraft"),
+        {words(Words::tr("type"), 30), words(Words::tr("compass"), 40), words(Words::tr("of"), 10), plain(Words::tr("aircraft")),
+            angle(Words::tr("mean")), angle(Words::tr("standard error")), angle(Words::tr("sd"), Words::tr("between aircraft")),
+            {Words::tr("next aircraft"), Words::tr("95 %"), QStringLiteral("°"), 36, Align::Left}},
+        {}};
+    for (const auto& standard : report.softIron)
+        for (const auto& [letter, one] : {std::pair('D', &standard.D), std::pair('E', &standard.E)})
+            if (*one)
+                table.rows.push_back({{QString::fromStdString(standard.type), QString::fromStdString(standard.compass),
+                    QString(QLatin1Char(letter)), QString::number((*one)->aircraft), signedFigure((*one)->mean_deg, 2),
+                    figure((*one)->standardError_deg, 3), figure((*one)->between_deg, 2),
+                    QStringLiteral("%1 – %2").arg(signedFigure((*one)->next95_deg.low, 2), signedFigure((*one)->next95_deg.high, 2))}});
+    return table;
+}
+
 Table fleetHarmonicTable(const FleetReport& report)
 {
     Table table{Words::tr("Harmonics of the mean and of the standard deviation"),
         {words(Words::tr("of"), 34), plain(Words::tr("order")), angle(Words::tr("sin")), angle(Words::tr("cos")),
-            angle(Words::tr("amplitude")), angle(Words::tr("phase"))},
+            angle(Words::tr("amplitude")), angle(Words::tr("phase")), words({}, 20)},
         {}};
     for (const auto& [name, orders] :
         {std::pair(Words::tr("mean"), &report.pattern.mean), std::pair(Words::tr("standard deviation"), &report.pattern.spread),
             std::pair(Words::tr("mean, as found"), &report.found), std::pair(Words::tr("mean, as left"), &report.left)}) {
-        double highest = 0;
+        double highest = 0, lowest = std::numeric_limits<double>::infinity();
         for (const auto& o : *orders)
-            if (o.order > 0)
+            if (o.order > 0) {
                 highest = std::max(highest, o.amplitude_rad());
+                lowest = std::min(lowest, o.amplitude_rad());
+            }
+        const auto place = [&](const HarmonicOrder& o) {
+            if (o.order == 0 || highest == lowest)
+                return QString();
+            return o.amplitude_rad() == highest ? Words::tr("highest") : o.amplitude_rad() == lowest ? Words::tr("lowest") : QString();
+        };
         for (const auto& o : *orders)
             table.rows.push_back(
                 {{name, QString::number(o.order), signedFigure(toDegrees(o.sin_rad), 3), signedFigure(toDegrees(o.cos_rad), 3),
-                     figure(toDegrees(o.amplitude_rad()), 3), signedFigure(toDegrees(o.phase_rad()), 1)},
-                    o.order > 0 && o.amplitude_rad() == highest ? TableRow::Look::Marked : TableRow::Look::Plain});
+                     figure(toDegrees(o.amplitude_rad()), 3), signedFigure(toDegrees(o.phase_rad()), 1), place(o)},
+                    place(o).isEmpty() ? TableRow::Look::Plain : TableRow::Look::Marked});
     }
     return table;
 }
@@ -251,6 +276,20 @@ Table plantTable(const FleetReport& report)
             table.rows.push_back(
                 {{name, QString::fromStdString(g.name), QString::number(g.swings), signedFigure(g.meanA_deg, 2), figure(g.meanAbsA_deg, 2),
                     QStringLiteral("%1 – %2").arg(figure(g.meanAbsA95_deg.low, 2), figure(g.meanAbsA95_deg.high, 2))}});
+    return table;
+}
+
+Table alarmTable(const FleetReport& report)
+{
+    Table table{Words::tr("Alarms of the control charts of A"),
+        {words(Words::tr("date"), 27), words(Words::tr("of"), 16), words(Words::tr("name"), 40), words(Words::tr("chart"), 20),
+            words(Words::tr("what it says"), 110)},
+        {}};
+    if (!report.plants.charts)
+        return table;
+    for (const auto& alarm : report.plants.charts->alarms)
+        table.rows.push_back({{dayText(alarm.day), alarm.crew ? Words::tr("crew") : Words::tr("base"), QString::fromStdString(alarm.name),
+            alarm.cusum ? QStringLiteral("CUSUM") : QStringLiteral("EWMA"), sentence(inWords(alarm))}});
     return table;
 }
 

@@ -21,11 +21,15 @@ namespace lubberline::ui {
 
 [[nodiscard]] Table patternTable(const FleetReport& report);
 [[nodiscard]] Table fleetCoefficientTable(const FleetReport& report, const FleetSwings& fleet);
-/// The highest and lowest amplitude (order 0 apart) are marked, as in the paper's table.
+/// D and E of each type as its standard soft-iron correction, and what its next aircraft is expected to have.
+[[nodiscard]] Table softIronTable(const FleetReport& report);
+/// The highest and lowest amplitude (order 0 apart) are marked and named, as in the paper's table.
 [[nodiscard]] Table fleetHarmonicTable(const FleetReport& report);
 [[nodiscard]] Table exceedanceTable(const FleetReport& report);
 [[nodiscard]] Table varianceTable(const FleetReport& report);
 [[nodiscard]] Table plantTable(const FleetReport& report);
+/// What the control charts of A rang for, in words, and how often they ring for nothing.
+[[nodiscard]] Table alarmTable(const FleetReport& report);
 [[nodiscard]] Table jumpTable(const FleetReport& report, const FleetSwings& fleet);
 [[nodiscard]] Table driftTable(const FleetReport& report, const FleetSwings& fleet);
 /// @param most  rows at the head; 0: all.
