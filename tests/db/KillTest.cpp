@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <QDir>
+#include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 
@@ -10,7 +12,9 @@
 #include <thread>
 
 #include "db/schema/Schema.h"
+#include "db/stores/SigningStore.h"
 #include "db/transfer/Maintenance.h"
+#include "tests/db/RawDatabase.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -93,6 +97,67 @@ TEST_F(Kill, leavesNoFleetHalfImported)
         EXPECT_THAT(report->findings, testing::IsEmpty());
     }
     EXPECT_GT(acknowledged, 15 * kSwingsAtOnce);
+}
+
+/// Each swing that was said to be signed is, whole and frozen; one in flight is somewhere on its way, and no trail is broken.
+TEST_F(Kill, leavesNoSignatureHalfGiven)
+{
+    std::int64_t acknowledged = 0;
+    for (int round = 0; round < 15; ++round) {
+        for (const auto id : writeAndKill("sign", false))
+            acknowledged = std::max(acknowledged, id);
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+        ASSERT_TRUE(database) << describe(database.error());
+        const auto last = db::SwingStore(*database).swing(SwingId{acknowledged});
+        ASSERT_TRUE(last);
+        EXPECT_EQ(last->state, SwingState::Signed);
+        EXPECT_EQ(*db::SigningStore(*database).hold(last->id), (std::vector<bool>{true, true}));
+        const auto report = db::verify(*database, {});
+        ASSERT_TRUE(report);
+        EXPECT_THAT(report->findings, testing::IsEmpty());
+    }
+    EXPECT_GT(acknowledged, 15);
+}
+
+/// Killed while it copies and migrates: the file is of the old schema or of the new, whole, its copy is whole or not there, and the next
+/// start leaves nothing lying about.
+TEST(KillMigration, leavesTheOldOrTheNewAndNothingElse)
+{
+    const QTemporaryDir folder;
+    const QString original = folder.filePath("old.db");
+    {
+        QFile file(QStringLiteral(LUBBERLINE_DB_FIXTURES "/schema6.sql"));
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        ASSERT_TRUE(RawDatabase(original).run(QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts).filter(";")));
+    }
+    std::mt19937 random(20261127);
+    int before = 0, after = 0;
+    for (int round = 0; round < 30; ++round) {
+        const QTemporaryDir place;
+        const QString path = place.filePath("a.db");
+        ASSERT_TRUE(QFile::copy(original, path));
+        QProcess writer;
+        writer.start(LUBBERLINE_READING_WRITER, {path, "open"});
+        ASSERT_TRUE(writer.waitForStarted());
+        std::this_thread::sleep_for(std::chrono::milliseconds(std::uniform_int_distribution(0, 200)(random)));
+        writer.kill();
+        writer.waitForFinished();
+        const auto found = db::Database::openAsItIs(path);
+        ASSERT_TRUE(found) << describe(found.error());
+        EXPECT_TRUE(found->fileSchema() >= 6 && found->fileSchema() <= db::schemaVersion());
+        ++(found->fileSchema() == 6 ? before : after);
+        {
+            auto database = db::openDatabase(path, db::OpenMode::ReadWriteCreate);
+            ASSERT_TRUE(database) << describe(database.error());
+            EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
+        }
+        const QDir there(place.path());
+        for (const QString& copy : there.entryList({"a.db.schema-*.backup"}, QDir::Files))
+            EXPECT_GE(db::Database::openAsItIs(there.filePath(copy))->fileSchema(), 6);
+        EXPECT_GE(there.entryList({"a.db.schema-6.*.backup"}, QDir::Files).size(), 1);
+        EXPECT_EQ(there.entryList({"*.partial*", ".*.partial*"}, QDir::Files | QDir::Hidden).size(), 0);
+    }
+    EXPECT_GT(before + after, 29);
 }
 
 } // namespace lubberline::test
