@@ -1,5 +1,6 @@
 #include "db/transfer/Maintenance.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
@@ -282,6 +283,9 @@ private:
     [[nodiscard]] Result<void> check() const
     {
         auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
+        const QFileInfo copy(m_path); // what it was before it was brought up to date is the backup itself
+        for (const QFileInfo& made : copy.absoluteDir().entryInfoList({copy.fileName() + ".schema-*.backup"}, QDir::Files))
+            QFile::remove(made.filePath());
         if (!database)
             return database.error();
         VerifyReport report;

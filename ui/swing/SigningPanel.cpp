@@ -199,7 +199,7 @@ void SigningPanel::showState()
     m_change->setText(state == SwingState::Draft ? tr("&Complete") : tr("Open a&gain"));
     m_change->setVisible(writable && state != SwingState::Signed);
     for (QPushButton* button : {m_change, m_sign}) { // nobody puts a name to results that are not there yet
-        button->setEnabled(!m_editor.computing());
+        button->setEnabled(!m_editor.computing() && !m_byKey.running());
         button->setToolTip(m_editor.computing() ? tr("The results are being computed") : QString());
     }
     m_reason->setVisible(writable && state != SwingState::Draft);
