@@ -8,6 +8,7 @@
 #include "app/QtSession.h"
 #include "app/Window.h"
 #include "app/commands/Command.h"
+#include "core/base/TerminalText.h"
 
 namespace lubberline::app {
 
@@ -53,6 +54,9 @@ int runCommandLine(int argc, char** argv)
     app.footer("Exit status: 0 done, 1 the data or the operation failed, 2 usage.\n"
                "`lubberline COMMAND --help` tells of one command.");
     app.require_subcommand(0, 1);
+    app.failure_message([](const CLI::App*, const CLI::Error& wrong) {
+        return "lubberline: " + inOneLine(wrong.what()) + "; `lubberline --help` and `lubberline COMMAND --help` tell what is expected\n";
+    });
 
     Invocation invocation{argc, argv, {}, {}, {}, {}};
     addDatabaseOption(app, invocation);

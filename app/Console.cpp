@@ -4,9 +4,12 @@
 #include <csignal>
 #include <cstdarg>
 #include <cstdio>
+#include <iostream>
 #include <memory>
 
 #include <unistd.h>
+
+#include "core/base/TerminalText.h"
 
 namespace lubberline::app {
 
@@ -20,21 +23,55 @@ void onInterrupt(int)
     std::signal(SIGINT, SIG_DFL); // a second Ctrl-C ends the program at once
 }
 
+std::string textOf(const char* format, va_list arguments)
+{
+    va_list again;
+    va_copy(again, arguments);
+    std::string result(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, arguments)), '\0');
+    std::vsnprintf(result.data(), result.size() + 1, format, again);
+    va_end(again);
+    return result;
+}
+
 } // namespace
+
+void put(const char* format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    putText(textOf(format, arguments));
+    va_end(arguments);
+}
+
+void putText(std::string_view text)
+{
+    const std::string shown = forTerminal(text);
+    std::fwrite(shown.data(), 1, shown.size(), stdout); // a failure stays with the stream until whenPrinted()
+}
+
+int whenPrinted(int status)
+{
+    std::cout.flush();
+    const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout;
+    if (arrived || status != kDone)
+        return status;
+    return fail(
+        {ErrorCode::Io, MARKED("app", "standard output takes no more; expected one that is read to its end, on a drive with room")});
+}
 
 int fail(const Error& error)
 {
-    std::fprintf(stderr, "lubberline: %s\n", describe(error).c_str());
+    say(describe(error));
     return kFailed;
 }
 
 void warn(const std::vector<Message>& warnings)
 {
     for (const auto& warning : warnings)
-        std::fprintf(stderr, "lubberline: warning: %s\n", warning.english().c_str());
+        say("warning: " + warning.english());
 }
 
-void say(const std::string& message) { std::fprintf(stderr, "lubberline: %s\n", message.c_str()); }
+void say(const std::string& message) { std::fprintf(stderr, "lubberline: %s\n", inOneLine(message).c_str()); }
 
 Progress consoleProgress(const std::string& what)
 {
@@ -55,11 +92,7 @@ std::string text(const char* format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    va_list again;
-    va_copy(again, arguments);
-    std::string result(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, arguments)), '\0');
-    std::vsnprintf(result.data(), result.size() + 1, format, again);
-    va_end(again);
+    std::string result = textOf(format, arguments);
     va_end(arguments);
     return result;
 }

@@ -2,6 +2,7 @@
 /// What commands say: results on standard output, messages and progress on standard error.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/Progress.h"
@@ -11,6 +12,12 @@ namespace lubberline::app {
 
 /// Exit statuses of the command line.
 enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2 };
+
+/// printf to standard output; what a terminal would act on is escaped (core/base/TerminalText.h).
+void put(const char* format, ...) __attribute__((format(printf, 1, 2)));
+void putText(std::string_view text);
+/// The end of a command: what it printed has arrived, or it has failed. @return `status`, or kFailed.
+[[nodiscard]] int whenPrinted(int status);
 
 /// "lubberline: FILE:LINE: what is wrong and what was expected" on standard error. @return kFailed.
 int fail(const Error& error);

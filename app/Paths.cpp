@@ -1,7 +1,11 @@
 #include "app/Paths.h"
 
 #include <QDir>
+#include <QFile>
 #include <QStandardPaths>
+
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/base/Clock.h"
 #include "core/base/WholeFile.h"
@@ -10,10 +14,21 @@ namespace lubberline::app {
 
 namespace {
 
+/// Who swung what, and who signed it, is nobody else's to read.
+bool keepPrivate(const QString& folder)
+{
+    struct stat state = {};
+    const QByteArray name = QFile::encodeName(folder);
+    if (::stat(name.constData(), &state) != 0)
+        return false;
+    const bool isOthers = state.st_uid != ::geteuid(); // an administrator's to decide
+    return isOthers || (state.st_mode & 0777) == 0700 || ::chmod(name.constData(), 0700) == 0;
+}
+
 Result<QString> inDataFolder(const QString& name)
 {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + "/lubberline";
-    if (!QDir().mkpath(folder))
+    if (!QDir().mkpath(folder) || !keepPrivate(folder))
         return Error{ErrorCode::Io, MARKED("app", "the data folder cannot be made; name a database with --db FILE"), folder.toStdString()};
     return folder + "/" + name;
 }
@@ -24,7 +39,7 @@ Result<QString> named(const std::string& option)
         return Error{ErrorCode::Unsupported, MARKED("app", "PostgreSQL databases are not supported yet; expected an SQLite file"), option};
     if (isStandardStream(option))
         return Error{ErrorCode::Unsupported, MARKED("app", "a database is no stream; expected the name of an SQLite file"), option};
-    return QString::fromStdString(option);
+    return plainName(option);
 }
 
 } // namespace
@@ -41,6 +56,12 @@ Result<QString> databasePath(const std::string& option)
 Result<QString> demonstrationPath(const std::string& option)
 {
     return option.empty() ? inDataFolder("demonstration.lubberline") : named(option);
+}
+
+QString plainName(const std::string& path)
+{
+    const QString name = QString::fromStdString(path);
+    return name.startsWith(':') ? "./" + name : name;
 }
 
 QString nowUtc() { return QString::fromStdString(machineClock().nowUtc()); }

@@ -17,6 +17,9 @@ Result<QString> databasePath(const std::string& option);
 /// demonstration.lubberline in the user's data folder: the demonstration never mixes with a real fleet.
 Result<QString> demonstrationPath(const std::string& option);
 
+/// A path as the name of a file: to SQLite ":memory:" would be a place of its own, and to Qt all that begins with a colon.
+[[nodiscard]] QString plainName(const std::string& path);
+
 /// The time now, UTC, ISO 8601: what is printed on documents.
 [[nodiscard]] QString nowUtc();
 [[nodiscard]] Date today(); ///< UTC

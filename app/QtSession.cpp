@@ -2,9 +2,11 @@
 
 #include <QSettings>
 
+#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 
+#include "app/Console.h"
 #include "ui/text/Language.h"
 
 namespace lubberline::app {
@@ -20,12 +22,15 @@ void describeApplication()
     QGuiApplication::setDesktopFileName("lubberline");
 }
 
+/// Qt takes the C library's locale from the environment, too: our files and tables have points in their figures everywhere.
+void keepDecimalPoints() { std::setlocale(LC_NUMERIC, "C"); }
+
 /// Qt's own remarks on the machine (no runtime folder, no size hints offscreen) are not for whoever reads our messages.
 void showMessage(QtMsgType type, const QMessageLogContext&, const QString& message)
 {
     if (message.startsWith("QStandardPaths: ") || message.startsWith("This plugin does not support"))
         return;
-    std::fprintf(stderr, "lubberline: %s\n", qPrintable(message));
+    say(message.toStdString());
     if (type == QtFatalMsg)
         std::abort();
 }
@@ -55,6 +60,7 @@ std::unique_ptr<QApplication> makeDrawingSession()
     count = 3; // whatever the environment names: a platform without its display would end the program
     qInstallMessageHandler(showMessage);
     auto session = std::make_unique<QApplication>(count, arguments);
+    keepDecimalPoints();
     describeApplication();
     return session;
 }
@@ -67,6 +73,7 @@ Result<std::unique_ptr<QApplication>> makeWindowSession(int& argc, char** argv)
                 "there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set, or QT_QPA_PLATFORM names one that nobody sees); commands work without one: lubberline --help")};
     qInstallMessageHandler(showMessage);
     auto session = std::make_unique<QApplication>(argc, argv);
+    keepDecimalPoints();
     describeApplication();
     ui::speak(ui::wantedLanguages(QSettings().value("view/language").toString()));
     return session;

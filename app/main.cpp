@@ -1,3 +1,20 @@
 #include "app/CommandLine.h"
 
-int main(int argc, char** argv) { return lubberline::app::runCommandLine(argc, argv); }
+#include <exception>
+#include <new>
+
+#include "app/Console.h"
+
+using namespace lubberline;
+
+int main(int argc, char** argv)
+{
+    try {
+        return app::whenPrinted(app::runCommandLine(argc, argv));
+    } catch (const std::bad_alloc&) {
+        return app::fail({ErrorCode::Full, MARKED("app", "there is not enough memory for this; expected smaller input or more memory")});
+    } catch (const std::exception& broken) { // of a library; ours are a Result
+        return app::fail(
+            {ErrorCode::Unsupported, {MARKED("app", "this was not foreseen (%1); please report it"), std::string(broken.what())}});
+    }
+}

@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <memory>
 
 #include "app/Console.h"
@@ -32,8 +31,8 @@ struct SunArguments {
 void printBudget(const ErrorBudget& budget)
 {
     for (const ErrorPart& part : budget.parts)
-        std::printf("  %-22s %8.3f deg\n", part.what.english().c_str(), part.size_deg);
-    std::printf("  %-22s %8.3f deg (one standard deviation)\n", "in all", budget.total_deg());
+        put("  %-22s %8.3f deg\n", part.what.english().c_str(), part.size_deg);
+    put("  %-22s %8.3f deg (one standard deviation)\n", "in all", budget.total_deg());
 }
 
 struct SunSwing {
@@ -108,7 +107,7 @@ int sunSwing(const SunArguments& options, const Place& place)
         sayWritten(options.output);
         return kDone;
     }
-    std::fputs(writeSwingCsv(swing->record).c_str(), stdout);
+    putText(writeSwingCsv(swing->record));
     return kDone;
 }
 
@@ -126,15 +125,13 @@ int sunCommand(const SunArguments& options)
     const ErrorBudget budget = sunBudget(*place, *time, options.sighting);
     const SunDoubts doubts = doubtsOf(sun, *time, budget);
     if (options.json) {
-        std::printf("%s\n", toJson(sun, budget, doubts).c_str());
+        put("%s\n", toJson(sun, budget, doubts).c_str());
         return kDone;
     }
     warn(doubts.warnings);
-    std::printf(
-        "azimuth %.3f deg true, %+.3f deg a minute; elevation %.3f deg\n", sun.azimuth_deg, sun.azimuthRate_deg_min, sun.elevation_deg);
+    put("azimuth %.3f deg true, %+.3f deg a minute; elevation %.3f deg\n", sun.azimuth_deg, sun.azimuthRate_deg_min, sun.elevation_deg);
     if (sun.shadowRatio > 0)
-        std::printf(
-            "the shadow points to %.3f deg true and is %.2f times as long as its pin\n", wrap360(sun.azimuth_deg + 180), sun.shadowRatio);
+        put("the shadow points to %.3f deg true and is %.2f times as long as its pin\n", wrap360(sun.azimuth_deg + 180), sun.shadowRatio);
     printBudget(budget);
     return kDone;
 }
@@ -174,7 +171,7 @@ int alignmentCommand(const AlignmentArguments& options)
     if (options.variation_deg > 0)
         budget = withVariation(std::move(*budget), options.variation_deg);
     if (options.json)
-        std::printf("%s\n", toJson(*budget).c_str());
+        put("%s\n", toJson(*budget).c_str());
     else
         printBudget(*budget);
     return kDone;
@@ -207,10 +204,10 @@ int gridCommand(const GridArguments& options)
     const double grid = gridHeading_deg(TrueHeading::fromDegrees(options.heading_deg), *place, options.reference_deg);
     if (!options.json) {
         warn(answer->warnings);
-        std::printf("grid heading %.2f deg (true %.2f, convergence %+.2f, grid variation %+.2f deg)\n", grid, options.heading_deg,
+        put("grid heading %.2f deg (true %.2f, convergence %+.2f, grid variation %+.2f deg)\n", grid, options.heading_deg,
             convergence_deg(*place, options.reference_deg), grivation_deg(variation, *place, options.reference_deg));
-        std::printf("variation %+.2f deg; of a table in steps of %g deg %+.2f read between entries (up to %.2f out in this cell), "
-                    "%+.2f by the nearest (up to %.2f out)\n",
+        put("variation %+.2f deg; of a table in steps of %g deg %+.2f read between entries (up to %.2f out in this cell), "
+            "%+.2f by the nearest (up to %.2f out)\n",
             variation.degrees(), options.step_deg, between->tabled_deg, between->largest_deg, nearest->tabled_deg, nearest->largest_deg);
         return kDone;
     }
@@ -221,8 +218,8 @@ int gridCommand(const GridArguments& options)
         return "{\"variation_deg\": " + shortestNumber(error.tabled_deg) + ", \"error_deg\": " + shortestNumber(error.error_deg)
             + ", \"largest_error_deg\": " + shortestNumber(error.largest_deg) + "}";
     };
-    std::printf("{\"grid_heading_deg\": %s, \"convergence_deg\": %s, \"grid_variation_deg\": %s, \"variation_deg\": %s,\n"
-                " \"table\": {\"step_deg\": %s, \"between\": %s, \"nearest\": %s},\n \"warnings\": [%s]}\n",
+    put("{\"grid_heading_deg\": %s, \"convergence_deg\": %s, \"grid_variation_deg\": %s, \"variation_deg\": %s,\n"
+        " \"table\": {\"step_deg\": %s, \"between\": %s, \"nearest\": %s},\n \"warnings\": [%s]}\n",
         shortestNumber(grid).c_str(), shortestNumber(convergence_deg(*place, options.reference_deg)).c_str(),
         shortestNumber(grivation_deg(variation, *place, options.reference_deg)).c_str(), shortestNumber(variation.degrees()).c_str(),
         shortestNumber(options.step_deg).c_str(), table(*between).c_str(), table(*nearest).c_str(), warnings.c_str());

@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/SwingSource.h"
 #include "app/Tables.h"
@@ -33,13 +31,13 @@ int analyseCommand(const AnalyseArguments& options)
     warn(swing->warnings);
     if (options.json) {
         analysis->warnings.insert(analysis->warnings.begin(), swing->warnings.begin(), swing->warnings.end());
-        std::printf("%s\n", (removes ? toJson(*analysis, *removal) : toJson(*analysis)).c_str());
+        put("%s\n", (removes ? toJson(*analysis, *removal) : toJson(*analysis)).c_str());
         return kDone;
     }
     warn(analysis->warnings);
-    std::fputs(tableOf(*analysis).c_str(), stdout);
+    putText(tableOf(*analysis));
     if (removes)
-        std::fputs(tableOf(*analysis, *removal, options.removed).c_str(), stdout);
+        putText(tableOf(*analysis, *removal, options.removed));
     return kDone;
 }
 

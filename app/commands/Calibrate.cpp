@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/LogOptions.h"
 #include "app/Outputs.h"
@@ -25,31 +23,30 @@ struct CalibrateArguments {
 void printLines(const char* before, const std::vector<Message>& messages)
 {
     for (const auto& message : messages)
-        std::printf("%s%s\n", before, message.english().c_str());
+        put("%s%s\n", before, message.english().c_str());
 }
 
 void printParameters(const std::vector<FittedParameter>& parameters)
 {
-    std::printf("\n%-24s%14s%16s\n", "", "value", "standard error");
+    put("\n%-24s%14s%16s\n", "", "value", "standard error");
     for (const auto& parameter : parameters) {
         const int decimals = parameter.unit == "1" ? 5 : 1;
         const std::string value = parameter.value ? text("%+.*f", decimals, *parameter.value) : "not told";
         const std::string error = parameter.standard_error ? text("%.*f", decimals, *parameter.standard_error) : "-";
-        std::printf("%-24s%14s%16s  %s\n", parameter.name.c_str(), value.c_str(), error.c_str(),
+        put("%-24s%14s%16s  %s\n", parameter.name.c_str(), value.c_str(), error.c_str(),
             parameter.unit == "1" ? "" : parameter.unit.c_str());
     }
 }
 
 void printTable(const EllipsoidResult& result, const SensorLog& log)
 {
-    std::printf("%s: %zu samples, %zu used; figures in %s (%s)\n", std::string(nameOf(result.verdict)).c_str(), result.samples, result.used,
+    put("%s: %zu samples, %zu used; figures in %s (%s)\n", std::string(nameOf(result.verdict)).c_str(), result.samples, result.used,
         std::string(log.figureUnit()).c_str(), log.unitReason.english().c_str());
     printLines("because ", result.reasons);
     printLines("next: ", result.nextSteps);
     if (!result.fit)
         return;
-    std::printf(
-        "gate %.3f (good up to %.1f), condition %.1f; noise %.1f, field's size to %.1f rms; directions seen %.0f %%, largest hole %.0f deg\n",
+    put("gate %.3f (good up to %.1f), condition %.1f; noise %.1f, field's size to %.1f rms; directions seen %.0f %%, largest hole %.0f deg\n",
         result.fit->gate, kGateGood, result.fit->condition, result.fit->sigma, result.fit->rms, 100 * result.fit->coverage.share,
         result.fit->coverage.largestGap_deg);
     if (result.verdict != CalibrationVerdict::NotDetermined)
@@ -97,17 +94,17 @@ EllipsoidShape shapeOf(const std::string& method)
 
 void printTable(const AttitudeResult& result, const SensorLog& log)
 {
-    std::printf("%s: %zu samples, %zu used; figures in nT (%s)\n", std::string(nameOf(result.verdict)).c_str(), result.samples, result.used,
+    put("%s: %zu samples, %zu used; figures in nT (%s)\n", std::string(nameOf(result.verdict)).c_str(), result.samples, result.used,
         log.unitReason.english().c_str());
     printLines("because ", result.reasons);
     printLines("next: ", result.nextSteps);
     printLines("not told: ", result.notSeparable);
-    std::printf("rank %d of %d, condition %.1f; scatter %.1f nT an axis, field's size to %.1f nT rms\n", result.rank,
-        result.parametersAsked, result.condition, result.sigma_nT, result.rms_nT);
+    put("rank %d of %d, condition %.1f; scatter %.1f nT an axis, field's size to %.1f nT rms\n", result.rank, result.parametersAsked,
+        result.condition, result.sigma_nT, result.rms_nT);
     if (result.validation)
-        std::printf("held out, %d sectors of heading: %.2f deg, dip %.2f deg, %.0f nT rms\n", result.validation->blocks,
+        put("held out, %d sectors of heading: %.2f deg, dip %.2f deg, %.0f nT rms\n", result.validation->blocks,
             result.validation->heading_deg, result.validation->dip_deg, result.validation->field_nT);
-    std::printf("mount, if soft iron is symmetric: roll %+.2f, pitch %+.2f, yaw %+.2f deg\n", toDegrees(result.misalignment.roll_rad),
+    put("mount, if soft iron is symmetric: roll %+.2f, pitch %+.2f, yaw %+.2f deg\n", toDegrees(result.misalignment.roll_rad),
         toDegrees(result.misalignment.pitch_rad), toDegrees(result.misalignment.yaw_rad));
     if (result.verdict != CalibrationVerdict::NotDetermined)
         printParameters(result.parameters);
@@ -133,7 +130,7 @@ int calibrateAttitude(const CalibrateArguments& options, const SensorLog& log, c
         warn(result->warnings);
     }
     if (options.json && !options.output.toStandardOutput())
-        std::printf("%s\n", toJson(*result, log, *known.meridian).c_str());
+        put("%s\n", toJson(*result, log, *known.meridian).c_str());
     else if (!options.output.toStandardOutput())
         printTable(*result, log);
     if (options.output.empty())
@@ -156,7 +153,7 @@ int calibrateEllipsoid(const CalibrateArguments& options, const SensorLog& log, 
         warn(result.warnings);
     }
     if (options.json && !options.output.toStandardOutput())
-        std::printf("%s\n", toJson(result, log, shape).c_str());
+        put("%s\n", toJson(result, log, shape).c_str());
     else if (!options.output.toStandardOutput())
         printTable(result, log);
     if (options.output.empty())

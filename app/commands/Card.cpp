@@ -175,9 +175,9 @@ int cardCommand(CardArguments options, const std::string& database)
     if (options.output.toStandardOutput())
         return writeCardFile(options, sheet->input, database);
     if (options.json)
-        std::printf("%s\n", jsonOf(sheet->input, between, options.at_deg).c_str());
+        put("%s\n", jsonOf(sheet->input, between, options.at_deg).c_str());
     else if (options.output.empty())
-        std::fputs((tableOf(sheet->input) + (options.at_deg ? textOf(sheet->input, between, *options.at_deg) : "")).c_str(), stdout);
+        putText(tableOf(sheet->input) + (options.at_deg ? textOf(sheet->input, between, *options.at_deg) : ""));
     return options.output.empty() ? kDone : writeCardFile(options, sheet->input, database);
 }
 

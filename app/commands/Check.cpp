@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 #include "app/Console.h"
@@ -134,10 +133,10 @@ SwingRecord checkSwing(const CheckedCompass& compass, const SwingRecord& read, c
 
 void printHeadings(const ChosenHeadings& chosen)
 {
-    std::printf("read on compass headings");
+    put("read on compass headings");
     for (const double heading : chosen.compass_deg)
-        std::printf(" %03.0f", heading);
-    std::printf(" deg\nof the changes that matter %.2f deg are left unknown (before: %.2f; evenly spaced: %.2f)\n", chosen.left_deg,
+        put(" %03.0f", heading);
+    put(" deg\nof the changes that matter %.2f deg are left unknown (before: %.2f; evenly spaced: %.2f)\n", chosen.left_deg,
         chosen.before_deg, chosen.leftEven_deg);
 }
 
@@ -153,7 +152,7 @@ int checkCommand(const CheckArguments& options, const std::string& database)
     const ChosenHeadings chosen = headingsFor(compass->belief, options.headings, compass->options);
     if (options.readings.empty()) {
         if (options.json)
-            std::printf("%s\n", toJson(compass->belief, compass->swings, chosen, compass->options).c_str());
+            put("%s\n", toJson(compass->belief, compass->swings, chosen, compass->options).c_str());
         else
             printHeadings(chosen);
         return kDone;
@@ -175,11 +174,11 @@ int checkCommand(const CheckArguments& options, const std::string& database)
         sayWritten(options.output);
     }
     if (options.json) {
-        std::printf("%s\n", toJson(compass->belief, compass->swings, chosen, compass->options, observations, *verdict).c_str());
+        put("%s\n", toJson(compass->belief, compass->swings, chosen, compass->options, observations, *verdict).c_str());
     } else if (!options.output.toStandardOutput()) {
         for (std::size_t i = 0; i < observations.size(); ++i)
-            std::printf("compass %06.2f deg: %+.2f deg from its card\n", observations[i].compass.degrees(), verdict->differences_deg[i]);
-        std::printf("%s\n", inWords(*verdict, compass->options).english().c_str());
+            put("compass %06.2f deg: %+.2f deg from its card\n", observations[i].compass.degrees(), verdict->differences_deg[i]);
+        put("%s\n", inWords(*verdict, compass->options).english().c_str());
     }
     return kDone;
 }
@@ -209,16 +208,16 @@ int compareCommand(const CompareArguments& options, const std::string& database)
     if (!verdict)
         return fail({verdict.error().code, verdict.error().message, nameOfInput(options.pairs)});
     if (options.common.json) {
-        std::printf("%s\n", toJson(*verdict).c_str());
+        put("%s\n", toJson(*verdict).c_str());
         return kDone;
     }
     warn(verdict->warnings);
-    std::printf("%zu pairs on %zu headings, %zu with a datum; corrected by their cards they differ by %.2f deg rms\n", verdict->readings,
+    put("%zu pairs on %zu headings, %zu with a datum; corrected by their cards they differ by %.2f deg rms\n", verdict->readings,
         verdict->headings, verdict->withDatum, verdict->rms_deg);
-    std::printf("first - second:");
+    put("first - second:");
     for (std::size_t c = 0; c < 5; ++c)
-        std::printf("  %c %+.2f (%.2f)", letterOf(kCoefficients[c]), verdict->difference_deg[c], verdict->differenceError_deg[c]);
-    std::printf(" deg (standard error)\n%s\n", inWords(*verdict).english().c_str());
+        put("  %c %+.2f (%.2f)", letterOf(kCoefficients[c]), verdict->difference_deg[c], verdict->differenceError_deg[c]);
+    put(" deg (standard error)\n%s\n", inWords(*verdict).english().c_str());
     return kDone;
 }
 

@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/LogOptions.h"
 #include "app/Outputs.h"
@@ -22,24 +20,24 @@ struct CompensateArguments {
 
 void printErrors(const char* when, const HeadingErrors& errors)
 {
-    std::printf("%-8s%+10.2f%10.2f%10.2f%10.2f\n", when, errors.mean_deg, errors.rms_deg, errors.p95_deg, errors.max_deg);
+    put("%-8s%+10.2f%10.2f%10.2f%10.2f\n", when, errors.mean_deg, errors.rms_deg, errors.p95_deg, errors.max_deg);
 }
 
 void printTable(const CompensatedLog& compensated, const SensorLog& log)
 {
     if (compensated.before && compensated.after) {
-        std::printf("heading error, read - magnetic (deg)\n%-8s%10s%10s%10s%10s\n", "", "mean", "rms", "95 %", "max");
+        put("heading error, read - magnetic (deg)\n%-8s%10s%10s%10s%10s\n", "", "mean", "rms", "95 %", "max");
         printErrors("before", *compensated.before);
         printErrors("after", *compensated.after);
     } else {
-        std::printf("no reference heading: heading errors are not known\n");
+        put("no reference heading: heading errors are not known\n");
     }
     const std::string unit(log.figureUnit());
-    std::printf("the field's size spreads by %.1f %s before and %.1f %s after\n\nhelmet systems ask\n", compensated.spreadBefore,
-        unit.c_str(), compensated.spreadAfter, unit.c_str());
+    put("the field's size spreads by %.1f %s before and %.1f %s after\n\nhelmet systems ask\n", compensated.spreadBefore, unit.c_str(),
+        compensated.spreadAfter, unit.c_str());
     for (const auto& demand : compensated.demands)
-        std::printf("%-40s %s %-6g %-4s %s\n", demand.name.english().c_str(), demand.atLeast ? ">=" : "<=", demand.limit,
-            demand.unit.c_str(), !demand.value ? "not known" : text("%.3g: %s", *demand.value, *demand.met() ? "met" : "not met").c_str());
+        put("%-40s %s %-6g %-4s %s\n", demand.name.english().c_str(), demand.atLeast ? ">=" : "<=", demand.limit, demand.unit.c_str(),
+            !demand.value ? "not known" : text("%.3g: %s", *demand.value, *demand.met() ? "met" : "not met").c_str());
 }
 
 int compensateCommand(CompensateArguments options)
@@ -70,7 +68,7 @@ int compensateCommand(CompensateArguments options)
             return kDone;
     }
     if (options.json)
-        std::printf("%s\n", toJson(*compensated, *log).c_str());
+        put("%s\n", toJson(*compensated, *log).c_str());
     else
         printTable(*compensated, *log);
     return kDone;

@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <memory>
 
 #include "app/Console.h"
@@ -24,13 +23,13 @@ struct CompensatorArguments {
 
 void printRange(const char* what, const RangeResidual& residual)
 {
-    std::printf("%-28s largest %7.2f deg (heading %03.0f, pitch %+.0f, roll %+.0f), rms %6.2f deg\n", what, residual.largest_deg,
+    put("%-28s largest %7.2f deg (heading %03.0f, pitch %+.0f, roll %+.0f), rms %6.2f deg\n", what, residual.largest_deg,
         residual.heading_deg, residual.pitch_deg, residual.roll_deg, residual.rms_deg);
 }
 
 void printSetting(const char* what, const CompensatorSetting& setting)
 {
-    std::printf("%-28s magnets %+.0f, %+.0f, %+.0f nT; soft iron %+.4f fore and aft, %+.4f athwart\n", what, setting.magnets_nT.x(),
+    put("%-28s magnets %+.0f, %+.0f, %+.0f nT; soft iron %+.4f fore and aft, %+.4f athwart\n", what, setting.magnets_nT.x(),
         setting.magnets_nT.y(), setting.magnets_nT.z(), setting.foreAft, setting.athwart);
 }
 
@@ -52,17 +51,17 @@ int compensatorCommand(const CompensatorArguments& options)
         sayWritten(options.output);
     }
     if (options.json) {
-        std::printf("%s\n", toJson(result, options.range, options.limit_deg).c_str());
+        put("%s\n", toJson(result, options.range, options.limit_deg).c_str());
         return kDone;
     }
     warn(result.warnings);
-    std::printf("pitch within %g, roll within %g deg\n", options.range.pitch_deg, options.range.roll_deg);
+    put("pitch within %g, roll within %g deg\n", options.range.pitch_deg, options.range.roll_deg);
     printRange("as it is", result.before);
     printSetting("set on level ground", result.level);
     printRange("", result.afterLevel);
     printSetting("set for the range", result.best);
     printRange("", result.after);
-    std::printf("%g deg %s\n", options.limit_deg, result.after.largest_deg <= options.limit_deg ? "is kept" : "IS NOT KEPT");
+    put("%g deg %s\n", options.limit_deg, result.after.largest_deg <= options.limit_deg ? "is kept" : "IS NOT KEPT");
     return kDone;
 }
 

@@ -30,19 +30,19 @@ struct ContinuousArguments {
 
 void printContinuous(const ContinuousResult& result)
 {
-    std::printf("%lld updates", static_cast<long long>(result.updates));
+    put("%lld updates", static_cast<long long>(result.updates));
     if (result.nisMean)
-        std::printf(", innovations %.2f of what the errors allow", *result.nisMean);
-    std::printf("\n");
+        put(", innovations %.2f of what the errors allow", *result.nisMean);
+    put("\n");
     for (std::size_t i = 0; i < result.names.size(); ++i)
         if (result.state_deg[i])
-            std::printf("%-16s %+8.3f +- %.3f\n", result.names[i].c_str(), *result.state_deg[i], *result.standardError_deg[i]);
+            put("%-16s %+8.3f +- %.3f\n", result.names[i].c_str(), *result.state_deg[i], *result.standardError_deg[i]);
         else
-            std::printf("%-16s %8s\n", result.names[i].c_str(), "-");
+            put("%-16s %8s\n", result.names[i].c_str(), "-");
     for (const auto& direction : result.nullDirections)
-        std::printf("%s\n", direction.english().c_str());
+        put("%s\n", direction.english().c_str());
     for (const auto& alarm : result.alarms)
-        std::printf("alarm at %.0f s: %s by %+.2f +- %.2f deg since %.0f s\n", alarm.time_s, alarm.coefficient.c_str(), alarm.change_deg,
+        put("alarm at %.0f s: %s by %+.2f +- %.2f deg since %.0f s\n", alarm.time_s, alarm.coefficient.c_str(), alarm.change_deg,
             alarm.standardError_deg, alarm.since_s);
 }
 
@@ -116,7 +116,7 @@ int continuousCommand(const ContinuousArguments& arguments)
     if (options.json) {
         ContinuousResult told = file->result;
         told.warnings = warnings;
-        std::printf("%s\n", toJson(told).c_str());
+        put("%s\n", toJson(told).c_str());
     } else if (!options.output.toStandardOutput() && !options.swing.toStandardOutput()) {
         printContinuous(file->result);
     }

@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/SwingSource.h"
 #include "app/Tables.h"
@@ -29,9 +27,9 @@ int correctCommand(const CorrectArguments& options)
     }
     warn(swing->warnings);
     if (options.json)
-        std::printf("%s\n", toJson(*correction).c_str());
+        put("%s\n", toJson(*correction).c_str());
     else
-        std::fputs(tableOf(*correction).c_str(), stdout);
+        putText(tableOf(*correction));
     return kDone;
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/Console.h"
 #include "app/OpenStores.h"
+#include "app/Paths.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/base/WholeFile.h"
@@ -35,7 +36,7 @@ int statusCommand(db::Database& database, bool json)
     if (!status)
         return fail(status.error());
     if (json) {
-        std::printf("%s\n",
+        put("%s\n",
             nlohmann::ordered_json{{"path", status->path}, {"size_bytes", status->bytes}, {"schema", status->schema},
                 {"newest_schema", db::schemaVersion()}, {"journal", status->journal}, {"types", status->totals.types},
                 {"aircraft", status->totals.aircraft}, {"compasses", status->totals.compasses}, {"swings", status->totals.swings},
@@ -46,7 +47,7 @@ int statusCommand(db::Database& database, bool json)
                 .c_str());
         return kDone;
     }
-    std::printf(
+    put(
         "database       %s\nsize           %.1f MiB\nschema         %d (this program knows up to %d)\njournal        %s\ntypes          %d\n"
         "aircraft       %d\ncompasses      %d\nswings         %lld\nreadings       %lld\nsensor models  %lld\naudit entries  %lld\naudit head     %s\nchained since  %s\n",
         status->path.c_str(), static_cast<double>(status->bytes) / 1048576.0, status->schema, db::schemaVersion(), status->journal.c_str(),
@@ -58,7 +59,7 @@ int statusCommand(db::Database& database, bool json)
 
 int backupCommand(db::Database& database, const std::string& file)
 {
-    if (const auto done = db::backup(database, QString::fromStdString(file)); !done)
+    if (const auto done = db::backup(database, plainName(file)); !done)
         return fail(done.error());
     if (database.readAsCopy()) {
         say("wrote " + file);
@@ -93,23 +94,23 @@ int verifyCommand(db::Database& database, bool json, const std::vector<std::stri
     if (!report)
         return fail(report.error());
     if (json)
-        std::printf("%s\n",
+        put("%s\n",
             nlohmann::ordered_json{{"swings", report->swings}, {"readings", report->readings}, {"findings", inEnglish(report->findings)},
                 {"notes", inEnglish(report->notes)}, {"audit_head", report->head}, {"audit_entries", report->entries}}
                 .dump(2)
                 .c_str());
     else
         for (const auto& finding : inEnglish(report->findings))
-            std::printf("%s\n", finding.c_str());
+            put("%s\n", finding.c_str());
     if (!json)
         for (const auto& note : inEnglish(report->notes))
-            std::printf("note: %s\n", note.c_str());
+            put("note: %s\n", note.c_str());
     if (!report->findings.empty())
         return fail(
             {ErrorCode::Corrupt, {MARKED("app", "%1 findings in %2 swings; expected none"), report->findings.size(), report->swings},
                 database.path().toStdString()});
     if (!json)
-        std::printf("all is well: %lld swings with %lld readings; audit head %s after %lld entries\n", static_cast<long long>(report->swings),
+        put("all is well: %lld swings with %lld readings; audit head %s after %lld entries\n", static_cast<long long>(report->swings),
             static_cast<long long>(report->readings), report->head.c_str(), static_cast<long long>(report->entries));
     return kDone;
 }

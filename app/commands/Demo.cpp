@@ -114,9 +114,9 @@ int demoCommand(const DemoArguments& options, const Invocation& invocation)
         return fail(swing.error());
     if (const auto written = writeDocuments(**stores, *swing, folder); !written)
         return fail(written.error());
-    std::printf("database  %s\n", qPrintable(path));
+    put("database  %s\n", qPrintable(path));
     for (const auto& file : folder.entryInfoList(QDir::Files, QDir::Name))
-        std::printf("%-8s  %s\n", file.suffix() == "pdf" ? "document" : "plot", qPrintable(file.absoluteFilePath()));
+        put("%-8s  %s\n", file.suffix() == "pdf" ? "document" : "plot", qPrintable(file.absoluteFilePath()));
     std::fflush(stdout);
 
     if (options.noWindow || !hasDisplay()) {

@@ -1,5 +1,4 @@
 #include <array>
-#include <cstdio>
 #include <set>
 
 #include "app/Console.h"
@@ -10,6 +9,7 @@
 #include "app/commands/Command.h"
 #include "core/base/NearWord.h"
 #include "core/base/OutputFile.h"
+#include "core/base/TerminalText.h"
 #include "core/format/json/JsonWriter.h"
 #include "core/format/results/DueJson.h"
 #include "core/record/RecordWords.h"
@@ -71,10 +71,11 @@ std::string reasonOf(const DueLine& line)
 
 void print(const std::vector<DueLine>& lines)
 {
-    std::printf("%-9s %-10s %-10s %-18s %-10s  %s\n", "state", "type", "aircraft", "compass", "since", "reason");
+    put("%-9s %-10s %-10s %-18s %-10s  %s\n", "state", "type", "aircraft", "compass", "since", "reason");
     for (const auto& line : lines)
-        std::printf("%-9s %-10s %-10s %-18s %-10s  %s\n", std::string(nameOf(line.answer.state)).c_str(), line.compass.typeName.c_str(),
-            line.compass.registration.c_str(), line.compass.compassName.c_str(), dayOf(line).text().c_str(), reasonOf(line).c_str());
+        put("%-9s %-10s %-10s %-18s %-10s  %s\n", std::string(nameOf(line.answer.state)).c_str(), inOneLine(line.compass.typeName).c_str(),
+            inOneLine(line.compass.registration).c_str(), inOneLine(line.compass.compassName).c_str(), dayOf(line).text().c_str(),
+            inOneLine(reasonOf(line)).c_str());
 }
 
 int dueCommand(const DueArguments& options, const std::string& database)
@@ -107,7 +108,7 @@ int dueCommand(const DueArguments& options, const std::string& database)
             return kDone;
     }
     if (options.json)
-        std::fputs(toJson(lines, news->warnings, *today).c_str(), stdout);
+        putText(toJson(lines, news->warnings, *today));
     else
         print(lines);
     if (news->rules.empty())
@@ -171,10 +172,10 @@ int eventCommand(const EventOptions& options, const std::string& database)
         json.text("cause", fileWord(event.cause));
         json.text("date", event.date.text());
         json.end();
-        std::fputs(json.take().c_str(), stdout);
+        putText(json.take());
         return kDone;
     }
-    std::printf("%s  %s: %s\n", event.record.c_str(), std::string(fileWord(event.cause)).c_str(),
+    put("%s  %s: %s\n", event.record.c_str(), std::string(fileWord(event.cause)).c_str(),
         event.cause == DueCause::Other ? "opens no due flag" : "a swing is due until a later one is signed, or a waiver answers");
     return kDone;
 }
@@ -218,9 +219,9 @@ int waiveCommand(const WaiverOptions& options, const std::string& database)
         json.text("waiver", waiver.record);
         json.text("event", waiver.event);
         json.end();
-        std::fputs(json.take().c_str(), stdout);
+        putText(json.take());
     } else {
-        std::printf("%s  answers event %s; kept for ever\n", waiver.record.c_str(), waiver.event.c_str());
+        put("%s  answers event %s; kept for ever\n", waiver.record.c_str(), waiver.event.c_str());
     }
     return kDone;
 }

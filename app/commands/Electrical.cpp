@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include <nlohmann/json.hpp>
 
 #include "app/Console.h"
@@ -31,9 +29,8 @@ nlohmann::ordered_json jsonOf(const FourPointErrors& errors)
 
 void print(const char* name, const FourPointErrors& errors)
 {
-    std::printf("%-7s N-S %+.2f  E-W %+.2f  index %+.2f deg; pairs 0/180 %.2f, 90/270 %.2f: %s\n", name, errors.northSouth_deg,
-        errors.eastWest_deg, errors.index_deg, errors.pair0_180_deg, errors.pair90_270_deg,
-        errors.pairsAgree ? "agree within 0.2" : "do not agree within 0.2");
+    put("%-7s N-S %+.2f  E-W %+.2f  index %+.2f deg; pairs 0/180 %.2f, 90/270 %.2f: %s\n", name, errors.northSouth_deg, errors.eastWest_deg,
+        errors.index_deg, errors.pair0_180_deg, errors.pair90_270_deg, errors.pairsAgree ? "agree within 0.2" : "do not agree within 0.2");
 }
 
 int electricalCommand(const ElectricalArguments& options)
@@ -64,15 +61,15 @@ int electricalCommand(const ElectricalArguments& options)
     if (const auto check = selfCheckOf(*swing)) {
         object["self_check"] = {{"largest_deg", check->largest_deg}, {"mean_deg", check->mean_deg}, {"passed", check->passed}};
         if (!options.json)
-            std::printf("self-check: largest %.1f', mean %.1f': %s\n", check->largest_deg * 60, check->mean_deg * 60,
+            put("self-check: largest %.1f', mean %.1f': %s\n", check->largest_deg * 60, check->mean_deg * 60,
                 check->passed ? "passed" : "not passed");
     }
     object["open"] = inEnglish(openPoints(*swing));
     if (options.json)
-        std::printf("%s\n", object.dump(2).c_str());
+        put("%s\n", object.dump(2).c_str());
     else
         for (const auto& point : inEnglish(openPoints(*swing)))
-            std::printf("open: %s\n", point.c_str());
+            put("open: %s\n", point.c_str());
     return kDone;
 }
 

@@ -1,9 +1,7 @@
-#include <cmath>
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/commands/Command.h"
 #include "core/format/results/FieldJson.h"
+#include <cmath>
 
 namespace lubberline::app {
 
@@ -17,10 +15,10 @@ struct FieldArguments {
 
 void printRow(const char* name, const char* unit, double value, double rate, const std::optional<double>& uncertainty, int decimals)
 {
-    std::printf("  %-12s %12.*f %+10.*f", name, decimals, value, decimals, rate);
+    put("  %-12s %12.*f %+10.*f", name, decimals, value, decimals, rate);
     if (uncertainty)
-        std::printf("   +/- %.*f", decimals, *uncertainty);
-    std::printf("  %s\n", unit);
+        put("   +/- %.*f", decimals, *uncertainty);
+    put("  %s\n", unit);
 }
 
 void printTable(const FieldAnswer& answer)
@@ -29,10 +27,10 @@ void printTable(const FieldAnswer& answer)
     const auto& u = answer.uncertainty;
     const auto part = [&u](double FieldUncertainty::*member) { return u ? std::optional((*u).*member) : std::nullopt; };
     const Place& place = answer.place;
-    std::printf("%s, %.2f %c %.2f %c, %.0f m above the ellipsoid, %.3f\n", answer.model.c_str(), std::abs(place.latitude_deg),
+    put("%s, %.2f %c %.2f %c, %.0f m above the ellipsoid, %.3f\n", answer.model.c_str(), std::abs(place.latitude_deg),
         place.latitude_deg < 0 ? 'S' : 'N', std::abs(place.longitude_deg), place.longitude_deg < 0 ? 'W' : 'E', place.height_m,
         answer.year);
-    std::printf("  %-12s %12s %10s\n", "", "value", "a year");
+    put("  %-12s %12s %10s\n", "", "value", "a year");
     printRow("X (north)", "nT", f.north_nT, answer.rate.north_nT, part(&FieldUncertainty::north_nT), 1);
     printRow("Y (east)", "nT", f.east_nT, answer.rate.east_nT, part(&FieldUncertainty::east_nT), 1);
     printRow("Z (down)", "nT", f.down_nT, answer.rate.down_nT, part(&FieldUncertainty::down_nT), 1);
@@ -59,7 +57,7 @@ int fieldCommand(const FieldArguments& options)
     if (!answer)
         return fail(answer.error());
     if (options.json) {
-        std::printf("%s\n", toJson(*answer).c_str());
+        put("%s\n", toJson(*answer).c_str());
         return kDone;
     }
     warn(answer->warnings);

@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/OpenStores.h"
 #include "app/Outputs.h"
@@ -7,6 +5,7 @@
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/base/OutputFile.h"
+#include "core/base/TerminalText.h"
 #include "core/format/results/FleetJson.h"
 #include "db/stores/PopulationStore.h"
 #include "ui/report/fleet/FleetDocument.h"
@@ -54,17 +53,16 @@ std::string figureOrDash(const std::optional<double>& value, const char* format)
 
 void printPattern(const FleetReport& report)
 {
-    std::printf("%d swings of %d aircraft used, of %d in the selection\n\n", static_cast<int>(report.counts.used),
+    put("%d swings of %d aircraft used, of %d in the selection\n\n", static_cast<int>(report.counts.used),
         static_cast<int>(report.counts.aircraft), static_cast<int>(report.counts.swings));
-    std::printf(
-        "magnetic  aircraft      mean   sd found  sd between       5 %%      95 %%\n   (deg)           (deg, E +)     (deg)       (deg)     (deg)     (deg)\n");
+    put("magnetic  aircraft      mean   sd found  sd between       5 %%      95 %%\n   (deg)           (deg, E +)     (deg)       (deg)     (deg)     (deg)\n");
     for (const auto& p : report.pattern.points)
-        std::printf("%8.1f %9d %10s %10s %11s %9s %9s\n", p.heading_deg, p.units, figureOrDash(p.mean_deg, "%+.2f").c_str(),
+        put("%8.1f %9d %10s %10s %11s %9s %9s\n", p.heading_deg, p.units, figureOrDash(p.mean_deg, "%+.2f").c_str(),
             figureOrDash(p.standardDeviation_deg, "%.2f").c_str(), figureOrDash(p.between_deg, "%.2f").c_str(),
             figureOrDash(p.percentile5_deg, "%+.2f").c_str(), figureOrDash(p.percentile95_deg, "%+.2f").c_str());
-    std::printf("\ncoefficient   mean (deg)   between (deg)\n");
+    put("\ncoefficient   mean (deg)   between (deg)\n");
     for (std::size_t c = 0; c < kCoefficientCount; ++c)
-        std::printf("%-11c %12s %15s\n", letterOf(kCoefficients[c]), figureOrDash(report.pattern.coefficients[c].mean_deg, "%+.2f").c_str(),
+        put("%-11c %12s %15s\n", letterOf(kCoefficients[c]), figureOrDash(report.pattern.coefficients[c].mean_deg, "%+.2f").c_str(),
             figureOrDash(report.pattern.coefficients[c].between_deg, "%.2f").c_str());
 }
 
@@ -72,34 +70,33 @@ void printExceedance(const Exceedance& exceedance)
 {
     if (exceedance.pairs == 0)
         return;
-    std::printf("\nout of limits at the next inspection: %d of %d pairs (%.1f %% to %.1f %% at 95 %%)",
-        static_cast<int>(exceedance.exceeded), static_cast<int>(exceedance.pairs), 100 * exceedance.share95->low,
-        100 * exceedance.share95->high);
+    put("\nout of limits at the next inspection: %d of %d pairs (%.1f %% to %.1f %% at 95 %%)", static_cast<int>(exceedance.exceeded),
+        static_cast<int>(exceedance.pairs), 100 * exceedance.share95->low, 100 * exceedance.share95->high);
     if (exceedance.expectedShare)
-        std::printf("; expected %.1f %%, by mean and sd of one heading %.1f %%", 100 * *exceedance.expectedShare,
+        put("; expected %.1f %%, by mean and sd of one heading %.1f %%", 100 * *exceedance.expectedShare,
             100 * exceedance.threeSigmaShare.value_or(0));
-    std::printf("\n");
+    put("\n");
 }
 
 void printChanges(const FleetReport& report, const FleetSwings& fleet)
 {
     if (report.plants.training)
         for (const auto& words : inWords(*report.plants.training))
-            std::printf("%s\n", words.english().c_str());
-    std::printf("\n%zu jumps at a false discovery rate of 10 %%\n", report.changes.jumps.size());
+            put("%s\n", words.english().c_str());
+    put("\n%zu jumps at a false discovery rate of 10 %%\n", report.changes.jumps.size());
     for (const auto& jump : report.changes.jumps)
-        std::printf("  %s\n", inWords(jump, fleet).english().c_str());
+        put("  %s\n", inWords(jump, fleet).english().c_str());
     constexpr std::size_t shown = 20;
-    std::printf("\n%-10s %-18s %11s  %-10s  %s\n", "aircraft", "compass", "probability", "by", "who next, and why");
+    put("\n%-10s %-18s %11s  %-10s  %s\n", "aircraft", "compass", "probability", "by", "who next, and why");
     for (std::size_t i = 0; i < report.ranking.compasses.size() && i < shown; ++i) {
         const auto& ranked = report.ranking.compasses[i];
         const auto& compass = fleet.compasses[static_cast<std::size_t>(ranked.compass)];
         const std::string chance = ranked.probability < 0.001 ? "<0.001" : text("%.3f", ranked.probability);
-        std::printf("%-10s %-18s %11s  %-10s  %s\n", compass.aircraft.c_str(), compass.compass.c_str(), chance.c_str(),
+        put("%-10s %-18s %11s  %-10s  %s\n", inOneLine(compass.aircraft).c_str(), inOneLine(compass.compass).c_str(), chance.c_str(),
             dateOfDay(ranked.by_day).c_str(), inWords(ranked).english().c_str());
     }
     if (report.ranking.compasses.size() > shown)
-        std::printf("  and %zu more: --json or -o has all\n", report.ranking.compasses.size() - shown);
+        put("  and %zu more: --json or -o has all\n", report.ranking.compasses.size() - shown);
 }
 
 Result<void> writeFleet(const FleetReport& report, const FleetSwings& fleet, const FleetArguments& arguments)
@@ -133,7 +130,7 @@ int fleetCommand(FleetArguments& arguments, const std::string& database)
             return fail(written.error());
         sayWritten(arguments.output);
     } else if (arguments.json) {
-        std::printf("%s\n", toJson(*report, *fleet).c_str());
+        put("%s\n", toJson(*report, *fleet).c_str());
     } else {
         warn(report->warnings);
         printPattern(*report);

@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/Outputs.h"
 #include "app/commands/Command.h"
@@ -62,25 +60,25 @@ Result<void> writeModel(const IronArguments& options, const BenchModel& model, c
 void printMatrix(const Eigen::Matrix3d& matrix)
 {
     for (int row = 0; row < 3; ++row)
-        std::printf("  %+11.6f %+11.6f %+11.6f\n", matrix(row, 0), matrix(row, 1), matrix(row, 2));
+        put("  %+11.6f %+11.6f %+11.6f\n", matrix(row, 0), matrix(row, 1), matrix(row, 2));
 }
 
 void printTable(const BenchModel& model, const BenchStates& states)
 {
     for (const auto& [group, state] : states)
-        std::printf("%s: %s\n", group.c_str(), state.c_str());
-    std::printf("soft iron S [a b c; d e f; g h k]\n");
+        put("%s: %s\n", group.c_str(), state.c_str());
+    put("soft iron S [a b c; d e f; g h k]\n");
     printMatrix(model.model.softIron);
     const auto& p = model.model.hardIron_nT;
-    std::printf("hard iron P, Q, R (nT)\n  %+11.1f %+11.1f %+11.1f\n", p.x(), p.y(), p.z());
+    put("hard iron P, Q, R (nT)\n  %+11.1f %+11.1f %+11.1f\n", p.x(), p.y(), p.z());
     if (!model.model.circuits.empty())
-        std::printf("circuits (nT per A)\n");
+        put("circuits (nT per A)\n");
     for (const auto& circuit : model.model.circuits)
-        std::printf("  %+11.3f %+11.3f %+11.3f  %s, %g A, %s\n", circuit.field_nT_per_A.x(), circuit.field_nT_per_A.y(),
-            circuit.field_nT_per_A.z(), circuit.name.c_str(), circuit.current_A, circuit.on ? "on" : "off");
-    std::printf("\n%12s %10s %10s %10s %10s %10s %10s  part\n", "distance (m)", "by", "P (nT)", "Q (nT)", "R (nT)", "c", "f");
+        put("  %+11.3f %+11.3f %+11.3f  %s, %g A, %s\n", circuit.field_nT_per_A.x(), circuit.field_nT_per_A.y(), circuit.field_nT_per_A.z(),
+            circuit.name.c_str(), circuit.current_A, circuit.on ? "on" : "off");
+    put("\n%12s %10s %10s %10s %10s %10s %10s  part\n", "distance (m)", "by", "P (nT)", "Q (nT)", "R (nT)", "c", "f");
     for (const auto& part : model.parts)
-        std::printf("%12.3f %10s %+10.1f %+10.1f %+10.1f %+10.5f %+10.5f  %s\n", part.distance_m, part.dipole ? "dipole" : "tensor",
+        put("%12.3f %10s %+10.1f %+10.1f %+10.1f %+10.5f %+10.5f  %s\n", part.distance_m, part.dipole ? "dipole" : "tensor",
             part.hardIron_nT.x(), part.hardIron_nT.y(), part.hardIron_nT.z(), part.softIron(0, 2), part.softIron(1, 2), part.part.c_str());
 }
 
@@ -101,7 +99,7 @@ int ironCommand(const IronArguments& options)
             return kDone;
     }
     if (options.json) {
-        std::printf("%s\n", toJson(*model, states).c_str());
+        put("%s\n", toJson(*model, states).c_str());
         return kDone;
     }
     warn(model->warnings);

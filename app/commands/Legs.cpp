@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <memory>
 
 #include "app/Console.h"
@@ -8,6 +7,7 @@
 #include "app/commands/Command.h"
 #include "core/angle/AngleText.h"
 #include "core/base/OutputFile.h"
+#include "core/base/TerminalText.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/InflightCsv.h"
 #include "core/format/csv/SwingCsv.h"
@@ -28,11 +28,11 @@ struct LegsArguments {
 
 void printLegs(const LegsSolution& solution)
 {
-    std::printf("wind from %03.0f at %.1f kt (+- %.1f), airspeed %.1f kt (+- %.1f)\n", solution.air.from_deg(), solution.air.speed_kt(),
+    put("wind from %03.0f at %.1f kt (+- %.1f), airspeed %.1f kt (+- %.1f)\n", solution.air.from_deg(), solution.air.speed_kt(),
         solution.air.standardError_kt(), solution.air.airspeed_kt, solution.air.airspeedError_kt);
-    std::printf("%-10s %8s %8s %9s %6s %10s %10s\n", "leg", "track", "gs kt", "true hdg", "+-", "compass", "deviation");
+    put("%-10s %8s %8s %9s %6s %10s %10s\n", "leg", "track", "gs kt", "true hdg", "+-", "compass", "deviation");
     for (const auto& one : solution.legs)
-        std::printf("%-10s %8.1f %8.1f %9.1f %6.2f %10s %10s\n", one.leg.name.c_str(), one.leg.track_deg, one.leg.groundSpeed_kt,
+        put("%-10s %8.1f %8.1f %9.1f %6.2f %10s %10s\n", inOneLine(one.leg.name).c_str(), one.leg.track_deg, one.leg.groundSpeed_kt,
             one.trueHeading_deg, one.standardError_deg,
             one.leg.compassHeading_deg ? text("%.1f", *one.leg.compassHeading_deg).c_str() : "-",
             one.deviation_deg ? text("%+.2f", *one.deviation_deg).c_str() : "-");
@@ -68,7 +68,7 @@ int legsCommand(const LegsArguments& options)
             return fail(written.error());
         sayWritten(options.output);
     } else if (options.json) {
-        std::printf("%s\n", toJson(*solution).c_str());
+        put("%s\n", toJson(*solution).c_str());
     } else {
         printLegs(*solution);
     }

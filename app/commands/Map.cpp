@@ -138,17 +138,16 @@ void printTable(const MapAnswer& answer)
 {
     const MapRequest& request = answer.map.request;
     const char *x = nameOf(request.x.axis), *y = nameOf(request.y.axis);
-    std::printf("%s\n", titleOf(answer).c_str());
-    std::printf("%s (deg, east +), modelled, over %s and %s, %s %g deg, %d x %d points\n",
-        answer.minus ? "difference of deviation" : "deviation", x, y, nameOf(heldAxis(request)), request.held_deg, request.x.nodes,
-        request.y.nodes);
-    std::printf("H %.1f nT, dip %.2f deg\n\n", answer.model.field.horizontal_nT, toDegrees(answer.model.field.inclination_rad()));
-    std::printf("           %10s %10s  deviation\n", x, y);
+    put("%s\n", titleOf(answer).c_str());
+    put("%s (deg, east +), modelled, over %s and %s, %s %g deg, %d x %d points\n", answer.minus ? "difference of deviation" : "deviation",
+        x, y, nameOf(heldAxis(request)), request.held_deg, request.x.nodes, request.y.nodes);
+    put("H %.1f nT, dip %.2f deg\n\n", answer.model.field.horizontal_nT, toDegrees(answer.model.field.inclination_rad()));
+    put("           %10s %10s  deviation\n", x, y);
     for (const auto& extreme : extremesOf(answer.map))
-        std::printf("  %s  %10.1f %10.1f  %+9.3f\n", extreme.maximum ? "maximum" : "minimum", extreme.x_deg, extreme.y_deg,
+        put("  %s  %10.1f %10.1f  %+9.3f\n", extreme.maximum ? "maximum" : "minimum", extreme.x_deg, extreme.y_deg,
             toDegrees(extreme.deviation_rad));
     for (const auto& place : vanishingPlaces(answer.map))
-        std::printf("  vanishes %10.1f %10.1f   no horizontal field at the sensor\n", place.x_deg, place.y_deg);
+        put("  vanishes %10.1f %10.1f   no horizontal field at the sensor\n", place.x_deg, place.y_deg);
 }
 
 int mapCommand(const MapArguments& options)
@@ -164,7 +163,7 @@ int mapCommand(const MapArguments& options)
             return fail(written.error());
         sayWritten(options.output);
     } else if (options.json) {
-        std::fputs(toJson(answer->map, answer->model, answer->minus).c_str(), stdout);
+        putText(toJson(answer->map, answer->model, answer->minus));
     } else {
         printTable(*answer);
     }

@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/Outputs.h"
 #include "app/Paths.h"
@@ -46,12 +44,12 @@ std::string takeVariation(const std::string& text, NmeaVariation& variation)
 
 void printTable(const NmeaSwing& swing, const std::optional<Analysis>& analysis)
 {
-    std::printf("%lld sentences, %lld with a wrong checksum; %zu pairs of headings, %zu used\n", static_cast<long long>(swing.sentences),
+    put("%lld sentences, %lld with a wrong checksum; %zu pairs of headings, %zu used\n", static_cast<long long>(swing.sentences),
         static_cast<long long>(swing.badChecksums), swing.pairs.size(), swing.used);
     if (swing.variation)
-        std::printf("variation %+.2f deg (east +), %s\n", swing.variation->degrees(), swing.variationSource.c_str());
+        put("variation %+.2f deg (east +), %s\n", swing.variation->degrees(), swing.variationSource.c_str());
     if (analysis)
-        std::fputs(tableOf(*analysis).c_str(), stdout);
+        putText(tableOf(*analysis));
 }
 
 int writeCsv(const NmeaArguments& options, const NmeaSwing& swing)
@@ -92,7 +90,7 @@ int nmeaCommand(const NmeaArguments& options)
     NmeaSwing told = *swing;
     if (!analysis)
         told.warnings = warnings;
-    std::printf("%s\n", toJson(told, analysis).c_str());
+    put("%s\n", toJson(told, analysis).c_str());
     return kDone;
 }
 

@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/OpenStores.h"
 #include "app/Outputs.h"
@@ -70,23 +68,23 @@ Result<PredictAnswer> fromSwings(const PlacedSwings& swings, const PredictArgume
 void printTable(const PredictAnswer& answer)
 {
     const Prediction& there = answer.there;
-    std::printf("expected with H %.0f nT, dip %+.1f deg; from %s\n", there.there.horizontal_nT, toDegrees(there.there.inclination_rad()),
+    put("expected with H %.0f nT, dip %+.1f deg; from %s\n", there.there.horizontal_nT, toDegrees(there.there.inclination_rad()),
         there.basis.english().c_str());
     if (there.assumed)
-        std::printf("the whole curve lies between lowest and highest with a probability of %.0f %%, assuming %s\n", 100 * kBoundProbability,
+        put("the whole curve lies between lowest and highest with a probability of %.0f %%, assuming %s\n", 100 * kBoundProbability,
             sayAssumed(*there.assumed).english().c_str());
-    std::printf("magnetic   deviation     lowest    highest\n   (deg)  (deg, E +)      (deg)      (deg)\n");
+    put("magnetic   deviation     lowest    highest\n   (deg)  (deg, E +)      (deg)      (deg)\n");
     for (std::size_t i = 0; i < there.points.size(); i += 6) {
         const auto& point = there.points[i];
         if (point.deviation)
-            std::printf("%8.0f  %+10.2f %+10.2f %+10.2f\n", point.magnetic.degrees(), point.deviation->degrees(),
-                toDegrees(*point.lowest_rad), toDegrees(*point.highest_rad));
+            put("%8.0f  %+10.2f %+10.2f %+10.2f\n", point.magnetic.degrees(), point.deviation->degrees(), toDegrees(*point.lowest_rad),
+                toDegrees(*point.highest_rad));
         else
-            std::printf("%8.0f  %10s\n", point.magnetic.degrees(), "vanishes");
+            put("%8.0f  %10s\n", point.magnetic.degrees(), "vanishes");
     }
-    std::printf("verdict: %s\n", nameOf(judge(there, answer.limits)));
+    put("verdict: %s\n", nameOf(judge(there, answer.limits)));
     if (const auto again = swingAgainAfterMove(there, answer.limits))
-        std::printf("swing again: %s, %s\n", again->needed ? "yes" : "no", again->reason.english().c_str());
+        put("swing again: %s, %s\n", again->needed ? "yes" : "no", again->reason.english().c_str());
 }
 
 int tell(const PredictArguments& options, const PredictAnswer& answer)
@@ -101,7 +99,7 @@ int tell(const PredictArguments& options, const PredictAnswer& answer)
             return fail(written.error());
         sayWritten(options.output);
     } else if (options.json) {
-        std::printf("%s\n", toJson(answer.there, context).c_str());
+        put("%s\n", toJson(answer.there, context).c_str());
     } else {
         printTable(answer);
     }

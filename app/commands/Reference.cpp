@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "app/Console.h"
@@ -35,29 +34,29 @@ double worst(const std::vector<double>& errors_rad)
 
 void printTable(const Scenario& scenario, const ReferenceRun& run)
 {
-    std::printf("error of the heading shown = read - magnetic (deg); a share is the run with all less the run without it\n");
-    std::printf("%10s %9s %9s %9s", "time (s)", "heading", "vertical", "error");
+    put("error of the heading shown = read - magnetic (deg); a share is the run with all less the run without it\n");
+    put("%10s %9s %9s %9s", "time (s)", "heading", "vertical", "error");
     for (const ErrorShare& share : run.shares)
-        std::printf(" %9s", nameOf(share.source));
-    std::printf("\n");
+        put(" %9s", nameOf(share.source));
+    put("\n");
     for (const std::size_t i : pointsOf(run, std::max<std::size_t>(1, run.time_s.size() / 24))) {
-        std::printf("%10.1f %9.2f %9.3f %+9.3f", run.time_s[i], toDegrees(run.heading_rad[i]),
+        put("%10.1f %9.2f %9.3f %+9.3f", run.time_s[i], toDegrees(run.heading_rad[i]),
             toDegrees(std::hypot(run.tilt[i].forward_rad, run.tilt[i].starboard_rad)), toDegrees(run.headingError_rad[i]));
         for (const ErrorShare& share : run.shares)
-            std::printf(" %+9.3f", toDegrees(share.error_rad[i]));
-        std::printf("\n");
+            put(" %+9.3f", toDegrees(share.error_rad[i]));
+        put("\n");
     }
-    std::printf("%10s %9s %9s %9.3f", "largest", "", "", worst(run.headingError_rad));
+    put("%10s %9s %9s %9.3f", "largest", "", "", worst(run.headingError_rad));
     for (const ErrorShare& share : run.shares)
-        std::printf(" %9.3f", worst(share.error_rad));
-    std::printf("\n");
+        put(" %9.3f", worst(share.error_rad));
+    put("\n");
     if (scenario.vertical) {
         const LoopCharacter loop = characterOf(*scenario.vertical);
-        std::printf("levelling loop: natural period %.1f s, damping %.3f, largest gain %.3f%s; standoff %.4f deg\n",
-            2 * kPi / loop.natural_rad_s, loop.damping, loop.largestGain, loop.stable ? "" : ", unstable", toDegrees(*run.standoff_rad));
+        put("levelling loop: natural period %.1f s, damping %.3f, largest gain %.3f%s; standoff %.4f deg\n", 2 * kPi / loop.natural_rad_s,
+            loop.damping, loop.largestGain, loop.stable ? "" : ", unstable", toDegrees(*run.standoff_rad));
     }
     if (run.slavingStandoff_rad)
-        std::printf("slaving: standoff %+.4f deg\n", toDegrees(*run.slavingStandoff_rad));
+        put("slaving: standoff %+.4f deg\n", toDegrees(*run.slavingStandoff_rad));
 }
 
 /// Error and shares against time above, the loops' gains beneath.
@@ -101,7 +100,7 @@ int referenceCommand(const ReferenceArguments& options)
         sayWritten(options.output);
     }
     if (options.json)
-        std::printf("%s\n", toJson(*scenario, *run, options.every).c_str());
+        put("%s\n", toJson(*scenario, *run, options.every).c_str());
     else if (options.output.empty())
         printTable(*scenario, *run);
     return kDone;

@@ -5,6 +5,7 @@
 #include "app/OpenStores.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
+#include "core/base/TerminalText.h"
 #include "core/due/DueList.h"
 #include "core/format/json/JsonWriter.h"
 
@@ -118,11 +119,11 @@ std::string jsonOf(const std::vector<DueRule>& rules, const TypeNames& types)
 
 void print(const std::vector<DueRule>& rules, const TypeNames& types)
 {
-    std::printf("%-28s %6s %12s %11s  %-10s  %s\n", "rule", "months", "grace (days)", "warn (days)", "type", "document, issue");
+    put("%-28s %6s %12s %11s  %-10s  %s\n", "rule", "months", "grace (days)", "warn (days)", "type", "document, issue");
     for (const auto& rule : rules)
-        std::printf("%-28s %6d %12d %11d  %-10s  %s\n", rule.name.c_str(), rule.months, rule.graceDays, rule.warnDays,
-            rule.type.empty() ? "all" : types.nameOf(rule.type).c_str(),
-            (rule.document + (rule.issue.empty() ? "" : ", " + rule.issue)).c_str());
+        put("%-28s %6d %12d %11d  %-10s  %s\n", inOneLine(rule.name).c_str(), rule.months, rule.graceDays, rule.warnDays,
+            rule.type.empty() ? "all" : inOneLine(types.nameOf(rule.type)).c_str(),
+            inOneLine(rule.document + (rule.issue.empty() ? "" : ", " + rule.issue)).c_str());
 }
 
 int ruleCommand(const RuleArguments& options, const std::string& database)
@@ -146,7 +147,7 @@ int ruleCommand(const RuleArguments& options, const std::string& database)
             return fail(rules.error());
     }
     if (options.json)
-        std::fputs(jsonOf(*rules, *types).c_str(), stdout);
+        putText(jsonOf(*rules, *types));
     else
         print(*rules, *types);
     return kDone;

@@ -1,6 +1,4 @@
 // spectrum, coil and interference: what a log of a sensor tells beside its calibration.
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/LogOptions.h"
 #include "app/Outputs.h"
@@ -8,6 +6,7 @@
 #include "app/QtSession.h"
 #include "core/base/Number.h"
 #include "core/base/OutputFile.h"
+#include "core/base/TerminalText.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/ActionsCsv.h"
 #include "core/format/results/SensorTestsJson.h"
@@ -37,18 +36,17 @@ int failIn(const Error& error, const SensorTestArguments& options)
 void printSpectrum(const LogSpectrum& spectrum, const SensorLog& log)
 {
     const std::string unit(log.figureUnit());
-    std::printf(
-        "%s: %.3f samples a second, %zu segments of %zu\n", spectrum.column.c_str(), spectrum.rate_hz, spectrum.segments, spectrum.segment);
+    put("%s: %.3f samples a second, %zu segments of %zu\n", spectrum.column.c_str(), spectrum.rate_hz, spectrum.segments, spectrum.segment);
     if (spectrum.lines.empty())
-        std::printf("no lines\n");
+        put("no lines\n");
     for (const auto& line : spectrum.lines)
-        std::printf("%10.3f Hz  %10.2f %s  %s%s\n", line.frequency_hz, line.amplitude, unit.c_str(), line.source.english().c_str(),
+        put("%10.3f Hz  %10.2f %s  %s%s\n", line.frequency_hz, line.amplitude, unit.c_str(), line.source.english().c_str(),
             line.aliasOf_hz ? text(", folded down from %.0f Hz", *line.aliasOf_hz).c_str() : "");
     if (const auto& filter = spectrum.filter) {
         std::string notches;
         for (const double notch : filter->notches_hz)
             notches += text(" %.2f", notch);
-        std::printf("filter of %.2f ms: notches%s Hz, low-pass %s; leaves %.2f of %.2f %s rms above %.1f Hz\n", filter->delay_ms,
+        put("filter of %.2f ms: notches%s Hz, low-pass %s; leaves %.2f of %.2f %s rms above %.1f Hz\n", filter->delay_ms,
             notches.empty() ? " -" : notches.c_str(), filter->lowPass_hz ? text("%.1f Hz", *filter->lowPass_hz).c_str() : "-",
             filter->left_rms, filter->before_rms, unit.c_str(), filter->from_hz);
     }
@@ -118,7 +116,7 @@ int spectrumCommand(const SensorTestArguments& options)
             return kDone;
     }
     if (options.json)
-        std::printf("%s\n", toJson(*spectrum, *log).c_str());
+        put("%s\n", toJson(*spectrum, *log).c_str());
     else
         printSpectrum(*spectrum, *log);
     return kDone;
@@ -126,7 +124,7 @@ int spectrumCommand(const SensorTestArguments& options)
 
 void printThree(const char* name, const Eigen::Vector3d& values, int decimals)
 {
-    std::printf("%-28s%14.*f%14.*f%14.*f\n", name, decimals, values.x(), decimals, values.y(), decimals, values.z());
+    put("%-28s%14.*f%14.*f%14.*f\n", name, decimals, values.x(), decimals, values.y(), decimals, values.z());
 }
 
 int coilCommand(const SensorTestArguments& options)
@@ -138,7 +136,7 @@ int coilCommand(const SensorTestArguments& options)
     if (!result)
         return failIn(result.error(), options);
     if (options.json)
-        std::printf("%s\n", toJson(*result, *log).c_str());
+        put("%s\n", toJson(*result, *log).c_str());
     else {
         warn(log->warnings);
         warn(result->warnings);
@@ -147,7 +145,7 @@ int coilCommand(const SensorTestArguments& options)
         return writeSheet(ui::coilSheet(*result, ui::sourceName(options.log.file)), options.output);
     if (options.json)
         return kDone;
-    std::printf("%zu samples, %zu used\n%-28s%14s%14s%14s\n", result->samples, result->used, "", "x", "y", "z");
+    put("%zu samples, %zu used\n%-28s%14s%14s%14s\n", result->samples, result->used, "", "x", "y", "z");
     printThree("scale, measured per applied", result->scale, 6);
     printThree("  standard error", result->scaleError, 6);
     printThree("bias", result->bias_nT, 1);
@@ -158,7 +156,7 @@ int coilCommand(const SensorTestArguments& options)
         printThree("hysteresis, up - down", *result->hysteresis_nT, 1);
     printThree("nonlinearity, largest", result->nonlinearity_nT, 1);
     printThree("noise, rms", result->noise_nT, 1);
-    std::printf("not orthogonal: xy %+.3f, xz %+.3f, yz %+.3f deg; mount: roll %+.3f, pitch %+.3f, yaw %+.3f deg\n",
+    put("not orthogonal: xy %+.3f, xz %+.3f, yz %+.3f deg; mount: roll %+.3f, pitch %+.3f, yaw %+.3f deg\n",
         result->nonOrthogonality_deg.x(), result->nonOrthogonality_deg.y(), result->nonOrthogonality_deg.z(),
         toDegrees(result->misalignment.roll_rad), toDegrees(result->misalignment.pitch_rad), toDegrees(result->misalignment.yaw_rad));
     return kDone;
@@ -176,7 +174,7 @@ int interferenceCommand(const SensorTestArguments& options)
     if (!result)
         return failIn(result.error(), options);
     if (options.json)
-        std::printf("%s\n", toJson(*result, *log).c_str());
+        put("%s\n", toJson(*result, *log).c_str());
     else {
         warn(log->warnings);
         warn(result->warnings);
@@ -185,16 +183,16 @@ int interferenceCommand(const SensorTestArguments& options)
         return writeSheet(ui::interferenceSheet(*result, *log, ui::sourceName(options.log.file)), options.output);
     if (options.json)
         return kDone;
-    std::printf("limits %.0f, %.0f, %.0f nT\n%-32s%10s%27s%29s\n", result->limits_nT.x(), result->limits_nT.y(), result->limits_nT.z(),
+    put("limits %.0f, %.0f, %.0f nT\n%-32s%10s%27s%29s\n", result->limits_nT.x(), result->limits_nT.y(), result->limits_nT.z(),
         "action", "from (s)", "worst x, y, z (nT)", "at (s)");
     for (const auto& action : result->actions)
-        std::printf("%-32s%10.1f%9.0f%9.0f%9.0f%9.1f%9.1f%9.1f  %s\n", action.action.c_str(), action.from_s, action.worst_nT.x(),
+        put("%-32s%10.1f%9.0f%9.0f%9.0f%9.1f%9.1f%9.1f  %s\n", inOneLine(action.action).c_str(), action.from_s, action.worst_nT.x(),
             action.worst_nT.y(), action.worst_nT.z(), action.worstAt_s.x(), action.worstAt_s.y(), action.worstAt_s.z(),
             action.passes ? "passes" : "FAILS");
     for (const auto& circuit : result->circuits)
-        std::printf("%s: %+.2f, %+.2f, %+.2f nT per ampere\n", circuit.name.c_str(), circuit.field_nT_per_A.x(), circuit.field_nT_per_A.y(),
-            circuit.field_nT_per_A.z());
-    std::printf("%s\n", result->passes ? "passes" : "does not pass");
+        put("%s: %+.2f, %+.2f, %+.2f nT per ampere\n", inOneLine(circuit.name).c_str(), circuit.field_nT_per_A.x(),
+            circuit.field_nT_per_A.y(), circuit.field_nT_per_A.z());
+    put("%s\n", result->passes ? "passes" : "does not pass");
     return kDone;
 }
 

@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/PlacedSwings.h"
 #include "app/QtSession.h"
@@ -17,10 +15,10 @@ struct SeparateArguments {
 
 void printRow(const char* name, const char* unit, const Estimate& estimate, int decimals)
 {
-    std::printf("  %-28s %+12.*f", name, decimals, estimate.value);
+    put("  %-28s %+12.*f", name, decimals, estimate.value);
     if (estimate.standardError > 0)
-        std::printf(" +/- %.*f", decimals, estimate.standardError);
-    std::printf("  %s\n", unit);
+        put(" +/- %.*f", decimals, estimate.standardError);
+    put("  %s\n", unit);
 }
 
 int separateCommand(const SeparateArguments& options, const std::string& database)
@@ -34,19 +32,19 @@ int separateCommand(const SeparateArguments& options, const std::string& databas
         return fail(separation.error());
     const auto knowledge = whatSwingsTell(placed->swings.front(), *separation);
     if (options.json) {
-        std::printf("%s\n", toJson(*separation, knowledge).c_str());
+        put("%s\n", toJson(*separation, knowledge).c_str());
         return kDone;
     }
     warn(separation->warnings);
-    std::printf("%zu swings; all as parts of lambda\n", placed->swings.size());
+    put("%zu swings; all as parts of lambda\n", placed->swings.size());
     printRow("vertical soft iron c", "", separation->c, 4);
     printRow("vertical soft iron f", "", separation->f, 4);
     printRow("hard iron P", "nT", separation->P_nT, 0);
     printRow("hard iron Q", "nT", separation->Q_nT, 0);
-    std::printf("  correlation of c and P %+.2f; condition number %.1f (alike above %.0f)\n", separation->correlation,
-        separation->conditionNumber, kAlikePlaces);
+    put("  correlation of c and P %+.2f; condition number %.1f (alike above %.0f)\n", separation->correlation, separation->conditionNumber,
+        kAlikePlaces);
     for (const auto& each : knowledge)
-        std::printf("%s %s\n", each.known ? "known:    " : "not known:", each.what.english().c_str());
+        put("%s %s\n", each.known ? "known:    " : "not known:", each.what.english().c_str());
     return kDone;
 }
 

@@ -7,6 +7,7 @@
 #include "app/OpenStores.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
+#include "core/base/TerminalText.h"
 #include "core/record/RecordWords.h"
 #include "db/openpgp/KeyCheck.h"
 
@@ -38,7 +39,7 @@ int told(const Result<void>& done, db::Stores& stores, SwingId swing)
     const auto record = stores.swings.record(swing);
     if (!record)
         return fail(record.error());
-    std::printf("%s  %s  %s\n", record->swing.record.c_str(), record->aircraft.registration.c_str(),
+    put("%s  %s  %s\n", record->swing.record.c_str(), inOneLine(record->aircraft.registration).c_str(),
         std::string(fileWord(record->swing.state)).c_str());
     return kDone;
 }
@@ -100,11 +101,11 @@ int audit(db::Stores& stores, SwingId swing, const SignArguments& options)
         nlohmann::ordered_json array = nlohmann::ordered_json::array();
         for (const auto& row : *rows)
             array.push_back({{"time_utc", row.timeUtc}, {"what", row.what}, {"detail", row.detail}});
-        std::printf("%s\n", nlohmann::ordered_json{{"record", *record}, {"entries", array}}.dump(2).c_str());
+        put("%s\n", nlohmann::ordered_json{{"record", *record}, {"entries", array}}.dump(2).c_str());
         return kDone;
     }
     for (const auto& row : *rows)
-        std::printf("%s  %s  %s\n", row.timeUtc.c_str(), row.what.c_str(), row.detail.c_str());
+        put("%s  %s  %s\n", row.timeUtc.c_str(), inOneLine(row.what).c_str(), inOneLine(row.detail).c_str());
     return kDone;
 }
 

@@ -70,14 +70,14 @@ std::vector<double> takeHeadings(const std::string& text)
 
 void printTable(const std::vector<SensorReading>& points, const SimulateArguments& options)
 {
-    std::printf("pitch %g deg (nose up +), roll %g deg (starboard wing down +)\n", options.pitch_deg, options.roll_deg);
-    std::printf("magnetic   compass    deviation  horizontal field\n   (deg)     (deg)    (deg, E+)   at sensor (nT)\n");
+    put("pitch %g deg (nose up +), roll %g deg (starboard wing down +)\n", options.pitch_deg, options.roll_deg);
+    put("magnetic   compass    deviation  horizontal field\n   (deg)     (deg)    (deg, E+)   at sensor (nT)\n");
     for (const auto& point : points) {
-        std::printf("%8.2f  ", point.attitude.heading.degrees());
+        put("%8.2f  ", point.attitude.heading.degrees());
         if (point.compass)
-            std::printf("%8.3f     %+8.3f  %15.1f\n", point.compass->degrees(), point.deviation->degrees(), point.horizontal_nT);
+            put("%8.3f     %+8.3f  %15.1f\n", point.compass->degrees(), point.deviation->degrees(), point.horizontal_nT);
         else
-            std::printf("%8s     %8s  %15.1f\n", "-", "-", point.horizontal_nT);
+            put("%8s     %8s  %15.1f\n", "-", "-", point.horizontal_nT);
     }
 }
 
@@ -146,7 +146,7 @@ int simulateCommand(const SimulateArguments& options)
     if (!options.output.empty())
         return writeFile(points, *setup, *field, options);
     if (options.json)
-        std::printf("%s\n", toJson(points, *field).c_str());
+        put("%s\n", toJson(points, *field).c_str());
     else
         printTable(points, options);
     return kDone;

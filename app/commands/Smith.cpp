@@ -1,11 +1,9 @@
-#include <array>
-#include <cstdio>
-
 #include "app/Console.h"
 #include "app/commands/Command.h"
 #include "core/base/WholeFile.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/results/SimulationJson.h"
+#include <array>
 
 namespace lubberline::app {
 
@@ -28,19 +26,19 @@ double approximateOf_rad(const ApproximateSmith& smith, Coefficient coefficient)
 
 void printTable(const PoissonSmith& smith, const MeridianField& field)
 {
-    std::printf("H %.1f nT, Z %.1f nT (down +), dip %.2f deg; lambda %.6f\n\n", field.horizontal_nT, field.down_nT,
+    put("H %.1f nT, Z %.1f nT (down +), dip %.2f deg; lambda %.6f\n\n", field.horizontal_nT, field.down_nT,
         toDegrees(field.inclination_rad()), smith.lambda);
-    std::printf("%15s%17s\n", "exact", "approx. (deg)");
+    put("%15s%17s\n", "exact", "approx. (deg)");
     for (const Coefficient coefficient : kCoefficients) {
-        std::printf("%c %+13.6f", letterOf(coefficient), exactOf(smith.exact, coefficient));
+        put("%c %+13.6f", letterOf(coefficient), exactOf(smith.exact, coefficient));
         if (smith.approximate)
-            std::printf("%+17.4f\n", toDegrees(approximateOf_rad(*smith.approximate, coefficient)));
+            put("%+17.4f\n", toDegrees(approximateOf_rad(*smith.approximate, coefficient)));
         else
-            std::printf("%17s\n", "-");
+            put("%17s\n", "-");
     }
-    std::printf("\nwhere the exact ones come from\n");
+    put("\nwhere the exact ones come from\n");
     for (const auto& term : smith.terms)
-        std::printf("%c %+13.6f  %s\n", letterOf(term.coefficient), term.value, term.cause.english().c_str());
+        put("%c %+13.6f  %s\n", letterOf(term.coefficient), term.value, term.cause.english().c_str());
 }
 
 int smithCommand(const SmithArguments& options)
@@ -57,7 +55,7 @@ int smithCommand(const SmithArguments& options)
     if (!smith->approximate)
         warn({smith->whyNoApproximate});
     if (options.json)
-        std::printf("%s\n", toJson(*smith, *field).c_str());
+        put("%s\n", toJson(*smith, *field).c_str());
     else
         printTable(*smith, *field);
     return kDone;

@@ -1,11 +1,11 @@
-#include <cstdio>
-
 #include <nlohmann/json.hpp>
 
 #include "app/Console.h"
 #include "app/SwingList.h"
 #include "app/commands/Command.h"
+#include "core/base/TerminalText.h"
 #include "core/record/RecordWords.h"
+#include "db/transfer/Maintenance.h"
 
 namespace lubberline::app {
 
@@ -40,22 +40,37 @@ std::string jsonOf(const std::vector<ListedSwing>& swings)
     return nlohmann::ordered_json{{"swings", array}}.dump(2);
 }
 
+/// What can be shown is shown; that it is not all as it should be is told, too.
+int sayDamages(db::Stores& stores)
+{
+    const auto damages = db::listDamages(stores.database());
+    if (damages.empty())
+        return kDone;
+    warn(damages);
+    return fail({ErrorCode::Corrupt,
+        {MARKED(
+             "app", "%1 of what is listed is damaged; expected a whole database: `lubberline db verify` lists all, a backup has what was"),
+            damages.size()},
+        stores.location().toStdString()});
+}
+
 int swingsCommand(db::Stores& stores, const SwingsArguments& options)
 {
     const auto swings = listSwings(stores, options.aircraft);
     if (!swings)
         return fail(swings.error());
     if (options.json) {
-        std::printf("%s\n", jsonOf(*swings).c_str());
-        return kDone;
+        put("%s\n", jsonOf(*swings).c_str());
+        return sayDamages(stores);
     }
-    std::printf("%-36s  %-10s %-10s %-18s %-10s %-8s %8s  %9s  %s\n", "record", "type", "aircraft", "compass", "date", "state", "readings",
+    put("%-36s  %-10s %-10s %-18s %-10s %-8s %8s  %9s  %s\n", "record", "type", "aircraft", "compass", "date", "state", "readings",
         "max (deg)", "status");
     for (const auto& swing : *swings)
-        std::printf("%-36s  %-10s %-10s %-18s %-10s %-8s %8d  %9s  %s\n", swing.record.c_str(), swing.type.c_str(), swing.aircraft.c_str(),
-            swing.compass.c_str(), swing.row.date.text().c_str(), std::string(fileWord(swing.row.state)).c_str(), swing.row.readings,
+        put("%-36s  %-10s %-10s %-18s %-10s %-8s %8d  %9s  %s\n", swing.record.c_str(), inOneLine(swing.type).c_str(),
+            inOneLine(swing.aircraft).c_str(), inOneLine(swing.compass).c_str(), swing.row.date.text().c_str(),
+            std::string(fileWord(swing.row.state)).c_str(), swing.row.readings,
             swing.row.maxAbsDeviation_deg ? text("%.1f", *swing.row.maxAbsDeviation_deg).c_str() : "-", nameOf(swing.row.status));
-    return kDone;
+    return sayDamages(stores);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/base/OutputFile.h"
+#include "core/base/TerminalText.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/WindCsv.h"
 #include "core/format/results/WindsJson.h"
@@ -29,13 +30,13 @@ std::string figureOrDash(bool told, double value) { return told ? text("%+8.2f",
 
 void printWinds(const WindResult& result)
 {
-    std::printf("%lld reports, %lld used; indication error (read - true) = offset + in phase sin + quadrature cos\n",
+    put("%lld reports, %lld used; indication error (read - true) = offset + in phase sin + quadrature cos\n",
         static_cast<long long>(result.observations), static_cast<long long>(result.used));
-    std::printf("%-12s %7s %9s  %8s %8s %8s %6s  %9s %9s\n", "aircraft", "flights", "used", "in phase", "quadr.", "offset", "+-",
-        "across kt", "after kt");
+    put("%-12s %7s %9s  %8s %8s %8s %6s  %9s %9s\n", "aircraft", "flights", "used", "in phase", "quadr.", "offset", "+-", "across kt",
+        "after kt");
     for (const auto& one : result.aircraft) {
         const ClusteredFit& fit = one.fit.fit;
-        std::printf("%-12s %7d %9lld  %s %s %s %6s  %9.1f %9s\n", one.aircraft.c_str(), one.flights, static_cast<long long>(one.used),
+        put("%-12s %7d %9lld  %s %s %s %6s  %9.1f %9s\n", inOneLine(one.aircraft).c_str(), one.flights, static_cast<long long>(one.used),
             figureOrDash(fit.told[1], fit.value(1)).c_str(), figureOrDash(fit.told[2], fit.value(2)).c_str(),
             figureOrDash(fit.told[0], fit.value(0)).c_str(),
             fit.told[1] && fit.errorsTold ? text("%.2f", fit.standardError(1)).c_str() : "-", one.before.transverse_kt,
@@ -76,7 +77,7 @@ int windsCommand(const WindsArguments& options)
     } else if (options.json) {
         WindResult told = file->result;
         told.warnings = file->warnings;
-        std::printf("%s\n", toJson(told, options.winds.factor).c_str());
+        put("%s\n", toJson(told, options.winds.factor).c_str());
     } else {
         printWinds(file->result);
     }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "core/base/TerminalText.h"
+
 namespace lubberline {
 
 namespace {
@@ -63,6 +65,9 @@ constexpr std::array kUnseen{CodePoints{0, 0x1F}, CodePoints{0x7F, 0xA0}, CodePo
     CodePoints{0x2800, 0x2800}, CodePoints{0x3000, 0x3000}, CodePoints{0x3164, 0x3164}, CodePoints{0xE000, 0xF8FF},
     CodePoints{0xFE00, 0xFE0F}, CodePoints{0xFEFF, 0xFEFF}, CodePoints{0xFFA0, 0xFFA0}, CodePoints{0xFFF0, 0xFFFC},
     CodePoints{0xE0000, 0xE0FFF}};
+/// Categories Cc, Zl and Zp, and the marks of direction of Unicode's annex 9.
+constexpr std::array kActedOn{CodePoints{0, 0x1F}, CodePoints{0x7F, 0x9F}, CodePoints{0x61C, 0x61C}, CodePoints{0x200E, 0x200F},
+    CodePoints{0x2028, 0x202E}, CodePoints{0x2066, 0x2069}};
 constexpr char32_t kFirstOtherScript = 0x370; ///< Greek; below are Latin letters, whose accents are seen
 /// Minus signs, primes and quotes, which figures may have.
 constexpr std::array kSignsOfFigures{
@@ -80,6 +85,26 @@ std::string hexByte(char byte)
     return {text.data(),
         static_cast<std::size_t>(
             std::snprintf(text.data(), text.size(), "0x%02X", static_cast<unsigned>(static_cast<unsigned char>(byte))))};
+}
+
+std::string escaped(std::string_view text, std::string_view kept)
+{
+    std::string shown;
+    shown.reserve(text.size());
+    while (!text.empty()) {
+        const std::size_t length = codePointLength(text);
+        const char32_t point = length == 0 ? static_cast<unsigned char>(text[0]) : codePointOf(text.substr(0, length));
+        if (length > 0 && (!isAmong(kActedOn, point) || kept.find(text[0]) != std::string_view::npos)) {
+            shown += text.substr(0, length);
+        } else {
+            std::array<char, 16> escape;
+            shown.append(escape.data(),
+                static_cast<std::size_t>(
+                    std::snprintf(escape.data(), escape.size(), length == 0 ? "\\x%02X" : "\\u%04X", static_cast<unsigned>(point))));
+        }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return shown;
 }
 
 std::string quoted(std::string_view text, bool figures)
@@ -153,6 +178,8 @@ std::string inSmallLetters(std::string_view text)
     return small;
 }
 
+std::string forTerminal(std::string_view text) { return escaped(text, "\n\t"); }
+std::string inOneLine(std::string_view text) { return escaped(text, {}); }
 std::string inQuotes(std::string_view text) { return quoted(text, false); }
 std::string figuresInQuotes(std::string_view text) { return quoted(text, true); }
 

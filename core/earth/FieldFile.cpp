@@ -17,6 +17,7 @@ namespace lubberline {
 namespace {
 
 constexpr std::size_t kMostLines = 700'000;
+constexpr std::size_t kMostWords = 128; ///< of a line: IGRF has one an epoch of five years
 constexpr double kYearsOfEpoch = 5.0;
 
 struct Line {
@@ -64,8 +65,10 @@ Result<void> FieldFile::readLines()
             return wrong(MARKED("core", "is no text of magnetic coefficients (WMM .COF or IGRF table)"));
         std::istringstream words(text);
         Line line{{}, lines.lineNumber()};
-        for (std::string word; words >> word;)
+        for (std::string word; words >> word && line.words.size() <= kMostWords;)
             line.words.push_back(word);
+        if (line.words.size() > kMostWords)
+            return wrong(MARKED("core", "is no text of magnetic coefficients (WMM .COF or IGRF table)"));
         if (!line.words.empty() && line.words.front()[0] != '#')
             m_lines.push_back(std::move(line));
     }

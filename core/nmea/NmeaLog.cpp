@@ -7,15 +7,20 @@ namespace lubberline {
 
 namespace {
 
-/// The entry of a source, made where there is none yet. A log has a handful of sources.
+/// A log has a handful of sources; each line looks for its own among them.
+constexpr std::size_t kMostNmeaSources = 100;
+
+/// The entry of a source, made where there is none yet; none where there are too many.
 template <class Entry>
-Entry& entryOf(std::vector<Entry>& entries, const NmeaSource& source)
+Entry* entryOf(std::vector<Entry>& entries, const NmeaSource& source)
 {
     const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.source == source; });
     if (found != entries.end())
-        return *found;
+        return &*found;
+    if (entries.size() == kMostNmeaSources)
+        return nullptr;
     entries.emplace_back().source = source;
-    return entries.back();
+    return &entries.back();
 }
 
 } // namespace
@@ -117,20 +122,25 @@ void NmeaLog::takeTime(const NmeaSource& source, const std::optional<NmeaTime>& 
         m_date = *time->date;
     if (firstDate.empty())
         firstDate = m_date;
-    entryOf(m_clocks, source).marks.push_back({m_place, time->secondsOfDay, m_date});
+    if (auto* clock = entryOf(m_clocks, source))
+        clock->marks.push_back({m_place, time->secondsOfDay, m_date});
 }
 
 void NmeaLog::takeVariation(const NmeaSource& source, const std::optional<Variation>& variation)
 {
-    if (variation)
-        entryOf(m_variations, source).told_deg.push_back(variation->degrees());
+    if (auto* told = variation ? entryOf(m_variations, source) : nullptr)
+        told->told_deg.push_back(variation->degrees());
 }
 
 void NmeaLog::send(const NmeaSource& source, NmeaNorth north, std::optional<double> angle_deg, std::optional<double> speed_kt)
 {
-    NmeaStream& stream = entryOf(m_streams, source);
-    stream.north = north;
-    stream.sent.push_back({m_place, angle_deg, speed_kt});
+    NmeaStream* stream = entryOf(m_streams, source);
+    if (!stream) {
+        ++otherLines;
+        return;
+    }
+    stream->north = north;
+    stream->sent.push_back({m_place, angle_deg, speed_kt});
     headings += north == NmeaNorth::Compass ? 1 : 0;
 }
 

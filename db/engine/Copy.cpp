@@ -14,6 +14,8 @@ namespace lubberline::db {
 
 namespace {
 
+constexpr auto kForOthers = QFile::ReadGroup | QFile::WriteGroup | QFile::ExeGroup | QFile::ReadOther | QFile::WriteOther | QFile::ExeOther;
+
 void keepFolder(const QString& folder)
 {
     const int handle = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -58,6 +60,8 @@ Result<void> copyTo(const Database& database, const QString& path)
         return unwritten;
     if (const auto copied = copyInto(database, QString::fromStdString(partial.name())); !copied)
         return ofFile(copied.error(), file);
+    if (const auto rights = QFile::permissions(database.path()); !(rights & kForOthers))
+        QFile::setPermissions(QString::fromStdString(partial.name()), rights & ~kForOthers); // what nobody else may read stays so
     // SQLite does not wait for a copy to reach the drive (sqlite.org/lang_vacuum.html); a backup that a power cut empties is none.
     if (!partial.finish() || !partial.renameTo(file))
         return unwritten;

@@ -8,6 +8,10 @@
 #include <QThread>
 #include <QUrl>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <atomic>
 #include <limits>
 
@@ -23,6 +27,7 @@ namespace lubberline::db {
 
 namespace {
 
+const QString kInMemory = ":memory:";               // for tests; the commands never name it so
 constexpr std::int64_t kApplicationId = 0x4C554242; // "LUBB", in the file's header
 
 QString newConnectionName()
@@ -52,6 +57,21 @@ Result<void> checkFile(const QString& path, OpenMode mode)
         return Error{ErrorCode::Io,
             {MARKED("db", "the folder %1 may not be written; expected one that may"), folder.filePath().toStdString()}, name};
     return {};
+}
+
+/// In a folder that is its owner's alone the files are, too, whatever the umask; SQLite gives those beside the database its rights.
+void keepPrivate(const QString& path, OpenMode mode)
+{
+    const QByteArray name = QFile::encodeName(path);
+    struct stat folder = {}, file = {};
+    if (::stat(QFile::encodeName(QFileInfo(path).absolutePath()).constData(), &folder) != 0 || (folder.st_mode & 077) != 0)
+        return;
+    if (const int made = mode == OpenMode::ReadOnly ? -1 : ::open(name.constData(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
+        made >= 0)
+        ::close(made);
+    for (const auto& one : filesOf(path))
+        if (::stat(one.c_str(), &file) == 0 && file.st_uid == ::geteuid() && (file.st_mode & 077) != 0)
+            (void)::chmod(one.c_str(), file.st_mode & 0700);
 }
 
 /// SQLite writes its log beside the file, so the folder counts, too.
@@ -191,7 +211,9 @@ Result<void> Database::State::connect(bool immutable)
     if (immutable)
         options += ";QSQLITE_OPEN_URI";
     const QUrl url = QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath());
-    handle.setDatabaseName(immutable ? url.toString(QUrl::FullyEncoded) + "?immutable=1" : file);
+    // The name of a file and nothing else: SQLite would take "file:…" for an address and ":…" for a place of its own.
+    const QString name = file == kInMemory || file.startsWith('/') ? file : "./" + file;
+    handle.setDatabaseName(immutable ? url.toString(QUrl::FullyEncoded) + "?immutable=1" : name);
     handle.setConnectOptions(options);
     if (!handle.open())
         return errorOf(handle.lastError(), path);
@@ -288,7 +310,7 @@ Result<Database> Database::openAsItIs(const QString& path)
 
 std::unique_ptr<Database::State> Database::stateFor(const QString& path, OpenMode mode)
 {
-    const bool inMemory = path == ":memory:";
+    const bool inMemory = path == kInMemory;
     auto state = std::make_unique<State>();
     state->path = state->file = path;
     state->isProtected = !inMemory && mayNotBeWritten(path);
@@ -343,10 +365,12 @@ Result<void> Database::bringUpToDate(const std::vector<Migration>& steps)
 
 Result<Database> Database::open(const QString& path, OpenMode mode, const std::vector<Migration>& steps)
 {
-    const bool inMemory = path == ":memory:";
+    const bool inMemory = path == kInMemory;
     if (!inMemory)
         if (const auto checked = checkFile(path, mode); !checked)
             return checked.error();
+    if (!inMemory && !mayNotBeWritten(path))
+        keepPrivate(path, mode);
     Database database(stateFor(path, mode));
     if (const auto connected = database.connectAndConfigure(steps.back().version); !connected)
         return connected.error();

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/base/FileText.h"
 #include "db/engine/SqlError.h"
 
 namespace lubberline::db {
@@ -43,7 +42,7 @@ Statement& Statement::null()
 Result<void> Statement::run()
 {
     m_bound = 0;
-    m_damage.reset();
+    m_damages.clear();
     if (!m_prepared)
         return errorOf(m_query.lastError(), m_database.path());
     if (!m_finite)
@@ -57,40 +56,20 @@ Result<void> Statement::run()
     return {};
 }
 
-Result<void> Statement::finished() const
+Result<void> Statement::readable() const
 {
     if (m_query.lastError().isValid())
         return errorOf(m_query.lastError(), m_database.path());
-    if (m_damage)
-        return Error{ErrorCode::Corrupt, *m_damage, m_database.path().toStdString()};
     return {};
 }
 
-Date Statement::day(int column) const
+Result<void> Statement::finished() const
 {
-    const std::string stored = text(column);
-    const auto day = Date::read(stored);
-    if (!day && !stored.empty())
-        damages({MARKED("db", "%1 is stored where a day should be; expected YYYY-MM-DD"), inQuotes(stored)});
-    return day.value_or(Date());
-}
-
-void Statement::damages(const Message& why) const
-{
-    if (!m_damage)
-        m_damage = why;
-}
-
-std::optional<double> Statement::optionalReal(int column) const
-{
-    const QVariant value = m_query.value(column);
-    return value.isNull() ? std::nullopt : std::optional(value.toDouble());
-}
-
-std::optional<int> Statement::optionalInteger(int column) const
-{
-    const QVariant value = m_query.value(column);
-    return value.isNull() ? std::nullopt : std::optional(value.toInt());
+    if (auto read = readable(); !read)
+        return read;
+    if (!m_damages.empty())
+        return Error{ErrorCode::Corrupt, m_damages.front(), m_database.path().toStdString()};
+    return {};
 }
 
 Result<void> execute(const Database& database, const QString& sql)
@@ -107,7 +86,7 @@ Result<void> execute(const Database& database, const QString& sql)
 Result<std::int64_t> number(const Database& database, const QString& sql)
 {
     Statement statement(database, sql);
-    const auto found = firstOf<std::int64_t>(statement, [](Statement& row) { return row.integer(0); });
+    const auto found = firstOf<std::int64_t>(statement, [](Statement& row) { return row.isNull(0) ? 0 : row.integer(0); });
     if (!found)
         return found.error();
     return found->value_or(0);

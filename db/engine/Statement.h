@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/NumberRange.h"
 #include "core/record/Id.h"
 #include "db/engine/Database.h"
 
@@ -41,41 +42,66 @@ public:
     /// that is not finite (SQLite would store NULL for it).
     Result<void> run();
     bool next() { return m_query.next(); }
-    /// Whether next() returned false because there are no more rows, and not because one could not be read (a damaged page), and no
-    /// row was damaged.
+    /// Whether next() returned false because there are no more rows, and not because one could not be read (a damaged page).
+    Result<void> readable() const;
+    /// The same, and no row was damaged.
     Result<void> finished() const;
 
-    [[nodiscard]] std::string text(int column) const { return m_query.value(column).toString().toStdString(); }
-    /// None stated where the text is empty, and where it names no day: that damages the row.
-    [[nodiscard]] Date day(int column) const;
-    /// What is stored in a row is not what it should be: finished() tells of the first such.
-    void damages(const Message& why) const;
-    [[nodiscard]] bool damaged() const { return m_damage.has_value(); }
-    [[nodiscard]] std::int64_t integer(int column) const { return m_query.value(column).toLongLong(); }
-    [[nodiscard]] double real(int column) const { return m_query.value(column).toDouble(); }
-    [[nodiscard]] std::optional<double> optionalReal(int column) const;
-    [[nodiscard]] std::optional<int> optionalInteger(int column) const;
+    // What a row holds (Row.cpp). Each value is held against what its column should hold. Another one damages the row and is read as
+    // what is not stated: finished() tells of it, with its table, row and column.
+    [[nodiscard]] std::string text(int column) const; ///< of people: at most kLongestText bytes
+    [[nodiscard]] std::string optionalText(int column) const;
+    [[nodiscard]] std::string longText(int column) const; ///< of ours: JSON, what an audit entry says
+    [[nodiscard]] std::string optionalLongText(int column) const;
+    [[nodiscard]] std::string anything(int column) const; ///< of whatever kind, as text: to be shown
+    [[nodiscard]] RecordId record(int column) const;
+    [[nodiscard]] RecordId optionalRecord(int column) const; ///< or an empty text
+    [[nodiscard]] Date day(int column) const;                ///< none stated where the text is empty
+    [[nodiscard]] std::int64_t integer(int column) const;
+    [[nodiscard]] int integer(int column, NumberRange range) const;
+    [[nodiscard]] std::optional<int> optionalInteger(int column, NumberRange range) const;
+    [[nodiscard]] bool flag(int column) const; ///< 0 or 1
+    [[nodiscard]] double real(int column, NumberRange range) const;
+    [[nodiscard]] std::optional<double> optionalReal(int column, NumberRange range) const;
+    /// One of an enumeration that ends with `last`.
+    template <class Enum>
+    [[nodiscard]] Enum as(int column, Enum last) const
+    {
+        return static_cast<Enum>(integer(column, {0, static_cast<double>(last)}));
+    }
     template <class IdType>
     [[nodiscard]] IdType id(int column) const
     {
-        return {m_query.value(column).toLongLong()};
-    } // NULL is 0: not valid
-    template <class Enum>
-    [[nodiscard]] Enum as(int column) const
-    {
-        return static_cast<Enum>(integer(column));
+        return {rowNumber(column)};
     }
+    template <class IdType> ///< NULL is not valid
+    [[nodiscard]] IdType optionalId(int column) const
+    {
+        return isNull(column) ? IdType{} : id<IdType>(column);
+    }
+    [[nodiscard]] std::string bytes(int column) const; ///< as they are
+    [[nodiscard]] bool isNull(int column) const { return m_query.value(column).isNull(); }
+
+    /// What is stored in this column of the row is not what it should be.
+    void damages(int column, const Message& expected) const;
+    /// It is a document that does not read.
+    void damages(int column, const Error& why) const;
+    /// Of all rows that were read since run(), each with its table, row and column.
+    [[nodiscard]] const std::vector<Message>& damages() const { return m_damages; }
+
     [[nodiscard]] std::int64_t insertedId() const { return m_query.lastInsertId().toLongLong(); }
     [[nodiscard]] int changed() const { return m_query.numRowsAffected(); }
 
 private:
     void bind(const QVariant& value) { m_query.bindValue(m_bound++, value); }
+    [[nodiscard]] std::int64_t rowNumber(int column) const;
+    [[nodiscard]] std::string placeOf(int column) const;
     QSqlQuery m_query;
     const Database& m_database;
     int m_bound = 0;
     bool m_prepared = false;
     bool m_finite = true;
-    mutable std::optional<Message> m_damage;
+    mutable std::vector<Message> m_damages;
 };
 
 /// Runs a statement and makes a value of each of its rows.
@@ -92,19 +118,34 @@ Result<std::vector<Row>> rowsOf(Statement& statement, Make make)
     return rows;
 }
 
-/// Rows of which each may be damaged: all of them, or the first fault.
-template <class Row>
-Result<std::vector<Row>> wholeRows(Result<std::vector<Result<Row>>> rows)
+/// The same for a list that shows what can be shown: a damaged row is there, too, and what does not read is as if it were not stated.
+template <class Row, class Make>
+Result<std::vector<Row>> shownRowsOf(Statement& statement, Make make)
 {
-    if (!rows)
-        return rows.error();
-    std::vector<Row> whole;
-    for (auto& row : *rows) {
-        if (!row)
-            return row.error();
-        whole.push_back(std::move(row.value()));
+    if (const auto done = statement.run(); !done)
+        return done.error();
+    std::vector<Row> rows;
+    while (statement.next())
+        rows.push_back(make(statement));
+    if (const auto read = statement.readable(); !read)
+        return read.error();
+    return rows;
+}
+
+/// What is wrong with the rows of a statement, read by `read`; and why it ends where not all of them can be.
+template <class Read>
+std::vector<Message> damagesIn(Statement& statement, Read read)
+{
+    auto whole = statement.run();
+    if (whole) {
+        while (statement.next())
+            read(statement);
+        whole = statement.readable();
     }
-    return whole;
+    std::vector<Message> damages = statement.damages();
+    if (!whole)
+        damages.push_back(described(whole.error()));
+    return damages;
 }
 
 /// The first row, if there is any.

@@ -21,7 +21,7 @@ Result<Before> before(Database& database, const std::string& record)
         " MAX(entries, IFNULL((SELECT MAX(id) FROM audit_entry), 0)) FROM audit_head WHERE id = 1");
     statement << record;
     return oneOf<Before>(statement, database, MARKED("db", "head of the audit trail"), [](Statement& row) {
-        return Before{row.text(0), row.text(1), row.integer(2)};
+        return Before{row.text(0), row.optionalText(1), row.integer(2)};
     });
 }
 

@@ -3,29 +3,24 @@
 #include <map>
 
 #include "core/record/Completeness.h"
+#include "core/record/Ranges.h"
 #include "db/stores/Saving.h"
+#include "db/stores/Tables.h"
 
 namespace lubberline::db {
 
 namespace {
 
-const Table& ruleTable()
+DueRule ruleFrom(const Statement& row)
 {
-    static const Table table{
-        MARKED("db", "due rule"), "due_rule", {"name", "months", "grace_days", "warn_days", "document", "issue", "type_record"}};
-    return table;
-}
-
-const Table& waiverTable()
-{
-    static const Table table{MARKED("db", "waiver"), "waiver", {"event_id", "date", "reason", "signed_by"}};
-    return table;
+    return {row.record(1), row.text(2), row.integer(3, kMonthsRange), row.integer(4, kDaysRange), row.integer(5, kDaysRange), row.text(6),
+        row.text(7), row.optionalRecord(8)};
 }
 
 const QString kSelectWaiver
     = "SELECT w.record, e.record, w.date, w.reason, w.signed_by, e.aircraft_id FROM waiver w JOIN event e ON e.id = w.event_id ";
 
-Waiver waiverFrom(const Statement& row) { return {row.text(0), row.text(1), row.day(2), row.text(3), row.text(4)}; }
+Waiver waiverFrom(const Statement& row) { return {row.record(0), row.record(1), row.day(2), row.text(3), row.text(4)}; }
 
 template <class Key, class Value, class MakeKey, class MakeValue>
 Result<std::map<Key, std::vector<Value>>> groups(Statement& statement, MakeKey key, MakeValue value)
@@ -53,13 +48,30 @@ void bindRule(Statement& statement, const DueRule& rule)
 
 } // namespace
 
+const Table& ruleTable()
+{
+    static const Table table{MARKED("db", "due rule"), "due_rule",
+        {"name", "months", "grace_days", "warn_days", "document", "issue", "type_record"},
+        [](const Statement& row) { (void)ruleFrom(row); }};
+    return table;
+}
+
+const Table& waiverTable()
+{
+    static const Table table{MARKED("db", "waiver"), "waiver", {"event_id", "date", "reason", "signed_by"}, [](const Statement& row) {
+                                 (void)row.record(1);
+                                 (void)row.id<EventId>(2);
+                                 (void)row.day(3);
+                                 (void)row.text(4);
+                                 (void)row.text(5);
+                             }};
+    return table;
+}
+
 Result<std::vector<DueRule>> DueStore::rules()
 {
-    Statement statement(m_database, "SELECT record, " + ruleTable().fields.join(", ") + " FROM due_rule ORDER BY name");
-    return rowsOf<DueRule>(statement, [](Statement& row) {
-        return DueRule{row.text(0), row.text(1), static_cast<int>(row.integer(2)), static_cast<int>(row.integer(3)),
-            static_cast<int>(row.integer(4)), row.text(5), row.text(6), row.text(7)};
-    });
+    Statement statement(m_database, selectFrom(ruleTable()) + "ORDER BY name");
+    return rowsOf<DueRule>(statement, ruleFrom);
 }
 
 Result<RecordId> DueStore::add(const DueRule& rule)
@@ -131,7 +143,8 @@ Result<std::vector<DueCompass>> DueStore::compasses()
     const auto eventsOf = groups<AircraftId, Event>(
         events, [](Statement& row) { return row.id<AircraftId>(2); },
         [](Statement& row) {
-            return Event{row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.day(3), row.text(4), row.as<DueCause>(5), row.text(6)};
+            return Event{row.id<EventId>(0), row.record(1), row.id<AircraftId>(2), row.day(3), row.text(4),
+                row.as(5, DueCause::AccuracySuspected), row.text(6)};
         });
     if (!eventsOf)
         return eventsOf.error();
@@ -141,21 +154,22 @@ Result<std::vector<DueCompass>> DueStore::compasses()
     if (!waiversOf)
         return waiversOf.error();
     Statement dates(m_database, // A two-minute check says that the card holds; it is no swing.
-        "SELECT compass_id, date FROM swing WHERE state = 2 AND date <> '' AND procedure_name <> ? ORDER BY date DESC");
+        "SELECT compass_id, date, id FROM swing WHERE state = 2 AND date <> '' AND procedure_name <> ? ORDER BY date DESC");
     dates << std::string(kCheckProcedure);
     const auto signedOf = groups<CompassId, Date>(
         dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.day(1); });
     if (!signedOf)
         return signedOf.error();
     Statement findings(m_database,
-        "SELECT s.compass_id, s.date, s.stage, s.state = 2, s.status, s.max_abs_deviation_deg FROM swing s"
+        "SELECT s.compass_id, s.date, s.stage, s.state = 2, s.status, s.max_abs_deviation_deg, s.id FROM swing s"
         " WHERE s.state >= 1 AND s.date <> '' AND s.max_abs_deviation_deg IS NOT NULL AND s.procedure_name <> ?"
         " AND NOT EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = s.record AND n.state = 2) ORDER BY s.date DESC, s.id DESC");
     findings << std::string(kCheckProcedure);
     const auto findingsOf = groups<CompassId, LimitsFinding>(
         findings, [](Statement& row) { return row.id<CompassId>(0); },
         [](Statement& row) {
-            return LimitsFinding{row.day(1), row.as<SwingStage>(2), row.integer(3) != 0, row.as<Status>(4), row.optionalReal(5)};
+            return LimitsFinding{row.day(1), row.as(2, SwingStage::AsLeft), row.flag(3), row.as(4, Status::OutOfLimits),
+                row.optionalReal(5, {0, 180})};
         });
     if (!findingsOf)
         return findingsOf.error();
@@ -168,9 +182,9 @@ Result<std::vector<DueCompass>> DueStore::compasses()
     return rowsOf<DueCompass>(statement, [&](Statement& row) {
         const auto aircraft = row.id<AircraftId>(1);
         const auto compass = row.id<CompassId>(2);
-        return DueCompass{row.id<AircraftTypeId>(0), aircraft, compass, row.text(3), row.text(4), row.text(5), row.text(6), row.text(7),
-            row.day(8), row.id<SiteId>(9), of(*signedOf, compass), of(*eventsOf, aircraft), of(*waiversOf, aircraft),
-            of(*findingsOf, compass), row.optionalReal(10), row.text(11)};
+        return DueCompass{row.id<AircraftTypeId>(0), aircraft, compass, row.record(3), row.record(4), row.text(5), row.text(6), row.text(7),
+            row.day(8), row.optionalId<SiteId>(9), of(*signedOf, compass), of(*eventsOf, aircraft), of(*waiversOf, aircraft),
+            of(*findingsOf, compass), row.optionalReal(10, kPositiveRange), row.optionalText(11)};
     });
 }
 

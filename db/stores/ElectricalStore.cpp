@@ -2,15 +2,25 @@
 
 #include "core/format/exchange/ElectricalJson.h"
 #include "db/stores/Saving.h"
+#include "db/stores/Tables.h"
 
 namespace lubberline::db {
 
 namespace {
 
-const Table& electricalTable()
+ElectricalSwing electricalFrom(const Statement& row)
 {
-    static const Table table{MARKED("db", "electrical swing"), "electrical_swing", {"compass_id", "date", "electrical_json"}};
-    return table;
+    (void)row.id<CompassId>(2);
+    (void)row.day(3); // the document's, for sorting
+    const std::size_t before = row.damages().size();
+    auto swing = readElectricalJson(row.longText(4), {});
+    if (!swing) {
+        if (row.damages().size() == before)
+            row.damages(4, swing.error());
+        return {};
+    }
+    swing->record = row.record(1);
+    return std::move(*swing);
 }
 
 auto bindTo(CompassId compass)
@@ -21,20 +31,18 @@ auto bindTo(CompassId compass)
 
 } // namespace
 
+const Table& electricalTable()
+{
+    static const Table table{MARKED("db", "electrical swing"), "electrical_swing", {"compass_id", "date", "electrical_json"},
+        [](const Statement& row) { (void)electricalFrom(row); }};
+    return table;
+}
+
 Result<std::vector<ElectricalSwing>> ElectricalStore::of(CompassId compass)
 {
-    Statement statement(
-        m_database, "SELECT record, electrical_json FROM electrical_swing WHERE compass_id = ? ORDER BY date DESC, id DESC");
+    Statement statement(m_database, selectFrom(electricalTable()) + "WHERE compass_id = ? ORDER BY date DESC, id DESC");
     statement << compass;
-    const std::string file = m_database.path().toStdString();
-    return wholeRows(rowsOf<Result<ElectricalSwing>>(statement, [&](Statement& row) -> Result<ElectricalSwing> {
-        auto swing = readElectricalJson(row.text(1), file);
-        if (!swing)
-            return Error{
-                ErrorCode::Corrupt, {MARKED("db", "the electrical swing %1 does not read: %2"), row.text(0), swing.error().message}, file};
-        swing->record = row.text(0);
-        return swing;
-    }));
+    return rowsOf<ElectricalSwing>(statement, electricalFrom);
 }
 
 Result<RecordId> ElectricalStore::add(CompassId compass, const ElectricalSwing& swing)

@@ -66,7 +66,7 @@ Result<void> append(std::vector<SearchHit>& hits, const Database& database, cons
             statement << pattern;
     statement << room;
     const auto found = rowsOf<SearchHit>(statement, [](Statement& row) {
-        return SearchHit{row.text(0), row.id<AircraftId>(1), row.id<CompassId>(2), row.id<SwingId>(3)};
+        return SearchHit{row.anything(0), row.id<AircraftId>(1), row.optionalId<CompassId>(2), row.optionalId<SwingId>(3)};
     });
     if (!found)
         return found.error();

@@ -1,40 +1,35 @@
 #include "db/stores/FleetStore.h"
 
+#include "core/record/Ranges.h"
 #include "db/stores/ResultCache.h"
 #include "db/stores/Saving.h"
+#include "db/stores/Tables.h"
 
 namespace lubberline::db {
 
 namespace {
 
-const Table& typeTable()
+AircraftType typeFrom(const Statement& row) { return {row.id<AircraftTypeId>(0), row.record(1), row.text(2), row.text(3), row.text(4)}; }
+
+Aircraft aircraftFrom(const Statement& row)
 {
-    static const Table table{MARKED("db", "aircraft type"), "aircraft_type", {"name", "maker", "note"}};
-    return table;
+    return {row.id<AircraftId>(0), row.record(1), row.id<AircraftTypeId>(2), row.text(3), row.text(4), row.text(5),
+        row.optionalInteger(6, kYearRange), row.text(7), row.flag(8), row.optionalId<SiteId>(9)};
 }
 
-const Table& aircraftTable()
+CompassSystem compassFrom(const Statement& row)
 {
-    static const Table table{MARKED("db", "aircraft"), "aircraft",
-        {"type_id", "registration", "serial_number", "operator_name", "built_year", "note", "demonstration", "base_id"}};
-    return table;
+    const auto kind = row.as(4, CompassKind::RemoteStabilised);
+    return {row.id<CompassId>(0), row.record(1), row.id<AircraftId>(2), row.text(3), row.flag(13) ? kind : CompassKind::NotStated,
+        row.as(5, Compensator::Electronic), row.text(6), row.text(7), row.text(8), row.text(9), row.real(10, kPositiveRange),
+        row.optionalId<LimitsProfileId>(11), row.day(12), row.flag(14)};
 }
 
-const Table& compassTable()
+Event eventFrom(const Statement& row)
 {
-    static const Table table{MARKED("db", "compass"), "compass",
-        {"aircraft_id", "name", "kind", "compensator", "maker", "part_number", "serial_number", "location", "resolution_deg", "limits_id",
-            "installed", "kind_stated", "resolution_stated"}};
-    return table;
+    return {row.id<EventId>(0), row.record(1), row.id<AircraftId>(2), row.day(3), row.text(4), row.as(6, DueCause::AccuracySuspected),
+        row.text(5)};
 }
-
-const Table& eventTable()
-{
-    static const Table table{MARKED("db", "event"), "event", {"aircraft_id", "date", "kind", "note", "cause"}};
-    return table;
-}
-
-QString select(const Table& table) { return "SELECT id, record, " + table.fields.join(", ") + " FROM " + table.name + " "; }
 
 void bindType(Statement& statement, const AircraftType& type) { statement << type.name << type.maker << type.note; }
 
@@ -59,6 +54,37 @@ void bindEvent(Statement& statement, const Event& event)
 
 } // namespace
 
+const Table& typeTable()
+{
+    static const Table table{
+        MARKED("db", "aircraft type"), "aircraft_type", {"name", "maker", "note"}, [](const Statement& row) { (void)typeFrom(row); }};
+    return table;
+}
+
+const Table& aircraftTable()
+{
+    static const Table table{MARKED("db", "aircraft"), "aircraft",
+        {"type_id", "registration", "serial_number", "operator_name", "built_year", "note", "demonstration", "base_id"},
+        [](const Statement& row) { (void)aircraftFrom(row); }};
+    return table;
+}
+
+const Table& compassTable()
+{
+    static const Table table{MARKED("db", "compass"), "compass",
+        {"aircraft_id", "name", "kind", "compensator", "maker", "part_number", "serial_number", "location", "resolution_deg", "limits_id",
+            "installed", "kind_stated", "resolution_stated"},
+        [](const Statement& row) { (void)compassFrom(row); }};
+    return table;
+}
+
+const Table& eventTable()
+{
+    static const Table table{MARKED("db", "event"), "event", {"aircraft_id", "date", "kind", "note", "cause"},
+        [](const Statement& row) { (void)eventFrom(row); }};
+    return table;
+}
+
 Result<Totals> FleetStore::totals()
 {
     Statement statement(m_database,
@@ -74,10 +100,10 @@ Result<std::vector<TypeRow>> FleetStore::types()
     // Counted one by one, each from an index alone: a join would visit every compass's row.
     Statement statement(m_database,
         "SELECT t.id, t.name, (SELECT COUNT(*) FROM aircraft a WHERE a.type_id = t.id),"
-        " COALESCE((SELECT MAX(c.status) FROM aircraft a JOIN compass c ON c.aircraft_id = a.id WHERE a.type_id = t.id), 0)"
+        " COALESCE((SELECT MAX(c.status) FROM aircraft a JOIN compass c ON c.aircraft_id = a.id WHERE a.type_id = t.id), 0) AS status"
         " FROM aircraft_type t ORDER BY t.name");
-    return rowsOf<TypeRow>(statement, [](Statement& row) {
-        return TypeRow{row.id<AircraftTypeId>(0), row.text(1), static_cast<int>(row.integer(2)), row.as<Status>(3)};
+    return shownRowsOf<TypeRow>(statement, [](Statement& row) {
+        return TypeRow{row.id<AircraftTypeId>(0), row.text(1), static_cast<int>(row.integer(2)), row.as(3, Status::OutOfLimits)};
     });
 }
 
@@ -85,11 +111,11 @@ Result<std::vector<AircraftRow>> FleetStore::aircraftOf(AircraftTypeId type)
 {
     Statement statement(m_database,
         "SELECT a.id, a.type_id, a.registration, a.demonstration,"
-        " COALESCE((SELECT MAX(c.status) FROM compass c WHERE c.aircraft_id = a.id), 0)"
+        " COALESCE((SELECT MAX(c.status) FROM compass c WHERE c.aircraft_id = a.id), 0) AS status"
         " FROM aircraft a WHERE a.type_id = ? ORDER BY a.registration");
     statement << type;
-    return rowsOf<AircraftRow>(statement, [](Statement& row) {
-        return AircraftRow{row.id<AircraftId>(0), row.id<AircraftTypeId>(1), row.text(2), row.integer(3) != 0, row.as<Status>(4)};
+    return shownRowsOf<AircraftRow>(statement, [](Statement& row) {
+        return AircraftRow{row.id<AircraftId>(0), row.id<AircraftTypeId>(1), row.text(2), row.flag(3), row.as(4, Status::OutOfLimits)};
     });
 }
 
@@ -99,49 +125,38 @@ Result<std::vector<CompassRow>> FleetStore::compassesOf(AircraftId aircraft)
         "SELECT c.id, c.aircraft_id, c.name, (SELECT COUNT(*) FROM swing s WHERE s.compass_id = c.id), c.status"
         " FROM compass c WHERE c.aircraft_id = ? ORDER BY c.name");
     statement << aircraft;
-    return rowsOf<CompassRow>(statement, [](Statement& row) {
-        return CompassRow{row.id<CompassId>(0), row.id<AircraftId>(1), row.text(2), static_cast<int>(row.integer(3)), row.as<Status>(4)};
+    return shownRowsOf<CompassRow>(statement, [](Statement& row) {
+        return CompassRow{
+            row.id<CompassId>(0), row.id<AircraftId>(1), row.text(2), static_cast<int>(row.integer(3)), row.as(4, Status::OutOfLimits)};
     });
 }
 
 Result<AircraftType> FleetStore::type(AircraftTypeId id)
 {
-    Statement statement(m_database, select(typeTable()) + "WHERE id = ?");
+    Statement statement(m_database, selectFrom(typeTable()) + "WHERE id = ?");
     statement << id;
-    return oneOf<AircraftType>(statement, m_database, MARKED("db", "aircraft type"), [](Statement& row) {
-        return AircraftType{row.id<AircraftTypeId>(0), row.text(1), row.text(2), row.text(3), row.text(4)};
-    });
+    return oneOf<AircraftType>(statement, m_database, MARKED("db", "aircraft type"), typeFrom);
 }
 
 Result<Aircraft> FleetStore::aircraft(AircraftId id)
 {
-    Statement statement(m_database, select(aircraftTable()) + "WHERE id = ?");
+    Statement statement(m_database, selectFrom(aircraftTable()) + "WHERE id = ?");
     statement << id;
-    return oneOf<Aircraft>(statement, m_database, MARKED("db", "aircraft"), [](Statement& row) {
-        return Aircraft{row.id<AircraftId>(0), row.text(1), row.id<AircraftTypeId>(2), row.text(3), row.text(4), row.text(5),
-            row.optionalInteger(6), row.text(7), row.integer(8) != 0, row.id<SiteId>(9)};
-    });
+    return oneOf<Aircraft>(statement, m_database, MARKED("db", "aircraft"), aircraftFrom);
 }
 
 Result<CompassSystem> FleetStore::compass(CompassId id)
 {
-    Statement statement(m_database, select(compassTable()) + "WHERE id = ?");
+    Statement statement(m_database, selectFrom(compassTable()) + "WHERE id = ?");
     statement << id;
-    return oneOf<CompassSystem>(statement, m_database, MARKED("db", "compass"), [](Statement& row) {
-        const auto kind = row.integer(13) != 0 ? row.as<CompassKind>(4) : CompassKind::NotStated;
-        return CompassSystem{row.id<CompassId>(0), row.text(1), row.id<AircraftId>(2), row.text(3), kind, row.as<Compensator>(5),
-            row.text(6), row.text(7), row.text(8), row.text(9), row.real(10), row.id<LimitsProfileId>(11), row.day(12),
-            row.integer(14) != 0};
-    });
+    return oneOf<CompassSystem>(statement, m_database, MARKED("db", "compass"), compassFrom);
 }
 
 Result<std::vector<Event>> FleetStore::eventsOf(AircraftId id)
 {
-    Statement statement(m_database, select(eventTable()) + "WHERE aircraft_id = ? ORDER BY date DESC, id DESC");
+    Statement statement(m_database, selectFrom(eventTable()) + "WHERE aircraft_id = ? ORDER BY date DESC, id DESC");
     statement << id;
-    return rowsOf<Event>(statement, [](Statement& row) {
-        return Event{row.id<EventId>(0), row.text(1), row.id<AircraftId>(2), row.day(3), row.text(4), row.as<DueCause>(6), row.text(5)};
-    });
+    return rowsOf<Event>(statement, eventFrom);
 }
 
 Result<AircraftId> FleetStore::aircraftNamed(const std::string& registration)

@@ -27,7 +27,10 @@ struct JobRowIn {
     JobStanding standing = JobStanding::Open;
 };
 
-JobRowIn jobRowFrom(const Statement& row) { return {row.integer(0), row.text(1), row.id<SwingId>(2), row.text(3), row.as<JobStanding>(4)}; }
+JobRowIn jobRowFrom(const Statement& row)
+{
+    return {row.integer(0), row.record(1), row.id<SwingId>(2), row.longText(3), row.as(4, JobStanding::Abandoned)};
+}
 
 /// What the years of its type say of D and E; none: too few aircraft tell them.
 Result<std::optional<TypeSoftIron>> softIronOfType(Database& database, const SwingRecord& record)
@@ -82,9 +85,9 @@ Result<SwingJob> jobFrom(Database& database, const JobRowIn& row)
     if (!job)
         return corruptJob(database, row.record, job.error());
     job->record = row.record;
-    Statement statement(database, "SELECT event_json FROM job_event WHERE job_id = ? ORDER BY place");
+    Statement statement(database, "SELECT event_json, id FROM job_event WHERE job_id = ? ORDER BY place");
     statement << row.id;
-    const auto lines = rowsOf<std::string>(statement, [](Statement& event) { return event.text(0); });
+    const auto lines = rowsOf<std::string>(statement, [](Statement& event) { return event.longText(0); });
     if (!lines)
         return lines.error();
     for (const auto& line : *lines) {
@@ -123,7 +126,7 @@ Result<std::vector<JobRow>> JobStore::open()
         " FROM swing_job j JOIN swing s ON s.id = j.swing_id JOIN compass c ON c.id = s.compass_id"
         " JOIN aircraft a ON a.id = c.aircraft_id WHERE j.state = 0 ORDER BY j.id DESC");
     return rowsOf<JobRow>(statement, [](Statement& row) {
-        return JobRow{row.id<SwingId>(0), row.text(1), row.text(2), row.text(3), row.day(4), static_cast<int>(row.integer(5))};
+        return JobRow{row.id<SwingId>(0), row.record(1), row.text(2), row.text(3), row.day(4), static_cast<int>(row.integer(5))};
     });
 }
 

@@ -20,8 +20,8 @@ bool isFingerprint(const std::string& text)
 
 Result<std::vector<StationKey>> KeyStore::all()
 {
-    Statement statement(m_database, "SELECT fingerprint, holder, public_key, added_utc FROM signing_key ORDER BY holder, fingerprint");
-    return rowsOf<StationKey>(statement, [](Statement& row) { return StationKey{row.text(0), row.text(1), row.text(2), row.text(3)}; });
+    Statement statement(m_database, "SELECT fingerprint, holder, public_key, added_utc, id FROM signing_key ORDER BY holder, fingerprint");
+    return rowsOf<StationKey>(statement, [](Statement& row) { return StationKey{row.text(0), row.text(1), row.longText(2), row.text(3)}; });
 }
 
 Result<void> KeyStore::put(StationKey key)

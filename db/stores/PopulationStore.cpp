@@ -6,6 +6,7 @@
 
 #include "core/base/Date.h"
 #include "core/due/DueRules.h"
+#include "core/record/Ranges.h"
 #include "core/swing/ReadingError.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
@@ -101,12 +102,12 @@ private:
             compass.type = statement.text(2);
             compass.aircraft = statement.text(3);
             compass.compass = statement.text(4);
-            compass.kind = statement.as<CompassKind>(5);
-            compass.readingError_deg = toDegrees(readingError_rad(statement.real(6)));
-            compass.limit_deg = statement.optionalReal(7);
+            compass.kind = statement.as(5, CompassKind::RemoteStabilised);
+            compass.readingError_deg = toDegrees(readingError_rad(statement.real(6, kPositiveRange)));
+            compass.limit_deg = statement.optionalReal(7, kPositiveRange);
             m_place.emplace(compass.id.value, static_cast<std::int32_t>(m_fleet.compasses.size()));
             m_aircraft[statement.integer(1)].push_back(m_fleet.compasses.size());
-            m_type.push_back(statement.text(8));
+            m_type.push_back(statement.record(8));
             m_fleet.compasses.push_back(std::move(compass));
         }
         return statement.finished();
@@ -114,12 +115,12 @@ private:
 
     Result<void> readEvents()
     {
-        Statement statement(m_database, "SELECT aircraft_id, date, kind FROM event WHERE date <> '' ORDER BY date, kind");
+        Statement statement(m_database, "SELECT aircraft_id, date, kind, id FROM event WHERE date <> '' ORDER BY date, kind");
         if (const auto done = statement.run(); !done)
             return done;
         while (statement.next()) {
             const auto found = m_aircraft.find(statement.integer(0));
-            const auto day = dayOfDate(statement.text(1));
+            const auto day = dayOfDate(statement.day(1).text());
             if (found == m_aircraft.end() || !day)
                 continue;
             for (const auto compass : found->second)
@@ -185,18 +186,18 @@ private:
             if (compass == m_place.end())
                 continue;
             FleetSwing swing;
-            const auto day = dayOfDate(statement.text(3));
+            const auto day = dayOfDate(statement.day(3).text());
             if (const char* why = whyLeftOut(statement, day)) {
                 ++left[why];
                 continue;
             }
             swing.id = statement.id<SwingId>(0);
             swing.compass = compass->second;
-            if (const auto site = sites.find(statement.integer(2)); site != sites.end())
+            if (const auto site = sites.find(statement.optionalId<SiteId>(2).value); site != sites.end())
                 swing.site = site->second;
             swing.day = *day;
-            swing.stage = statement.as<SwingStage>(4);
-            swing.radio = statement.as<RadioState>(6);
+            swing.stage = statement.as(4, SwingStage::AsLeft);
+            swing.radio = statement.as(6, RadioState::Off);
             swing.crew = levelOf(statement.text(7), m_fleet.crews, crews);
             m_fleet.swings.push_back(swing);
         }
@@ -208,7 +209,7 @@ private:
 
     static const char* whyLeftOut(const Statement& row, const std::optional<int>& day)
     {
-        if (row.as<SwingState>(5) == SwingState::Draft)
+        if (row.as(5, SwingState::Signed) == SwingState::Draft)
             return "draft";
         if (row.integer(8) != 0)
             return "superseded";
@@ -260,7 +261,7 @@ private:
     Result<void> readBySwing()
     {
         Statement statement(
-            m_database, QString("SELECT magnetic_heading_deg, compass_heading_deg FROM reading WHERE swing_id = ? AND ") + kWhole);
+            m_database, QString("SELECT magnetic_heading_deg, compass_heading_deg, id FROM reading WHERE swing_id = ? AND ") + kWhole);
         for (std::size_t i = 0; i < m_fleet.swings.size(); ++i) {
             if (m_progress && i % 256 == 0 && !m_progress(static_cast<double>(i) / static_cast<double>(m_fleet.swings.size())))
                 return cancelledReading();
@@ -270,7 +271,7 @@ private:
                 return done;
             swing.first = static_cast<std::uint32_t>(m_fleet.magnetic_deg.size());
             while (statement.next())
-                take(swing, statement.real(0), statement.real(1));
+                take(swing, statement.real(0, kHeadingRange), statement.real(1, kHeadingRange));
             if (const auto whole = statement.finished(); !whole)
                 return whole;
         }
@@ -293,7 +294,8 @@ private:
         const auto most = number(m_database, "SELECT MAX(id) FROM reading");
         if (!most)
             return most.error();
-        Statement statement(m_database, QString("SELECT swing_id, magnetic_heading_deg, compass_heading_deg FROM reading WHERE ") + kWhole);
+        Statement statement(
+            m_database, QString("SELECT swing_id, magnetic_heading_deg, compass_heading_deg, id FROM reading WHERE ") + kWhole);
         if (const auto done = statement.run(); !done)
             return done;
         std::int64_t last = 0, read = 0;
@@ -314,7 +316,7 @@ private:
             const bool inOnePiece = swing->first + swing->count == m_fleet.magnetic_deg.size();
             if (!inOnePiece)
                 moveToEnd(*swing);
-            take(*swing, statement.real(1), statement.real(2));
+            take(*swing, statement.real(1, kHeadingRange), statement.real(2, kHeadingRange));
         }
         return statement.finished();
     }

@@ -2,16 +2,28 @@
 
 namespace lubberline::db {
 
-Result<StoredRow> storedRow(Database& database, const Table& table, std::int64_t id)
+QString selectFrom(const Table& table) { return "SELECT id, record, " + table.fields.join(", ") + " FROM " + table.name + " "; }
+
+Result<StoredRow> storedRow(Database& database, const Table& table, std::int64_t id, RowMust must)
 {
-    Statement statement(database, "SELECT record, " + table.fields.join(", ") + " FROM " + table.name + " WHERE id = ?");
+    Statement statement(database, selectFrom(table) + "WHERE id = ?");
     statement << id;
     return oneOf<StoredRow>(statement, database, table.what, [&](Statement& row) {
-        StoredRow stored{row.text(0), {}};
-        for (int i = 1; i <= table.fields.size(); ++i)
-            stored.fields.push_back(row.text(i));
+        if (must == RowMust::BeReadable)
+            table.read(row);
+        StoredRow stored{row.anything(1), {}};
+        for (int i = 0; i < table.fields.size(); ++i)
+            stored.fields.push_back(row.anything(2 + i));
         return stored;
     });
+}
+
+Result<StoredRow> writtenRow(Database& database, const Table& table, std::int64_t id)
+{
+    auto row = storedRow(database, table, id, RowMust::BeReadable);
+    if (row || row.error().code != ErrorCode::Corrupt)
+        return row;
+    return Error{ErrorCode::InvalidInput, row.error().message, row.error().file};
 }
 
 std::string changesBetween(const Table& table, const StoredRow& before, const StoredRow& after)

@@ -15,16 +15,23 @@ namespace lubberline::db {
 struct Table {
     Pattern what; ///< "aircraft type"
     QString name;
-    QStringList fields; ///< the columns of the particulars: all but the id, the record id and what is computed
+    QStringList fields;                 ///< the columns of the particulars: all but the id, the record id and what is computed
+    void (*read)(const Statement& row); ///< makes a record of a row of selectFrom(); damages it where it is none
 };
+
+/// "SELECT id, record, fields FROM table ".
+[[nodiscard]] QString selectFrom(const Table& table);
 
 /// The particulars of a row as text, for the audit trail.
 struct StoredRow {
     RecordId record;
     std::vector<std::string> fields;
 };
-/// Errors: NotFound.
-Result<StoredRow> storedRow(Database& database, const Table& table, std::int64_t id);
+/// Errors: NotFound; where it must be readable, Corrupt.
+enum class RowMust { BeThere, BeReadable };
+Result<StoredRow> storedRow(Database& database, const Table& table, std::int64_t id, RowMust must = RowMust::BeThere);
+/// What could not be read again must not be stored. Errors: NotFound, InvalidInput.
+Result<StoredRow> writtenRow(Database& database, const Table& table, std::int64_t id);
 
 /// "name: before -> after; …" of the fields that differ; without the arrow where there was nothing before.
 [[nodiscard]] std::string changesBetween(const Table& table, const StoredRow& before, const StoredRow& after);
@@ -50,7 +57,7 @@ Result<IdType> addRecord(Database& database, const Table& table, const Record& r
     if (const auto done = statement.run(); !done)
         return done.error();
     const IdType id{statement.insertedId()};
-    const auto after = storedRow(database, table, id.value);
+    const auto after = writtenRow(database, table, id.value);
     if (!after)
         return after.error();
     if (const auto kept = audit(database, "added " + std::string(table.what.english), after->record, changesBetween(table, {}, *after));
@@ -94,7 +101,7 @@ Result<void> changeRecord(Database& database, const Table& table, IdType id, con
     statement << id;
     if (const auto stored = statement.run(); !stored)
         return stored;
-    const auto after = storedRow(database, table, id.value);
+    const auto after = writtenRow(database, table, id.value);
     if (!after)
         return after.error();
     if (const auto kept

@@ -5,35 +5,26 @@
 #include "core/format/exchange/RowJson.h"
 #include "db/stores/Saving.h"
 #include "db/stores/SensorText.h"
+#include "db/stores/Tables.h"
 
 namespace lubberline::db {
 
 namespace {
 
-const Table& sensorTable()
-{
-    static const Table table{
-        MARKED("db", "sensor model"), "sensor_model", {"compass_id", "name", "origin", "note", "model_json", "bench_json", "states_json"}};
-    return table;
-}
-
-QString selectSensor() { return "SELECT id, record, " + sensorTable().fields.join(", ") + " FROM sensor_model "; }
-
-Result<SensorRecord> sensorFrom(const Statement& row, const Database& database)
+SensorRecord sensorFrom(const Statement& row)
 {
     SensorRecord sensor;
     sensor.id = row.id<SensorModelId>(0);
-    sensor.record = row.text(1);
+    sensor.record = row.record(1);
     sensor.compass = row.id<CompassId>(2);
     sensor.name = row.text(3);
-    sensor.origin = row.as<ModelOrigin>(4);
+    sensor.origin = row.as(4, ModelOrigin::IronBench);
     sensor.note = row.text(5);
-    auto whole = withTexts(std::move(sensor), row.text(6), row.text(7), row.text(8));
+    auto whole = withTexts(sensor, row.longText(6), row.optionalLongText(7), row.longText(8));
     if (whole)
-        return whole;
-    Error error = whole.error();
-    error.file = database.path().toStdString();
-    return error;
+        return std::move(*whole);
+    row.damages(6, whole.error());
+    return sensor;
 }
 
 void bindSensor(Statement& statement, const SensorRecord& sensor)
@@ -55,35 +46,32 @@ Result<void> check(const SensorRecord& sensor)
 
 } // namespace
 
+const Table& sensorTable()
+{
+    static const Table table{MARKED("db", "sensor model"), "sensor_model",
+        {"compass_id", "name", "origin", "note", "model_json", "bench_json", "states_json"},
+        [](const Statement& row) { (void)sensorFrom(row); }};
+    return table;
+}
+
 Result<std::vector<SensorRecord>> SensorStore::of(CompassId compass)
 {
-    Statement statement(m_database, selectSensor() + "WHERE compass_id = ? ORDER BY id DESC");
+    Statement statement(m_database, selectFrom(sensorTable()) + "WHERE compass_id = ? ORDER BY id DESC");
     statement << compass;
-    return wholeRows(rowsOf<Result<SensorRecord>>(statement, [this](Statement& row) { return sensorFrom(row, m_database); }));
+    return rowsOf<SensorRecord>(statement, sensorFrom);
 }
 
 Result<SensorRecord> SensorStore::sensor(SensorModelId id)
 {
-    Statement statement(m_database, selectSensor() + "WHERE id = ?");
+    Statement statement(m_database, selectFrom(sensorTable()) + "WHERE id = ?");
     statement << id;
-    auto row = oneOf<Result<SensorRecord>>(
-        statement, m_database, MARKED("db", "sensor model"), [this](Statement& found) { return sensorFrom(found, m_database); });
-    if (!row)
-        return row.error();
-    return std::move(row.value());
+    return oneOf<SensorRecord>(statement, m_database, MARKED("db", "sensor model"), sensorFrom);
 }
 
 Result<std::vector<Message>> SensorStore::faults()
 {
-    Statement statement(m_database, selectSensor() + "ORDER BY id");
-    auto rows = rowsOf<Result<SensorRecord>>(statement, [this](Statement& row) { return sensorFrom(row, m_database); });
-    if (!rows)
-        return rows.error();
-    std::vector<Message> faults;
-    for (const auto& row : *rows)
-        if (!row)
-            faults.push_back(row.error().message);
-    return faults;
+    Statement statement(m_database, selectFrom(sensorTable()) + "ORDER BY id");
+    return damagesIn(statement, [](Statement& row) { (void)sensorFrom(row); });
 }
 
 Result<SensorModelId> SensorStore::add(const SensorRecord& sensor)

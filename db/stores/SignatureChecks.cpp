@@ -27,7 +27,7 @@ Result<std::vector<TrailRow>> trailOf(Database& database, const RecordId& record
 {
     Statement statement(database, "SELECT id, time_utc, what, detail FROM audit_entry WHERE record = ? ORDER BY id");
     statement << record;
-    return rowsOf<TrailRow>(statement, [](Statement& row) { return TrailRow{row.integer(0), row.text(1), row.text(2), row.text(3)}; });
+    return rowsOf<TrailRow>(statement, [](Statement& row) { return TrailRow{row.integer(0), row.text(1), row.text(2), row.longText(3)}; });
 }
 
 bool sameMoment(const std::string& one, const std::string& other)

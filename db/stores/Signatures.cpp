@@ -10,13 +10,13 @@ namespace {
 
 Signature signatureFrom(const Statement& row)
 {
-    return {row.as<SignatureRole>(1), row.text(2), row.text(3), row.text(4), row.text(5), static_cast<int>(row.integer(6)), row.text(7),
-        row.text(8), row.text(9), row.text(10), row.text(11), row.text(12), row.text(13)};
+    return {row.as(1, SignatureRole::Authority), row.text(2), row.text(3), row.text(4), row.text(5), row.integer(6, {1, 1000}), row.text(7),
+        row.text(8), row.text(9), row.longText(10), row.text(11), row.longText(12), row.longText(13)};
 }
 
 const QString kSignatureColumns
     = "swing_id, role, name, licence, time_utc, hash, contents, file, file_head, record_head, particulars, key, public_key, openpgp";
-const QString kSelectSignature = "SELECT " + kSignatureColumns + " FROM signature ";
+const QString kSelectSignature = "SELECT " + kSignatureColumns + ", id FROM signature ";
 
 } // namespace
 
@@ -38,6 +38,15 @@ Result<std::map<SwingId, std::vector<Signature>>> allSignatures(Database& databa
     for (auto& [swing, signature] : *rows)
         all[swing].push_back(std::move(signature));
     return all;
+}
+
+std::vector<Message> damagedSignatures(Database& database)
+{
+    Statement statement(database, kSelectSignature + "ORDER BY id");
+    return damagesIn(statement, [](Statement& row) {
+        (void)row.id<SwingId>(0);
+        (void)signatureFrom(row);
+    });
 }
 
 std::string auditText(const Signature& signature)

@@ -12,6 +12,7 @@ namespace lubberline::db {
 
 Result<std::vector<Signature>> signaturesOf(Database& database, SwingId swing); ///< in the order in which they were given
 Result<std::map<SwingId, std::vector<Signature>>> allSignatures(Database& database);
+std::vector<Message> damagedSignatures(Database& database); ///< for damagedRows()
 
 /// What the audit trail says of a signature that is given here, that comes with an import, or that was there when the trail became a
 /// chain. Each row has one such entry, and each entry a row.

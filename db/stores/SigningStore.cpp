@@ -278,7 +278,7 @@ Result<SwingId> SigningStore::amend(SwingId id, const std::string& reason)
         return Error{ErrorCode::InvalidInput, MARKED("db", "the reason is empty; expected why the signed swing is amended")};
     Statement later(m_database, "SELECT record FROM swing WHERE supersedes = ?");
     later << swing->record;
-    const auto other = firstOf<std::string>(later, [](Statement& row) { return row.text(0); });
+    const auto other = firstOf<std::string>(later, [](Statement& row) { return row.record(0); });
     if (!other)
         return other.error();
     if (*other)
@@ -304,9 +304,9 @@ Result<SwingId> SigningStore::amend(SwingId id, const std::string& reason)
 
 Result<std::vector<AuditRow>> SigningStore::auditOf(const RecordId& record)
 {
-    Statement statement(m_database, "SELECT time_utc, what, detail FROM audit_entry WHERE record = ? ORDER BY id");
+    Statement statement(m_database, "SELECT time_utc, what, detail, id FROM audit_entry WHERE record = ? ORDER BY id");
     statement << record;
-    return rowsOf<AuditRow>(statement, [](Statement& row) { return AuditRow{row.text(0), row.text(1), row.text(2)}; });
+    return rowsOf<AuditRow>(statement, [](Statement& row) { return AuditRow{row.text(0), row.text(1), row.longText(2)}; });
 }
 
 Result<void> SigningStore::noteCard(SwingId id)

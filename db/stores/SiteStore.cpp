@@ -1,61 +1,42 @@
 #include "db/stores/SiteStore.h"
 
 #include "core/format/exchange/SiteJson.h"
+#include "core/record/Ranges.h"
 #include "db/stores/ResultCache.h"
 #include "db/stores/Saving.h"
+#include "db/stores/Tables.h"
 
 namespace lubberline::db {
 
 namespace {
 
-const Table& siteTable()
+Site siteFrom(const Statement& row)
 {
-    static const Table table{MARKED("db", "site"), "site",
-        {"name", "latitude_deg", "longitude_deg", "elevation_m", "variation_deg", "variation_source", "note", "owner", "site_class",
-            "certificate", "certificate_expiry", "painted_variation_deg", "painted_date", "survey_date", "surveyor", "survey_instrument",
-            "survey_json"}};
-    return table;
-}
-
-const Table& limitsTable()
-{
-    static const Table table{
-        MARKED("db", "limits profile"), "limits_profile", {"name", "document", "issue", "scope", "max_deviation_deg", "max_spread_deg"}};
-    return table;
-}
-
-QString selectSite() { return "SELECT id, record, " + siteTable().fields.join(", ") + " FROM site "; }
-QString selectLimits() { return "SELECT id, record, " + limitsTable().fields.join(", ") + " FROM limits_profile "; }
-
-/// Errors: Corrupt (a survey that does not read).
-Result<Site> siteFrom(const Statement& row, const Database& database)
-{
-    Site site{row.id<SiteId>(0), row.text(1), row.text(2), row.optionalReal(3), row.optionalReal(4), row.optionalReal(5),
-        row.optionalReal(6), row.text(7), row.text(8)};
+    Site site{row.id<SiteId>(0), row.record(1), row.text(2), row.optionalReal(3, kLatitudeRange), row.optionalReal(4, kSignedAngleRange),
+        row.optionalReal(5, kElevationRange), row.optionalReal(6, kSignedAngleRange), row.text(7), row.text(8)};
     site.owner = row.text(9);
-    site.siteClass = row.as<SiteClass>(10);
+    site.siteClass = row.as(10, SiteClass::Class2);
     site.certificate = row.text(11);
     site.certificateExpiry = row.day(12);
-    site.paintedVariation_deg = row.optionalReal(13);
+    site.paintedVariation_deg = row.optionalReal(13, kSignedAngleRange);
     site.paintedDate = row.day(14);
     site.surveyDate = row.day(15);
     site.surveyor = row.text(16);
     site.surveyInstrument = row.text(17);
-    const std::string points = row.text(18);
+    const std::string points = row.longText(18);
     if (points.empty())
         return site;
-    auto survey = readSurvey(points, database.path().toStdString());
-    if (!survey)
-        return Error{ErrorCode::Corrupt, {MARKED("db", "the survey of the site %1 does not read: %2"), site.name, survey.error().message},
-            database.path().toStdString()};
-    site.survey = std::move(*survey);
+    if (auto survey = readSurvey(points, {}))
+        site.survey = std::move(*survey);
+    else
+        row.damages(18, survey.error());
     return site;
 }
 
 LimitsProfile limitsFrom(const Statement& row)
 {
-    return {row.id<LimitsProfileId>(0), row.text(1), row.text(2), row.text(3), row.text(4), row.text(5), row.optionalReal(6),
-        row.optionalReal(7)};
+    return {row.id<LimitsProfileId>(0), row.record(1), row.text(2), row.text(3), row.text(4), row.text(5),
+        row.optionalReal(6, kPositiveRange), row.optionalReal(7, kPositiveRange)};
 }
 
 void bindSite(Statement& statement, const Site& site)
@@ -71,12 +52,12 @@ void bindLimits(Statement& statement, const LimitsProfile& profile)
     statement << profile.name << profile.document << profile.issue << profile.scope << profile.maxDeviation_deg << profile.maxSpread_deg;
 }
 
-const Table& instrumentTable()
+DatumInstrument instrumentFrom(const Statement& row)
 {
-    static const Table table{MARKED("db", "datum instrument"), "datum_instrument",
-        {"name", "kind", "maker", "serial_number", "calibration_due", "ahead", "gives_true", "zero_deg", "resolution_deg", "note",
-            "shadow_pin"}};
-    return table;
+    const auto kind = row.as(3, DatumKind::ElectricalCalibrator);
+    return {row.record(1), row.text(2), row.flag(12) ? DatumKind::ShadowPin : kind, row.text(4), row.text(5), row.day(6),
+        row.as(7, SightingDirection::Reciprocal), row.flag(8), row.real(9, kFigureRange), row.real(10, kInstrumentResolutionRange),
+        row.text(11)};
 }
 
 void bindInstrument(Statement& statement, const DatumInstrument& instrument)
@@ -89,46 +70,62 @@ void bindInstrument(Statement& statement, const DatumInstrument& instrument)
 
 } // namespace
 
+const Table& siteTable()
+{
+    static const Table table{MARKED("db", "site"), "site",
+        {"name", "latitude_deg", "longitude_deg", "elevation_m", "variation_deg", "variation_source", "note", "owner", "site_class",
+            "certificate", "certificate_expiry", "painted_variation_deg", "painted_date", "survey_date", "surveyor", "survey_instrument",
+            "survey_json"},
+        [](const Statement& row) { (void)siteFrom(row); }};
+    return table;
+}
+
+const Table& limitsTable()
+{
+    static const Table table{MARKED("db", "limits profile"), "limits_profile",
+        {"name", "document", "issue", "scope", "max_deviation_deg", "max_spread_deg"}, [](const Statement& row) { (void)limitsFrom(row); }};
+    return table;
+}
+
+const Table& instrumentTable()
+{
+    static const Table table{MARKED("db", "datum instrument"), "datum_instrument",
+        {"name", "kind", "maker", "serial_number", "calibration_due", "ahead", "gives_true", "zero_deg", "resolution_deg", "note",
+            "shadow_pin"},
+        [](const Statement& row) { (void)instrumentFrom(row); }};
+    return table;
+}
+
 Result<std::vector<Site>> SiteStore::sites()
 {
-    Statement statement(m_database, selectSite() + "ORDER BY name");
-    return wholeRows(rowsOf<Result<Site>>(statement, [this](Statement& row) { return siteFrom(row, m_database); }));
+    Statement statement(m_database, selectFrom(siteTable()) + "ORDER BY name");
+    return rowsOf<Site>(statement, siteFrom);
 }
 
 Result<std::vector<LimitsProfile>> SiteStore::limitsProfiles()
 {
-    Statement statement(m_database, selectLimits() + "ORDER BY name");
+    Statement statement(m_database, selectFrom(limitsTable()) + "ORDER BY name");
     return rowsOf<LimitsProfile>(statement, limitsFrom);
 }
 
 Result<std::optional<Site>> SiteStore::site(SiteId id)
 {
-    Statement statement(m_database, selectSite() + "WHERE id = ?");
+    Statement statement(m_database, selectFrom(siteTable()) + "WHERE id = ?");
     statement << id;
-    auto found = firstOf<Result<Site>>(statement, [this](Statement& row) { return siteFrom(row, m_database); });
-    if (!found)
-        return found.error();
-    if (!*found)
-        return std::optional<Site>{};
-    if (!**found)
-        return (*found)->error();
-    return std::optional(std::move((**found).value()));
+    return firstOf<Site>(statement, siteFrom);
 }
 
 Result<std::optional<LimitsProfile>> SiteStore::limitsOf(CompassId compass)
 {
-    Statement statement(m_database, selectLimits() + "WHERE id = (SELECT limits_id FROM compass WHERE id = ?)");
+    Statement statement(m_database, selectFrom(limitsTable()) + "WHERE id = (SELECT limits_id FROM compass WHERE id = ?)");
     statement << compass;
     return firstOf<LimitsProfile>(statement, limitsFrom);
 }
 
 Result<std::vector<DatumInstrument>> SiteStore::instruments()
 {
-    Statement statement(m_database, "SELECT record, " + instrumentTable().fields.join(", ") + " FROM datum_instrument ORDER BY name");
-    return rowsOf<DatumInstrument>(statement, [](Statement& row) {
-        return DatumInstrument{row.text(0), row.text(1), row.integer(11) != 0 ? DatumKind::ShadowPin : row.as<DatumKind>(2), row.text(3),
-            row.text(4), row.day(5), row.as<SightingDirection>(6), row.integer(7) != 0, row.real(8), row.real(9), row.text(10)};
-    });
+    Statement statement(m_database, selectFrom(instrumentTable()) + "ORDER BY name");
+    return rowsOf<DatumInstrument>(statement, instrumentFrom);
 }
 
 Result<SiteId> SiteStore::add(const Site& site)

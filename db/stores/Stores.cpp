@@ -9,17 +9,23 @@ namespace lubberline::db {
 
 namespace {
 
+/// Only counted: a profile of a damaged file may not read.
+Result<bool> hasLimits(Stores& stores)
+{
+    const auto profiles = number(stores.database(), "SELECT COUNT(*) FROM limits_profile");
+    return profiles ? Result<bool>(*profiles > 0) : profiles.error();
+}
+
 /// A database without any limits profile is new: it gets those whose source was read.
 Result<void> addShippedLimits(Stores& stores)
 {
-    const auto profiles = stores.sites.limitsProfiles();
-    if (!profiles)
-        return profiles.error();
-    if (!profiles->empty() || stores.readOnly())
-        return {};
+    if (const auto there = hasLimits(stores); !there || *there || stores.readOnly())
+        return noValue(there);
     auto transaction = stores.begin();
     if (!transaction)
         return transaction.error();
+    if (const auto there = hasLimits(stores); !there || *there) // another first writer was faster
+        return noValue(there);
     for (const auto& profile : shippedLimitsProfiles())
         if (const auto added = stores.sites.add(profile); !added)
             return added.error();

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "core/format/exchange/RowJson.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline::db {
 
@@ -15,10 +16,12 @@ constexpr int kStampColumns = 8;
 template <class Value>
 Value partOf(const Statement& row, int column, Result<Value> (*read)(std::string_view))
 {
-    auto value = read(row.text(column));
+    const std::size_t before = row.damages().size();
+    auto value = read(row.longText(column));
     if (value)
         return std::move(value.value());
-    row.damages(described(value.error()));
+    if (row.damages().size() == before)
+        row.damages(column, value.error());
     return {};
 }
 
@@ -38,12 +41,14 @@ std::optional<HeadingType> headingFrom(std::optional<double> heading_deg)
 std::optional<FieldStamp> stampFrom(const Statement& row, int first)
 {
     FieldStamp stamp;
-    stamp.model = row.text(first);
+    stamp.model = row.optionalText(first);
     if (stamp.model.empty())
         return {};
-    stamp.place = {row.real(first + 1), row.real(first + 2), row.real(first + 3)};
+    stamp.place = {row.real(first + 1, kLatitudeRange), row.real(first + 2, kSignedAngleRange), row.real(first + 3, kHeightRange)};
     stamp.date = row.day(first + 4);
-    stamp.field = {row.real(first + 5), row.real(first + 6), row.real(first + 7)};
+    if (stamp.date.empty())
+        row.damages(first + 4, MARKED("db", "a day of the calendar as YYYY-MM-DD"));
+    stamp.field = {row.real(first + 5, kFieldRange), row.real(first + 6, kFieldRange), row.real(first + 7, kFieldRange)};
     return stamp;
 }
 
@@ -85,51 +90,56 @@ Swing swingFrom(const Statement& row, int first)
     int column = first;
     Swing swing;
     swing.id = row.id<SwingId>(column++);
-    swing.record = row.text(column++);
+    swing.record = row.record(column++);
     swing.compass = row.id<CompassId>(column++);
-    swing.site = row.id<SiteId>(column++);
+    swing.site = row.optionalId<SiteId>(column++);
     swing.date = row.day(column++);
-    swing.kind = row.as<SwingKind>(column++);
-    swing.stage = row.as<SwingStage>(column++);
-    swing.state = row.as<SwingState>(column++);
-    swing.configuration.radio = row.as<RadioState>(column++);
+    swing.kind = row.as(column++, SwingKind::Air);
+    swing.stage = row.as(column++, SwingStage::AsLeft);
+    swing.state = row.as(column++, SwingState::Signed);
+    swing.configuration.radio = row.as(column++, RadioState::Off);
     for (std::string* field : {&swing.configuration.engines, &swing.configuration.electrics, &swing.configuration.other,
              &swing.datum.instrument, &swing.datum.serialNumber})
         *field = row.text(column++);
     swing.datum.calibrationDue = row.day(column++);
     for (std::string* field : {&swing.people.datumReader, &swing.people.cockpitReader, &swing.people.adjuster, &swing.people.inspector})
         *field = row.text(column++);
-    swing.variation_deg = row.optionalReal(column++);
+    swing.variation_deg = row.optionalReal(column++, kSignedAngleRange);
     for (std::string* field : {&swing.procedure, &swing.workOrder, &swing.reason, &swing.note})
         *field = row.text(column++);
     swing.field = stampFrom(row, column);
     column += kStampColumns;
-    swing.indexRemoved_deg = row.optionalReal(column++);
-    for (std::string* field : {&swing.datum.readOut, &swing.startUtc, &swing.endUtc, &swing.siteOverride, &swing.weather, &swing.job,
-             &swing.supersedes, &swing.amendment})
+    swing.indexRemoved_deg = row.optionalReal(column++, kSignedAngleRange);
+    for (std::string* field : {&swing.datum.readOut, &swing.startUtc, &swing.endUtc, &swing.siteOverride, &swing.weather})
         *field = row.text(column++);
-    swing.revision = static_cast<int>(row.integer(column++));
-    if (row.integer(column++) == 0)
+    swing.job = row.optionalRecord(column++);
+    swing.supersedes = row.optionalRecord(column++);
+    swing.amendment = row.text(column++);
+    swing.revision = row.integer(column++, kRevisionRange);
+    if (!row.flag(column++))
         swing.kind = SwingKind::NotStated;
-    if (row.integer(column) == 0)
+    if (!row.flag(column))
         swing.stage = SwingStage::NotStated;
     return swing;
 }
 
 QString swingRowColumns()
 {
-    return "id, compass_id, date, CASE kind_stated WHEN 1 THEN kind ELSE 4 END, CASE stage_stated WHEN 1 THEN stage ELSE 2 END, state,"
-           " reading_count, max_abs_deviation_deg, a_deg, b_deg, c_deg, d_deg, e_deg, status, revision,"
+    return "id, compass_id, date, CASE kind_stated WHEN 1 THEN kind ELSE 4 END AS kind, CASE stage_stated WHEN 1 THEN stage ELSE 2 END"
+           " AS stage, state, reading_count, max_abs_deviation_deg, a_deg, b_deg, c_deg, d_deg, e_deg, status, revision,"
            " EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = swing.record), EXISTS (SELECT 1 FROM swing_job j WHERE j.swing_id = swing.id AND j.state = 0),"
            " EXISTS (SELECT 1 FROM swing_job j WHERE j.swing_id = swing.id AND j.state = 2)";
 }
 
 SwingRow swingRowFrom(const Statement& row)
 {
-    return {row.id<SwingId>(0), row.id<CompassId>(1), row.day(2), row.as<SwingKind>(3), row.as<SwingStage>(4), row.as<SwingState>(5),
-        static_cast<int>(row.integer(6)), row.optionalReal(7),
-        {row.optionalReal(8), row.optionalReal(9), row.optionalReal(10), row.optionalReal(11), row.optionalReal(12)}, row.as<Status>(13),
-        static_cast<int>(row.integer(14)), row.integer(15) != 0, row.integer(16) != 0, row.integer(17) != 0};
+    // Kept figures are what core made of readings; few of them can make very large coefficients.
+    const auto coefficient_deg = [&row](int column) { return row.optionalReal(column, {-1e9, 1e9}); };
+    return {row.id<SwingId>(0), row.id<CompassId>(1), row.day(2), row.as(3, SwingKind::NotStated), row.as(4, SwingStage::NotStated),
+        row.as(5, SwingState::Signed), row.integer(6, {0, double{kMaxReadings}}), row.optionalReal(7, {0, 180}),
+        {coefficient_deg(8), coefficient_deg(9), coefficient_deg(10), coefficient_deg(11), coefficient_deg(12)},
+        row.as(13, Status::OutOfLimits), row.integer(14, kRevisionRange), row.flag(15), row.flag(16),
+        row.flag(17)};
 }
 
 void bindParticulars(Statement& statement, const Swing& swing)
@@ -151,14 +161,14 @@ Reading readingFrom(const Statement& row, int first)
     int column = first;
     Reading reading;
     reading.id = row.id<ReadingId>(column++);
-    reading.nominal_deg = row.optionalReal(column++);
-    reading.magnetic = headingFrom<MagneticHeading>(row.optionalReal(column++));
-    reading.compass = headingFrom<CompassHeading>(row.optionalReal(column++));
-    reading.trueHeading = headingFrom<TrueHeading>(row.optionalReal(column++));
-    reading.pitch_deg = row.optionalReal(column++);
-    reading.roll_deg = row.optionalReal(column++);
+    reading.nominal_deg = row.optionalReal(column++, kHeadingRange);
+    reading.magnetic = headingFrom<MagneticHeading>(row.optionalReal(column++, kHeadingRange));
+    reading.compass = headingFrom<CompassHeading>(row.optionalReal(column++, kHeadingRange));
+    reading.trueHeading = headingFrom<TrueHeading>(row.optionalReal(column++, kHeadingRange));
+    reading.pitch_deg = row.optionalReal(column++, kPitchRange);
+    reading.roll_deg = row.optionalReal(column++, kRollRange);
     reading.note = row.text(column++);
-    if (const std::string reason = row.text(column++); !reason.empty())
+    if (const std::string reason = row.optionalText(column++); !reason.empty())
         reading.exclusion = Exclusion{reason};
     reading.extra = partOf(row, column++, readExtraRow);
     reading.raw = partOf(row, column++, readRawRow);
@@ -171,9 +181,9 @@ QString headingColumns() { return "r.magnetic_heading_deg, r.compass_heading_deg
 Reading headingsOnlyFrom(const Statement& row, int first)
 {
     Reading reading;
-    reading.magnetic = headingFrom<MagneticHeading>(row.optionalReal(first));
-    reading.compass = headingFrom<CompassHeading>(row.optionalReal(first + 1));
-    if (row.integer(first + 2) != 0)
+    reading.magnetic = headingFrom<MagneticHeading>(row.optionalReal(first, kHeadingRange));
+    reading.compass = headingFrom<CompassHeading>(row.optionalReal(first + 1, kHeadingRange));
+    if (row.flag(first + 2))
         reading.exclusion.emplace();
     return reading;
 }

@@ -1,7 +1,9 @@
 #include "db/stores/SwingStore.h"
 
+#include <algorithm>
 #include <span>
 
+#include "core/record/Ranges.h"
 #include "core/swing/SwingField.h"
 #include "db/stores/Audit.h"
 #include "db/stores/FleetStore.h"
@@ -10,16 +12,11 @@
 #include "db/stores/Signatures.h"
 #include "db/stores/SiteStore.h"
 #include "db/stores/SwingRows.h"
+#include "db/stores/Tables.h"
 
 namespace lubberline::db {
 
 namespace {
-
-const Table& swingTable()
-{
-    static const Table table{MARKED("db", "swing"), "swing", swingFields()};
-    return table;
-}
 
 Error isSigned(const Database& database)
 {
@@ -43,6 +40,18 @@ Result<Swing> openSwing(Database& database, SwingId id)
     return swing;
 }
 
+/// What could not be read again must not be stored; the rest the columns hold themselves.
+Result<void> checkTexts(const Reading& reading)
+{
+    std::size_t longest = std::max(reading.note.size(), reading.timeUtc.size());
+    if (reading.exclusion)
+        longest = std::max(longest, reading.exclusion->reason.size());
+    if (longest > kLongestText)
+        return Error{
+            ErrorCode::InvalidInput, {MARKED("db", "a text of a reading has %1 bytes; expected at most %2"), longest, kLongestText}};
+    return {};
+}
+
 /// Readings one after the other from `position` on, with one prepared statement. @return the id of the last.
 Result<ReadingId> insertRows(Database& database, SwingId swing, int position, std::span<const Reading> readings)
 {
@@ -50,6 +59,8 @@ Result<ReadingId> insertRows(Database& database, SwingId swing, int position, st
         + placeholders(readingFields().size() + 2) + ")";
     Statement statement(database, kInsert);
     for (const auto& reading : readings) {
+        if (const auto checked = checkTexts(reading); !checked)
+            return checked.error();
         statement << swing << position++;
         bindReading(statement, reading);
         if (const auto done = statement.run(); !done)
@@ -72,11 +83,17 @@ Result<void> finish(Database& database, Transaction& transaction, const Swing& s
 
 } // namespace
 
+const Table& swingTable()
+{
+    static const Table table{MARKED("db", "swing"), "swing", swingFields(), [](const Statement& row) { (void)swingFrom(row, 0); }};
+    return table;
+}
+
 Result<std::vector<SwingRow>> SwingStore::swingsOf(CompassId compass)
 {
     Statement statement(m_database, "SELECT " + swingRowColumns() + " FROM swing WHERE compass_id = ? ORDER BY date DESC, id DESC");
     statement << compass;
-    return rowsOf<SwingRow>(statement, swingRowFrom);
+    return shownRowsOf<SwingRow>(statement, swingRowFrom);
 }
 
 Result<std::vector<NewestSwing>> SwingStore::newest(int count)
@@ -136,6 +153,10 @@ Result<SwingRecord> SwingStore::record(SwingId id, ReadingParts parts)
     const auto site = sites.site(found->site);
     if (!site)
         return site.error();
+    if (found->site.valid() && !*site)
+        return Error{ErrorCode::Corrupt,
+            {MARKED("db", "swing.site_id, row %1: %2 is stored; expected the number of a site"), id.value, found->site.value},
+            m_database.path().toStdString()};
     const auto limits = sites.limitsOf(compass->id);
     if (!limits)
         return limits.error();
@@ -177,8 +198,9 @@ Result<std::optional<Swing>> SwingStore::previous(SwingId id)
 
 Result<RecordId> SwingStore::recordOf(SwingId id)
 {
-    const auto found = particulars(m_database, id);
-    return found ? Result<RecordId>(found->record) : found.error();
+    Statement statement(m_database, "SELECT record FROM swing WHERE id = ?"); // that of a damaged swing, too: it is how it is named
+    statement << id;
+    return oneOf<RecordId>(statement, m_database, MARKED("db", "swing"), [](Statement& row) { return row.anything(0); });
 }
 
 Result<SwingId> SwingStore::named(const std::string& beginning)
@@ -213,14 +235,15 @@ Result<void> SwingStore::forEach(const std::function<bool(const Swing&)>& callba
             return done;
     bool more = readings.next();
     while (swings.next()) {
+        const std::size_t before = swings.damages().size() + readings.damages().size();
         Swing swing = swingFrom(swings, 0);
         for (; more && readings.id<SwingId>(0) <= swing.id; more = readings.next())
             if (readings.id<SwingId>(0) == swing.id)
                 swing.readings.push_back(readingFrom(readings, 1));
         if (const auto found = signatures->find(swing.id); found != signatures->end())
             swing.signatures = found->second;
-        if (swings.damaged() || readings.damaged())
-            break;
+        if (swings.damages().size() + readings.damages().size() > before)
+            continue; // told in the end
         if (!callback(swing))
             return {};
     }
@@ -399,6 +422,8 @@ Result<void> SwingStore::changeReading(SwingId swing, const Reading& known, cons
         return Error{ErrorCode::Conflict,
             {MARKED("db", "this reading has been changed elsewhere to: %1; nothing was overwritten, look at it again"), auditText(*before)},
             m_database.path().toStdString()};
+    if (const auto checked = checkTexts(reading); !checked)
+        return checked;
     static const QString kUpdate = "UPDATE reading SET " + readingFields().join(" = ?, ") + " = ? WHERE id = ?";
     Statement statement(m_database, kUpdate);
     bindReading(statement, reading);

@@ -7,7 +7,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "db/engine/Copy.h"
@@ -15,13 +17,12 @@
 #include "db/engine/Transaction.h"
 #include "db/schema/Schema.h"
 #include "db/stores/FleetStore.h"
-#include "db/stores/JobStore.h"
 #include "db/stores/ResultCache.h"
-#include "db/stores/SensorStore.h"
 #include "db/stores/SignatureChecks.h"
 #include "db/stores/SiteStore.h"
 #include "db/stores/SwingRows.h"
 #include "db/stores/SwingStore.h"
+#include "db/stores/Tables.h"
 
 namespace lubberline::db {
 
@@ -84,7 +85,8 @@ Result<void> checkStructure(Database& database, VerifyReport& report)
         });
     if (done)
         done = findings(database, report, "PRAGMA foreign_key_check", [](Statement& row) {
-            return Message{MARKED("db", "foreign key: a row of %1 refers to a missing row of %2"), row.text(0), row.text(2)};
+            return Message{MARKED("db", "foreign key: a row of %1 (%2) refers to a missing row of %3"), row.anything(0), row.anything(1),
+                row.anything(2)};
         });
     if (done)
         done = findings(database, report,
@@ -93,36 +95,14 @@ Result<void> checkStructure(Database& database, VerifyReport& report)
             [](Statement& row) {
                 return Message{MARKED("db", "order: two readings of the swing %1 are in one place"), row.text(0)};
             });
-    for (const char* column :
-        {"swing.variation_deg", "swing.index_removed_deg", "swing.field_latitude_deg", "swing.field_longitude_deg", "swing.field_height_m",
-            "swing.field_north_nT", "swing.field_east_nT", "swing.field_down_nT", "site.latitude_deg", "site.longitude_deg",
-            "site.elevation_m", "site.variation_deg", "site.painted_variation_deg", "compass.resolution_deg", "datum_instrument.zero_deg"})
-        if (done) { // a column takes text that is not a number as it is, and 9e999 as infinite
-            const QStringList parts = QString(column).split('.');
-            done = findings(database, report,
-                QStringLiteral("SELECT record FROM %1 WHERE typeof(%2) IN ('text', 'blob') OR abs(%2) > 1e300").arg(parts[0], parts[1]),
-                [&](Statement& row) {
-                    return Message{MARKED("db", "figure: %1 of the record %2 is not a real number"), std::string(column), row.text(0)};
-                });
-        }
     return done;
 }
 
-Result<void> checkSensors(Database& database, VerifyReport& report)
+Result<void> checkRows(Database& database, VerifyReport& report)
 {
-    const auto faults = SensorStore(database).faults();
-    if (!faults)
-        return faults.error();
-    for (const auto& fault : *faults)
-        report.findings.push_back({MARKED("db", "sensor model: %1"), fault});
+    const auto damages = damagedRows(database);
+    report.findings.insert(report.findings.end(), damages.begin(), damages.end());
     return {};
-}
-
-/// Guided swings that do not read.
-void checkJobs(Database& database, VerifyReport& report)
-{
-    if (const auto jobs = JobStore(database).all(); !jobs)
-        report.findings.push_back(jobs.error().message);
 }
 
 /// The audit trail and the signatures, each held against the other.
@@ -163,7 +143,7 @@ Result<void> checkBadges(Database& database, VerifyReport& report)
 Result<std::map<SwingId, SwingRow>> storedRows(Database& database)
 {
     Statement statement(database, "SELECT " + swingRowColumns() + " FROM swing");
-    const auto listed = rowsOf<SwingRow>(statement, swingRowFrom);
+    const auto listed = shownRowsOf<SwingRow>(statement, swingRowFrom);
     if (!listed)
         return listed.error();
     std::map<SwingId, SwingRow> rows;
@@ -179,7 +159,7 @@ Result<std::map<CompassId, std::optional<LimitsProfile>>> limitsByCompass(Databa
         return profiles.error();
     Statement statement(database, "SELECT id, limits_id FROM compass");
     const auto pairs = rowsOf<std::pair<CompassId, LimitsProfileId>>(
-        statement, [](Statement& row) { return std::pair(row.id<CompassId>(0), row.id<LimitsProfileId>(1)); });
+        statement, [](Statement& row) { return std::pair(row.id<CompassId>(0), row.optionalId<LimitsProfileId>(1)); });
     if (!pairs)
         return pairs.error();
     std::map<CompassId, std::optional<LimitsProfile>> limits;
@@ -222,14 +202,33 @@ Result<void> checkResults(Database& database, VerifyReport& report, const Progre
     return {};
 }
 
+/// What is copied of a damaged database is as damaged.
+Result<void> sayDamage(Database& database, const std::string& copy)
+{
+    VerifyReport report;
+    if (const auto done = checkStructure(database, report); !done)
+        report.findings.push_back(done.error().message);
+    (void)checkRows(database, report);
+    if (report.findings.empty())
+        return {};
+    return Error{ErrorCode::Corrupt,
+        {MARKED("db",
+             "the copy is written, but the database is damaged and the copy is as damaged (%1 findings; the first: %2); expected a whole one:"
+             " `lubberline db verify` lists them"),
+            report.findings.size(), report.findings.front()},
+        copy};
+}
+
 } // namespace
 
 Result<void> backup(Database& database, const QString& path)
 {
-    if (!database.readAsCopy())
-        return copyTo(database, path);
-    const auto original = Database::openAsItIs(database.path());
-    return original ? copyTo(*original, path) : original.error();
+    const auto original = database.readAsCopy() ? Database::openAsItIs(database.path()) : Result<Database>(Error{});
+    if (database.readAsCopy() && !original)
+        return original.error();
+    if (const auto copied = copyTo(database.readAsCopy() ? *original : database, path); !copied)
+        return copied;
+    return sayDamage(database, path.toStdString());
 }
 
 namespace {
@@ -339,25 +338,26 @@ Result<void> restore(const QString& backup, const QString& path, const QString& 
         path.toStdString()};
 }
 
+std::vector<Message> listDamages(Database& database) { return damagedLists(database); }
+
 Result<VerifyReport> verify(Database& database, const Progress& progress, const std::vector<NotedHead>& heads)
 {
     const auto snapshot = Transaction::beginReading(database);
     if (!snapshot)
         return snapshot.error();
     VerifyReport report;
-    if (const auto done = checkOriginal(database, report); !done)
-        return done.error();
-    if (const auto done = checkStructure(database, report); !done)
-        return done.error();
-    if (const auto done = checkSensors(database, report); !done)
-        return done.error();
-    checkJobs(database, report);
-    if (const auto done = checkTrail(database, report, heads); !done)
-        return done.error();
-    if (const auto done = checkResults(database, report, progress); !done)
-        return done.error();
-    if (const auto done = checkBadges(database, report); !done)
-        return done.error();
+    const auto results = [&progress](Database& one, VerifyReport& into) { return checkResults(one, into, progress); };
+    const auto trail = [&heads](Database& one, VerifyReport& into) { return checkTrail(one, into, heads); };
+    for (const auto& check : std::vector<std::function<Result<void>(Database&, VerifyReport&)>>{
+             checkOriginal, checkStructure, checkRows, trail, results, checkBadges}) {
+        const auto done = check(database, report);
+        if (done)
+            continue;
+        if (done.error().code != ErrorCode::Corrupt)
+            return done.error();
+        if (std::find(report.findings.begin(), report.findings.end(), done.error().message) == report.findings.end())
+            report.findings.push_back(done.error().message); // and what else can be looked at is
+    }
     return report;
 }
 

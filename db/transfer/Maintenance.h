@@ -13,7 +13,7 @@ namespace lubberline::db {
 
 /// Writes a whole copy of the file as it is, in an old schema too, while it is in use; not inside a transaction. Written beside and
 /// renamed: no half copy is left, and it is on the drive when this returns. Errors: Conflict when the file exists already, Io (folder missing or not
-/// writable), Full.
+/// writable), Full; Corrupt: the copy is there, but what was copied is damaged.
 Result<void> backup(Database& database, const QString& path);
 
 /// Puts a copy of a backup in the place of a database, which is kept as `aside`. The backup stays as it is; one of an older program is
@@ -30,11 +30,14 @@ struct VerifyReport {
     std::int64_t entries = 0;      ///< of the audit trail
 };
 
-/// SQLite's integrity check, foreign keys, figures that are none, sensor models that do not read, the chain of the audit trail, every
-/// signature, and every cached result recomputed from its readings, all of one moment, whatever others write meanwhile. Changes nothing. Errors: Corrupt (when not
-/// even reading is possible), Cancelled.
+/// SQLite's integrity check, foreign keys, every value of every row that is not what its column should hold, the chain of the audit trail,
+/// every signature, and every cached result recomputed from its readings, all of one moment, whatever others write meanwhile. Changes
+/// nothing. What is damaged is a finding. Errors: Cancelled; those of a drive.
 /// @param heads  of the audit trail, noted earlier (in a report, a backup, on paper): the trail must hold each.
 Result<VerifyReport> verify(Database& database, const Progress& progress, const std::vector<NotedHead>& heads = {});
+
+/// What is wrong with what the lists of swings show: there it is as if it were not stated.
+[[nodiscard]] std::vector<Message> listDamages(Database& database);
 
 struct DatabaseStatus {
     std::string path;

@@ -51,7 +51,8 @@ std::string Sandbox::write(const std::string& name, const std::string& content) 
 
 std::string Sandbox::read(const std::string& name) const { return slurp(m_folder / name); }
 
-Outcome Sandbox::run(const std::vector<std::string>& arguments, const std::string& environment, const std::string& input) const
+Outcome Sandbox::run(
+    const std::vector<std::string>& arguments, const std::string& environment, const std::string& input, const std::string& output) const
 {
     const auto home = m_folder / ".home";
     std::string command = "cd " + quoted(m_folder.string())
@@ -60,10 +61,11 @@ Outcome Sandbox::run(const std::vector<std::string>& arguments, const std::strin
         + quoted(LUBBERLINE_PROGRAM);
     for (const auto& argument : arguments)
         command += " " + quoted(argument);
-    command += " >" + quoted((home / "out").string()) + " 2>" + quoted((home / "err").string()) + " <"
+    command += " >" + quoted(output.empty() ? (home / "out").string() : output) + " 2>" + quoted((home / "err").string()) + " <"
         + (input.empty() ? "/dev/null" : quoted(path(input)));
     const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(home / "out"), slurp(home / "err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), output.empty() ? slurp(home / "out") : std::string(),
+        slurp(home / "err")};
 }
 
 std::vector<std::string> Sandbox::files() const

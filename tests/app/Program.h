@@ -29,8 +29,9 @@ public:
     std::string write(const std::string& name, const std::string& content) const;
     [[nodiscard]] std::string read(const std::string& name) const;
     /// Runs `lubberline ARGUMENTS…` in the folder, without a display. @param input a file of the folder, for standard input
-    [[nodiscard]] Outcome run(
-        const std::vector<std::string>& arguments, const std::string& environment = {}, const std::string& input = {}) const;
+    /// @param output where standard output goes instead of into the outcome
+    [[nodiscard]] Outcome run(const std::vector<std::string>& arguments, const std::string& environment = {}, const std::string& input = {},
+        const std::string& output = {}) const;
     [[nodiscard]] std::vector<std::string> files() const;
 
 private:

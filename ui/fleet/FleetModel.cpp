@@ -110,7 +110,7 @@ Result<std::vector<std::unique_ptr<FleetModel::Node>>> FleetModel::ask(const Nod
     const auto add = [&nodes](FleetItem item, const QString& name, const QString& detail, Status status, bool mayHaveChildren) {
         auto node = std::make_unique<Node>();
         node->item = item;
-        node->name = name;
+        node->name = name.isEmpty() ? tr("damaged") : name; // a name is never empty
         node->detail = detail;
         node->status = status;
         node->mayHaveChildren = mayHaveChildren;

@@ -13,6 +13,8 @@ namespace {
 
 constexpr Pattern kExpectedActions = MARKED("core", "expected a CSV with the columns time_s and action");
 
+constexpr std::size_t kMostActions = 10'000, kLongestAction = 1000;
+
 char actionSeparator(std::string_view header)
 {
     return header.find(';') != std::string_view::npos ? ';' : header.find('\t') != std::string_view::npos ? '\t' : ',';
@@ -69,6 +71,10 @@ Result<std::vector<TimedAction>> readActions(std::istream& input, const std::str
         if (!actions.empty() && time.value <= actions.back().time_s)
             return here({MARKED("core", "time goes back, from %1 to %2; expected actions in order of time"),
                 shortestNumber(actions.back().time_s), shortestNumber(time.value)});
+        if (actions.size() == kMostActions || action.size() > kLongestAction)
+            return here(
+                {MARKED("core", "there are more than %1 actions, or one of more than %2 bytes; expected what was switched in a test"),
+                    kMostActions, kLongestAction});
         actions.push_back({time.value, action});
     }
     if (actions.empty())

@@ -136,6 +136,8 @@ Result<void> FigureCsv::readHeader(std::span<const std::string_view> known)
         return row;
     while (!m_cells.empty() && m_cells.back().empty())
         m_cells.pop_back();
+    if (const auto few = checkColumns(m_cells.size()); !few)
+        return here(few.error().message);
     for (const auto cell : m_cells) {
         std::string name = columnName(cell);
         if (!name.empty() && std::find(m_columns.begin(), m_columns.end(), name) != m_columns.end())

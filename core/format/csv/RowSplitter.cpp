@@ -67,6 +67,13 @@ void RowSplitter::endCell()
     m_place = Place::CellStart;
 }
 
+Result<void> checkColumns(std::size_t columns)
+{
+    if (columns > kMostColumns)
+        return Error{ErrorCode::Format, {MARKED("core", "there are %1 columns; expected at most %2"), columns, kMostColumns}};
+    return {};
+}
+
 std::optional<char> toldSeparator(std::string_view line)
 {
     constexpr std::string_view kWord = "sep=";

@@ -6,11 +6,18 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/Result.h"
+
 namespace lubberline {
 
 /// "sep=;", with which a file tells Excel how its cells are parted; in quotes and with empty cells behind it where it was saved again.
 /// @return the separator that such a line tells.
 [[nodiscard]] std::optional<char> toldSeparator(std::string_view line);
+
+/// More columns than this are no table of readings, and their names alone would take long to tell apart.
+inline constexpr std::size_t kMostColumns = 1000;
+/// Errors: Format (more than kMostColumns).
+[[nodiscard]] Result<void> checkColumns(std::size_t columns);
 
 class RowSplitter {
 public:

@@ -15,6 +15,9 @@ namespace {
 
 constexpr Pattern kExpectedLog = MARKED("core", "expected a sensor log CSV: a header with bx_nT, by_nT, bz_nT, and one sample a row");
 constexpr std::int64_t kMostBadCells = 100;
+// A row takes memory for each column of the header, whatever it holds: a file of a few megabytes must not take all there is.
+constexpr std::size_t kMostCellsNotThere = 4'000'000;
+constexpr std::size_t kMostOtherCells = 40'000'000; ///< 320 MB
 
 /// Blanks part cells only where nothing else does.
 char logSeparatorOf(std::string_view line)
@@ -76,6 +79,7 @@ private:
     bool m_decimalComma = false;
     bool m_noHeader = false;
     std::int64_t m_othersNotNumbers = 0;
+    std::size_t m_cellsNotThere = 0, m_otherCells = 0;
 };
 
 Result<bool> LogReader::nextLine()
@@ -114,6 +118,8 @@ Result<std::vector<std::string>> LogReader::header()
         return here(ErrorCode::Format, bad);
     m_separator = logSeparatorOf(m_line);
     std::vector<std::string> cells = cellsOf(m_line, m_separator);
+    if (const auto few = checkColumns(cells.size()); !few)
+        return here(few.error().code, few.error().message);
     m_decimalComma = m_separator == ';' || m_separator == '\t' || m_separator == ' ';
     m_noHeader = std::all_of(cells.begin(), cells.end(),
         [this](const std::string& cell) { return readNumber(trimmed(cell), m_decimalComma).fault == NumberFault::None; });
@@ -205,6 +211,16 @@ Result<void> LogReader::takeRow(std::string_view row)
     }
     if (column < m_targets.size())
         ++m_log.counts.shortRows;
+    m_cellsNotThere += m_targets.size() - column;
+    if (m_cellsNotThere > kMostCellsNotThere)
+        return here(ErrorCode::InvalidInput,
+            {MARKED("core", "the row has %1 cells where the header has %2, as many rows before it; expected a cell a column"), column,
+                m_targets.size()});
+    m_otherCells += m_log.others.size();
+    if (m_otherCells > kMostOtherCells)
+        return here(ErrorCode::InvalidInput,
+            {MARKED("core", "%1 columns that are no field, heading or current hold more than %2 cells; expected a log without them"),
+                m_log.others.size(), kMostOtherCells});
     for (; column < m_targets.size(); ++column)
         m_targets[column]->push_back(kNoValue);
     return checkTime();

@@ -104,6 +104,8 @@ Result<Columns> columnsOf(const std::vector<std::string>& cells)
 {
     const auto end = std::find_if(cells.rbegin(), cells.rend(), [](const std::string& cell) { return !trimmed(cell).empty(); });
     const std::vector<std::string> header(cells.begin(), end.base());
+    if (const auto few = checkColumns(header.size()); !few)
+        return few.error();
     if (looksLikeReadings(header))
         return Error{ErrorCode::Format,
             {MARKED("core", "there is no header: the first row is numbers; expected a row of column names, %1"), kExpectedColumns}};

@@ -10,11 +10,14 @@
 #include "core/earth/FieldModel.h"
 #include "core/format/csv/RowSplitter.h"
 #include "core/format/csv/TextCell.h"
+#include "core/record/Ranges.h"
 #include "core/record/RecordWords.h"
 
 namespace lubberline::csv {
 
 namespace {
+
+constexpr std::size_t kMostKeys = 1000;
 
 /// Keys whose value is text as it is. The order is that of the written file.
 struct TextKey {
@@ -223,6 +226,12 @@ bool isKey(std::string_view name) { return find(kTextKeys, name) || find(kValueK
 Result<void> KeyReader::take(const KeyLine& line)
 {
     const std::string known = inSmallLetters(line.key);
+    if (line.value.size() > kLongestText)
+        return Error{ErrorCode::InvalidInput,
+            {MARKED("core", "%1 is a text of %2 bytes; expected at most %3"), inQuotes(line.key), line.value.size(), kLongestText}};
+    if (m_taken.size() == kMostKeys)
+        return Error{
+            ErrorCode::InvalidInput, {MARKED("core", "there are more than %1 keys; expected the particulars of a swing"), kMostKeys}};
     if (!m_taken.insert(known).second)
         return Error{ErrorCode::InvalidInput, {MARKED("core", "the key %1 is there twice; expected each key once"), inQuotes(line.key)}};
     if (const auto* text = find(kTextKeys, known)) {

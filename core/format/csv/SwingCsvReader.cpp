@@ -13,6 +13,7 @@
 #include "core/format/csv/TextCell.h"
 #include "core/record/DerivedId.h"
 #include "core/record/NorthTwice.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 
@@ -22,6 +23,18 @@ using namespace csv;
 
 constexpr Pattern kExpectedFile
     = MARKED("core", "expected a Swing CSV: text in UTF-8 with a header of named columns and one reading a row");
+
+constexpr std::size_t kMostBytesAbove = std::size_t{4} << 20;
+/// What is only kept must not take more memory than the readings may.
+constexpr std::size_t kMostExtraBytes = std::size_t{128} << 20;
+
+std::size_t bytesOfExtra(const Reading& reading)
+{
+    std::size_t bytes = 0;
+    for (const auto& [name, value] : reading.extra)
+        bytes += name.size() + value.size() + sizeof reading.extra.front();
+    return bytes;
+}
 
 bool isKeyLine(std::string_view content) { return content.starts_with('#') || content.starts_with("\"#"); }
 
@@ -90,6 +103,8 @@ private:
     std::optional<RowReader> m_rows;
     /// Keys above the header: the separator of the cells behind them is known with it.
     std::vector<std::pair<std::int64_t, std::string>> m_keysAbove;
+    std::size_t m_bytesAbove = 0; ///< of those
+    std::size_t m_extraBytes = 0; ///< of columns that mean nothing here
     std::vector<std::string> m_titles;
     std::optional<Error> m_noHeader; ///< what to say where none comes after a title: it was meant as the header
     char m_told = 0;                 ///< the separator of a line "sep=;"
@@ -153,6 +168,10 @@ Result<void> SwingReader::takeLine()
         if (m_columns)
             return takeKey(m_line);
         m_keysAbove.emplace_back(m_rowLine, m_line);
+        m_bytesAbove += m_line.size() + sizeof m_keysAbove.back();
+        if (m_bytesAbove > kMostBytesAbove)
+            return here(ErrorCode::Format,
+                {MARKED("core", "lines of # take more than %1 MiB and no header follows; %2"), kMostBytesAbove >> 20, kExpectedFile});
         return {};
     }
     if (m_columns)
@@ -276,6 +295,10 @@ Result<void> SwingReader::takeReading()
     if (row->north_deg)
         if (auto& north = *row->north_deg == 0.0 ? m_zero : m_fullTurn; !north)
             north = NorthRow{m_file.swing.readings.size(), m_rowLine};
+    m_extraBytes += bytesOfExtra(row->reading);
+    if (m_extraBytes > kMostExtraBytes)
+        return here(ErrorCode::InvalidInput,
+            {MARKED("core", "the columns that mean nothing here take more than %1 MiB; expected a compass swing"), kMostExtraBytes >> 20});
     m_file.swing.readings.push_back(std::move(row->reading));
     return {};
 }
@@ -316,6 +339,10 @@ Result<SwingFile> SwingReader::finish()
     tellNorthTwice();
     for (const auto& [key, value] : m_file.otherKeys)
         m_file.swing.note += (m_file.swing.note.empty() ? "" : "\n") + key + ": " + value;
+    if (m_file.swing.note.size() > kLongestText)
+        return wholeFile(ErrorCode::InvalidInput,
+            {MARKED("core", "note and keys that mean nothing here are %1 bytes together; expected at most %2"), m_file.swing.note.size(),
+                kLongestText});
     if (const auto stamped = stampFromKeys(m_file); !stamped)
         return wholeFile(stamped.error().code, stamped.error().message);
     m_file.swing.record = recordIdOfSwing(m_file.swing, m_file.aircraft, m_file.compass, m_file.site);

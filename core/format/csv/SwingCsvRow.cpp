@@ -6,6 +6,7 @@
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/format/csv/TextCell.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline::csv {
 
@@ -200,6 +201,10 @@ Result<Row> RowReader::read(const std::vector<std::string>& cells) const
 {
     if (const auto counted = checkCount(cells); !counted)
         return counted.error();
+    for (const std::string& cell : cells)
+        if (cell.size() > kLongestText)
+            return Error{
+                ErrorCode::InvalidInput, {MARKED("core", "a cell holds %1 bytes; expected at most %2"), cell.size(), kLongestText}};
     auto given = angles(cells);
     if (!given)
         return given.error();

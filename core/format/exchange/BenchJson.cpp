@@ -3,10 +3,10 @@
 #include "core/angle/Angle.h"
 #include "core/angle/WrittenDegrees.h"
 #include "core/base/WholeFile.h"
-#include "core/format/exchange/Ranges.h"
 #include "core/format/json/JsonWriter.h"
 #include "core/format/json/ReadObject.h"
 #include "core/iron/BenchCheck.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 

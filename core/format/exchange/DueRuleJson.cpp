@@ -1,7 +1,7 @@
 #include "core/format/exchange/DueRuleJson.h"
 
 #include "core/format/exchange/OptionalKeys.h"
-#include "core/format/exchange/Ranges.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 
@@ -22,9 +22,9 @@ DueRule readDueRule(JsonObject& object)
     DueRule rule;
     rule.record = object.recordId("record");
     rule.name = object.requiredText("name");
-    rule.months = static_cast<int>(object.requiredNumber("months", {1, 1200}));
-    rule.graceDays = object.integer("grace_days", {0, 36500}).value_or(0);
-    rule.warnDays = object.integer("warn_days", {0, 36500}).value_or(0);
+    rule.months = static_cast<int>(object.requiredNumber("months", kMonthsRange));
+    rule.graceDays = object.integer("grace_days", kDaysRange).value_or(0);
+    rule.warnDays = object.integer("warn_days", kDaysRange).value_or(0);
     rule.document = object.text("document");
     rule.issue = object.text("issue");
     if (object.has("type"))

@@ -1,8 +1,8 @@
 #include "core/format/exchange/ElectricalJson.h"
 
 #include "core/format/exchange/OptionalKeys.h"
-#include "core/format/exchange/Ranges.h"
 #include "core/format/json/ReadObject.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 

@@ -3,15 +3,12 @@
 #include "core/base/FileText.h"
 #include "core/format/exchange/BenchJson.h"
 #include "core/format/exchange/ModelJson.h"
-#include "core/format/exchange/Ranges.h"
 #include "core/format/exchange/SwingJson.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline::exchange {
 
 namespace {
-
-/// Ten times the field anywhere on Earth.
-constexpr NumberRange kField{-1e6, 1e6};
 
 void readStates(JsonObject& object, BenchStates& states)
 {
@@ -44,15 +41,15 @@ FieldStamp readStamp(JsonObject& object)
     object.only({"model", "latitude_deg", "longitude_deg", "height_m", "date", "north_nT", "east_nT", "down_nT"});
     FieldStamp stamp;
     stamp.model = object.requiredText("model");
-    stamp.place = {object.requiredNumber("latitude_deg", {-90, 90}), object.requiredNumber("longitude_deg", {-180, 180}),
-        object.requiredNumber("height_m", {-1e5, 1e6})};
+    stamp.place = {object.requiredNumber("latitude_deg", kLatitudeRange), object.requiredNumber("longitude_deg", kSignedAngleRange),
+        object.requiredNumber("height_m", kHeightRange)};
     if (!object.has("date"))
         object.missing("date", MARKED("core", "a day of the calendar as YYYY-MM-DD"));
     stamp.date = object.date("date");
     if (object.has("date") && stamp.date.empty())
         object.fault("date", MARKED("core", "is empty; expected a day of the calendar as YYYY-MM-DD"));
-    stamp.field
-        = {object.requiredNumber("north_nT", kField), object.requiredNumber("east_nT", kField), object.requiredNumber("down_nT", kField)};
+    stamp.field = {object.requiredNumber("north_nT", kFieldRange), object.requiredNumber("east_nT", kFieldRange),
+        object.requiredNumber("down_nT", kFieldRange)};
     return stamp;
 }
 

@@ -8,21 +8,18 @@
 #include "core/format/exchange/ExchangeParts.h"
 #include "core/format/exchange/InstrumentJson.h"
 #include "core/format/exchange/JobJson.h"
-#include "core/format/exchange/Ranges.h"
 #include "core/format/exchange/ReadingJson.h"
 #include "core/format/exchange/RecordChoice.h"
 #include "core/format/exchange/SiteJson.h"
 #include "core/format/exchange/SwingJson.h"
 #include "core/format/json/JsonDocument.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 
 namespace {
 
 using Json = nlohmann::json;
-
-/// More than nothing; what else is sensible is for the user to know.
-constexpr NumberRange kPositive{std::numeric_limits<double>::min(), 1e9};
 
 class FleetReader {
 public:
@@ -135,8 +132,8 @@ void FleetReader::readLimits(const Json& value, const JsonPath& path)
     limits.document = object.text("document");
     limits.issue = object.text("issue");
     limits.scope = object.text("scope");
-    limits.maxDeviation_deg = object.number("max_deviation_deg", kPositive);
-    limits.maxSpread_deg = object.number("max_spread_deg", kPositive);
+    limits.maxDeviation_deg = object.number("max_deviation_deg", kPositiveRange);
+    limits.maxSpread_deg = object.number("max_spread_deg", kPositiveRange);
     object.finish();
     m_limits[limits.record] = limits.id;
     m_fleet.limits.push_back(std::move(limits));
@@ -149,9 +146,9 @@ void FleetReader::readSite(const Json& value, const JsonPath& path)
     site.id = nextId(m_fleet.sites);
     site.record = identity(object);
     site.name = object.requiredText("name");
-    site.latitude_deg = object.number("latitude_deg", {-90, 90});
+    site.latitude_deg = object.number("latitude_deg", kLatitudeRange);
     site.longitude_deg = object.number("longitude_deg", kSignedAngleRange);
-    site.elevation_m = object.number("elevation_m", {-1e5, 1e5});
+    site.elevation_m = object.number("elevation_m", kElevationRange);
     site.variation_deg = object.number("variation_deg", kSignedAngleRange);
     site.variationSource = object.text("variation_source");
     site.note = object.text("note");
@@ -188,7 +185,7 @@ void FleetReader::readAircraft(const Json& value, const JsonPath& path)
     aircraft.registration = object.requiredText("registration");
     aircraft.serialNumber = object.text("serial_number");
     aircraft.operatorName = object.text("operator");
-    aircraft.builtYear = object.integer("built_year", {1, 9999});
+    aircraft.builtYear = object.integer("built_year", kYearRange);
     aircraft.note = object.text("note");
     aircraft.demonstration = object.boolean("demonstration");
     if (m_version >= 3)
@@ -230,7 +227,7 @@ void FleetReader::readCompass(const Json& value, const JsonPath& path, AircraftI
     compass.partNumber = object.text("part_number");
     compass.serialNumber = object.text("serial_number");
     compass.location = object.text("location");
-    compass.resolution_deg = object.requiredNumber("resolution_deg", kPositive);
+    compass.resolution_deg = object.requiredNumber("resolution_deg", kPositiveRange);
     compass.resolutionStated = !object.boolean("resolution_not_stated");
     compass.limits = reference(object, "limits", m_limits, MARKED("core", "a limits profile"));
     if (m_version >= 3)

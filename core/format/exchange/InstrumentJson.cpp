@@ -1,8 +1,8 @@
 #include "core/format/exchange/InstrumentJson.h"
 
 #include "core/format/exchange/OptionalKeys.h"
-#include "core/format/exchange/Ranges.h"
 #include "core/format/exchange/RecordChoice.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 
@@ -34,7 +34,7 @@ DatumInstrument readInstrument(JsonObject& object)
     instrument.ahead = choice<SightingDirection>(object, "ahead");
     instrument.givesTrue = object.boolean("gives_true");
     instrument.zero_deg = object.requiredNumber("zero_deg", kFigureRange);
-    instrument.resolution_deg = object.requiredNumber("resolution_deg", {1e-6, 90});
+    instrument.resolution_deg = object.requiredNumber("resolution_deg", kInstrumentResolutionRange);
     instrument.note = object.text("note");
     object.finish();
     return instrument;

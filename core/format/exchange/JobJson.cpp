@@ -7,11 +7,11 @@
 
 #include "core/format/exchange/InstrumentJson.h"
 #include "core/format/exchange/OptionalKeys.h"
-#include "core/format/exchange/Ranges.h"
 #include "core/format/exchange/RecordChoice.h"
 #include "core/format/exchange/SwingJson.h"
 #include "core/format/json/JsonWriter.h"
 #include "core/format/json/ReadObject.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 

@@ -1,8 +1,8 @@
 #include "core/format/exchange/ReadingJson.h"
 
 #include "core/format/exchange/OptionalKeys.h"
-#include "core/format/exchange/Ranges.h"
 #include "core/format/exchange/SwingJson.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 
@@ -69,8 +69,8 @@ Reading readReading(JsonObject& object, bool withRaw)
     reading.magnetic = heading<MagneticHeading>(object, "magnetic_heading_deg");
     reading.compass = heading<CompassHeading>(object, "compass_heading_deg");
     reading.trueHeading = heading<TrueHeading>(object, "true_heading_deg");
-    reading.pitch_deg = object.number("pitch_deg", {-90, 90});
-    reading.roll_deg = object.number("roll_deg", {-180, 180});
+    reading.pitch_deg = object.number("pitch_deg", kPitchRange);
+    reading.roll_deg = object.number("roll_deg", kRollRange);
     if (withRaw) {
         reading.raw = readRaw(object);
         reading.timeUtc = object.text("time_utc");

@@ -7,6 +7,7 @@
 
 #include "core/format/json/JsonDocument.h"
 #include "core/format/json/JsonWriter.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 
@@ -80,7 +81,7 @@ Result<RawFigures> readRawRow(std::string_view text)
         if (!(*json)[i].is_array())
             return wrongRow(kExpected);
         for (const auto& figure : (*json)[i]) {
-            if (!figure.is_number())
+            if (!figure.is_number() || !kFigureRange.has(figure.get<double>()))
                 return wrongRow(kExpected);
             all[i]->push_back(figure.get<double>());
         }

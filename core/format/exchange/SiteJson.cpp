@@ -1,9 +1,9 @@
 #include "core/format/exchange/SiteJson.h"
 
 #include "core/format/exchange/OptionalKeys.h"
-#include "core/format/exchange/Ranges.h"
 #include "core/format/exchange/RecordChoice.h"
 #include "core/format/json/ReadObject.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/format/exchange/OptionalKeys.h"
-#include "core/format/exchange/Ranges.h"
 #include "core/format/exchange/RecordChoice.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 
@@ -127,7 +127,7 @@ void readSwingRecord(JsonObject& object, Swing& swing)
     if (object.has("supersedes"))
         swing.supersedes = object.recordId("supersedes");
     swing.amendment = object.text("amendment");
-    swing.revision = object.integer("revision", {1, 10000}).value_or(1);
+    swing.revision = object.integer("revision", kRevisionRange).value_or(1);
     swing.signatures = readSignatures(object);
 }
 

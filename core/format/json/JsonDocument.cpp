@@ -19,6 +19,12 @@ using Json = nlohmann::json;
 /// Aircraft, compass, swing, reading, extra, and room for a version to come; keeps a hostile file from taking memory.
 constexpr std::size_t kMaxDepth = 32;
 
+/// What the values of a document may take; a text of 64 MiB can hold thirty million of them. That of one value, one key with its value,
+/// an empty array or object, as the library keeps them (64-bit machine, with what the allocator adds).
+constexpr std::size_t kMostBytes = std::size_t{320} << 20, kValueBytes = 16, kKeyBytes = 112, kOpenBytes = 64;
+/// An object is a record of ours or a list by name; each is held against the others.
+constexpr std::size_t kMostObjectKeys = 10'000;
+
 /// Follows the parser: where it is, and which keys the open objects have.
 class Follower {
 public:
@@ -28,6 +34,7 @@ public:
         switch (event) {
         case Json::parse_event_t::object_start:
         case Json::parse_event_t::array_start:
+            take(kOpenBytes);
             if (m_levels.size() == kMaxDepth)
                 refuse({MARKED("core", "%1: is nested too deeply; expected %2"), path(), m_expected});
             m_levels.push_back({event == Json::parse_event_t::array_start, 0, {}, {}});
@@ -39,10 +46,16 @@ public:
             break;
         case Json::parse_event_t::key:
             m_levels.back().key = parsed.get_ref<const std::string&>();
+            take(kKeyBytes + m_levels.back().key.size());
+            if (m_levels.back().keys.size() == kMostObjectKeys)
+                refuse({MARKED("core", "%1: has more than %2 keys; expected %3"), path(), kMostObjectKeys, m_expected});
             if (!m_levels.back().keys.insert(m_levels.back().key).second)
                 refuse({MARKED("core", "%1: is there twice; expected each key once"), path()});
             break;
-        case Json::parse_event_t::value: valueEnds(); break;
+        case Json::parse_event_t::value:
+            take(kValueBytes + (parsed.is_string() ? parsed.get_ref<const std::string&>().size() + sizeof(std::string) : 0));
+            valueEnds();
+            break;
         }
         return !m_problem; // what is not kept takes no memory
     }
@@ -67,6 +80,13 @@ private:
         if (!m_levels.empty())
             ++m_levels.back().index;
     }
+    void take(std::size_t bytes)
+    {
+        m_bytes += bytes;
+        if (m_bytes > kMostBytes)
+            refuse({MARKED("core", "%1: the values up to here take more than %2 MiB; expected %3, of a smaller size"), path(),
+                kMostBytes >> 20, m_expected});
+    }
     void refuse(const Message& problem)
     {
         if (!m_problem)
@@ -74,6 +94,7 @@ private:
     }
 
     const Message& m_expected;
+    std::size_t m_bytes = 0;
     std::vector<Level> m_levels;
     std::optional<Message> m_problem;
 };

@@ -6,22 +6,13 @@
 #include "core/base/NearWord.h"
 #include "core/base/Number.h"
 #include "core/record/Id.h"
+#include "core/record/Ranges.h"
 
 namespace lubberline {
 
 using Json = nlohmann::json;
 
 namespace {
-
-Message words(const NumberRange& range)
-{
-    const bool above = range.least > std::numeric_limits<double>::lowest(), below = range.most < std::numeric_limits<double>::max();
-    if (above && below)
-        return Message{MARKED("core", "a number from %1 to %2"), shortestNumber(range.least), shortestNumber(range.most)};
-    if (above)
-        return Message{MARKED("core", "a number from %1 up"), shortestNumber(range.least)};
-    return MARKED("core", "a number");
-}
 
 std::string listed(std::span<const std::string_view> keys)
 {
@@ -47,13 +38,13 @@ namespace {
 std::optional<double> numberOf(const Json& value, const JsonPath& path, FirstFault& fault, const NumberRange& range)
 {
     if (!value.is_number()) {
-        fault.report(ErrorCode::Format, path, {MARKED("core", "has a value of the wrong kind; expected %1"), words(range)});
+        fault.report(ErrorCode::Format, path, {MARKED("core", "has a value of the wrong kind; expected %1"), inWords(range)});
         return {};
     }
     const double figure = value.get<double>();
-    if (!(figure >= range.least && figure <= range.most)) {
+    if (!range.has(figure)) {
         fault.report(
-            ErrorCode::InvalidInput, path, {MARKED("core", "%1 is out of range; expected %2"), shortestNumber(figure), words(range)});
+            ErrorCode::InvalidInput, path, {MARKED("core", "%1 is out of range; expected %2"), shortestNumber(figure), inWords(range)});
         return {};
     }
     return figure;
@@ -115,7 +106,12 @@ void JsonObject::wrongType(std::string_view key, const Message& expected)
 std::string JsonObject::text(std::string_view key)
 {
     const Json* value = find(key, Json::value_t::string, MARKED("core", "text"));
-    return value ? value->get_ref<const std::string&>() : std::string();
+    if (!value)
+        return {};
+    const auto& words = value->get_ref<const std::string&>();
+    if (words.size() > kLongestText)
+        fault(key, {MARKED("core", "is a text of %1 bytes; expected at most %2"), words.size(), kLongestText});
+    return words;
 }
 
 std::string JsonObject::requiredText(std::string_view key, const Message& expected)
@@ -159,7 +155,7 @@ std::optional<double> JsonObject::number(std::string_view key, NumberRange range
 double JsonObject::requiredNumber(std::string_view key, NumberRange range)
 {
     if (!has(key))
-        missing(key, words(range));
+        missing(key, inWords(range));
     return number(key, range).value_or(range.least);
 }
 

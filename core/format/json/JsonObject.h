@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/Date.h"
+#include "core/base/NumberRange.h"
 #include "core/base/Result.h"
 #include "core/format/json/JsonPath.h"
 
@@ -28,12 +29,6 @@ public:
 private:
     const std::string& m_file;
     std::optional<Error> m_error;
-};
-
-/// Both ends belong to it.
-struct NumberRange {
-    double least = std::numeric_limits<double>::lowest();
-    double most = std::numeric_limits<double>::max();
 };
 
 /// Reads an array of exactly as many numbers as `into` holds; it is left alone where there is a fault.

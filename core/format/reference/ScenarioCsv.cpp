@@ -48,6 +48,8 @@ private:
             return {}; // a comment
         std::string_view key = trimmed(line.substr(0, colon));
         const std::string_view value = trimmed(line.substr(colon + 1));
+        if (std::count(key.begin(), key.end(), '.') > kMostPoints)
+            return wrong({MARKED("core", "%1 is nested too deeply; expected at most %2 points in it"), inQuotes(key), kMostPoints});
         nlohmann::json* place = &m_json;
         for (auto point = key.find('.'); point != std::string_view::npos; point = key.find('.')) {
             place = &(*place)[std::string(key.substr(0, point))];
@@ -118,6 +120,7 @@ private:
     }
 
     static constexpr std::array<std::string_view, 5> kColumns{"from_s", "to_s", "turn_rate_deg_s", "acceleration_m_s2", "climb_m_s"};
+    static constexpr std::ptrdiff_t kMostPoints = 4; // writing what is nested calls itself
     const std::string& m_name;
     std::int64_t m_line = 0;
     char m_separator = ',';

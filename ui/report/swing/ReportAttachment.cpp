@@ -8,6 +8,8 @@
 
 #include <exception>
 
+#include "core/base/WholeFile.h"
+#include "ui/report/page/BoundedPdf.h"
 #include "ui/report/page/Words.h"
 #include "ui/report/swing/Report.h"
 
@@ -43,13 +45,24 @@ Result<std::string> exchangeInPdf(const std::string& bytes, const QString& name)
 {
     if (!isPdf(bytes))
         return formatError(Words::tr("this is not a PDF; expected a report PDF of this program"), name);
+    const PdfLimit limit(2 * kMaxWholeFileBytes); // the attachment, and what the file needs to find it
+    const auto tooLarge = [&] {
+        return formatError(
+            Words::tr("this PDF unpacks to more than %1 MiB; expected a report PDF of this program").arg(kMaxWholeFileBytes >> 20), name);
+    };
     try {
         QPDF pdf;
         pdf.setSuppressWarnings(true);
         pdf.processMemoryFile(name.toUtf8().constData(), bytes.data(), bytes.size());
         if (const auto data = findAttachment(pdf))
-            return std::string(reinterpret_cast<const char*>(data->getBuffer()), data->getSize());
+            return data->getSize() <= kMaxWholeFileBytes
+                ? Result<std::string>(std::string(reinterpret_cast<const char*>(data->getBuffer()), data->getSize()))
+                : tooLarge();
+        if (limit.reached())
+            return tooLarge();
     } catch (const std::exception& damage) {
+        if (limit.reached())
+            return tooLarge();
         return formatError(
             Words::tr("this PDF cannot be read (%1); expected a report PDF of this program").arg(QString::fromUtf8(damage.what())), name);
     }
@@ -66,7 +79,9 @@ Result<std::string> exchangeInReport(const QString& path)
         const QString why = QFileInfo(path).isDir() ? Words::tr("it is a folder") : file.errorString();
         return Error{ErrorCode::Io, said(Words::tr("cannot be read: %1; expected a report PDF").arg(why)), path.toStdString()};
     }
-    return exchangeInPdf(file.readAll().toStdString(), path);
+    if (file.size() > static_cast<qint64>(kMaxWholeFileBytes))
+        return formatError(Words::tr("is larger than %1 MiB; expected a report PDF of this program").arg(kMaxWholeFileBytes >> 20), path);
+    return exchangeInPdf(file.read(static_cast<qint64>(kMaxWholeFileBytes)).toStdString(), path);
 }
 
 } // namespace lubberline::ui
