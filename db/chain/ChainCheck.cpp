@@ -17,7 +17,7 @@ const QString kLinked = "SELECT id, time_utc, what, record, detail, link, file_l
 
 LinkedEntry linkedFrom(const Statement& row)
 {
-    return {{row.integer(0), row.text(1), row.text(2), row.text(3), row.text(4)}, row.text(5), row.text(6)};
+    return {{row.integer(0), row.text(1), row.text(2), row.text(3), row.longText(4)}, row.text(5), row.text(6)};
 }
 
 Message named(const ChainEntry& entry)
