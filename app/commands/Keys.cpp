@@ -26,11 +26,11 @@ int listKeys(db::Stores& stores, bool json)
         auto array = nlohmann::ordered_json::array();
         for (const auto& one : *keys)
             array.push_back({{"fingerprint", one.fingerprint}, {"holder", one.holder}, {"added_utc", one.addedUtc}});
-        std::printf("%s\n", nlohmann::ordered_json{{"keys", array}}.dump(2).c_str());
+        put("%s\n", nlohmann::ordered_json{{"keys", array}}.dump(2).c_str());
         return kDone;
     }
     for (const auto& one : *keys)
-        std::printf("%s  %s  %s\n", one.fingerprint.c_str(), one.addedUtc.c_str(), one.holder.c_str());
+        put("%s  %s  %s\n", one.fingerprint.c_str(), one.addedUtc.c_str(), one.holder.c_str());
     return kDone;
 }
 
@@ -51,7 +51,7 @@ int addKey(db::Stores& stores, const KeysArguments& options)
     const auto& key = keys->front();
     if (const auto added = stores.keys.put({key.fingerprint, options.holder, *text, {}}); !added)
         return fail(added.error());
-    std::printf("%s  %s%s\n", key.fingerprint.c_str(), options.holder.c_str(), key.revoked ? "  (revoked)" : "");
+    put("%s  %s%s\n", key.fingerprint.c_str(), options.holder.c_str(), key.revoked ? "  (revoked)" : "");
     return kDone;
 }
 

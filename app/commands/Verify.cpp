@@ -80,14 +80,14 @@ int verifyFiles(const VerifyArguments& options, const std::string& database)
         ? KeyVerdict{KeyState::Bad, MARKED("app", "the text is of a signature by name only, and this key is not its")}
         : db::verdictOn(claimed, *text, *keys, consoleProgress("verifying"));
     if (options.json)
-        std::printf("%s\n",
+        put("%s\n",
             nlohmann::ordered_json{{"state", wordOf(verdict.state)}, {"words", verdict.words.english()}, {"key", claimed.key},
                 {"role", std::string(fileWord(signer->role))}, {"name", signer->name}, {"licence", signer->licence},
                 {"time_utc", signer->timeUtc}, {"audit_head", signer->fileHead}}
                 .dump(2)
                 .c_str());
     else if (isVerified(verdict))
-        std::printf("%s: %s %s, %s: %s\n", std::string(fileWord(signer->role)).c_str(), signer->name.c_str(), signer->licence.c_str(),
+        put("%s: %s %s, %s: %s\n", std::string(fileWord(signer->role)).c_str(), signer->name.c_str(), signer->licence.c_str(),
             signer->timeUtc.c_str(), verdict.words.english().c_str());
     return isVerified(verdict) ? static_cast<int>(kDone) : fail(Error{ErrorCode::Corrupt, verdict.words, nameOfInput(options.text)});
 }
