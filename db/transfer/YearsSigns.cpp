@@ -56,7 +56,7 @@ void YearsSigns::add(const YearsSwing& swing)
 Result<void> YearsSigns::addStored(Database& database, std::int64_t before)
 {
     Statement statement(database,
-        "SELECT a.registration, s.d_deg, s.reading_count FROM swing s JOIN compass c ON c.id = s.compass_id JOIN aircraft a"
+        "SELECT a.registration, s.d_deg, s.reading_count, s.id FROM swing s JOIN compass c ON c.id = s.compass_id JOIN aircraft a"
         " ON a.id = c.aircraft_id JOIN aircraft_type t ON t.id = a.type_id WHERE t.name = ? AND c.name = ? AND s.d_deg IS NOT NULL"
         " AND s.reading_count > 0 AND (? = 0 OR s.id < ?) ORDER BY s.id");
     for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
@@ -64,7 +64,8 @@ Result<void> YearsSigns::addStored(Database& database, std::int64_t before)
         if (const auto done = statement.run(); !done)
             return done;
         while (statement.next()) // evenly spaced headings: the variance of D is 2/n
-            m_swings.push_back({compassOf(statement.text(0), m_kinds[kind].compass), static_cast<std::int32_t>(kind), statement.real(1),
+            m_swings.push_back({compassOf(statement.text(0), m_kinds[kind].compass), static_cast<std::int32_t>(kind),
+                statement.real(1, {-1e9, 1e9}),
                 2.0 / static_cast<double>(statement.integer(2))});
         if (const auto whole = statement.finished(); !whole)
             return whole;
