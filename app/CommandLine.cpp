@@ -83,6 +83,7 @@ int runCommandLine(int argc, char** argv)
     addCalibrate(app, invocation);
     addCompensate(app, invocation);
     addSensorTests(app, invocation);
+    addInstallation(app, invocation);
     addImport(app, invocation);
     addExport(app, invocation);
     addSwings(app, invocation);

@@ -74,4 +74,22 @@ std::string toJson(const InterferenceResult& result, const SensorLog& log)
     return written(json);
 }
 
+std::string toJson(const DipoleSource& source)
+{
+    return written({{"at_m", threeKeys(source.at_m)}, {"at_standard_error_m", threeKeys(source.atError_m)},
+        {"moment_A_m2", threeKeys(source.moment_A_m2)}, {"moment_size_A_m2", source.moment_A_m2.norm()},
+        {"moment_standard_error_A_m2", source.momentError_A_m2}, {"uniform_nT", threeKeys(source.uniform_nT)}, {"rms_nT", source.rms_nT},
+        {"nearest_m", source.nearest_m}, {"warnings", inEnglish(source.warnings)}});
+}
+
+std::string toJson(const BothWays& both)
+{
+    return written(
+        {{"difference_deg", {{"constant", both.difference_deg[0]}, {"sin", both.difference_deg[1]}, {"cos", both.difference_deg[2]}}},
+            {"standard_error_deg",
+                {{"constant", both.standardError_deg[0]}, {"sin", both.standardError_deg[1]}, {"cos", both.standardError_deg[2]}}},
+            {"largest_deg", both.largest_deg}, {"residual_deg", both.residual_deg}, {"limit_deg", both.limit_deg}, {"passes", both.passes},
+            {"findings", inEnglish(both.findings)}});
+}
+
 } // namespace lubberline

@@ -1,0 +1,117 @@
+// locate, distances and site-check: where a sensor may stand, and what disturbs it there.
+#include <cstdio>
+#include <memory>
+
+#include "app/Console.h"
+#include "app/SwingSource.h"
+#include "app/commands/Command.h"
+#include "core/base/WholeFile.h"
+#include "core/deviation/TurnedBothWays.h"
+#include "core/format/csv/StrayCsv.h"
+#include "core/format/results/SensorTestsJson.h"
+#include "core/swing/Observations.h"
+
+namespace lubberline::app {
+
+namespace {
+
+struct LocateArguments {
+    std::string file;
+    double length_m = 0;
+    bool json = false;
+};
+
+int locateCommand(const LocateArguments& options)
+{
+    const auto readings = readStrayCsvFile(options.file);
+    if (!readings)
+        return fail(readings.error());
+    const auto source = locateDipole(*readings, options.length_m);
+    if (!source)
+        return fail({source.error().code, source.error().message, nameOfInput(options.file)});
+    if (options.json) {
+        std::printf("%s\n", toJson(*source).c_str());
+        return kDone;
+    }
+    warn(source->warnings);
+    std::printf("source at %.3f, %.3f, %.3f m (+- %.3f, %.3f, %.3f)\n", source->at_m.x(), source->at_m.y(), source->at_m.z(),
+        source->atError_m.x(), source->atError_m.y(), source->atError_m.z());
+    std::printf("moment %.3f A m2 (+- %.3f): %+.3f, %+.3f, %+.3f\n", source->moment_A_m2.norm(), source->momentError_A_m2,
+        source->moment_A_m2.x(), source->moment_A_m2.y(), source->moment_A_m2.z());
+    std::printf("uniform field %.0f, %.0f, %.0f nT; %.1f nT rms are left; nearest reading at %.2f m\n", source->uniform_nT.x(),
+        source->uniform_nT.y(), source->uniform_nT.z(), source->rms_nT, source->nearest_m);
+    return kDone;
+}
+
+struct SiteCheckArguments {
+    std::string clockwise, counterClockwise;
+    double limit_deg = 1;
+    bool json = false;
+};
+
+int siteCheckCommand(const SiteCheckArguments& options)
+{
+    const auto first = swingFromCsv(options.clockwise);
+    if (!first)
+        return fail(first.error());
+    const auto second = swingFromCsv(options.counterClockwise);
+    if (!second)
+        return fail(second.error());
+    const auto both = turnedBothWays(observationsOf(first->record.swing), observationsOf(second->record.swing), options.limit_deg);
+    if (!both)
+        return fail({both.error().code, both.error().message, nameOfInput(options.clockwise)});
+    if (options.json) {
+        std::printf("%s\n", toJson(*both).c_str());
+        return kDone;
+    }
+    warn(first->warnings);
+    warn(second->warnings);
+    std::printf(
+        "clockwise - counter-clockwise: constant %+.2f (+- %.2f), sin %+.2f (+- %.2f), cos %+.2f (+- %.2f) deg; %.2f deg rms are left\n",
+        both->difference_deg[0], both->standardError_deg[0], both->difference_deg[1], both->standardError_deg[1], both->difference_deg[2],
+        both->standardError_deg[2], both->residual_deg);
+    for (const Message& finding : both->findings)
+        std::printf("%s\n", finding.english().c_str());
+    std::printf("largest difference %.2f deg: %s %.2f\n", both->largest_deg, both->passes ? "within" : "MORE THAN", both->limit_deg);
+    return kDone;
+}
+
+int distancesCommand()
+{
+    std::printf("least distance of a flux gate from\n");
+    for (const InstallationDistance& one : installationDistances())
+        std::printf("  %4.1f m  %s\n", one.least_m, Message(one.thing).english().c_str());
+    return kDone;
+}
+
+} // namespace
+
+void addInstallation(CLI::App& app, Invocation& invocation)
+{
+    auto locating = std::make_shared<LocateArguments>();
+    auto* locate = app.add_subcommand("locate", "a source of stray field located and sized as a dipole, from readings around it");
+    addInputOption(*locate, invocation, "READINGS.csv", locating->file,
+        "x_m, y_m, z_m, bx_nT, by_nT, bz_nT; a uniform field is found beside the source")
+        ->required();
+    locate->add_option("--length", locating->length_m, "of the source [m]: nearer than three of them it is no dipole")
+        ->check(CLI::Range(0.0, 100.0));
+    locate->add_flag("--json", locating->json, "one JSON object on standard output");
+    locate->callback([locating, &invocation] { invocation.action = [locating] { return locateCommand(*locating); }; });
+
+    auto checking = std::make_shared<SiteCheckArguments>();
+    auto* check = app.add_subcommand(
+        "site-check", "a run clockwise held against one counter-clockwise: lag, hysteresis, a site that is not uniform");
+    addInputOption(*check, invocation, "CLOCKWISE.csv", checking->clockwise, "Swing CSV of the run clockwise")->required();
+    addInputOption(*check, invocation, "COUNTERCLOCKWISE.csv", checking->counterClockwise, "Swing CSV of the run the other way")
+        ->required();
+    check->add_option("--limit", checking->limit_deg, "of the largest difference [deg]")
+        ->check(CLI::Range(0.01, 180.0))
+        ->capture_default_str();
+    check->add_flag("--json", checking->json, "one JSON object on standard output");
+    check->callback([checking, &invocation] { invocation.action = [checking] { return siteCheckCommand(*checking); }; });
+
+    auto* distances = app.add_subcommand("distances", "how far a flux gate is to stand from motors, iron and wires, by its maker");
+    distances->callback([&invocation] { invocation.action = [] { return distancesCommand(); }; });
+}
+
+} // namespace lubberline::app
