@@ -5,10 +5,9 @@
 
 #include "app/Console.h"
 
-using namespace lubberline;
-
 int main(int argc, char** argv)
 {
+    using namespace lubberline;
     try {
         return app::whenPrinted(app::runCommandLine(argc, argv));
     } catch (const std::bad_alloc&) {
