@@ -79,7 +79,7 @@ DueAnswer dueOf(const DueInput& input)
         answer.flags.push_back({DueState::Due, input.outOfLimitsSince, input.outOfLimitsReason, {}});
     if (input.predictedOutOfLimits)
         answer.flags.push_back({DueState::Due, input.today, input.predictedReason, {}});
-    if (auto flag = forecastFlag(input, answer.lastSigned))
+    if (auto flag = forecastFlag(input, answer.lastSigned); flag && input.outOfLimitsSince.empty()) // where it is out, no chance is told
         answer.flags.push_back(std::move(*flag));
     std::stable_sort(answer.flags.begin(), answer.flags.end(),
         [](const DueFlag& a, const DueFlag& b) { return a.state != b.state ? a.state > b.state : a.since < b.since; });

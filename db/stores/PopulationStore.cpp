@@ -164,47 +164,91 @@ private:
         return conditions;
     }
 
-    Result<void> readSwings()
-    {
+    struct Names {
         std::unordered_map<std::int64_t, std::int32_t> sites;
         std::unordered_map<std::string, std::int32_t> crews;
-        if (const auto done = readSites(sites); !done)
+        std::map<std::string, std::int64_t> left;
+    };
+
+    /// Amended by a revision that counts: while that one is a draft, the one that it amends stands.
+    static constexpr const char* kSelectSwing
+        = "SELECT s.id, s.compass_id, s.site_id, s.date, s.stage, s.state, s.radio, CASE WHEN s.datum_reader <> '' THEN s.datum_reader ELSE"
+          " s.cockpit_reader END, s.record IN (SELECT supersedes FROM swing WHERE supersedes <> '' AND state > 0) FROM swing s";
+
+    Result<void> readSwings()
+    {
+        Names names;
+        if (const auto done = readSites(names.sites); !done)
             return done;
+        if (const auto done = m_most > 0 ? readSomeSwings(names) : readAllSwings(names); !done)
+            return done;
+        for (const auto& [reason, swings] : names.left)
+            m_fleet.leftOut.push_back({reason, swings});
+        return {};
+    }
+
+    Result<void> readAllSwings(Names& names)
+    {
         const auto conditions = ofSwings();
-        // Amended by a revision that counts: while that one is a draft, the one that it amends stands.
-        Statement statement(m_database,
-            "SELECT s.id, s.compass_id, s.site_id, s.date, s.stage, s.state, s.radio, CASE WHEN s.datum_reader <> '' THEN s.datum_reader ELSE"
-            " s.cockpit_reader END, s.record IN (SELECT supersedes FROM swing WHERE supersedes <> '' AND state > 0) FROM swing s"
-                + conditions.where() + " ORDER BY s.id");
+        Statement statement(m_database, kSelectSwing + conditions.where() + " ORDER BY s.id");
         for (const auto& text : conditions.bound)
             statement << text;
         if (const auto done = statement.run(); !done)
             return done;
-        std::map<std::string, std::int64_t> left;
-        while (statement.next()) {
-            const auto compass = m_place.find(statement.integer(1));
-            if (compass == m_place.end())
-                continue;
-            FleetSwing swing;
-            const auto day = dayOfDate(statement.day(3).text());
-            if (const char* why = whyLeftOut(statement, day)) {
-                ++left[why];
-                continue;
-            }
-            swing.id = statement.id<SwingId>(0);
-            swing.compass = compass->second;
-            if (const auto site = sites.find(statement.optionalId<SiteId>(2).value); site != sites.end())
-                swing.site = site->second;
-            swing.day = *day;
-            swing.stage = statement.as(4, SwingStage::AsLeft);
-            swing.radio = statement.as(6, RadioState::Off);
-            swing.crew = levelOf(statement.text(7), m_fleet.crews, crews);
-            m_fleet.swings.push_back(swing);
-        }
-        for (const auto& [reason, swings] : left)
-            m_fleet.leftOut.push_back({reason, swings});
-        thinOut();
+        while (statement.next())
+            takeSwing(statement, names);
         return statement.finished();
+    }
+
+    /// For a first look: where they are is asked of an index, and only those that are taken are read.
+    Result<void> readSomeSwings(Names& names)
+    {
+        const auto conditions = ofSwings();
+        Statement all(m_database, "SELECT s.id, s.compass_id FROM swing s" + conditions.where() + " ORDER BY s.compass_id, s.date, s.id");
+        for (const auto& text : conditions.bound)
+            all << text;
+        if (const auto done = all.run(); !done)
+            return done;
+        std::vector<SwingId> ids;
+        while (all.next())
+            if (m_place.contains(all.integer(1)))
+                ids.push_back(all.id<SwingId>(0));
+        if (const auto whole = all.finished(); !whole)
+            return whole;
+        Statement one(m_database, kSelectSwing + QStringLiteral(" WHERE s.id = ?"));
+        const std::size_t many = ids.size(), most = std::min(many, static_cast<std::size_t>(m_most));
+        for (std::size_t i = 0; i < most; ++i) {
+            one << ids[i * many / most];
+            if (const auto done = one.run(); !done)
+                return done;
+            if (one.next())
+                takeSwing(one, names);
+            if (const auto whole = one.finished(); !whole)
+                return whole;
+        }
+        return {};
+    }
+
+    void takeSwing(const Statement& row, Names& names)
+    {
+        const auto compass = m_place.find(row.integer(1));
+        if (compass == m_place.end())
+            return;
+        FleetSwing swing;
+        const auto day = dayOfDate(row.day(3).text());
+        if (const char* why = whyLeftOut(row, day)) {
+            ++names.left[why];
+            return;
+        }
+        swing.id = row.id<SwingId>(0);
+        swing.compass = compass->second;
+        if (const auto site = names.sites.find(row.optionalId<SiteId>(2).value); site != names.sites.end())
+            swing.site = site->second;
+        swing.day = *day;
+        swing.stage = row.as(4, SwingStage::AsLeft);
+        swing.radio = row.as(6, RadioState::Off);
+        swing.crew = levelOf(row.text(7), m_fleet.crews, names.crews);
+        m_fleet.swings.push_back(swing);
     }
 
     static const char* whyLeftOut(const Statement& row, const std::optional<int>& day)
@@ -214,17 +258,6 @@ private:
         if (row.integer(8) != 0)
             return "superseded";
         return day ? nullptr : "no date";
-    }
-
-    void thinOut()
-    {
-        const auto many = m_fleet.swings.size(), most = static_cast<std::size_t>(m_most);
-        if (m_most <= 0 || many <= most)
-            return;
-        std::vector<FleetSwing> some;
-        for (std::size_t i = 0; i < most; ++i)
-            some.push_back(m_fleet.swings[i * many / most]);
-        m_fleet.swings = std::move(some);
     }
 
     /// The next date by the calendar rule of the type, from the last swing.
