@@ -12,7 +12,7 @@ namespace lubberline {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kHeadOfThird = "lubberline signed content 3\n";
 
@@ -75,24 +75,24 @@ std::string swingText(const SwingRecord& record, const std::optional<SwingJob>& 
 
 struct Part {
     Pattern what; ///< of which of the particulars a key speaks
-    Json now, then;
+    OrderedJson now, then;
 };
 
 /// What of it is printed: neither who refers to what, nor notes.
-Json printed(Json object)
+OrderedJson printed(OrderedJson object)
 {
     for (const char* key : {"record", "type", "limits", "base", "note", "compasses", "events", "survey"})
         object.erase(key);
     return object;
 }
 
-Json firstOf(const Json& document, const char* key)
+Json firstOf(const OrderedJson& document, const char* key)
 {
     const auto found = document.find(key);
-    return found == document.end() || found->empty() ? Json::object() : found->front();
+    return found == document.end() || found->empty() ? OrderedJson::object() : found->front();
 }
 
-std::string shown(const Json& object, const std::string& key)
+std::string shown(const OrderedJson& object, const std::string& key)
 {
     const auto found = object.find(key);
     if (found == object.end())
@@ -164,11 +164,11 @@ std::string signedParticulars(const SwingRecord& record)
 
 std::vector<SwingDifference> changedSince(const std::string& particulars, const SwingRecord& now)
 {
-    const Json then = Json::parse(particulars, nullptr, false), today = Json::parse(signedParticulars(now), nullptr, false);
+    const OrderedJson then = OrderedJson::parse(particulars, nullptr, false), today = OrderedJson::parse(signedParticulars(now), nullptr, false);
     if (!then.is_object())
         return {{MARKED("core", "particulars"), Message(MARKED("core", "do not read")), Message(MARKED("core", "changed"))}};
-    const auto compassOf = [](const Json& document) { return printed(firstOf(firstOf(document, "aircraft"), "compasses")); };
-    const auto partOf = [](const Json& document, const char* key) { return printed(firstOf(document, key)); };
+    const auto compassOf = [](const OrderedJson& document) { return printed(firstOf(firstOf(document, "aircraft"), "compasses")); };
+    const auto partOf = [](const OrderedJson& document, const char* key) { return printed(firstOf(document, key)); };
     const Part parts[] = {
         {MARKED("core", "%1 of the type"), partOf(today, "types"), partOf(then, "types")},
         {MARKED("core", "%1 of the aircraft"), partOf(today, "aircraft"), partOf(then, "aircraft")},
@@ -178,7 +178,7 @@ std::vector<SwingDifference> changedSince(const std::string& particulars, const 
     };
     std::vector<SwingDifference> all;
     for (const Part& part : parts) {
-        Json keys = part.then;
+        OrderedJson keys = part.then;
         keys.update(part.now);
         for (const auto& [key, value] : keys.items()) {
             const std::string before = shown(part.then, key), after = shown(part.now, key);
