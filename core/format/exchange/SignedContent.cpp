@@ -86,7 +86,7 @@ OrderedJson printed(OrderedJson object)
     return object;
 }
 
-Json firstOf(const OrderedJson& document, const char* key)
+OrderedJson firstOf(const OrderedJson& document, const char* key)
 {
     const auto found = document.find(key);
     return found == document.end() || found->empty() ? OrderedJson::object() : found->front();
