@@ -101,7 +101,8 @@ Result<std::vector<NewestSwing>> SwingStore::newest(int count)
     Statement statement(m_database,
         "SELECT " + swingRowColumns()
             + ", (SELECT a.registration FROM compass c JOIN aircraft a ON a.id = c.aircraft_id WHERE c.id = swing.compass_id),"
-              " (SELECT c.name FROM compass c WHERE c.id = swing.compass_id) FROM swing ORDER BY id DESC LIMIT ?");
+              " (SELECT c.name FROM compass c WHERE c.id = swing.compass_id) FROM swing"
+              " WHERE id IN (SELECT id FROM swing ORDER BY date DESC, id DESC LIMIT ?) ORDER BY date DESC, id DESC");
     statement << count;
     return rowsOf<NewestSwing>(statement, [](Statement& row) {
         return NewestSwing{swingRowFrom(row), row.text(kSwingRowColumns), row.text(kSwingRowColumns + 1)};

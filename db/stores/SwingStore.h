@@ -22,7 +22,7 @@ public:
     explicit SwingStore(Database& database) : m_database(database) {}
 
     Result<std::vector<SwingRow>> swingsOf(CompassId compass); ///< newest first
-    Result<std::vector<NewestSwing>> newest(int count);        ///< that were made last, of every compass
+    Result<std::vector<NewestSwing>> newest(int count);        ///< by their days, of every compass
     Result<Swing> swing(SwingId id, ReadingParts parts = ReadingParts::All);
     /// With compass, aircraft, type, site and limits.
     Result<SwingRecord> record(SwingId id, ReadingParts parts = ReadingParts::All);

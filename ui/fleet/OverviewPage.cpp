@@ -55,7 +55,7 @@ OverviewPage::OverviewPage(db::Stores& stores, QWidget* parent)
     m_today->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_today->horizontalHeader()->setStretchLastSection(true);
     m_today->verticalHeader()->hide();
-    m_today->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    m_today->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents); // a long reason wraps
     m_today->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_today->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_today->setSelectionMode(QAbstractItemView::SingleSelection);

@@ -18,6 +18,7 @@
 #include "ui/guided/StationStrip.h"
 #include "ui/guided/TypedFigures.h"
 #include "ui/intake/LivePanel.h"
+#include "ui/kit/FrontStack.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/SwingPlot.h"
 
@@ -36,8 +37,8 @@ GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, 
     , m_stores(stores)
     , m_nowUtc(std::move(nowUtc))
     , m_work(new QWidget)
-    , m_pages(new QStackedWidget)
-    , m_steps(new QStackedWidget)
+    , m_pages(new FrontStack)
+    , m_steps(new FrontStack)
     , m_fault(new QWidget)
     , m_faultText(bigLabel("faultText", kSentence_px, true))
     , m_faultLine(new QLineEdit)
