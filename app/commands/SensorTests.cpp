@@ -63,7 +63,7 @@ int writeSheet(ui::ReferenceSheet sheet, const Output& output)
     return kDone;
 }
 
-bool isPicture(const Output& output) { return output.kind == ".png" || output.kind == ".svg"; }
+bool isSpectrumPlot(const Output& output) { return output.kind == ".png" || output.kind == ".svg"; }
 
 /// The spectrum, and beneath it how its lines come and go.
 Result<void> writeSpectrumPlot(const LogSpectrum& spectrum, const SensorLog& log, const Output& output)
@@ -99,7 +99,7 @@ int spectrumCommand(const SensorTestArguments& options)
         const int written = writeSheet(ui::spectrumSheet(*spectrum, *log, ui::sourceName(options.log.file)), options.output);
         if (written != kDone || !options.json)
             return written;
-    } else if (isPicture(options.output)) {
+    } else if (isSpectrumPlot(options.output)) {
         if (const auto written = writeSpectrumPlot(*spectrum, *log, options.output); !written)
             return fail(written.error());
         sayWritten(options.output);
