@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 
+#include "core/record/Id.h"
 #include "db/engine/Copy.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
@@ -233,12 +234,6 @@ Result<void> backup(Database& database, const QString& path)
 
 namespace {
 
-Error named(Error error, const std::string& file)
-{
-    error.file = file;
-    return error;
-}
-
 bool reachesTheDrive(const QString& path)
 {
     const int handle = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
@@ -261,24 +256,22 @@ public:
             QFile::remove(QString::fromStdString(file));
     }
 
+    /// In the schema of this program; the backup is only read.
     Result<void> copy(const QString& from) const
     {
-        if (QFileInfo(from + "-wal").size() > 0)
-            return Error{ErrorCode::Locked,
-                MARKED("db", "the file is in use, or was not closed properly; expected a backup that no program has open"),
-                from.toStdString()};
-        if (!QFile::copy(from, m_path))
-            return Error{ErrorCode::Io, MARKED("db", "the backup could not be copied; expected a file that may be read, and space for it"),
-                from.toStdString()};
-        QFile::setPermissions(m_path, QFile::permissions(m_path) | QFile::WriteOwner); // a backup may be protected
-        if (const auto checked = check(); !checked)
-            return named(checked.error(), from.toStdString());
-        if (!reachesTheDrive(m_path))
-            return Error{ErrorCode::Io, MARKED("db", "the copy of the backup could not be written"), from.toStdString()};
-        return {};
+        auto backup = openDatabase(from, OpenMode::ReadOnly);
+        if (!backup)
+            return backup.error();
+        VerifyReport report;
+        if (auto read = checkStructure(*backup, report); !read)
+            return read;
+        if (!report.findings.empty())
+            return Error{ErrorCode::Corrupt, {MARKED("db", "the backup is damaged: %1"), report.findings.front()}, from.toStdString()};
+        return copyTo(*backup, m_path);
     }
 
 private:
+<<<<<<< HEAD
     [[nodiscard]] Result<void> check() const
     {
         auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
@@ -294,6 +287,8 @@ private:
             return Error{ErrorCode::Corrupt, {MARKED("db", "the backup is damaged: %1"), report.findings.front()}};
         return {};
     }
+=======
+>>>>>>> 117a758 (A backup is restored by a copy of what it reads as: an older schema is brought up to date without touching it)
     QString m_path;
 };
 

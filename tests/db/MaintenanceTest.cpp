@@ -44,7 +44,7 @@ TEST(Maintenance, aBackupIsRestoredAndWhatWasThereIsKept)
         EXPECT_EQ(db::restore(copy, path, aside).error().code, ErrorCode::Locked); // it is open here
     }
     EXPECT_EQ(swingsIn(path), 1);
-    EXPECT_EQ(db::restore(folder.filePath("none.db"), path, aside).error().code, ErrorCode::Io);
+    EXPECT_EQ(db::restore(folder.filePath("none.db"), path, aside).error().code, ErrorCode::NotFound);
     EXPECT_EQ(db::restore(path, path, aside).error().code, ErrorCode::InvalidInput);
     const auto foreign = db::restore(__FILE__, path, aside);
     ASSERT_FALSE(foreign);
