@@ -271,24 +271,6 @@ public:
     }
 
 private:
-<<<<<<< HEAD
-    [[nodiscard]] Result<void> check() const
-    {
-        auto database = openDatabase(m_path, OpenMode::ReadWriteCreate);
-        const QFileInfo copy(m_path); // what it was before it was brought up to date is the backup itself
-        for (const QFileInfo& made : copy.absoluteDir().entryInfoList({copy.fileName() + ".schema-*.backup"}, QDir::Files))
-            QFile::remove(made.filePath());
-        if (!database)
-            return database.error();
-        VerifyReport report;
-        if (auto read = checkStructure(*database, report); !read)
-            return read;
-        if (!report.findings.empty())
-            return Error{ErrorCode::Corrupt, {MARKED("db", "the backup is damaged: %1"), report.findings.front()}};
-        return {};
-    }
-=======
->>>>>>> 117a758 (A backup is restored by a copy of what it reads as: an older schema is brought up to date without touching it)
     QString m_path;
 };
 
