@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <random>
+#include <utility>
 
 #include "core/deviation/SwingSlips.h"
 
@@ -18,10 +20,14 @@ struct Rates {
     int swings = 0;
 };
 
-/// @param slip what the reading becomes; the same figure: this swing is left out.
-Rates ratesOf(double scatter_deg, int readings, const std::function<double(double compass_deg, double magnetic_deg, int sign)>& slip)
+/// The coefficients that the swing before gave.
+using Last = std::function<ApproximateSmith(ApproximateSmith now, std::mt19937_64& engine)>;
+
+/// @param slip what the reading becomes; the same figure: this swing is left out. @param last empty: there is no history.
+Rates ratesOf(double scatter_deg, int readings, const std::function<double(double compass_deg, double magnetic_deg, int sign)>& slip,
+    const Last& last = {})
 {
-    std::mt19937_64 engine(20261126);
+    std::mt19937_64 engine(20261126), lastEngine(7);
     std::normal_distribution<double> noise;
     std::uniform_real_distribution<double> within(-1.0, 1.0);
     Rates rates;
@@ -39,7 +45,8 @@ Rates ratesOf(double scatter_deg, int readings, const std::function<double(doubl
         const double written = wrap360(slip(reading.compass.degrees(), reading.magnetic.degrees(), engine() % 2 ? 1 : -1));
         const bool slipped = written != reading.compass.degrees();
         reading.compass = CompassHeading::fromDegrees(written);
-        const auto found = findSlips(observations, 1.0).slips;
+        const auto history = last ? std::optional(curveAfter(last(smith, lastEngine))) : std::nullopt;
+        const auto found = findSlips(observations, 1.0, history).slips;
         bool named = false, innocent = false;
         for (const auto& one : found) {
             const bool maybe = one.reading == wrong || std::count(one.orReadings.begin(), one.orReadings.end(), wrong) > 0;
@@ -95,6 +102,43 @@ TEST(SwingSlips, rightReadingsAreLeftAlone)
     EXPECT_LE(ratesOf(0.5, 8, nothing).alarms, 0.02);
     EXPECT_LE(ratesOf(1.0, 8, nothing).alarms, 0.15); // the price of finding 5° at 0.3°: a look costs seconds
     EXPECT_LE(ratesOf(0.5, 24, nothing).alarms, 0.02);
+}
+
+ApproximateSmith asBefore(ApproximateSmith smith, std::mt19937_64& engine)
+{
+    std::normal_distribution<double> normal;
+    const auto moved = [&](double& coefficient_rad, double by_deg) { coefficient_rad += toRadians(by_deg * normal(engine)); };
+    moved(smith.A_rad, 0.3);
+    moved(smith.B_rad, 1.0);
+    moved(smith.C_rad, 1.0);
+    moved(smith.D_rad, 0.2);
+    moved(smith.E_rad, 0.2);
+    return smith;
+}
+
+/// Lightning, or another engine.
+ApproximateSmith quiteOther(ApproximateSmith smith, std::mt19937_64&)
+{
+    smith.B_rad += toRadians(9.0);
+    smith.C_rad -= toRadians(6.0);
+    return smith;
+}
+
+TEST(SwingSlips, aHistoryFindsMoreAndBlamesNoMore)
+{
+    for (const auto& [scatter, off] : {std::pair(0.5, 5.0), {1.0, 8.0}, {0.3, 10.0}}) {
+        const auto slip = [off = off](double compass, double, int sign) { return offBy(compass, sign * off); };
+        const auto without = ratesOf(scatter, 8, slip), with = ratesOf(scatter, 8, slip, asBefore);
+        EXPECT_GE(with.named, without.named) << scatter;
+        EXPECT_LE(with.innocent, 0.02) << scatter;
+        EXPECT_GE(ratesOf(scatter, 8, slip, quiteOther).named, without.named - 0.02) << scatter;
+    }
+    const auto nothing = [](double compass, double, int) { return compass; };
+    for (const double scatter : {0.3, 0.5, 1.0}) {
+        const auto without = ratesOf(scatter, 8, nothing);
+        EXPECT_LE(ratesOf(scatter, 8, nothing, asBefore).alarms, without.alarms) << scatter;
+        EXPECT_LE(ratesOf(scatter, 8, nothing, quiteOther).alarms, without.alarms + 0.01) << scatter;
+    }
 }
 
 TEST(SwingSlips, whatWasMeantIsNamedWithItsProbability)
