@@ -86,6 +86,7 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
     })
     , m_events(new EventsPanel(context, stack))
     , m_compassTable(new QTableWidget(0, kCompassColumns))
+    , m_shownCompass(new QLabel)
     , m_open(new QVBoxLayout)
     , m_swingTable(new QTableWidget(0, kSwingColumns))
 {
@@ -223,7 +224,13 @@ QWidget* AircraftPage::buildSwings()
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
+    m_shownCompass->setObjectName(QStringLiteral("shownCompass"));
+    m_shownCompass->setWordWrap(true);
+    QFont strong = m_shownCompass->font();
+    strong.setBold(true);
+    m_shownCompass->setFont(strong);
     layout->addWidget(m_compassTable);
+    layout->addWidget(m_shownCompass);
     layout->addLayout(m_open);
     m_historyPlace = new QVBoxLayout;
     layout->addLayout(m_historyPlace, 3);
@@ -280,10 +287,12 @@ Result<void> AircraftPage::load(AircraftId id, CompassId compass)
 void AircraftPage::showTitle()
 {
     const Aircraft& record = m_aircraft.record();
-    QString title = typeName(record.type) + toText(record.registration);
-    if (compass().valid())
-        title += QStringLiteral(" · ") + toText(m_compass.record().name);
-    setTitle(title + (record.demonstration ? tr(" · DEMONSTRATION") : QString()));
+    const QString title = typeName(record.type) + toText(record.registration) + (record.demonstration ? tr(" · DEMONSTRATION") : QString());
+    setTitle(title);
+    const QString name = compass().valid() ? toText(m_compass.record().name) : QString();
+    if (!name.isEmpty())
+        setWindowTitle(QStringLiteral("%1 · %2").arg(title, name));
+    m_shownCompass->setText(name.isEmpty() ? tr("No compass is entered yet") : name);
 }
 
 void AircraftPage::listCompasses()

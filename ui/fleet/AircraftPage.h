@@ -74,6 +74,7 @@ private:
     QComboBox* m_limits = nullptr;
     EventsPanel* m_events;
     QTableWidget* m_compassTable;
+    QLabel* m_shownCompass;
     QVBoxLayout* m_open; ///< a button for each guided swing of the compass that stands half-way
     std::map<CompassId, DueState> m_due;
     QTableWidget* m_swingTable;

@@ -77,7 +77,7 @@ struct Writer {
     void operator()(const job::Abandoned& event) const { json.text("reason", event.reason); }
     void operator()(const job::DatumChanged& event) const
     {
-        json.beginObject("datum");
+        json.beginObject("datum", true);
         writeInstrument(json, event.datum);
         json.end();
     }

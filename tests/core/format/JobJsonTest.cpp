@@ -14,7 +14,10 @@ std::vector<JobEvent> everyEvent()
         {time, job::Adjusted{2, Control::NorthSouth, 170, 176, 176, "half a turn"}},
         {time, job::NotAdjusted{3, Control::EastWest, "at its stop"}}, {time, job::IndexRemoved{269, 272, 272}},
         {time, job::IndexLeft{"riveted"}}, {time, job::Accepted{"inspector", "well"}}, {time, job::Faulted{"magnetised"}},
-        {time, job::Mended{"degaussed"}}, {time, job::Abandoned{"rain"}}};
+        {time, job::Mended{"degaussed"}}, {time, job::Abandoned{"rain"}},
+        {time,
+            job::DatumChanged{
+                {{}, "theodolite", DatumKind::Theodolite, "Wild", "12", "2027-03-01", SightingDirection::Reciprocal, true, 1.5, 0.1, {}}}}};
 }
 
 TEST(JobJson, everyEventReadsBackEqualFromOneLine)
