@@ -153,8 +153,8 @@ Result<void> apply(Database& database, const Migration& step)
     }
     for (const QString& pragma :
         {QStringLiteral("PRAGMA application_id = %1").arg(kApplicationId), QStringLiteral("PRAGMA user_version = %1").arg(step.version)})
-        if (const auto done = execute(database, pragma); !done)
-            return done;
+        if (const auto marked = execute(database, pragma); !marked)
+            return marked;
     return transaction->commit();
 }
 
