@@ -6,13 +6,23 @@
 
 namespace lubberline::ui {
 
+/// What is shown when it is gone: that which it was part of.
+[[nodiscard]] inline FleetItem holderOf(const AircraftType&) { return {}; }
+[[nodiscard]] inline FleetItem holderOf(const Aircraft& aircraft) { return aircraft.type; }
+[[nodiscard]] inline FleetItem holderOf(const CompassSystem& compass) { return compass.aircraft; }
+
+[[nodiscard]] inline Destination placeOf(const FleetItem& item)
+{
+    return std::holds_alternative<std::monostate>(item) ? Destination{QStringLiteral("overview"), {}} : Destination{{}, item};
+}
+
 /// Made: undone it goes with what was added to it since, which comes back when it is made again.
 template <class Record, class RecordKey>
 class MakeFleetRecord final : public Edit {
 public:
     MakeFleetRecord(EditContext& context, Record record, const QString& text) : Edit(context, text), m_record(std::move(record)) {}
     [[nodiscard]] RecordKey made() const { return m_id; }
-    [[nodiscard]] Destination seenAt() const override { return m_there ? Destination{{}, m_id} : Destination{}; }
+    [[nodiscard]] Destination seenAt() const override { return placeOf(m_there ? FleetItem(m_id) : holderOf(m_record)); }
 
 protected:
     Result<void> apply() override
@@ -49,9 +59,14 @@ private:
 template <class RecordKey>
 class RemoveFleetRecord final : public Edit {
 public:
-    RemoveFleetRecord(EditContext& context, RecordKey id, const QString& text) : Edit(context, text), m_id(id) {}
-    /// What holds it, or it itself where it is there.
-    [[nodiscard]] Destination seenAt() const override { return m_there ? Destination{{}, m_id} : Destination{}; }
+    /// @param holder what it is part of: shown while it is gone.
+    RemoveFleetRecord(EditContext& context, RecordKey id, FleetItem holder, const QString& text)
+        : Edit(context, text)
+        , m_id(id)
+        , m_holder(std::move(holder))
+    {
+    }
+    [[nodiscard]] Destination seenAt() const override { return placeOf(m_there ? FleetItem(m_id) : m_holder); }
 
 protected:
     Result<void> apply() override
@@ -72,6 +87,7 @@ protected:
 
 private:
     RecordKey m_id;
+    FleetItem m_holder;
     db::Removed m_removed;
     bool m_there = true;
 };

@@ -205,7 +205,7 @@ void removeWhole(PageContext& context, RecordKey id, const QString& name, const 
 {
     context.leaveField();
     const int before = context.undo.index();
-    context.undo.push(new RemoveFleetRecord<RecordKey>(context.edits, id, NewRecordPage::tr("removal of %1").arg(name)));
+    context.undo.push(new RemoveFleetRecord<RecordKey>(context.edits, id, next, NewRecordPage::tr("removal of %1").arg(name)));
     if (context.undo.index() == before)
         return;
     context.go({{}, next});
@@ -227,7 +227,7 @@ std::vector<Command> removalCommands(PageContext& context)
             [&context](Page& front) {
                 const AircraftId id = front.shown().aircraft;
                 if (const auto aircraft = context.stores.fleet.aircraft(id); aircraft)
-                    removeWhole(context, id, toText(aircraft->registration), {});
+                    removeWhole(context, id, toText(aircraft->registration), aircraft->type);
             },
             needsAircraftToChange},
         {MenuId::Fleet, 22, NewRecordPage::tr("Remove this compa&ss"), {}, "removeCompass",

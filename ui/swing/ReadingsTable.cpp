@@ -204,8 +204,8 @@ void ReadingsTable::keyPressEvent(QKeyEvent* event)
         acceptNominal();
     else if (plain && (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace))
         clearCells();
-    else if (plain && event->key() == Qt::Key_Escape && restoreStored())
-        event->accept();
+    else if (plain && event->key() == Qt::Key_Escape)
+        event->setAccepted(restoreStored()); // else it closes a message
     else
         QTableView::keyPressEvent(event);
 }

@@ -81,6 +81,12 @@ void MainWindow::buildActions()
             m_outputs.emplace_back(findChild<QAction*>(output.name), page.id);
     m_back = findChild<QAction*>(QStringLiteral("back"));
     m_forward = findChild<QAction*>(QStringLiteral("forward"));
+    QStringList titles;
+    for (const QAction* menu : menuBar()->actions())
+        titles += menu->text();
+    titles = distinctMnemonics(titles);
+    for (qsizetype i = 0; i < titles.size(); ++i)
+        menuBar()->actions()[i]->setText(titles[i]);
     buildToolBar();
     updateActions();
     showPlace();

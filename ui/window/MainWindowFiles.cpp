@@ -113,10 +113,12 @@ QString MainWindow::namedFor(const QString& suggestion) const
     static const QRegularExpression unusable(QStringLiteral(R"([/\\:*?"<>|\x00-\x1f])")), dated(QStringLiteral("\\d{4}-\\d{2}-\\d{2}"));
     registration.replace(unusable, QStringLiteral("-"));
     QString name = suggestion;
-    if (!dated.match(name).hasMatch())
-        name.prepend(day + u' ');
     if (!registration.isEmpty() && !name.contains(registration))
         name.prepend(registration + u' ');
+    if (!dated.match(name).hasMatch()) {
+        const bool led = !registration.isEmpty() && name.startsWith(registration);
+        name.insert(led ? registration.size() : 0, led ? u' ' + day : day + u' ');
+    }
     return name;
 }
 
