@@ -15,7 +15,8 @@ SensorRecord sensorFrom(const Statement& row)
 {
     SensorRecord sensor;
     sensor.id = row.id<SensorModelId>(0);
-    sensor.record = row.record(1);
+    (void)row.record(1);
+    sensor.record = row.anything(1); // what is none still names the row
     sensor.compass = row.id<CompassId>(2);
     sensor.name = row.text(3);
     sensor.origin = row.as(4, ModelOrigin::IronBench);
