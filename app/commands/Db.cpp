@@ -151,7 +151,8 @@ void addDb(CLI::App& app, Invocation& invocation)
     addDatabaseOption(*verify, invocation);
     verify->callback([options, &invocation] {
         invocation.action = [options, &invocation] {
-            return onDatabase(invocation.database, [&](db::Database& database) { return verifyCommand(database, options->json, options->heads); });
+            return onDatabase(
+                invocation.database, [&](db::Database& database) { return verifyCommand(database, options->json, options->heads); });
         };
     });
 }

@@ -45,7 +45,8 @@ Result<void> writeSignature(const SignatureFile& file, const std::string& conten
     if (done && !file.signature.publicKey.empty())
         done = writeWholeFile(file.path + ".key.asc", file.signature.publicKey);
     if (done)
-        say("wrote " + file.path + (file.signature.openPgp.empty() ? ": a name only, no key has signed it" : ", " + file.path + ".asc and its key"));
+        say("wrote " + file.path
+            + (file.signature.openPgp.empty() ? ": a name only, no key has signed it" : ", " + file.path + ".asc and its key"));
     return done;
 }
 
@@ -55,8 +56,8 @@ int exportSignatures(db::Stores& stores, const std::string& record, const std::s
 {
     const auto role = choiceOf<SignatureRole>(roleWord);
     if (!role && !roleWord.empty())
-        return fail(Error{ErrorCode::InvalidInput,
-            {MARKED("app", "--role: '%1' is not known; expected %2"), roleWord, allowedWords<SignatureRole>()}});
+        return fail(Error{
+            ErrorCode::InvalidInput, {MARKED("app", "--role: '%1' is not known; expected %2"), roleWord, allowedWords<SignatureRole>()}});
     const auto id = stores.swings.named(record);
     if (!id)
         return fail(id.error());
@@ -65,7 +66,8 @@ int exportSignatures(db::Stores& stores, const std::string& record, const std::s
         return fail(swing.error());
     const auto files = filesOf(swing->signatures, role, path);
     if (files.empty())
-        return fail(Error{ErrorCode::NotFound, {MARKED("app", "the swing %1 has no such signature; expected a signed one"), swing->record}});
+        return fail(
+            Error{ErrorCode::NotFound, {MARKED("app", "the swing %1 has no such signature; expected a signed one"), swing->record}});
     for (const SignatureFile& file : files) {
         const auto content = stores.signing.contentOf(*id, file.signature);
         if (!content)

@@ -81,8 +81,8 @@ void addKeys(CLI::App& app, Invocation& invocation)
     actOnStores(*add, invocation, db::OpenMode::ReadWriteCreate, [options](db::Stores& stores) { return addKey(stores, *options); });
     auto* remove = command->add_subcommand("remove", "a key that counts no more");
     remove->add_option("FINGERPRINT", options->fingerprint, "or the end of it, eight digits or more")->required();
-    actOnStores(
-        *remove, invocation, db::OpenMode::ReadWriteCreate, [options](db::Stores& stores) { return removeKey(stores, options->fingerprint); });
+    actOnStores(*remove, invocation, db::OpenMode::ReadWriteCreate,
+        [options](db::Stores& stores) { return removeKey(stores, options->fingerprint); });
 }
 
 } // namespace lubberline::app

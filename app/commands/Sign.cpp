@@ -51,9 +51,8 @@ Result<Signature> withKey(db::Stores& stores, SwingId swing, Signature signature
     const auto keys = db::secretKeys(progress);
     if (!keys)
         return keys.error();
-    const auto isWanted = [&](const db::OpenPgpKey& one) {
-        return one.fingerprint.ends_with(wanted) || one.userId.find(wanted) != std::string::npos;
-    };
+    const auto isWanted
+        = [&](const db::OpenPgpKey& one) { return one.fingerprint.ends_with(wanted) || one.userId.find(wanted) != std::string::npos; };
     const auto found = std::count_if(keys->begin(), keys->end(), isWanted);
     if (found != 1)
         return Error{ErrorCode::NotFound,
@@ -75,7 +74,8 @@ int sign(db::Stores& stores, SwingId swing, const SignArguments& options)
         return fail(Error{ErrorCode::InvalidInput,
             {MARKED("app", "--role: '%1' is not known; expected %2"), options.role, allowedWords<SignatureRole>()}});
     if (const auto last = stores.signing.clockStandsBefore(); last && !last->empty())
-        say("the clock of this machine stands before the last entry of the audit trail (" + *last + "): what is signed now would seem older");
+        say("the clock of this machine stands before the last entry of the audit trail (" + *last
+            + "): what is signed now would seem older");
     Signature signature{*role, options.name, options.licence, {}, {}};
     if (options.key.empty())
         return told(stores.signing.sign(swing, std::move(signature)), stores, swing);

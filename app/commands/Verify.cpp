@@ -61,7 +61,10 @@ int verifyFiles(const VerifyArguments& options, const std::string& database)
         return fail(detached.error());
     const std::string beside = options.text + ".key.asc";
     std::string key;
-    if (const std::string file = !options.key.empty() ? options.key : std::filesystem::exists(beside) ? beside : std::string(); !file.empty()) {
+    if (const std::string file = !options.key.empty() ? options.key
+            : std::filesystem::exists(beside)         ? beside
+                                                      : std::string();
+        !file.empty()) {
         auto read = readWholeFile(file, MARKED("app", "an OpenPGP public key"));
         if (!read)
             return fail(read.error());
@@ -97,7 +100,8 @@ int verifyFiles(const VerifyArguments& options, const std::string& database)
 void addVerify(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<VerifyArguments>();
-    auto* command = app.add_subcommand("verify", "check a signature that `export --signature` has written: the key, and whether the station knows it");
+    auto* command = app.add_subcommand(
+        "verify", "check a signature that `export --signature` has written: the key, and whether the station knows it");
     addInputOption(*command, invocation, "TEXT.txt", options->text, "what was signed")->required();
     addInputOption(*command, invocation, "SIGNATURE.asc", options->signature, "the detached signature (default: TEXT.txt.asc)");
     addInputOption(*command, invocation, "--key", options->key, "the public key (default: TEXT.txt.key.asc, and the keys of the station)");

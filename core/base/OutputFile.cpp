@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40;   ///< as many as the kernel follows (path_resolution(7))
+constexpr int kMostLinks = 40; ///< as many as the kernel follows (path_resolution(7))
 
 Error outputError(const Message& message, const std::string& path) { return {ErrorCode::Io, message, path}; }
 

@@ -94,7 +94,8 @@ bool PartialFile::renameTo(const std::string& target)
 void removeLeftovers(const std::string& folder)
 {
     std::error_code error;
-    for (fs::directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end; !error && at != end; at.increment(error))
+    for (fs::directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end; !error && at != end;
+         at.increment(error))
         if (const std::string name = at->path().filename().string(); isPartial(name))
             removeIfLeft(at->path().string());
 }

@@ -17,14 +17,14 @@ struct StationKey {
 };
 
 enum class KeyState {
-    NameOnly,   ///< no key: nobody has verified the name
-    Good,       ///< a known key made it, and it was in force then
-    NotKnown,   ///< whole, by a key that is not on the station's list
+    NameOnly,    ///< no key: nobody has verified the name
+    Good,        ///< a known key made it, and it was in force then
+    NotKnown,    ///< whole, by a key that is not on the station's list
     OtherHolder, ///< whole, by the known key of somebody of another name
-    Expired,    ///< the key was no longer in force when it was made
-    Revoked,    ///< the key was revoked
-    Bad,        ///< not over what the record says, or not by that key
-    NotChecked, ///< not looked at, or it could not be
+    Expired,     ///< the key was no longer in force when it was made
+    Revoked,     ///< the key was revoked
+    Bad,         ///< not over what the record says, or not by that key
+    NotChecked,  ///< not looked at, or it could not be
 };
 
 /// What is known of the key behind a signature.

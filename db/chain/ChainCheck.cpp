@@ -73,7 +73,8 @@ private:
     void find(Message message) { m_report.findings.push_back(std::move(message)); }
     void missing(std::int64_t from, std::int64_t to)
     {
-        find(from == to ? Message(MARKED("db", "entry %1 is missing"), from) : Message(MARKED("db", "entries %1 to %2 are missing"), from, to));
+        find(from == to ? Message(MARKED("db", "entry %1 is missing"), from)
+                        : Message(MARKED("db", "entries %1 to %2 are missing"), from, to));
     }
 
     ChainHead m_head;

@@ -35,13 +35,14 @@ std::string fileLink(const std::string& before, const std::string& recordLink)
 Result<ChainHead> chainHead(const Database& database)
 {
     Statement statement(database, "SELECT file, entries, head, entries_before, since_utc FROM audit_head WHERE id = 1");
-    const auto found = firstOf<ChainHead>(
-        statement, [](Statement& row) { return ChainHead{row.text(0), row.integer(1), row.text(2), row.integer(3), row.text(4)}; });
+    const auto found = firstOf<ChainHead>(statement, [](Statement& row) {
+        return ChainHead{row.text(0), row.integer(1), row.text(2), row.integer(3), row.text(4)};
+    });
     if (!found)
         return found.error();
     if (!*found)
-        return Error{ErrorCode::Corrupt, MARKED("db", "audit_head has no row; expected the head of the audit trail"),
-            database.path().toStdString()};
+        return Error{
+            ErrorCode::Corrupt, MARKED("db", "audit_head has no row; expected the head of the audit trail"), database.path().toStdString()};
     return **found;
 }
 
@@ -73,8 +74,7 @@ Result<void> beginChain(const Database& database)
             return done;
     }
     const std::int64_t last = entries->empty() ? 0 : entries->back().id;
-    Statement begun(
-        database, "INSERT INTO audit_head (id, file, entries, head, entries_before, since_utc) VALUES (1, ?, ?, ?, ?, ?)");
+    Statement begun(database, "INSERT INTO audit_head (id, file, entries, head, entries_before, since_utc) VALUES (1, ?, ?, ?, ?, ?)");
     begun << file << last << head << last << database.clock().nowUtc();
     return begun.run();
 }

@@ -255,7 +255,10 @@ Result<void> Database::onlyRead()
     return execute(*this, "PRAGMA query_only = ON");
 }
 
-Result<void> Database::setPatience(int milliseconds) { return execute(*this, QStringLiteral("PRAGMA busy_timeout = %1").arg(milliseconds)); }
+Result<void> Database::setPatience(int milliseconds)
+{
+    return execute(*this, QStringLiteral("PRAGMA busy_timeout = %1").arg(milliseconds));
+}
 
 Changes& Database::changes() const { return m_state->changes; }
 void Database::setFault(Fault fault) { m_state->fault = std::move(fault); }
@@ -326,8 +329,9 @@ Result<Database> Database::openCopy(const QString& path, const Database& origina
     state->path = path;
     state->file = state->work->filePath("copy.lubberline");
     const Error none{ErrorCode::ReadOnly,
-        {MARKED("db", "the database has the old schema %1 and may only be read, and no copy could be made to bring up to date; expected room"
-                      " for one among the temporary files"),
+        {MARKED("db",
+             "the database has the old schema %1 and may only be read, and no copy could be made to bring up to date; expected room"
+             " for one among the temporary files"),
             original.fileSchema()},
         path.toStdString()};
     if (!state->work->isValid() || !copyInto(original, state->file))
@@ -339,7 +343,8 @@ Result<Database> Database::openCopy(const QString& path, const Database& origina
         return migrated.error();
     if (const auto reading = copy.onlyRead(); !reading)
         return reading.error();
-    copy.m_state->told.push_back({MARKED("db", "the database has the old schema %1; it was read as a copy and stays as it is"), copy.fileSchema()});
+    copy.m_state->told.push_back(
+        {MARKED("db", "the database has the old schema %1; it was read as a copy and stays as it is"), copy.fileSchema()});
     return copy;
 }
 
@@ -351,8 +356,9 @@ Result<void> Database::bringUpToDate(const std::vector<Migration>& steps)
     if (!isNew)
         if (const auto made = copyTo(*this, copy); !made && made.error().code != ErrorCode::Conflict) { // another program made it just now
             Error error = made.error();
-            error.message = {MARKED("db", "nothing was changed: before the database is brought up to date a copy is made, and it failed: %1"),
-                std::move(error.message)};
+            error.message
+                = {MARKED("db", "nothing was changed: before the database is brought up to date a copy is made, and it failed: %1"),
+                    std::move(error.message)};
             return error;
         }
     if (const auto migrated = migrate(*this, steps); !migrated)

@@ -60,7 +60,7 @@ public:
     [[nodiscard]] QString path() const;
     /// What who opened it should know: that it was brought up to date, and where a copy as it was stands.
     [[nodiscard]] const std::vector<Message>& told() const;
-    [[nodiscard]] int fileSchema() const; ///< of the file, before anything was done to it; of a new one 0
+    [[nodiscard]] int fileSchema() const;  ///< of the file, before anything was done to it; of a new one 0
     [[nodiscard]] bool readAsCopy() const; ///< of an old schema: what is read is a copy
     [[nodiscard]] bool readOnly() const;
     /// How long a statement waits for the writer of another connection before it answers Locked (2 s, unless it is said otherwise).

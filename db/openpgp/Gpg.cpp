@@ -172,8 +172,8 @@ Result<std::vector<OpenPgpKey>> secretKeys(const Progress& progress, const GpgOp
 
 Result<std::string> publicKeyOf(const std::string& fingerprint, const Progress& progress, const GpgOptions& options)
 {
-    const auto ran = run(
-        {"--armor", "--export-options", "export-minimal", "--export", QString::fromStdString(fingerprint)}, {}, progress, options);
+    const auto ran
+        = run({"--armor", "--export-options", "export-minimal", "--export", QString::fromStdString(fingerprint)}, {}, progress, options);
     if (!ran)
         return ran.error();
     if (ran->output.isEmpty())
@@ -184,8 +184,9 @@ Result<std::string> publicKeyOf(const std::string& fingerprint, const Progress& 
 Result<std::string> signDetached(
     const std::string& text, const std::string& fingerprint, const Progress& progress, const GpgOptions& options)
 {
-    const auto ran = run({"--status-fd", "2", "--armor", "--local-user", QString::fromStdString(fingerprint), "--detach-sign", "--output", "-"},
-        text, progress, options);
+    const auto ran
+        = run({"--status-fd", "2", "--armor", "--local-user", QString::fromStdString(fingerprint), "--detach-sign", "--output", "-"}, text,
+            progress, options);
     if (!ran)
         return ran.error();
     if (ran->status != 0 || ran->output.isEmpty())
@@ -218,7 +219,8 @@ Result<OpenPgpCheck> verifyDetached(const std::string& text, const std::string& 
     const auto imported = run(ring.options() + QStringList{"--import"}, publicKeys, progress, options);
     if (!imported)
         return imported.error();
-    const auto listed = run(ring.options() + QStringList{"--with-colons", "--with-subkey-fingerprint", "--list-keys"}, {}, progress, options);
+    const auto listed
+        = run(ring.options() + QStringList{"--with-colons", "--with-subkey-fingerprint", "--list-keys"}, {}, progress, options);
     if (!listed)
         return listed.error();
     const auto verified = run(ring.options() + QStringList{"--status-fd", "1", "--verify", detached, signedText}, {}, progress, options);

@@ -23,8 +23,8 @@ std::string shortKey(const std::string& fingerprint)
 KeyVerdict whole(const OpenPgpCheck& check, const std::string& name, const std::vector<StationKey>& station)
 {
     const std::string key = shortKey(check.fingerprint);
-    const auto known = std::find_if(
-        station.begin(), station.end(), [&](const StationKey& one) { return one.fingerprint == check.fingerprint; });
+    const auto known
+        = std::find_if(station.begin(), station.end(), [&](const StationKey& one) { return one.fingerprint == check.fingerprint; });
     if (check.revoked)
         return {KeyState::Revoked, {MARKED("db", "the key %1 was revoked"), key}};
     if (check.expires_s && check.made_s > *check.expires_s)

@@ -200,7 +200,8 @@ Result<void> beginTrail(const Database& database)
     return done;
 }
 
-const Migration kEighth{8, "the audit trail is a hash chain; signatures keep what they cover, with which key they were given; keys of the station",
+const Migration kEighth{8,
+    "the audit trail is a hash chain; signatures keep what they cover, with which key they were given; keys of the station",
     {
         "ALTER TABLE audit_entry ADD COLUMN link TEXT NOT NULL DEFAULT ''",
         "ALTER TABLE audit_entry ADD COLUMN file_link TEXT NOT NULL DEFAULT ''",

@@ -40,7 +40,8 @@ Result<void> KeyStore::put(StationKey key)
     const auto before
         = std::find_if(known->begin(), known->end(), [&](const StationKey& one) { return one.fingerprint == key.fingerprint; });
     if (before != known->end() && before->holder != key.holder)
-        return Error{ErrorCode::Conflict, {MARKED("db", "this key is known as that of %1; expected it to be removed first"), before->holder},
+        return Error{ErrorCode::Conflict,
+            {MARKED("db", "this key is known as that of %1; expected it to be removed first"), before->holder},
             m_database.path().toStdString()};
     key.addedUtc = m_database.clock().nowUtc();
     Statement statement(m_database,
@@ -71,7 +72,8 @@ Result<StationKey> KeyStore::remove(const std::string& fingerprint)
             found.push_back(one);
     const std::string file = m_database.path().toStdString();
     if (found.empty())
-        return Error{ErrorCode::NotFound, {MARKED("db", "no key of the station ends in %1; expected eight digits or more of one"), fingerprint}, file};
+        return Error{ErrorCode::NotFound,
+            {MARKED("db", "no key of the station ends in %1; expected eight digits or more of one"), fingerprint}, file};
     if (found.size() > 1)
         return Error{ErrorCode::Conflict, {MARKED("db", "several keys end in %1; expected more of it"), fingerprint}, file};
     Statement statement(m_database, "DELETE FROM signing_key WHERE fingerprint = ?");

@@ -10,8 +10,8 @@
 #include "core/format/exchange/SignedContent.h"
 #include "core/record/RecordWords.h"
 #include "db/engine/Statement.h"
-#include "db/stores/SigningStore.h"
 #include "db/stores/Signatures.h"
+#include "db/stores/SigningStore.h"
 #include "db/stores/SwingStore.h"
 
 namespace lubberline::db {
@@ -52,8 +52,8 @@ std::int64_t entryOf(const std::vector<TrailRow>& trail, const Signature& signat
 Result<std::string> changesAfter(Database& database, const SwingRecord& record, std::int64_t entry)
 {
     std::string details;
-    for (const RecordId& one : {record.type.record, record.aircraft.record, record.compass.record, record.site ? record.site->record : RecordId(),
-             record.limits ? record.limits->record : RecordId()}) {
+    for (const RecordId& one : {record.type.record, record.aircraft.record, record.compass.record,
+             record.site ? record.site->record : RecordId(), record.limits ? record.limits->record : RecordId()}) {
         const auto trail = one.empty() ? std::vector<TrailRow>() : trailOf(database, one);
         if (!trail)
             return trail.error();
@@ -130,18 +130,20 @@ private:
         for (const Signature& one : swing.signatures) {
             const auto entry = entries.find(auditText(one));
             if (entry == entries.end()) {
-                findings.push_back({MARKED("db", "%1 is not in the audit trail: it was put in, or its fields were changed"), whose(one, swing)});
+                findings.push_back(
+                    {MARKED("db", "%1 is not in the audit trail: it was put in, or its fields were changed"), whose(one, swing)});
                 continue;
             }
             // Before version 3 the hash does not cover the time; the entry was made in the same moment.
             if (one.contents < 3 && entry->second->what == kSigned && !sameMoment(one.timeUtc, entry->second->timeUtc))
-                findings.push_back({MARKED("db", "%1 has another time than its entry in the audit trail, %2"), whose(one, swing),
-                    entry->second->timeUtc});
+                findings.push_back(
+                    {MARKED("db", "%1 has another time than its entry in the audit trail, %2"), whose(one, swing), entry->second->timeUtc});
             entries.erase(entry);
         }
         for (const auto& [detail, row] : entries)
             findings.push_back(
-                {MARKED("db", "the signature \"%1\", which the audit trail names at %2, is not there: it was taken out or changed (swing of %3, record %4)"),
+                {MARKED("db",
+                     "the signature \"%1\", which the audit trail names at %2, is not there: it was taken out or changed (swing of %3, record %4)"),
                     detail, row->timeUtc, swing.date, swing.record});
     }
 
@@ -155,7 +157,8 @@ private:
                 findings.push_back({MARKED("db", "%1 does not hold: %2 was \"%3\" when it was signed and is \"%4\""), whose(one, swing),
                     difference.what, difference.before, difference.after});
             if (states[i].since.empty())
-                findings.push_back({MARKED("db", "%1 does not hold: it, one before it, or the swing is not what was signed"), whose(one, swing)});
+                findings.push_back(
+                    {MARKED("db", "%1 does not hold: it, one before it, or the swing is not what was signed"), whose(one, swing)});
         }
     }
 
@@ -180,9 +183,8 @@ private:
     {
         const bool frozen = swing.state == SwingState::Signed;
         if (swing.signatures.empty()) {
-            const bool told = std::any_of(trail.begin(), trail.end(), [](const TrailRow& row) {
-                return row.what == "froze swing" || row.detail.find("state: 1 -> 2") != std::string::npos;
-            });
+            const bool told = std::any_of(trail.begin(), trail.end(),
+                [](const TrailRow& row) { return row.what == "froze swing" || row.detail.find("state: 1 -> 2") != std::string::npos; });
             if (frozen && !told)
                 findings.push_back({MARKED("db", "the swing of %1 (record %2) is signed, and the audit trail does not say by whom"),
                     swing.date, swing.record});

@@ -56,8 +56,7 @@ std::string auditText(const Signature& signature)
 
 Result<void> addSignature(Database& database, SwingId swing, const RecordId& record, const Signature& signature, const char* what)
 {
-    Statement statement(
-        database, "INSERT INTO signature (" + kSignatureColumns + ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    Statement statement(database, "INSERT INTO signature (" + kSignatureColumns + ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     statement << swing << static_cast<int>(signature.role) << signature.name << signature.licence << signature.timeUtc << signature.hash
               << signature.contents << signature.file << signature.fileHead << signature.recordHead << signature.particulars
               << signature.key << signature.publicKey << signature.openPgp;

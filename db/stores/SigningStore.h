@@ -29,7 +29,7 @@ public:
     Result<std::string> contentOf(SwingId id, const Signature& signature);
     /// Errors: besides those of sign(), Conflict when the record is not what was prepared any more.
     Result<void> add(SwingId id, const Signature& prepared);
-    Result<std::vector<bool>> hold(SwingId id); ///< as Swing::signatures
+    Result<std::vector<bool>> hold(SwingId id);             ///< as Swing::signatures
     Result<std::vector<SignatureState>> states(SwingId id); ///< likewise
     /// Of each signature what its key is worth, by the station's list. Runs gpg for those that have one: on a worker.
     Result<std::vector<KeyVerdict>> verdicts(SwingId id, const Progress& progress);
@@ -43,7 +43,7 @@ public:
     /// That a card of it was written, as it is signed now: one that is written after is a reprint.
     Result<void> noteCard(SwingId id);
     Result<bool> cardWasWritten(SwingId id);
-    Result<ChainHead> trailHead(); ///< of the whole database's audit trail
+    Result<ChainHead> trailHead();                                    ///< of the whole database's audit trail
     Result<std::vector<Message>> trailFaults(const RecordId& record); ///< of that record's own entries
 
 private:

@@ -377,7 +377,8 @@ Result<void> Importer::checkSigned(const Swing& original, const JobRecord* job)
     if (cannotBeTold || freezes(original.signatures, holding(statesBy(record, own))))
         return {};
     return Error{ErrorCode::Corrupt,
-        {MARKED("db", "the signed swing of %1, %2, %3 (record %4) is not what was signed; expected one whose signatures hold. Nothing was stored"),
+        {MARKED("db",
+             "the signed swing of %1, %2, %3 (record %4) is not what was signed; expected one whose signatures hold. Nothing was stored"),
             record.aircraft.registration, record.compass.name, original.date, original.record},
         m_database.path().toStdString()};
 }

@@ -72,8 +72,10 @@ Result<void> checkOriginal(Database& database, VerifyReport& report)
     auto original = Database::openAsItIs(database.path());
     if (!original)
         return original.error();
-    return findings(*original, report, "SELECT integrity_check FROM pragma_integrity_check WHERE integrity_check <> 'ok'",
-        [](Statement& row) { return Message{MARKED("db", "integrity: %1"), row.text(0)}; });
+    return findings(
+        *original, report, "SELECT integrity_check FROM pragma_integrity_check WHERE integrity_check <> 'ok'", [](Statement& row) {
+            return Message{MARKED("db", "integrity: %1"), row.text(0)};
+        });
 }
 
 /// SQLite's own checks (integrity_check holds every row against the CHECKs of its table, too), and what the schema cannot

@@ -67,10 +67,12 @@ TEST_F(SignatureCommands, twoKeysSignAndWhatIsWrittenSatisfiesGpgAndUs)
     EXPECT_THAT(done.out, HasSubstr("signed"));
     const auto written = run({"export", "--signature", m_record, "-o", "s.txt"});
     ASSERT_EQ(written.status, 0) << written.err;
-    for (const char* file : {"s-1-performer.txt", "s-1-performer.txt.asc", "s-1-performer.txt.key.asc", "s-2-inspector.txt", "s-2-inspector.txt.asc"})
+    for (const char* file :
+        {"s-1-performer.txt", "s-1-performer.txt.asc", "s-1-performer.txt.key.asc", "s-2-inspector.txt", "s-2-inspector.txt.asc"})
         EXPECT_FALSE(m_sandbox.read(file).empty()) << file;
-    EXPECT_THAT(m_sandbox.read("s-2-inspector.txt"), AllOf(HasSubstr("lubberline signed content 3\n"), HasSubstr("\"name\": \"Ben\""),
-                                                         HasSubstr("SP-TST"), HasSubstr("\"before\""), HasSubstr("\"name\": \"Ada\"")));
+    EXPECT_THAT(m_sandbox.read("s-2-inspector.txt"),
+        AllOf(HasSubstr("lubberline signed content 3\n"), HasSubstr("\"name\": \"Ben\""), HasSubstr("SP-TST"), HasSubstr("\"before\""),
+            HasSubstr("\"name\": \"Ada\"")));
     const std::string text = m_sandbox.path("s-2-inspector.txt");
     EXPECT_EQ(m_ring.run("gpg --batch --verify '" + text + ".asc' '" + text + "'"), 0);
     // The station does not know the key yet.
@@ -196,8 +198,8 @@ TEST_F(SignatureCommands, namesWithoutAKeyAreSaidNotToBeVerified)
 
 TEST_F(SignatureCommands, withoutGpgItIsSaid)
 {
-    const auto without = m_sandbox.run(
-        {"sign", m_record, "--db", "a.db", "--role", "performer", "--name", "Ada", "--key", m_ada}, "PATH=/nowhere");
+    const auto without
+        = m_sandbox.run({"sign", m_record, "--db", "a.db", "--role", "performer", "--name", "Ada", "--key", m_ada}, "PATH=/nowhere");
     EXPECT_EQ(without.status, 1);
     EXPECT_THAT(without.err, HasSubstr("the program gpg is not there"));
 }

@@ -94,8 +94,8 @@ const Forgery kForgeries[] = {
     {"theTimeOfTheFirst", {"UPDATE signature SET time_utc = '2026-11-20T10:00:00Z' WHERE name = 'Ada'"}, "Ada (performer)", false},
     {"theKey", {"UPDATE signature SET key = '" + QString(40, 'A') + "' WHERE name = 'Ben'"}, "Ben (inspector)", false},
     {"theHash", {"UPDATE signature SET hash = '" + QString(64, 'b') + "' WHERE name = 'Ben'"}, "Ben (inspector)", false},
-    {"theRegistration", {"UPDATE aircraft SET registration = '3714'"}, "registration of the aircraft was \"3713\" when it was signed and is \"3714\"",
-        false},
+    {"theRegistration", {"UPDATE aircraft SET registration = '3714'"},
+        "registration of the aircraft was \"3713\" when it was signed and is \"3714\"", false},
     {"theSerialNumberOfTheAircraft", {"UPDATE aircraft SET serial_number = '99'"}, "serial_number of the aircraft", false},
     {"theType", {"UPDATE aircraft_type SET name = 'Su-17'"}, "name of the type was \"Su-22\"", false},
     {"theCompass", {"UPDATE compass SET name = 'No. 1'"}, "name of the compass was \"standby compass\"", false},
@@ -109,8 +109,7 @@ const Forgery kForgeries[] = {
     {"aReading", {"UPDATE reading SET compass_heading_deg = 315 WHERE position = 0"}, "is not what was signed", false},
     {"theDate", {"UPDATE swing SET date = '2026-11-21'"}, "does not hold", false},
     {"theState", {"UPDATE swing SET state = 0"}, "was signed by two people and is not frozen", true},
-    {"anEntryIsChanged", {"UPDATE audit_entry SET detail = 'nothing' WHERE what = 'completed swing'"},
-        "completed swing, record", true},
+    {"anEntryIsChanged", {"UPDATE audit_entry SET detail = 'nothing' WHERE what = 'completed swing'"}, "completed swing, record", true},
     {"theTimeOfAnEntry", {"UPDATE audit_entry SET time_utc = '2020-01-01T00:00:00.000Z' WHERE id = 3"}, "entry 3 (2020-01-01", true},
     {"anEntryIsTakenOut", {"DELETE FROM audit_entry WHERE id = 4"}, "entry 4 is missing", true},
     {"entriesAreTakenOut", {"DELETE FROM audit_entry WHERE id BETWEEN 3 AND 5"}, "entries 3 to 5 are missing", true},
@@ -118,7 +117,8 @@ const Forgery kForgeries[] = {
     {"theLastIsTakenOut", {"DELETE FROM audit_entry WHERE id = (SELECT MAX(id) FROM audit_entry)"}, "is missing", true},
     {"allAreTakenOut", {"DELETE FROM audit_entry"}, "are missing", true},
     {"entriesChangePlaces",
-        {"UPDATE audit_entry SET id = 1000 WHERE id = 2", "UPDATE audit_entry SET id = 2 WHERE id = 3", "UPDATE audit_entry SET id = 3 WHERE id = 1000"},
+        {"UPDATE audit_entry SET id = 1000 WHERE id = 2", "UPDATE audit_entry SET id = 2 WHERE id = 3",
+            "UPDATE audit_entry SET id = 3 WHERE id = 1000"},
         "does not follow the one before it", true},
     {"anEntryIsPutIn",
         {"INSERT INTO audit_entry (time_utc, what, record, detail) VALUES ('2026-11-20T10:00:00.000Z', 'changed swing', 'x', 'date')"},
@@ -205,18 +205,22 @@ TEST_F(SignedFile, anImportThatDoesNotHoldIsRefusedOrMarked)
         [](Fleet& one) { one.swings[0].signatures[1].name = "Eve"; },
         [](Fleet& one) { one.swings[0].signatures[0].licence = "PL 99"; },
         [](Fleet& one) { one.swings[0].signatures.erase(one.swings[0].signatures.begin()); },
-        [](Fleet& one) { one.swings[0].signatures[1].particulars.replace(one.swings[0].signatures[1].particulars.find("3713"), 4, "3714"); },
+        [](Fleet& one) {
+            one.swings[0].signatures[1].particulars.replace(one.swings[0].signatures[1].particulars.find("3713"), 4, "3714");
+        },
     };
     for (const auto& change : refused) {
         const auto result = elsewhere(change);
         ASSERT_FALSE(result.first);
         EXPECT_EQ(result.first.error().code, ErrorCode::Corrupt);
-        EXPECT_THAT(result.first.error().message.english(), AllOf(HasSubstr("3713"), HasSubstr("2026-11-20"), HasSubstr("is not what was signed")));
+        EXPECT_THAT(
+            result.first.error().message.english(), AllOf(HasSubstr("3713"), HasSubstr("2026-11-20"), HasSubstr("is not what was signed")));
     }
     // The signatures are whole, but what stands beside them is another aircraft: told, marked, and found.
     const auto marked = elsewhere([](Fleet& one) { one.aircraft[0].registration = "3714"; });
     ASSERT_TRUE(marked.first);
-    EXPECT_THAT(inEnglish(marked.first->warnings), Contains(AllOf(HasSubstr("signed as registration of the aircraft \"3713\""), HasSubstr("3714"))));
+    EXPECT_THAT(inEnglish(marked.first->warnings),
+        Contains(AllOf(HasSubstr("signed as registration of the aircraft \"3713\""), HasSubstr("3714"))));
     EXPECT_THAT(marked.second, Contains(HasSubstr("does not hold: registration of the aircraft")));
     const auto unsignedOne = elsewhere([](Fleet& one) { one.swings[0].signatures.clear(); });
     ASSERT_TRUE(unsignedOne.first);

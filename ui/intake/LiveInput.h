@@ -29,7 +29,7 @@ public:
     void close();
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] const QString& words() const { return m_words; } ///< the state in words, with what went wrong
-    [[nodiscard]] qint64 dropped() const { return m_dropped; }     ///< lines that were left out since open(): more came than can be looked at
+    [[nodiscard]] qint64 dropped() const { return m_dropped; } ///< lines that were left out since open(): more came than can be looked at
     [[nodiscard]] bool delivering() const { return m_delivering; } ///< more lines follow at once; delivered() comes after them
 
     /// The system's serial ports.

@@ -64,7 +64,8 @@ void LivePanel::build()
     m_kind->addItems({tr("serial port"), tr("UDP port"), tr("replay of a log")});
     m_where->setObjectName(QStringLiteral("liveWhere"));
     m_where->setText(placeFor(Serial));
-    m_where->setToolTip(tr("A serial port with its baud rate, as /dev/ttyUSB0 4800; a UDP port, as 10110 (from this machine only) or *:10110 (from every machine in the network); or the path of a log"));
+    m_where->setToolTip(tr(
+        "A serial port with its baud rate, as /dev/ttyUSB0 4800; a UDP port, as 10110 (from this machine only) or *:10110 (from every machine in the network); or the path of a log"));
     m_connect->setObjectName(QStringLiteral("liveConnect"));
     m_state->setObjectName(QStringLiteral("liveState"));
     m_datum->setObjectName(QStringLiteral("liveDatumChannel"));

@@ -12,8 +12,8 @@ struct SerialSettings {
     int baud = 4800; ///< NMEA 0183's own; high-speed talkers 38400
 };
 struct UdpSettings {
-    int port = 10110;          ///< the port registered for NMEA 0183 over IP
-    bool fromNetwork = false;  ///< from other machines, too: whoever is in the network can then send headings
+    int port = 10110;         ///< the port registered for NMEA 0183 over IP
+    bool fromNetwork = false; ///< from other machines, too: whoever is in the network can then send headings
 };
 struct ReplaySettings {
     QString path;

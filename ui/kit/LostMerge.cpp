@@ -15,9 +15,8 @@ bool forFields(Each each)
 /// Rows have numbers that a database gives out again: a row of another heading is another reading.
 bool isAnother(const Reading& before, const Reading& kept, const Reading& now, const Reading* ours)
 {
-    const auto moved = [&](auto field) {
-        return now.*field != before.*field && kept.*field == before.*field && !(ours && now.*field == ours->*field);
-    };
+    const auto moved
+        = [&](auto field) { return now.*field != before.*field && kept.*field == before.*field && !(ours && now.*field == ours->*field); };
     return moved(&Reading::nominal_deg) || moved(&Reading::magnetic);
 }
 

@@ -36,7 +36,7 @@ struct PageContext {
     std::function<void(const QString& page)> goBack = {}; ///< to a page as it was left; to the fleet where it shows nothing any more
     std::function<void(const QString&)> say = {};         ///< a message that is no failure
     std::function<void(const QString&)> fail = {};
-    std::function<void(Swing)> makeSwing = {};                                              ///< stores one undoably and shows it
+    std::function<void(Swing)> makeSwing = {}; ///< stores one undoably and shows it
     /// What could not be stored; `waits`: because another program is writing, so that it is tried again.
     std::function<void(const SwingRecord&, std::variant<LostStep, LostReading>, bool waits)> keep = {};
     std::function<void()> leaveField = {}; ///< what is being typed is stored before something else happens

@@ -99,7 +99,8 @@ Result<void> appendPrivately(const QString& path, const QByteArray& text)
     if (!folder)
         return folder.error();
     const Handle in(*folder),
-        file(::openat(in.get(), QFile::encodeName(QFileInfo(path).fileName()).constData(), O_WRONLY | O_APPEND | O_CREAT | kCarefully, 0600));
+        file(::openat(
+            in.get(), QFile::encodeName(QFileInfo(path).fileName()).constData(), O_WRONLY | O_APPEND | O_CREAT | kCarefully, 0600));
     if (!file.valid())
         return refused(MARKED("ui", "this file cannot be written; expected one of the user's own"), path);
     if (const auto fine = check(file.get(), path); !fine)

@@ -68,9 +68,10 @@ Outcome putStep(db::Stores& stores, const LostEntry& entry, const LostStep& step
     if (*job && step.place < (*job)->job.events.size()) {
         if ((*job)->job.events[step.place] == step.event)
             return {};
-        return {{}, RecoveryWords::tr("%1, kept %2: step %3 of the guided swing; another has been stored in its place since")
-                        .arg(toText(entry.subject), when(entry))
-                        .arg(step.place + 1)};
+        return {{},
+            RecoveryWords::tr("%1, kept %2: step %3 of the guided swing; another has been stored in its place since")
+                .arg(toText(entry.subject), when(entry))
+                .arg(step.place + 1)};
     }
     return {stores.jobs.append(entry.swing, step.place, step.event), {}};
 }

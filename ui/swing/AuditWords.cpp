@@ -28,8 +28,10 @@ QString deedWords(const QString& deed)
         {"added_reading", AuditTexts::tr("reading added")}, {"changed_reading", AuditTexts::tr("reading changed")},
         {"removed_reading", AuditTexts::tr("reading removed")}, {"set_readings", AuditTexts::tr("readings put in")},
         {"completed_swing", AuditTexts::tr("marked complete")}, {"reopened_swing", AuditTexts::tr("opened again")},
-        {"signed_swing", AuditTexts::tr("signed")}, {"amended_swing", AuditTexts::tr("amended: a new revision")},
-        {"added_guided_swing", AuditTexts::tr("guided swing begun")}, {"finished_guided_swing", AuditTexts::tr("guided swing finished")},
+        {"signed_swing", AuditTexts::tr("signed")}, {"imported_signature", AuditTexts::tr("signed, and imported so")},
+        {"kept_signature", AuditTexts::tr("signed before the trail was a chain")}, {"froze_swing", AuditTexts::tr("frozen")},
+        {"amended_swing", AuditTexts::tr("amended: a new revision")}, {"added_guided_swing", AuditTexts::tr("guided swing begun")},
+        {"finished_guided_swing", AuditTexts::tr("guided swing finished")},
         {"abandoned_guided_swing", AuditTexts::tr("guided swing abandoned")}};
     const auto found = words.find(codeOf(deed));
     return found == words.end() ? deed : found->second;
@@ -174,7 +176,7 @@ std::vector<AuditLine> auditLines(const AuditRow& row)
         addReadingChange(lines, whole, detail);
     else if (code == "changed_swing")
         addFieldChanges(lines, whole, detail);
-    else if (code == "signed_swing")
+    else if (code == "signed_swing" || code == "imported_signature" || code == "kept_signature")
         addSignature(lines, whole, detail);
     if (!lines.empty())
         return lines;

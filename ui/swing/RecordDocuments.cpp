@@ -130,8 +130,7 @@ Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const
     if (!states || !superseded)
         return states ? superseded.error() : states.error();
     return CardColumn{columnHeading(record.swing.configuration.radio), std::move(card.value()), record,
-        signaturesHold(record.swing, *states), *superseded, signedAsOf(*states),
-        areVerified(*states)};
+        signaturesHold(record.swing, *states), *superseded, signedAsOf(*states), areVerified(*states)};
 }
 
 QString nextDue(db::Stores& stores, const SwingRecord& record)

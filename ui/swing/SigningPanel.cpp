@@ -62,9 +62,9 @@ void fit(QTableWidget& table)
 QString SigningPanel::standsFor(const Signature& one, const SignatureState& state)
 {
     QStringList words{isForged(state.key) ? tr("✗")
-            : state.holds ? tr("✓ what the swing says now (%1…)").arg(toText(one.hash.substr(0, 12)))
-            : state.since.empty() ? tr("✗ no longer: the swing was changed after it")
-                                  : tr("✗ no longer")};
+            : state.holds                 ? tr("✓ what the swing says now (%1…)").arg(toText(one.hash.substr(0, 12)))
+            : state.since.empty()         ? tr("✗ no longer: the swing was changed after it")
+                                          : tr("✗ no longer")};
     for (const SwingDifference& difference : state.since)
         words += tr("signed as %1: %2").arg(toText(difference.what), toText(difference.before));
     words += one.key.empty() || state.key.state == KeyState::NameOnly ? tr("name not verified")
@@ -139,9 +139,8 @@ void SigningPanel::build()
     m_showAudit->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     auto* row = new QHBoxLayout(m_signRow);
     row->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* part :
-        {static_cast<QWidget*>(m_role), static_cast<QWidget*>(m_key), static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_licence),
-            static_cast<QWidget*>(m_sign), static_cast<QWidget*>(m_cancel)})
+    for (QWidget* part : {static_cast<QWidget*>(m_role), static_cast<QWidget*>(m_key), static_cast<QWidget*>(m_name),
+             static_cast<QWidget*>(m_licence), static_cast<QWidget*>(m_sign), static_cast<QWidget*>(m_cancel)})
         row->addWidget(part);
     auto* state = new QHBoxLayout;
     state->addWidget(m_strip, 1);
@@ -284,7 +283,8 @@ void SigningPanel::signWithKey(Signature signature)
     m_signing = id;
     m_sign->setEnabled(false);
     m_cancel->show();
-    m_byKey.start([prepared = *prepared, content = *content](const Progress& progress) { return db::signedBy(prepared, content, progress); });
+    m_byKey.start(
+        [prepared = *prepared, content = *content](const Progress& progress) { return db::signedBy(prepared, content, progress); });
 }
 
 void SigningPanel::finishSigning(const Result<Signature>& made)

@@ -58,7 +58,6 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-
     EditContext& m_context;
     const SwingEditor& m_editor;
     QLabel* m_strip;
@@ -72,7 +71,7 @@ private:
     QLineEdit* m_licence;
     QPushButton* m_sign;
     QPushButton* m_cancel; ///< waiting for the key
-    QLineEdit* m_reason; ///< of opening again, and of amending
+    QLineEdit* m_reason;   ///< of opening again, and of amending
     QPushButton* m_change;
     QPushButton* m_amend;
     QTableWidget* m_differences;

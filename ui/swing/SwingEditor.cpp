@@ -272,7 +272,8 @@ bool SwingEditor::putReadings(const std::vector<Reading>& after, const QString& 
     if (!stored && m_lost)
         for (const auto& row : lost)
             emit notStored(row.position,
-                static_cast<std::size_t>(row.position) < known.size() ? known[static_cast<std::size_t>(row.position)] : Reading(), row.reading);
+                static_cast<std::size_t>(row.position) < known.size() ? known[static_cast<std::size_t>(row.position)] : Reading(),
+                row.reading);
     return stored;
 }
 

@@ -39,12 +39,13 @@ void removeDraft(PageContext& context, SwingPage& page)
 SwingPage* makePage(PageContext& context)
 {
     auto* page = new SwingPage(context.edits, context.undo);
-    QObject::connect(&page->editor(), &SwingEditor::notStored, &context.window, [&context, page](int row, const Reading& before, const Reading& wanted) {
-        LostReading lost{row, wanted, before.id};
-        if (before.id.valid())
-            lost.before = before;
-        context.keep(page->editor().record(), std::move(lost), page->editor().waits());
-    });
+    QObject::connect(
+        &page->editor(), &SwingEditor::notStored, &context.window, [&context, page](int row, const Reading& before, const Reading& wanted) {
+            LostReading lost{row, wanted, before.id};
+            if (before.id.valid())
+                lost.before = before;
+            context.keep(page->editor().record(), std::move(lost), page->editor().waits());
+        });
     QObject::connect(page, &SwingPage::writeCard, &context.window,
         [&context, page](const CardOptions& options) { writeCardFile(context, *page, options); });
     QObject::connect(page, &SwingPage::openSwing, &context.window, [&context](SwingId id) { context.go({{}, id}); });

@@ -33,8 +33,8 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr int kDueDelay_ms = 300;   // many changes at once are looked at once
-constexpr int kElsewhere_ms = 1000; // a page does not show for long what another window has changed
+constexpr int kDueDelay_ms = 300;                      // many changes at once are looked at once
+constexpr int kElsewhere_ms = 1000;                    // a page does not show for long what another window has changed
 constexpr int kPatience_ms = 250, kTryAgain_ms = 1000; // typing goes on meanwhile
 
 } // namespace
@@ -399,7 +399,8 @@ void MainWindow::keepElsewhere(const SwingRecord& record, std::variant<LostStep,
     } else if (waits) {
         m_waiting.push_back(*kept);
         m_tryAgain.start();
-        m_messages->add(MessagePanel::Kind::Information, tr("What could not be stored is kept, and stored as soon as the database is free."));
+        m_messages->add(
+            MessagePanel::Kind::Information, tr("What could not be stored is kept, and stored as soon as the database is free."));
     } else {
         m_messages->add(MessagePanel::Kind::Information, tr("What could not be stored is kept and offered at the next start."));
     }

@@ -24,8 +24,8 @@ struct LostStep {
 struct LostReading {
     int row = 0;
     Reading reading;
-    ReadingId id = {};                    ///< not valid: a new row
-    std::optional<Reading> before = {};   ///< none: a new row, or a line of an earlier program
+    ReadingId id = {};                  ///< not valid: a new row
+    std::optional<Reading> before = {}; ///< none: a new row, or a line of an earlier program
     friend bool operator==(const LostReading&, const LostReading&) = default;
 };
 

@@ -135,8 +135,8 @@ Result<Signature> signerIn(const std::string& content, const std::string& name)
     const std::string_view end = "\n}\n"; // of the first object, whose keys are indented
     const auto last = content.find(end);
     if (!content.starts_with(kHeadOfThird) || last == std::string::npos)
-        return Error{ErrorCode::Format, MARKED("core", "this is no signed content of version 3; expected what `export --signature` writes"),
-            name};
+        return Error{
+            ErrorCode::Format, MARKED("core", "this is no signed content of version 3; expected what `export --signature` writes"), name};
     const std::string_view text(content);
     const auto object = text.substr(kHeadOfThird.size(), last + end.size() - kHeadOfThird.size());
     return readJsonObject<Signature>(object, name, MARKED("core", "signed content"), [](JsonObject& one) {

@@ -193,7 +193,8 @@ private slots:
         const LostEntry lost = lostOf(fleet, record, {2, planted, planted.id, record.swing.readings[2]});
         const QString real = folder.filePath("real.jsonl");
         QVERIFY(Recovery({real}).keep(fleet.stores, lost));
-        QCOMPARE(QFile::permissions(real) & (QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther), QFile::Permissions());
+        QCOMPARE(
+            QFile::permissions(real) & (QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther), QFile::Permissions());
         const QString link = folder.filePath("link.jsonl"), pipe = folder.filePath("pipe.jsonl"), open = folder.filePath("open.jsonl");
         QVERIFY(QFile::link(real, link));
         QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);

@@ -91,7 +91,9 @@ QString recordLine(const CardColumn& column)
     const QString revision = swing.revision > 1 ? Words::tr(" rev. %1").arg(swing.revision) : QString();
     return Words::tr("Record %1%2 · data %3 · %4")
         .arg(record.isEmpty() ? dash() : record, revision, dataHash(column.record).left(8),
-            !column.isSigned() ? unsignedMark(column) : column.verified ? Words::tr("signed") : Words::tr("signed, names not verified"));
+            !column.isSigned()    ? unsignedMark(column)
+                : column.verified ? Words::tr("signed")
+                                  : Words::tr("signed, names not verified"));
 }
 
 QStringList signatureLinesOf(const CardColumn& column)

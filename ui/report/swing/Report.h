@@ -33,8 +33,8 @@ struct ReportInput {
     AngleStyle angleStyle = AngleStyle::DecimalDegrees;
     std::vector<SignatureState> signatures = {}; ///< as Swing::signatures; empty: their hashes alone are looked at
     AuditHead audit = {};                        ///< of the database that it is of
-    QString madeAtUtc;    ///< ISO 8601; printed
-    bool archive = false; ///< PDF/A-1b, which may carry no attachment; else PDF 1.6 with the exchange JSON attached
+    QString madeAtUtc;                           ///< ISO 8601; printed
+    bool archive = false;                        ///< PDF/A-1b, which may carry no attachment; else PDF 1.6 with the exchange JSON attached
 };
 
 /// Writes a report; the ending says which: .pdf, .html, .csv or .json. Written beside and renamed: no half file is left.

@@ -130,13 +130,12 @@ QString keyWords(const KeyVerdict& key)
 QString signWords(const Signature& one, const SignatureState& state)
 {
     QStringList words;
-    if (isForged(state.key))
-        words += printable(state.key.words);
-    else if (state.holds)
-        words += {Words::tr("signed %1 · hash %2").arg(printable(one.timeUtc).mid(11, 5), printable(one.hash).left(12)),
-            keyWords(state.key)};
-    else
+    if (!state.holds)
         words += Words::tr("no longer holds: changed after it");
+    else
+        words += Words::tr("signed %1 · hash %2").arg(printable(one.timeUtc).mid(11, 5), printable(one.hash).left(12));
+    if (state.holds)
+        words += keyWords(state.key);
     words += signedAs(state);
     return joined(words);
 }
@@ -205,7 +204,8 @@ ReportContent contentOf(const ReportInput& input)
     content.picture = pictureFor(input);
     content.method = methodWords(input.analysis);
     if (!input.audit.head.isEmpty())
-        content.method.push_back({Words::tr("Audit trail"), Words::tr("head %1 after %2 entries").arg(input.audit.head).arg(input.audit.entries)});
+        content.method.push_back(
+            {Words::tr("Audit trail"), Words::tr("head %1 after %2 entries").arg(input.audit.head).arg(input.audit.entries)});
     content.signatures = signatureLines(input);
     content.job = jobTables(input);
     content.field = fieldPageOf(input);
