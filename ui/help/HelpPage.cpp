@@ -29,6 +29,7 @@ HelpPage::HelpPage(PageContext& context, std::shared_ptr<QString> wanted, QWidge
     m_list->setObjectName(QStringLiteral("helpTopics"));
     m_list->setAccessibleName(tr("Topics"));
     m_text->setObjectName(QStringLiteral("helpText"));
+    m_text->setAccessibleName(tr("Text of the topic"));
     m_text->setOpenExternalLinks(true);
     m_copy->setObjectName(QStringLiteral("copyHelp"));
     m_save->setObjectName(QStringLiteral("saveHelp"));

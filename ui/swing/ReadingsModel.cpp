@@ -206,7 +206,7 @@ QString ReadingsModel::stateText(int row) const
     const AnalysedReading* analysed = m_editor.analysed(row);
     if (analysed && analysed->suspect)
         words += tr("suspect, %1").arg(studentisedText(row));
-    if (const QString slip = slipOfRow(m_editor, row, m_style); !slip.isEmpty())
+    if (const QString slip = slipOfRow(m_editor, row, m_style, SlipFigures::Beside); !slip.isEmpty())
         words += slip;
     if (const QString far = farFromNominal(reading, m_style); !far.isEmpty())
         words += far;

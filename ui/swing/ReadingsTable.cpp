@@ -34,8 +34,9 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent) : QTableView
     verticalHeader()->setMinimumWidth(fontMetrics().horizontalAdvance("000"));
     horizontalHeader()->setHighlightSections(false);
     for (int column = 0; column < kReadingColumns; ++column)
-        setColumnWidth(column,
-            fontMetrics().horizontalAdvance(static_cast<ReadingColumn>(column) == ReadingColumn::State ? "suspect, t = −00" : "000°00'W0"));
+        setColumnWidth(column, fontMetrics().horizontalAdvance("000°00'W0"));
+    horizontalHeader()->setResizeContentsPrecision(0); // of the rows that are seen: a log has thousands
+    horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::State), QHeaderView::ResizeToContents);
     horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance("Note00"));
     horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::Note), QHeaderView::Stretch);
 }

@@ -112,19 +112,29 @@ std::optional<int> likeliestSlip(const SwingEditor& editor)
     return worst;
 }
 
-QString slipOfRow(const SwingEditor& editor, int row, AngleStyle style)
+QString slipOfRow(const SwingEditor& editor, int row, AngleStyle style, SlipFigures figures)
 {
     const Reading& reading = editor.readings()[static_cast<std::size_t>(row)];
     if (!reading.used() || editor.computing() || editor.readings().size() > kMostJudged)
         return {};
+    const auto without = [&](const QString& sentence, const std::vector<SlipCandidate>& candidates, double unexplained) {
+        if (figures == SlipFigures::Named || sentence.isEmpty())
+            return sentence;
+        const bool named
+            = !candidates.empty() && candidates.front().slip != Slip::Unexplained && candidates.front().probability > unexplained;
+        return named ? candidateWords(candidates.front(), style) : SlipWordsTexts::tr("Look again: no usual slip explains it");
+    };
     const auto& analysis = editor.analysis();
-    const int index = analysis && !analysis->slips.slips.empty() ? editor.analysedIndex(row) : -1;
-    if (index >= 0)
-        if (const QString words = suspicionOf(*analysis, static_cast<std::size_t>(index), style); !words.isEmpty())
-            return words;
-    if (analysis && !analysis->slips.slips.empty())
-        return {}; // the whole swing tells which it is
-    return slipSentence(judgeRow(editor, row), reading, style);
+    if (analysis && !analysis->slips.slips.empty()) { // the whole swing tells which it is
+        const int index = editor.analysedIndex(row);
+        for (const SlippedReading& slip : analysis->slips.slips)
+            if (index >= 0 && slip.reading == static_cast<std::size_t>(index))
+                return slip.orReadings.empty() ? without(suspicionOf(*analysis, slip.reading, style), slip.candidates, 0.0)
+                                               : suspicionOf(*analysis, slip.reading, style);
+        return {};
+    }
+    const SlipJudgement judgement = judgeRow(editor, row);
+    return without(slipSentence(judgement, reading, style), judgement.candidates, judgement.probabilityUnexplained);
 }
 
 QString farFromNominal(const Reading& reading, AngleStyle style)

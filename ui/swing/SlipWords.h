@@ -18,6 +18,9 @@ class SwingEditor;
 /// empty where the analysis suspects nothing. `index` counts the analysed readings.
 [[nodiscard]] QString suspicionOf(const Analysis& analysis, std::size_t index, AngleStyle style);
 
+/// With the figures of the row, or without them where they stand beside it.
+enum class SlipFigures { Named, Beside };
+
 /// One reading of the swing that is shown, against the last swing's curve and all other readings that count. `row` is complete
 /// and counts.
 [[nodiscard]] SlipJudgement judgeRow(const SwingEditor& editor, int row);
@@ -27,7 +30,7 @@ class SwingEditor;
 
 /// What the row most likely slipped by, whether the whole swing tells it or the readings until now: it stays until the figure is another
 /// or the reading is left out. Empty: nothing.
-[[nodiscard]] QString slipOfRow(const SwingEditor& editor, int row, AngleStyle style);
+[[nodiscard]] QString slipOfRow(const SwingEditor& editor, int row, AngleStyle style, SlipFigures figures = SlipFigures::Named);
 
 /// From how far off its nominal a magnetic heading is remarked [deg]: aircraft are turned to within five.
 inline constexpr double kFarFromNominal_deg = 10.0;
