@@ -82,6 +82,15 @@ std::string Statement::text(int column) const
 
 std::string Statement::optionalText(int column) const { return isNull(column) ? std::string() : text(column); }
 
+std::string Statement::name(int column) const
+{
+    const std::size_t before = m_damages.size();
+    std::string value = text(column);
+    if (value.empty() && m_damages.size() == before)
+        damages(column, MARKED("db", "a text that is not empty"));
+    return value;
+}
+
 std::string Statement::longText(int column) const
 {
     const QVariant value = m_query.value(column);

@@ -13,14 +13,14 @@ namespace {
 
 DueRule ruleFrom(const Statement& row)
 {
-    return {row.record(1), row.text(2), row.integer(3, kMonthsRange), row.integer(4, kDaysRange), row.integer(5, kDaysRange), row.text(6),
+    return {row.record(1), row.name(2), row.integer(3, kMonthsRange), row.integer(4, kDaysRange), row.integer(5, kDaysRange), row.text(6),
         row.text(7), row.optionalRecord(8)};
 }
 
 const QString kSelectWaiver
     = "SELECT w.record, e.record, w.date, w.reason, w.signed_by, e.aircraft_id FROM waiver w JOIN event e ON e.id = w.event_id ";
 
-Waiver waiverFrom(const Statement& row) { return {row.record(0), row.record(1), row.day(2), row.text(3), row.text(4)}; }
+Waiver waiverFrom(const Statement& row) { return {row.record(0), row.record(1), row.day(2), row.name(3), row.name(4)}; }
 
 template <class Key, class Value, class MakeKey, class MakeValue>
 Result<std::map<Key, std::vector<Value>>> groups(Statement& statement, MakeKey key, MakeValue value)
@@ -62,8 +62,8 @@ const Table& waiverTable()
                                  (void)row.record(1);
                                  (void)row.id<EventId>(2);
                                  (void)row.day(3);
-                                 (void)row.text(4);
-                                 (void)row.text(5);
+                                 (void)row.name(4);
+                                 (void)row.name(5);
                              }};
     return table;
 }

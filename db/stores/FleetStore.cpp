@@ -9,18 +9,18 @@ namespace lubberline::db {
 
 namespace {
 
-AircraftType typeFrom(const Statement& row) { return {row.id<AircraftTypeId>(0), row.record(1), row.text(2), row.text(3), row.text(4)}; }
+AircraftType typeFrom(const Statement& row) { return {row.id<AircraftTypeId>(0), row.record(1), row.name(2), row.text(3), row.text(4)}; }
 
 Aircraft aircraftFrom(const Statement& row)
 {
-    return {row.id<AircraftId>(0), row.record(1), row.id<AircraftTypeId>(2), row.text(3), row.text(4), row.text(5),
+    return {row.id<AircraftId>(0), row.record(1), row.id<AircraftTypeId>(2), row.name(3), row.text(4), row.text(5),
         row.optionalInteger(6, kYearRange), row.text(7), row.flag(8), row.optionalId<SiteId>(9)};
 }
 
 CompassSystem compassFrom(const Statement& row)
 {
     const auto kind = row.as(4, CompassKind::RemoteStabilised);
-    return {row.id<CompassId>(0), row.record(1), row.id<AircraftId>(2), row.text(3), row.flag(13) ? kind : CompassKind::NotStated,
+    return {row.id<CompassId>(0), row.record(1), row.id<AircraftId>(2), row.name(3), row.flag(13) ? kind : CompassKind::NotStated,
         row.as(5, Compensator::Electronic), row.text(6), row.text(7), row.text(8), row.text(9), row.real(10, kPositiveRange),
         row.optionalId<LimitsProfileId>(11), row.day(12), row.flag(14)};
 }

@@ -18,7 +18,7 @@ SensorRecord sensorFrom(const Statement& row)
     (void)row.record(1);
     sensor.record = row.anything(1); // what is none still names the row
     sensor.compass = row.id<CompassId>(2);
-    sensor.name = row.text(3);
+    sensor.name = row.name(3);
     sensor.origin = row.as(4, ModelOrigin::IronBench);
     sensor.note = row.text(5);
     auto whole = withTexts(sensor, row.longText(6), row.optionalLongText(7), row.longText(8));

@@ -1,5 +1,6 @@
 #include "db/stores/Signatures.h"
 
+#include "core/format/exchange/SignedContent.h"
 #include "core/record/RecordWords.h"
 #include "db/engine/Statement.h"
 #include "db/stores/Audit.h"
@@ -8,9 +9,18 @@ namespace lubberline::db {
 
 namespace {
 
+std::string hashFrom(const Statement& row, int column)
+{
+    std::string hash = row.text(column);
+    if (hash.size() != 64 || hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+        row.damages(column, MARKED("db", "64 hexadecimal digits (SHA-256)"));
+    return hash;
+}
+
 Signature signatureFrom(const Statement& row)
 {
-    return {row.as(1, SignatureRole::Authority), row.text(2), row.text(3), row.text(4), row.text(5), row.integer(6, {1, 1000}), row.text(7),
+    return {row.as(1, SignatureRole::Authority), row.name(2), row.text(3), row.name(4), hashFrom(row, 5),
+        row.integer(6, {1, kSignedContents}), row.text(7),
         row.text(8), row.text(9), row.longText(10), row.text(11), row.longText(12), row.longText(13)};
 }
 

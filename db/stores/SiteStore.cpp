@@ -12,7 +12,7 @@ namespace {
 
 Site siteFrom(const Statement& row)
 {
-    Site site{row.id<SiteId>(0), row.record(1), row.text(2), row.optionalReal(3, kLatitudeRange), row.optionalReal(4, kSignedAngleRange),
+    Site site{row.id<SiteId>(0), row.record(1), row.name(2), row.optionalReal(3, kLatitudeRange), row.optionalReal(4, kSignedAngleRange),
         row.optionalReal(5, kElevationRange), row.optionalReal(6, kSignedAngleRange), row.text(7), row.text(8)};
     site.owner = row.text(9);
     site.siteClass = row.as(10, SiteClass::Class2);
@@ -35,7 +35,7 @@ Site siteFrom(const Statement& row)
 
 LimitsProfile limitsFrom(const Statement& row)
 {
-    return {row.id<LimitsProfileId>(0), row.record(1), row.text(2), row.text(3), row.text(4), row.text(5),
+    return {row.id<LimitsProfileId>(0), row.record(1), row.name(2), row.text(3), row.text(4), row.text(5),
         row.optionalReal(6, kPositiveRange), row.optionalReal(7, kPositiveRange)};
 }
 
@@ -55,7 +55,7 @@ void bindLimits(Statement& statement, const LimitsProfile& profile)
 DatumInstrument instrumentFrom(const Statement& row)
 {
     const auto kind = row.as(3, DatumKind::ElectricalCalibrator);
-    return {row.record(1), row.text(2), row.flag(12) ? DatumKind::ShadowPin : kind, row.text(4), row.text(5), row.day(6),
+    return {row.record(1), row.name(2), row.flag(12) ? DatumKind::ShadowPin : kind, row.text(4), row.text(5), row.day(6),
         row.as(7, SightingDirection::Reciprocal), row.flag(8), row.real(9, kFigureRange), row.real(10, kInstrumentResolutionRange),
         row.text(11)};
 }

@@ -1,6 +1,7 @@
 #include "db/transfer/Transfer.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "db/engine/Transaction.h"
@@ -134,6 +135,34 @@ Result<void> appendReferences(Database& database, Fleet& fleet, bool all)
     return appendRules(database, fleet, all);
 }
 
+/// Of a damaged database. @return the record that refers to what is not there.
+template <class Record, class Target, class IdType>
+std::optional<RecordId> dangling(const std::vector<Record>& records, IdType Record::*reference, const std::vector<Target>& targets)
+{
+    std::set<IdType> known;
+    for (const auto& target : targets)
+        known.insert(target.id);
+    for (const auto& record : records)
+        if ((record.*reference).valid() && !known.contains(record.*reference))
+            return record.record;
+    return {};
+}
+
+Result<void> checkReferences(const Database& database, const Fleet& fleet)
+{
+    for (const auto& [column, record] :
+        {std::pair(std::string("swing.site_id"), dangling(fleet.swings, &Swing::site, fleet.sites)),
+            std::pair(std::string("aircraft.base_id"), dangling(fleet.aircraft, &Aircraft::base, fleet.sites)),
+            std::pair(std::string("compass.limits_id"), dangling(fleet.compasses, &CompassSystem::limits, fleet.limits))})
+        if (record)
+            return Error{ErrorCode::Corrupt,
+                {MARKED("db", "%1 of the record %2 refers to a row that is not there; expected a whole database: `lubberline db verify` lists"
+                              " what is wrong"),
+                    column, *record},
+                database.path().toStdString()};
+    return {};
+}
+
 } // namespace
 
 Result<Fleet> exportFleet(Database& database, const std::vector<AircraftId>& aircraft, const Progress& progress)
@@ -154,6 +183,8 @@ Result<Fleet> exportFleet(Database& database, const std::vector<AircraftId>& air
     }
     if (const auto done = appendReferences(database, fleet, aircraft.empty()); !done)
         return done.error();
+    if (const auto whole = checkReferences(database, fleet); !whole)
+        return whole.error();
     if (progress)
         progress(1.0);
     return fleet;

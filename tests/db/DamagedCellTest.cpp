@@ -148,7 +148,8 @@ TEST_F(DamagedCell, isToldWhateverItHolds)
     int changed = 0, told = 0;
     for (const auto& [table, column] : columns()) {
         const QString set = QString::fromStdString("UPDATE " + table + " SET " + column + " = ");
-        const QString where = QString::fromStdString(" WHERE rowid = (SELECT MIN(rowid) FROM " + table + ")");
+        const QString row = QString::fromStdString(texts(QString::fromStdString("SELECT MIN(rowid) FROM " + table)).front());
+        const QString where = " WHERE rowid = " + row;
         if (texts(QString::fromStdString("SELECT COUNT(*) FROM " + table)).front() == "0") {
             EXPECT_EQ(table, "signing_key") << "has no row to damage";
             continue;
@@ -166,7 +167,8 @@ TEST_F(DamagedCell, isToldWhateverItHolds)
             told += report->findings.empty() ? 0 : 1;
             if (faults > 0)
                 EXPECT_THAT(report->findings, testing::Not(testing::IsEmpty())) << "a page tells what verify does not";
-            ASSERT_TRUE(db::execute(m_database, set + "(SELECT value FROM kept)" + where));
+            const QString now = column == "id" ? QStringLiteral(" WHERE rowid = ") + value : where; // a row's number is how it is found
+            ASSERT_TRUE(db::execute(m_database, set + "(SELECT value FROM kept)" + now));
         }
         ASSERT_TRUE(db::execute(m_database, "DROP TABLE kept"));
     }

@@ -46,7 +46,7 @@ Result<ExtraColumns> readExtraRow(std::string_view text)
     if (!json->is_array())
         return wrongRow(kExpected);
     for (const auto& pair : *json) {
-        if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string())
+        if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string() || pair[0] == "")
             return wrongRow(kExpected);
         extra.emplace_back(pair[0].get<std::string>(), pair[1].get<std::string>());
     }
@@ -109,7 +109,7 @@ Result<BenchStates> readStatesRow(std::string_view text)
         return wrongRow(kExpected);
     BenchStates states;
     for (const auto& [group, state] : json->items()) {
-        if (!state.is_string())
+        if (!state.is_string() || state == "" || group.empty())
             return wrongRow(kExpected);
         states[group] = state.get<std::string>();
     }

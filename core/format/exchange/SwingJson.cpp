@@ -74,7 +74,7 @@ std::vector<Signature> readSignatures(JsonObject& object)
             one.fault("hash", MARKED("core", "is no SHA-256; expected 64 hexadecimal digits"));
         signature.contents = one.integer("contents", {1, kSignedContents}).value_or(1);
         for (const auto& [key, field] : kOfThird)
-            signature.*field = one.text(key);
+            signature.*field = one.longText(key);
         signatures.push_back(std::move(signature));
     });
     if (signatures.size() > kMostSigned)

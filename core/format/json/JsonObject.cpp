@@ -103,12 +103,15 @@ void JsonObject::wrongType(std::string_view key, const Message& expected)
     m_fault.report(ErrorCode::Format, JsonPath{&m_path, key}, {MARKED("core", "has a value of the wrong kind; expected %1"), expected});
 }
 
-std::string JsonObject::text(std::string_view key)
+std::string JsonObject::longText(std::string_view key)
 {
     const Json* value = find(key, Json::value_t::string, MARKED("core", "text"));
-    if (!value)
-        return {};
-    const auto& words = value->get_ref<const std::string&>();
+    return value ? value->get_ref<const std::string&>() : std::string();
+}
+
+std::string JsonObject::text(std::string_view key)
+{
+    std::string words = longText(key);
     if (words.size() > kLongestText)
         fault(key, {MARKED("core", "is a text of %1 bytes; expected at most %2"), words.size(), kLongestText});
     return words;
