@@ -193,7 +193,16 @@ const Migration kSeventh{7, "a datum instrument may be a shadow pin",
 /// The chain over what is in the trail already.
 Result<void> beginTrail(const Database& database)
 {
-    auto done = beginChain(database);
+    // Signatures that came with an import had no entry: from here on each has one that names it.
+    Statement kept(database,
+        "INSERT INTO audit_entry (time_utc, what, record, detail) SELECT ?, 'kept signature', k.record, k.detail"
+        " FROM (SELECT s.record, CASE g.role WHEN 0 THEN 'performer' WHEN 1 THEN 'inspector' ELSE 'authority' END || ': ' || g.name || ' ' || g.licence"
+        " || ', hash ' || g.hash AS detail, g.id FROM signature g JOIN swing s ON s.id = g.swing_id) k"
+        " WHERE NOT EXISTS (SELECT 1 FROM audit_entry a WHERE a.record = k.record AND a.what = 'signed swing' AND a.detail = k.detail) ORDER BY k.id");
+    kept << database.clock().nowUtc_ms();
+    auto done = kept.run();
+    if (done)
+        done = beginChain(database);
     if (done)
         done = execute(database,
             "CREATE TRIGGER audit_is_not_changed BEFORE UPDATE ON audit_entry BEGIN SELECT RAISE(ABORT, 'the audit trail is append-only'); END");
@@ -217,11 +226,6 @@ const Migration kEighth{8,
         "ALTER TABLE signature ADD COLUMN openpgp TEXT NOT NULL DEFAULT ''",
         "CREATE TABLE signing_key (id INTEGER PRIMARY KEY, fingerprint TEXT NOT NULL UNIQUE CHECK (length(fingerprint) >= 40),"
         " holder TEXT NOT NULL CHECK (holder <> ''), public_key TEXT NOT NULL CHECK (public_key <> ''), added_utc TEXT NOT NULL)",
-        // Signatures that came with an import had no entry: from here on each has one that names it.
-        "INSERT INTO audit_entry (time_utc, what, record, detail) SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now'), 'kept signature', k.record, k.detail"
-        " FROM (SELECT s.record, CASE g.role WHEN 0 THEN 'performer' WHEN 1 THEN 'inspector' ELSE 'authority' END || ': ' || g.name || ' ' || g.licence"
-        " || ', hash ' || g.hash AS detail, g.id FROM signature g JOIN swing s ON s.id = g.swing_id) k"
-        " WHERE NOT EXISTS (SELECT 1 FROM audit_entry a WHERE a.record = k.record AND a.what = 'signed swing' AND a.detail = k.detail) ORDER BY k.id",
         "DROP TRIGGER audit_is_not_changed", // made again once the entries have their links
     },
     beginTrail};

@@ -29,9 +29,9 @@ const std::vector<OneWay> kWays = {
         {"core/base/Clock.h", "core/base/Clock.cpp"}},
     // The commands, the window and what is opened without another clock.
     {"machineClock", R"(machineClock\()", {"core/base/Clock.h", "core/base/Clock.cpp", "app/Paths.cpp", "db/engine/Database.cpp"}},
-    // Besides: what could not be stored is appended, a line at once; a backup is written by SQLite, and put on the drive and in its place.
+    // Besides: a backup that is restored is put in its place.
     {"writingFiles", R"(\bofstream|\bfopen\(|QSaveFile|QFile::rename|::rename\(|QIODevice::WriteOnly *\||\bmkstemp)",
-        {"core/base/OutputFile.cpp", "ui/kit/Recovery.cpp", "db/transfer/Maintenance.cpp"}},
+        {"core/base/PartialFile.cpp", "db/transfer/Maintenance.cpp"}},
     {"threads", R"(QtConcurrent|QFutureWatcher|QThreadPool|QThread::create|public QThread\b|std::j?thread|std::async)",
         {"ui/kit/Worker.h", "ui/kit/Worker.cpp"}},
     {"readingJson", R"(\bQJson[A-Z]|\bparse_event_t\b)", {"core/format/json/JsonDocument.cpp"}},
