@@ -131,7 +131,8 @@ protected:
             for (const auto& swing : *swings) {
                 tell(m_swings.previous(swing.id));
                 tell(m_signing.hold(swing.id));
-                tell(m_signing.auditOf(swing.record));
+                if (const auto named = m_swings.recordOf(swing.id); tell(named))
+                    tell(m_signing.auditOf(*named));
                 if (const auto record = m_swings.record(swing.id); tell(record)) {
                     (void)m_jobs.resultOf(*record);
                     (void)m_jobs.placeOf(*record);
