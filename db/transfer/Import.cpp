@@ -53,6 +53,7 @@ public:
     }
     Result<void> swing(const Swing& swing);
     Imported imported;
+    int signedByNobody = 0;
 
 private:
     Result<void> limits();
@@ -394,10 +395,10 @@ Result<void> Importer::checkStored(SwingId id)
         imported.warnings.push_back({MARKED("db", "the swing of %1, %2, %3 (record %4): %5"), record->aircraft.registration,
             record->compass.name, swing.date, swing.record, std::move(what)});
     };
-    if (swing.state == SwingState::Signed && swing.signatures.empty())
-        tell(MARKED("db", "it is signed, and the file does not say by whom"));
-    if (swing.signatures.empty())
+    if (swing.signatures.empty()) {
+        signedByNobody += swing.state == SwingState::Signed; // before signatures were kept, or they were taken out: told once for all
         return {};
+    }
     const auto states = SigningStore(m_database).states(id);
     if (!states)
         return states.error();
@@ -467,6 +468,9 @@ Result<Imported> importFleet(Database& database, const Fleet& fleet, const Progr
         if (const auto done = importer.swing(fleet.swings[i]); !done)
             return done.error();
     }
+    if (importer.signedByNobody > 0)
+        importer.imported.warnings.push_back(
+            {MARKED_N("db", "%n new swing(s) are signed, and the file does not say by whom"), importer.signedByNobody});
     if (progress && !progress(1.0)) // the last moment at which nothing has been stored
         return Error{ErrorCode::Cancelled, MARKED("db", "cancelled; nothing was stored"), database.path().toStdString()};
     if (const auto committed = transaction->commit(); !committed)
