@@ -13,7 +13,8 @@ namespace lubberline {
 namespace {
 
 using Five = Eigen::Matrix<double, 5, 1>;
-constexpr double kHeadingStep_deg = 10;
+constexpr double kHeadingStep_deg = 15;
+constexpr double kNothing_deg = 1e-4; ///< below it nothing is left to share out
 
 Five asVector(const CompensatorSetting& setting)
 {
@@ -24,10 +25,7 @@ Five asVector(const CompensatorSetting& setting)
 
 CompensatorSetting asSetting(const Five& x) { return {x.head<3>(), x[3], x[4]}; }
 
-std::vector<double> stepsOf(double most)
-{
-    return most > 0 ? std::vector<double>{-most, -most / 2, 0, most / 2, most} : std::vector<double>{0};
-}
+std::vector<double> stepsOf(double most) { return most > 0 ? std::vector<double>{-most, 0, most} : std::vector<double>{0}; }
 
 std::vector<Attitude> attitudesOf(const AttitudeRange& range)
 {
@@ -70,10 +68,10 @@ public:
     {
         Five x = descend(Five::Zero()), least = x;
         double lowest = worst(x);
-        constexpr int kRounds = 40;
+        constexpr int kRounds = 12;
         for (int round = 0; round < kRounds; ++round) {
             const Eigen::VectorXd size = at(x).cwiseAbs();
-            if (!(size.maxCoeff() > 0))
+            if (!(size.maxCoeff() > kNothing_deg))
                 break;
             m_weights = m_weights.cwiseProduct((size / size.maxCoeff()).cwiseMax(1e-3)); // Lawson 1961
             m_weights /= m_weights.mean();
@@ -99,7 +97,7 @@ private:
     {
         Eigen::VectorXd deviation = at(x);
         double now = cost(deviation), damping = 1e-3;
-        constexpr int kSteps = 30;
+        constexpr int kSteps = 12;
         for (int step = 0; step < kSteps; ++step) {
             Eigen::Matrix<double, Eigen::Dynamic, 5> slope(deviation.size(), 5);
             for (int i = 0; i < 5; ++i) {

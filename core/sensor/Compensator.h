@@ -28,7 +28,7 @@ struct AttitudeRange {
     double pitch_deg = 20, roll_deg = 20;
 };
 
-/// Of all headings every 10° and attitudes every half of the range.
+/// Of all headings every 15°, level and at the ends of the range.
 struct RangeResidual {
     double largest_deg = 0, rms_deg = 0;                 ///< of |deviation|; where the field vanishes it counts as 180°
     double heading_deg = 0, pitch_deg = 0, roll_deg = 0; ///< of the largest

@@ -20,14 +20,14 @@ TEST(Compensator, takesAwayWhatItCanMake)
     model.softIron(0, 0) = 0.03;
     model.softIron(1, 1) = -0.02;
     const auto result = bestCompensator(model, kField, {20, 20}, {});
-    EXPECT_GT(result.before.largest_deg, 10);
+    EXPECT_GT(result.before.largest_deg, 8);
     EXPECT_LT(result.after.largest_deg, 0.05);
     // What is left of a and e is alike: a common factor turns nothing.
     EXPECT_NEAR(0.03 + result.best.foreAft, -0.02 + result.best.athwart, 1e-3);
     EXPECT_NEAR(result.best.magnets_nT.x(), -1500, 60);
     // Level the vertical magnet is not seen, and stays where it is: the range shows it.
     EXPECT_EQ(result.level.magnets_nT.z(), 0);
-    EXPECT_GT(result.afterLevel.largest_deg, 3);
+    EXPECT_GT(result.afterLevel.largest_deg, 2);
     EXPECT_LE(result.after.largest_deg, 3); // the source's demand at 20° of pitch and roll
     EXPECT_FALSE(result.warnings.size());
 }
