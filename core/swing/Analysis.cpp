@@ -152,7 +152,8 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
         return approximate.error();
     if (!goesOn(kApproximate))
         return cancelled;
-    auto exact = fitExact(readings, {.serialPlace = approximate->serialPlace, .progress = within(kApproximate, kExact)});
+    // Its own search: what five sines leave of a large deviation is slow, and looks for another memory than what the exact curve leaves.
+    auto exact = fitExact(readings, {.progress = within(kApproximate, kExact)});
     if (!exact)
         return exact.error();
     if (!goesOn(kExact))

@@ -2,6 +2,7 @@
 #include <cctype>
 #include <regex>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -75,9 +76,16 @@ std::vector<Literal> literalsOf(const std::string& source)
 
 bool isMarked(const Literal& literal)
 {
-    static const std::regex mark("(\\btr\\(|\\bQT_TR_N?_?NOOP\\(|\\bMARKED(_N)?\\(\\s*\"\",|\\bMARKED(_N)?\\(|translate\\([^()]*,|"
-                                 "LUBBERLINE_EXPECT\\((.|\\n)*,)\\s*$");
-    return std::regex_search(literal.before, mark);
+    const std::string_view before = std::string_view(literal.before).substr(0, literal.before.find_last_not_of(" \n") + 1);
+    for (const char* mark :
+        {"tr(", "QT_TR_NOOP(", "QT_TR_N_NOOP(", "MARKED(", "MARKED_N(", "MARKED(\"\",", "MARKED_N(\"\",", "MARKED( \"\","})
+        if (before.ends_with(mark))
+            return true;
+    const auto begin = before.find_last_of(";{}"); // of the statement
+    const std::string_view statement = begin == std::string_view::npos ? before : before.substr(begin);
+    const bool afterAnother = statement.ends_with(',');
+    return afterAnother
+        && (statement.find("LUBBERLINE_EXPECT(") != std::string_view::npos || statement.rfind("translate(") > statement.rfind(')'));
 }
 
 /// What is no sentence of the window: names that are stored or sought, and the language of style sheets and pages.
