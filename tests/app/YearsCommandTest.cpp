@@ -36,7 +36,7 @@ TEST(YearsCommand, columnsAreMappedAndAllFilesOrNoneAreStored)
         "--db", "a.db"};
     const auto broken = sandbox.run(arguments);
     EXPECT_EQ(broken.status, 1);
-    EXPECT_THAT(broken.err, HasSubstr("b.csv:3: date: '32.5.2019' is no day; expected day, month and year"));
+    EXPECT_THAT(broken.err, HasSubstr("b.csv:3: date: \"32.5.2019\" is no day; expected day, month and year"));
     EXPECT_FALSE(std::filesystem::exists(sandbox.path("a.db")));
     arguments.erase(arguments.begin() + 2);
     ASSERT_EQ(sandbox.run(arguments).status, 0);

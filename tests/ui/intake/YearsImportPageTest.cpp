@@ -147,7 +147,7 @@ private slots:
         OpenYears open;
         open.write(table(0) + "3299;31.2.2012;Su-22M4;as_found;1;1;1;1;1;1;1;1\n");
         open.map();
-        QTRY_VERIFY(open.state().contains("years.csv:26: date: '31.2.2012' is no day"));
+        QTRY_VERIFY(open.state().contains("years.csv:26: date: \"31.2.2012\" is no day"));
         QVERIFY(!open.find<QPushButton>("yearsStore")->isEnabled());
         open.path = open.folder.filePath("none.csv");
         open.find<QPushButton>("yearsOpen")->click();
