@@ -4,6 +4,7 @@
 #include "core/record/FleetRows.h"
 #include "ui/kit/Page.h"
 #include "ui/kit/PageContext.h"
+#include "ui/kit/PageDescription.h"
 
 class QComboBox;
 class QFormLayout;
