@@ -90,8 +90,9 @@ protected:
         int faults = 0;
         const auto tell = [&](const auto& result) {
             faults += result ? 0 : 1;
-            if (!result)
+            if (!result) {
                 EXPECT_FALSE(describe(result.error()).empty());
+            }
             return result.ok();
         };
         tell(m_fleet.totals());
@@ -116,8 +117,9 @@ protected:
             if (const auto rules = due.rules(); tell(rules))
                 (void)dueList(*compasses, *rules, {}, "2026-11-27");
         tell(db::PopulationStore(m_database).columns(FleetSelection{}, {}));
-        if (const auto fleet = db::exportFleet(m_database, {}, {}); tell(fleet))
+        if (const auto fleet = db::exportFleet(m_database, {}, {}); tell(fleet)) {
             EXPECT_TRUE(readExchange(writeExchange(*fleet), "again")); // what is written can be read
+        }
         return faults;
     }
 
@@ -166,8 +168,9 @@ TEST_F(DamagedCell, isToldWhateverItHolds)
             const auto report = db::verify(m_database, {});
             ASSERT_TRUE(report) << describe(report.error());
             told += report->findings.empty() ? 0 : 1;
-            if (faults > 0)
+            if (faults > 0) {
                 EXPECT_THAT(report->findings, testing::Not(testing::IsEmpty())) << "a page tells what verify does not";
+            }
             const QString now = column == "id" ? QStringLiteral(" WHERE rowid = ") + value : where; // a row's number is how it is found
             ASSERT_TRUE(db::execute(m_database, set + "(SELECT value FROM kept)" + now));
         }
