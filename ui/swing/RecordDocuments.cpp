@@ -12,6 +12,7 @@
 #include "core/swing/CardRemarks.h"
 #include "ui/kit/Words.h"
 #include "ui/report/page/Figures.h"
+#include "ui/report/page/SignedAs.h"
 #include "ui/text/Translated.h"
 
 namespace lubberline::ui {
@@ -108,17 +109,6 @@ bool areVerified(const std::vector<SignatureState>& states)
     return std::all_of(states.begin(), states.end(), [](const SignatureState& one) { return isVerified(one.key); });
 }
 
-/// Of the signatures that hold, each once.
-QString signedAsOf(const std::vector<SignatureState>& states)
-{
-    QStringList all;
-    for (const auto& state : states)
-        if (state.holds)
-            all += signedAs(state);
-    all.removeDuplicates();
-    return joined(all);
-}
-
 Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const CardOptions& options)
 {
     const auto analysis = stores.jobs.resultOf(record);
@@ -130,7 +120,7 @@ Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const
     if (!states || !superseded)
         return states ? superseded.error() : states.error();
     return CardColumn{columnHeading(record.swing.configuration.radio), std::move(card.value()), record,
-        signaturesHold(record.swing, *states), *superseded, signedAsOf(*states), areVerified(*states)};
+        signaturesHold(record.swing, *states), *superseded, signedAs(*states), areVerified(*states)};
 }
 
 QString nextDue(db::Stores& stores, const SwingRecord& record)

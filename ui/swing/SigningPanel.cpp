@@ -23,7 +23,7 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr int kRowHeight_px = 22, kMostRows = 6;
+constexpr int kRowHeight_px = 22, kMostShown = 6;
 
 QTableWidget* readOnlyTable(const char* name, const QStringList& heads)
 {
@@ -53,7 +53,7 @@ void addRow(QTableWidget& table, const QStringList& cells)
 void fit(QTableWidget& table)
 {
     table.resizeColumnsToContents();
-    table.setFixedHeight(kRowHeight_px * (std::min(table.rowCount(), kMostRows) + 1) + 6);
+    table.setFixedHeight(kRowHeight_px * (std::min(table.rowCount(), kMostShown) + 1) + 6);
     table.setVisible(table.rowCount() > 0);
 }
 

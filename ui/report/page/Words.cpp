@@ -41,6 +41,16 @@ QString signedAs(const SignatureState& state)
     return parts.isEmpty() ? QString() : Words::tr("signed as %1").arg(parts.join(QStringLiteral(", ")));
 }
 
+QString signedAs(const std::vector<SignatureState>& states)
+{
+    QStringList all;
+    for (const auto& state : states)
+        if (state.holds)
+            all += signedAs(state);
+    all.removeDuplicates();
+    return joined(all);
+}
+
 QString notStated() { return Words::tr("not stated"); }
 
 QString joined(const QStringList& parts)

@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "core/record/Fleet.h"
-#include "core/record/SignatureState.h"
+#include "ui/report/page/SignedAs.h"
 #include "ui/text/ChoiceWords.h"
 
 namespace lubberline::ui {
@@ -24,9 +24,6 @@ struct Words {
 [[nodiscard]] QString printable(const std::string& text);
 [[nodiscard]] inline QString printable(Date day) { return printable(day.text()); }
 [[nodiscard]] inline QString printable(const Message& message) { return printable(translated(message).toStdString()); }
-
-/// What is printed otherwise today than it was signed: "signed as registration of the aircraft: 3713"; empty for nothing.
-[[nodiscard]] QString signedAs(const SignatureState& state);
 
 /// What stands where the record says nothing.
 [[nodiscard]] QString notStated();
