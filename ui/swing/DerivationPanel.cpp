@@ -16,7 +16,7 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kDerivationHeight_px = 230, kCloseSide_px = 24;
-constexpr std::size_t kMostRows = 400; // a log has thousands: its sum stands, its rows do not
+constexpr std::size_t kMostTerms = 400; // a log has thousands: its sum stands, its rows do not
 
 using CoefficientKind = CoefficientPlace::Kind;
 
@@ -71,7 +71,7 @@ QString derivationTable(const Analysis& analysis, const Derivation& derivation, 
             {DerivationPanel::tr("magnetic ψ"), DerivationPanel::tr("compass ψ′"),
                 exact ? QStringLiteral("y = sin δ") : QStringLiteral("y = δ"), DerivationPanel::tr("weight w"), QStringLiteral("w·y")},
             "th");
-    for (std::size_t i = 0; i < derivation.terms.size() && i < kMostRows; ++i) {
+    for (std::size_t i = 0; i < derivation.terms.size() && i < kMostTerms; ++i) {
         const DerivationTerm& term = derivation.terms[i];
         const AnalysedReading& reading = analysis.readings[term.reading];
         html += derivationRow({QString::number(reading.magnetic.degrees(), 'f', 1) + u'°',
