@@ -204,7 +204,7 @@ void PagesFitTest::everyPageFitsASmallScreen()
     environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QString::number(scale));
     child.setProcessEnvironment(environment);
     child.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--look")});
-    QVERIFY(child.waitForFinished(100000));
+    QVERIFY(child.waitForFinished(180000));
     const QByteArray found = child.readAllStandardOutput();
     QVERIFY2(child.exitStatus() == QProcess::NormalExit && child.exitCode() == 0, ("\n" + found).constData());
 }
