@@ -78,7 +78,7 @@ QSize ManoeuvreLine::sizeHint() const
 QRectF ManoeuvreLine::laneRect(int lane) const
 {
     const double line = fontMetrics().height(), left = fontMetrics().horizontalAdvance(laneName(Acceleration)) + line;
-    const double high = (height() - 1.4 * line) / kLanes;
+    const double high = (height() - 1.4 * line) / static_cast<double>(kLanes);
     return {left, lane * high, std::max(width() - left - line, 1.0), high};
 }
 
