@@ -30,15 +30,15 @@ int locateCommand(const LocateArguments& options)
     if (!source)
         return fail({source.error().code, source.error().message, nameOfInput(options.file)});
     if (options.json) {
-        std::printf("%s\n", toJson(*source).c_str());
+        put("%s\n", toJson(*source).c_str());
         return kDone;
     }
     warn(source->warnings);
-    std::printf("source at %.3f, %.3f, %.3f m (+- %.3f, %.3f, %.3f)\n", source->at_m.x(), source->at_m.y(), source->at_m.z(),
+    put("source at %.3f, %.3f, %.3f m (+- %.3f, %.3f, %.3f)\n", source->at_m.x(), source->at_m.y(), source->at_m.z(),
         source->atError_m.x(), source->atError_m.y(), source->atError_m.z());
-    std::printf("moment %.3f A m2 (+- %.3f): %+.3f, %+.3f, %+.3f\n", source->moment_A_m2.norm(), source->momentError_A_m2,
+    put("moment %.3f A m2 (+- %.3f): %+.3f, %+.3f, %+.3f\n", source->moment_A_m2.norm(), source->momentError_A_m2,
         source->moment_A_m2.x(), source->moment_A_m2.y(), source->moment_A_m2.z());
-    std::printf("uniform field %.0f, %.0f, %.0f nT; %.1f nT rms are left; nearest reading at %.2f m\n", source->uniform_nT.x(),
+    put("uniform field %.0f, %.0f, %.0f nT; %.1f nT rms are left; nearest reading at %.2f m\n", source->uniform_nT.x(),
         source->uniform_nT.y(), source->uniform_nT.z(), source->rms_nT, source->nearest_m);
     return kDone;
 }
@@ -61,26 +61,26 @@ int siteCheckCommand(const SiteCheckArguments& options)
     if (!both)
         return fail({both.error().code, both.error().message, nameOfInput(options.clockwise)});
     if (options.json) {
-        std::printf("%s\n", toJson(*both).c_str());
+        put("%s\n", toJson(*both).c_str());
         return kDone;
     }
     warn(first->warnings);
     warn(second->warnings);
-    std::printf(
+    put(
         "clockwise - counter-clockwise: constant %+.2f (+- %.2f), sin %+.2f (+- %.2f), cos %+.2f (+- %.2f) deg; %.2f deg rms are left\n",
         both->difference_deg[0], both->standardError_deg[0], both->difference_deg[1], both->standardError_deg[1], both->difference_deg[2],
         both->standardError_deg[2], both->residual_deg);
     for (const Message& finding : both->findings)
-        std::printf("%s\n", finding.english().c_str());
-    std::printf("largest difference %.2f deg: %s %.2f\n", both->largest_deg, both->passes ? "within" : "MORE THAN", both->limit_deg);
+        put("%s\n", finding.english().c_str());
+    put("largest difference %.2f deg: %s %.2f\n", both->largest_deg, both->passes ? "within" : "MORE THAN", both->limit_deg);
     return kDone;
 }
 
 int distancesCommand()
 {
-    std::printf("least distance of a flux gate from\n");
+    put("least distance of a flux gate from\n");
     for (const InstallationDistance& one : installationDistances())
-        std::printf("  %4.1f m  %s\n", one.least_m, Message(one.thing).english().c_str());
+        put("  %4.1f m  %s\n", one.least_m, Message(one.thing).english().c_str());
     return kDone;
 }
 
