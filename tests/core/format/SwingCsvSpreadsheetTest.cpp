@@ -270,7 +270,7 @@ TEST(SwingCsvSpreadsheet, aTitleAboveTheHeaderIsKeptInTheNote)
     const auto keys = readCsv("Workshop\n# aircraft: 3713\nLine 2; rest\n" + kPlain);
     ASSERT_TRUE(keys);
     EXPECT_EQ(keys->aircraft, "3713");
-    EXPECT_EQ(keys->swing.note, "title: Workshop\ntitle: Line 2; rest");
+    EXPECT_EQ(keys->swing.note, "title: Workshop\ntitle: Line 2 rest");
 }
 
 TEST(SwingCsvSpreadsheet, aHeaderThatIsNoneIsNotTakenForATitle)
