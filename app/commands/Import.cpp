@@ -41,7 +41,7 @@ Result<void> takePairs(const std::vector<std::string>& pairs, const char* option
     return {};
 }
 
-Result<YearsTable> tableOf(const ImportArguments& options)
+Result<YearsTable> yearsTableOf(const ImportArguments& options)
 {
     YearsTable table;
     for (const auto& done : {takePairs(options.columns, "--column", table.columns), takePairs(options.common, "--set", table.common)})
@@ -102,7 +102,7 @@ Result<void> readThrough(const std::vector<std::string>& files, const YearsTable
 /// Tables of many swings, in constant memory: all or none.
 int importYearsCommand(const ImportArguments& options, const std::string& database)
 {
-    const auto table = tableOf(options);
+    const auto table = yearsTableOf(options);
     if (!table)
         return fail(table.error());
     const auto session = makeDrawingSession();
