@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "core/swing/SwingField.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
+#include "db/stores/Audit.h"
 #include "db/stores/DueStore.h"
 #include "db/stores/ElectricalStore.h"
 #include "db/stores/FleetStore.h"
@@ -69,7 +71,7 @@ private:
     Result<void> electrical();
     Result<SwingId> add(Swing swing, const JobRecord* job);
     Result<void> checkSigned(const Swing& original, const JobRecord* job);
-    Result<void> checkStored(SwingId id);
+    Result<void> checkStored(SwingId id, const Swing& original, const JobRecord* job);
     Result<void> goOn(const Swing& incoming, const JobRecord& job, const SwingRecord& stored);
     [[nodiscard]] const JobRecord* jobOf(SwingId id) const;
 
@@ -385,7 +387,7 @@ Result<void> Importer::checkSigned(const Swing& original, const JobRecord* job)
 }
 
 /// What stands there now, on the aircraft and compass as they are here, is marked wherever it is shown; and told at once.
-Result<void> Importer::checkStored(SwingId id)
+Result<void> Importer::checkStored(SwingId id, const Swing& original, const JobRecord* job)
 {
     const auto record = SwingStore(m_database).record(id);
     if (!record)
@@ -399,6 +401,17 @@ Result<void> Importer::checkStored(SwingId id)
         signedByNobody += swing.state == SwingState::Signed; // before signatures were kept, or they were taken out: told once for all
         return {};
     }
+    // What was changed where it comes from, after it was signed: said here, in the trail and wherever it is printed.
+    std::set<std::string> told;
+    for (const auto& state : statesBy(recordIn(m_fleet, original), job ? std::optional(job->job) : std::nullopt))
+        for (const auto& one : state.since) {
+            const std::string change = one.what.english() + ": " + one.before.english() + " -> " + one.after.english();
+            if (!told.insert(change).second)
+                continue;
+            tell({MARKED("db", "signed as %1 \"%2\", in the file it is \"%3\""), one.what, one.before, one.after});
+            if (const auto kept = audit(m_database, "changed elsewhere", record->aircraft.record, change); !kept)
+                return kept;
+        }
     const auto states = SigningStore(m_database).states(id);
     if (!states)
         return states.error();
@@ -431,7 +444,7 @@ Result<void> Importer::swing(const Swing& original)
             return stored.error();
         ++imported.swings;
         imported.swingIds.push_back(*stored);
-        return checkStored(*stored);
+        return checkStored(*stored, original, job);
     }
     const auto record = swings.record(*found);
     if (!record)
