@@ -80,7 +80,7 @@ std::vector<Message> otherBytes(Database& database, const QString& table)
     for (const auto& name : *names) {
         const QString column = QString::fromStdString(name);
         Statement suspects(database, // only where one stands is each byte looked at
-            QStringLiteral("SELECT id, CAST(%1 AS BLOB) FROM %2 WHERE typeof(%1) = 'text' AND instr(%1, char(65533)) > 0")
+            QStringLiteral("SELECT id, CAST(%1 AS BLOB) FROM %2 WHERE typeof(%1) = 'text' AND %1 GLOB '*[^' || char(1) || '-~]*'")
                 .arg(column, table));
         const auto damaged = rowsOf<Message>(suspects, [&](Statement& row) -> Message {
             const auto why = notUtf8(row.bytes(1));

@@ -332,7 +332,7 @@ Result<VerifyReport> verify(Database& database, const Progress& progress, const 
         const auto done = check(database, report);
         if (done)
             continue;
-        if (done.error().code != ErrorCode::Corrupt)
+        if (done.error().code != ErrorCode::Corrupt && done.error().code != ErrorCode::NotFound) // a row refers to one that is not there
             return done.error();
         if (std::find(report.findings.begin(), report.findings.end(), done.error().message) == report.findings.end())
             report.findings.push_back(done.error().message); // and what else can be looked at is
