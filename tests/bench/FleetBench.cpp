@@ -81,7 +81,7 @@ int main(int argc, char** argv)
         if (!statement.run())
             std::abort();
         while (statement.next())
-            sum += static_cast<double>(statement.integer(0)) + statement.real(1) + statement.real(2);
+            sum += static_cast<double>(statement.integer(0)) + statement.real(1, {0, 360}) + statement.real(2, {0, 360});
     };
     FleetOptions options;
     options.limit_deg = 10;
