@@ -136,7 +136,8 @@ void SensorTestsPage::build()
         auto* row = new QHBoxLayout; // in one they would be wider than a small screen
         for (QWidget* one : widgets)
             row->addWidget(one);
-        row->addStretch(1);
+        if (widgets.front() == m_open)
+            row->addStretch(1); // the lines take all the room that there is
         body().addLayout(row);
     }
     DrawnPicture nothing;

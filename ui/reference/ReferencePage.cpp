@@ -62,10 +62,10 @@ ReferencePage::ReferencePage(FileQuestions files, QWidget* parent)
     , m_loop(new QComboBox)
     , m_compass(new QComboBox)
     , m_table(new QTableWidget)
-    , m_time(new DrawnPlot(tr("Heading error"), {300, 180}))
-    , m_gain(new DrawnPlot(tr("Gain"), {180, 140}))
+    , m_time(new DrawnPlot(tr("Heading error"), {260, 180}))
+    , m_gain(new DrawnPlot(tr("Gain"), {150, 140}))
     , m_line(new ManoeuvreLine)
-    , m_dials(new Painted({200, 150}))
+    , m_dials(new Painted({180, 150}))
     , m_film(new QPushButton(tr("&Film")))
     , m_worker([this](Result<ReferenceRun> run) { take(std::move(run)); })
 {
@@ -192,7 +192,7 @@ void ReferencePage::build()
     scroll->setWidget(buildControls());
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFixedWidth(320);
+    scroll->setFixedWidth(290);
     auto* below = new QHBoxLayout;
     below->addWidget(m_gain, 1);
     below->addWidget(m_dials, 1);
