@@ -29,7 +29,9 @@ using namespace lubberline;
 class NoDialogs final : public ui::Dialogs {
     QString openFile(QWidget*, const QString&, const QString&) override { return {}; }
     QString saveFile(QWidget*, const QString&, const QString&, const QString&) override { return {}; }
+    QString chooseFolder(QWidget*, const QString&, const QString&) override { return {}; }
     void printPreview(QWidget*, const std::function<void(QPrinter&)>&) override {}
+    bool openOutside(const QString&) override { return false; }
 };
 
 class BareWindow : public QMainWindow {
