@@ -116,7 +116,7 @@ public:
 private:
     static Message whose(const Signature& one, const Swing& swing)
     {
-        return {MARKED("db", "the signature of %1 (%2) on the swing of %3 (record %4)"), one.name, Message(shownWord(one.role)), swing.date,
+        return {MARKED("db", "the signature of %1 (%2) on the swing of %3 (record %4)"), one.name, std::string(fileWord(one.role)), swing.date,
             swing.record};
     }
 

@@ -186,13 +186,14 @@ Result<LostEntry> Recovery::keep(db::Stores& stores, LostEntry entry) const
 std::vector<LostEntry> Recovery::entriesFor(db::Stores& stores) const
 {
     const std::string identity = identityOf(stores);
-    std::vector<LostEntry> entries;
+    std::vector<LostEntry> entries, settled;
     for (const QString& path : m_paths)
         for (const QByteArray& line : linesOf(path))
-            if (auto entry = readLostEntry(line.toStdString()); entry
-                && (entry->file.empty() ? samePlace(toText(entry->database), stores.location()) : entry->file == identity)
-                && !isStored(stores, *entry))
-                entries.push_back(std::move(entry.value()));
+            if (auto entry = readLostEntry(line.toStdString());
+                entry && (entry->file.empty() ? samePlace(toText(entry->database), stores.location()) : entry->file == identity))
+                (isStored(stores, *entry) ? settled : entries).push_back(std::move(entry.value()));
+    if (!settled.empty())
+        forget(settled);
     return entries;
 }
 
