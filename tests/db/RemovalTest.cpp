@@ -20,7 +20,8 @@ std::vector<std::string> allRows(const db::Database& database)
         const auto list = db::firstOf<std::string>(columns, [](db::Statement& row) { return row.text(0); });
         db::Statement statement(
             database, QStringLiteral("SELECT %1 FROM %2 ORDER BY id").arg(QString::fromStdString(list->value()), QLatin1String(table)));
-        for (const std::string& row : *db::rowsOf<std::string>(statement, [](db::Statement& one) { return one.text(0); }))
+        const auto found = db::rowsOf<std::string>(statement, [](db::Statement& one) { return one.text(0); });
+        for (const std::string& row : *found)
             rows.push_back(std::string(table) + " " + row);
     }
     return rows;

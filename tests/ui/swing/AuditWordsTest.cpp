@@ -62,7 +62,9 @@ private slots:
         QVERIFY(fleet.stores.swings.change(*fleet.stores.swings.swing(id), after));
         QVERIFY(fleet.stores.signing.complete(id));
         QVERIFY(fleet.stores.signing.reopen(id, "looked again"));
-        for (const AuditRow& row : *fleet.stores.signing.auditOf(swing.record))
+        const auto rows = fleet.stores.signing.auditOf(swing.record);
+        QVERIFY(rows && rows->size() >= 5);
+        for (const AuditRow& row : *rows)
             for (const AuditLine& line : auditLines(row)) {
                 const QString all = line.what + line.before + line.after;
                 QVERIFY2(!all.contains("_") && !all.contains("->"), qPrintable(all));

@@ -254,20 +254,20 @@ void KeyboardEntryTest::aRefusedTextStandsBesideTheStoredValue()
     const SwingId id = fleet.addSwing("2026-11-21", eightPoints());
     OpenWindow open(fleet.stores);
     open.window.go(id);
-    const QString stored = open.cell(1, ReadingColumn::Compass);
+    const QString before = open.cell(1, ReadingColumn::Compass);
     open.table().goTo(1, ReadingColumn::Compass);
     open.type("45x");
     open.press(Qt::Key_Return);
     const QModelIndex cell = open.table().model()->index(1, int(ReadingColumn::Compass));
     QVERIFY(cell.data(ReadingsModel::RejectedRole).toBool());
     QCOMPARE(cell.data().toString(), QString("45x"));
-    QCOMPARE(cell.data(ReadingsModel::StoredRole).toString(), stored);
+    QCOMPARE(cell.data(ReadingsModel::StoredRole).toString(), before);
     for (const int role : {int(Qt::ToolTipRole), int(Qt::AccessibleTextRole)})
-        QVERIFY2(cell.data(role).toString().contains(stored), qPrintable(cell.data(role).toString()));
+        QVERIFY2(cell.data(role).toString().contains(before), qPrintable(cell.data(role).toString()));
     open.table().setCurrentIndex(cell);
     QTest::keyClick(&open.table(), Qt::Key_Escape);
     QVERIFY(!cell.data(ReadingsModel::RejectedRole).toBool());
-    QCOMPARE(cell.data().toString(), stored);
+    QCOMPARE(cell.data().toString(), before);
     QVERIFY(!open.label("readingsMessage").contains("Not stored"));
     QCOMPARE(open.window.undoStack().count(), 0);
 }
