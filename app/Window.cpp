@@ -1,6 +1,5 @@
 #include "app/Window.h"
 
-#include <QDateTime>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QSettings>
@@ -48,9 +47,10 @@ QStringList recoveryFiles()
 /// "fleet before 2026-11-27 142233.lubberline", beside the database.
 QString asideOf(const QString& path)
 {
+    constexpr int kToTheSecond = 19;
     const QFileInfo file(path);
-    return QStringLiteral("%1/%2 before %3.%4")
-        .arg(file.absolutePath(), file.completeBaseName(), QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd HHmmss"), file.suffix());
+    const QString now = nowUtc().left(kToTheSecond).replace(u'T', u' ').remove(u':');
+    return QStringLiteral("%1/%2 before %3.%4").arg(file.absolutePath(), file.completeBaseName(), now, file.suffix());
 }
 
 /// One window after another, each on a database of its own: another is opened before the window before it goes, and where that cannot be

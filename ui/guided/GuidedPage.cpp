@@ -10,6 +10,7 @@
 #include "core/swing/Observations.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/CrewDisplay.h"
+#include "ui/guided/FrontStack.h"
 #include "ui/guided/GuidedPrepare.h"
 #include "ui/guided/GuidedReview.h"
 #include "ui/guided/GuidedStart.h"
@@ -18,7 +19,6 @@
 #include "ui/guided/StationStrip.h"
 #include "ui/guided/TypedFigures.h"
 #include "ui/intake/LivePanel.h"
-#include "ui/kit/FrontStack.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/SwingPlot.h"
 

@@ -9,9 +9,9 @@
 #include <tuple>
 
 #include "core/base/OutputFile.h"
-#include "ui/kit/LostMerge.h"
-#include "ui/kit/PrivateFile.h"
 #include "ui/kit/Words.h"
+#include "ui/recovery/LostMerge.h"
+#include "ui/recovery/PrivateFile.h"
 
 namespace lubberline::ui {
 

@@ -16,10 +16,10 @@
 #include "core/site/SiteSurvey.h"
 #include "core/swing/SwingField.h"
 #include "ui/earth/FieldText.h"
-#include "ui/kit/PasteTable.h"
 #include "ui/kit/PlaceText.h"
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
+#include "ui/sites/PasteTable.h"
 #include "ui/sites/SurveyDrawing.h"
 #include "ui/text/NumberText.h"
 

@@ -11,9 +11,9 @@
 #include "core/site/SiteSurvey.h"
 #include "core/swing/SwingField.h"
 #include "ui/kit/ClipboardRows.h"
-#include "ui/kit/PasteTable.h"
 #include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
+#include "ui/sites/PasteTable.h"
 #include "ui/sites/SitesPage.h"
 #include "ui/sites/SurveyDrawing.h"
 

@@ -15,8 +15,8 @@
 
 #include "core/record/SwingDifferences.h"
 #include "db/openpgp/KeyCheck.h"
+#include "ui/audit/AuditWords.h"
 #include "ui/kit/Words.h"
-#include "ui/swing/AuditWords.h"
 #include "ui/swing/SwingEditor.h"
 
 namespace lubberline::ui {

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "tests/ui/window/Fixture.h"
-#include "ui/swing/AuditWords.h"
+#include "ui/audit/AuditWords.h"
 
 using namespace lubberline;
 using namespace lubberline::ui;

@@ -1,4 +1,4 @@
-#include "ui/kit/PrivateFile.h"
+#include "ui/recovery/PrivateFile.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,4 +1,4 @@
-#include "ui/kit/PasteTable.h"
+#include "ui/sites/PasteTable.h"
 
 #include <QKeyEvent>
 

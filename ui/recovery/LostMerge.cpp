@@ -1,4 +1,4 @@
-#include "ui/kit/LostMerge.h"
+#include "ui/recovery/LostMerge.h"
 
 namespace lubberline::ui {
 

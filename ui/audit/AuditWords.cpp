@@ -1,4 +1,4 @@
-#include "ui/swing/AuditWords.h"
+#include "ui/audit/AuditWords.h"
 
 #include <QCoreApplication>
 #include <QStringList>
