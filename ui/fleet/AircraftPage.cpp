@@ -467,6 +467,7 @@ void AircraftPage::showHistory(const std::vector<SwingRow>& swings, const Compas
     if (!m_history) {
         m_history = new HistoryPlot(this);
         m_historyPlace->addWidget(m_history);
+        setTabOrder(m_history, m_swingTable); // as they are read
         follow(*m_history);
         connect(m_history, &HistoryPlot::swingSelected, this,
             [this](int swing) { emit swingChosen(m_listed.at(static_cast<std::size_t>(swing))); });

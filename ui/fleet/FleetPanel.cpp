@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include <optional>
+#include <utility>
 
 #include "ui/kit/DueBadge.h"
 #include "ui/kit/Words.h"
@@ -62,12 +63,20 @@ FleetPanel::FleetPanel(db::Stores& stores, QWidget* parent)
     buildSearch();
     m_refreshSoon->setSingleShot(true);
     m_refreshSoon->setInterval(kRefreshDelay_ms);
-    connect(m_refreshSoon, &QTimer::timeout, m_model, &FleetModel::refresh);
+    connect(m_refreshSoon, &QTimer::timeout, this, &FleetPanel::refresh);
     const auto refreshSoon = [this] { m_refreshSoon->start(); };
     connect(&stores.changes(), &db::Changes::swingChanged, this, refreshSoon);
     connect(&stores.changes(), &db::Changes::aircraftChanged, this, refreshSoon);
-    connect(&stores.changes(), &db::Changes::fleetChanged, m_model, &FleetModel::refresh);
+    connect(&stores.changes(), &db::Changes::fleetChanged, this, &FleetPanel::refresh);
     connect(m_model, &FleetModel::failed, this, &FleetPanel::failed);
+}
+
+/// Where the chosen item is no more the view marks its neighbour: nobody has chosen that.
+void FleetPanel::refresh()
+{
+    const bool before = std::exchange(m_selecting, true);
+    m_model->refresh();
+    m_selecting = before;
 }
 
 void FleetPanel::showDue(const std::vector<DueLine>& lines, int due)
@@ -98,6 +107,7 @@ void FleetPanel::buildTree()
 void FleetPanel::buildSearch()
 {
     m_words->setObjectName(QStringLiteral("searchLine"));
+    m_words->setAccessibleName(tr("Search everything"));
     m_words->setPlaceholderText(tr("Search everything (Ctrl+F)"));
     m_words->setClearButtonEnabled(true);
     m_words->installEventFilter(this);

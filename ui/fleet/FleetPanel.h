@@ -40,6 +40,7 @@ protected:
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
+    void refresh();
     void buildTree();
     void buildSearch();
     void search();

@@ -18,6 +18,7 @@ QCommandLinkButton* choice(const QString& name, const QString& title, const QStr
     button->setObjectName(name);
     button->setIcon(icon(iconName));
     button->setIconSize({32, 32});
+    button->setStyleSheet(QStringLiteral("QCommandLinkButton:focus { border: 2px solid palette(highlight); border-radius: 3px; }")); // seen
     button->setMinimumHeight(button->heightForWidth(kWidth)); // the whole explanation, whatever the font
     return button;
 }

@@ -28,7 +28,7 @@ namespace {
 
 /// Beneath this the plot would take the room of the figures.
 constexpr int kWide_px = 900;
-constexpr int kFoot_px = 16; // all of them side by side on a small screen
+constexpr int kFoot_px = 14; // all of them side by side on a small screen
 
 } // namespace
 

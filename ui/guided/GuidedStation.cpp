@@ -18,7 +18,7 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kFieldWidth_px = 150; // five figures; more scroll
-constexpr int kTurnTo_px = 72, kStays_px = 36;
+constexpr int kTurnTo_px = 72, kStays_px = 36, kButton_px = 16;
 constexpr double kDemagnetise_deg = 30; // procedures: beyond 30 to 35° it is no matter of the compensator
 
 QHBoxLayout* titled(const QString& title, QLineEdit& field)
@@ -101,8 +101,10 @@ void GuidedStation::build()
     reason->addWidget(m_reason, 1);
 
     auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {m_next, m_again, m_skip, m_leave})
+    for (QPushButton* button : {m_next, m_again, m_skip, m_leave}) {
+        button->setFont(bigFont(button->font(), kButton_px)); // three of them side by side on a small screen
         buttons->addWidget(button);
+    }
     buttons->addStretch();
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_turnTo);

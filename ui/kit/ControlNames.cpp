@@ -11,6 +11,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTabWidget>
 
 namespace lubberline::ui {
 
@@ -22,9 +26,10 @@ bool wantsName(const QWidget& widget)
         return false;
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
         return button->text().isEmpty();
-    return qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QComboBox*>(&widget)
-        || qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QAbstractSlider*>(&widget)
-        || qobject_cast<const QPlainTextEdit*>(&widget) || qobject_cast<const QAbstractItemView*>(&widget);
+    if (qobject_cast<const QScrollArea*>(&widget) || qobject_cast<const QTabBar*>(&widget) || qobject_cast<const QTabWidget*>(&widget))
+        return false;
+    return (widget.focusPolicy() & Qt::TabFocus) || qobject_cast<const QAbstractSlider*>(&widget)
+        || qobject_cast<const QAbstractItemView*>(&widget);
 }
 
 QLabel* labelAt(const QLayoutItem* item)
@@ -83,6 +88,20 @@ QString wordsOn(const QWidget& widget)
 
 } // namespace
 
+namespace {
+
+/// A table or a plot without words of its own is what its tab is called, else what its page is.
+QString wordsAround(const QWidget& widget, const QWidget& page)
+{
+    for (const QWidget* inside = &widget; inside && inside != &page; inside = inside->parentWidget())
+        if (const auto* stack = qobject_cast<const QStackedWidget*>(inside->parentWidget()))
+            if (const auto* tabs = qobject_cast<const QTabWidget*>(stack->parentWidget()))
+                return tabs->tabText(tabs->indexOf(const_cast<QWidget*>(inside))).remove('&');
+    return page.windowTitle();
+}
+
+} // namespace
+
 void nameControls(QWidget& page)
 {
     for (auto* widget : page.findChildren<QWidget*>()) {
@@ -95,7 +114,7 @@ void nameControls(QWidget& page)
         else if (label)
             widget->setAccessibleName(label->text());
         else
-            widget->setAccessibleName(wordsOn(*widget));
+            widget->setAccessibleName(wordsOn(*widget).isEmpty() ? wordsAround(*widget, page) : wordsOn(*widget));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QTableView>
 #include <QToolButton>
@@ -88,7 +89,9 @@ QStringList jumpsIn(QWidget& page)
         widget = widget->nextInFocusChain();
         if (widget == &page)
             break;
-        if (!page.isAncestorOf(widget) || !acceptsTab(*widget) || widget->focusProxy())
+        const bool field
+            = qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QComboBox*>(widget) || qobject_cast<const QPushButton*>(widget);
+        if (!field || !page.isAncestorOf(widget) || !acceptsTab(*widget) || widget->focusProxy())
             continue;
         if (before && before->parentWidget() == widget->parentWidget()) { // of one form
             const QPoint from = before->mapTo(&page, QPoint()), to = widget->mapTo(&page, QPoint());
