@@ -47,8 +47,7 @@ int statusCommand(db::Database& database, bool json)
                 .c_str());
         return kDone;
     }
-    put(
-        "database       %s\nsize           %.1f MiB\nschema         %d (this program knows up to %d)\njournal        %s\ntypes          %d\n"
+    put("database       %s\nsize           %.1f MiB\nschema         %d (this program knows up to %d)\njournal        %s\ntypes          %d\n"
         "aircraft       %d\ncompasses      %d\nswings         %lld\nreadings       %lld\nsensor models  %lld\naudit entries  %lld\naudit head     %s\nchained since  %s\n",
         status->path.c_str(), static_cast<double>(status->bytes) / 1048576.0, status->schema, db::schemaVersion(), status->journal.c_str(),
         status->totals.types, status->totals.aircraft, status->totals.compasses, static_cast<long long>(status->totals.swings),

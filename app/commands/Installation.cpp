@@ -34,10 +34,10 @@ int locateCommand(const LocateArguments& options)
         return kDone;
     }
     warn(source->warnings);
-    put("source at %.3f, %.3f, %.3f m (+- %.3f, %.3f, %.3f)\n", source->at_m.x(), source->at_m.y(), source->at_m.z(),
-        source->atError_m.x(), source->atError_m.y(), source->atError_m.z());
-    put("moment %.3f A m2 (+- %.3f): %+.3f, %+.3f, %+.3f\n", source->moment_A_m2.norm(), source->momentError_A_m2,
-        source->moment_A_m2.x(), source->moment_A_m2.y(), source->moment_A_m2.z());
+    put("source at %.3f, %.3f, %.3f m (+- %.3f, %.3f, %.3f)\n", source->at_m.x(), source->at_m.y(), source->at_m.z(), source->atError_m.x(),
+        source->atError_m.y(), source->atError_m.z());
+    put("moment %.3f A m2 (+- %.3f): %+.3f, %+.3f, %+.3f\n", source->moment_A_m2.norm(), source->momentError_A_m2, source->moment_A_m2.x(),
+        source->moment_A_m2.y(), source->moment_A_m2.z());
     put("uniform field %.0f, %.0f, %.0f nT; %.1f nT rms are left; nearest reading at %.2f m\n", source->uniform_nT.x(),
         source->uniform_nT.y(), source->uniform_nT.z(), source->rms_nT, source->nearest_m);
     return kDone;
@@ -66,8 +66,7 @@ int siteCheckCommand(const SiteCheckArguments& options)
     }
     warn(first->warnings);
     warn(second->warnings);
-    put(
-        "clockwise - counter-clockwise: constant %+.2f (+- %.2f), sin %+.2f (+- %.2f), cos %+.2f (+- %.2f) deg; %.2f deg rms are left\n",
+    put("clockwise - counter-clockwise: constant %+.2f (+- %.2f), sin %+.2f (+- %.2f), cos %+.2f (+- %.2f) deg; %.2f deg rms are left\n",
         both->difference_deg[0], both->standardError_deg[0], both->difference_deg[1], both->standardError_deg[1], both->difference_deg[2],
         both->standardError_deg[2], both->residual_deg);
     for (const Message& finding : both->findings)

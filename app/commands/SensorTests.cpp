@@ -183,8 +183,8 @@ int interferenceCommand(const SensorTestArguments& options)
         return writeSheet(ui::interferenceSheet(*result, *log, ui::sourceName(options.log.file)), options.output);
     if (options.json)
         return kDone;
-    put("limits %.0f, %.0f, %.0f nT\n%-32s%10s%27s%29s\n", result->limits_nT.x(), result->limits_nT.y(), result->limits_nT.z(),
-        "action", "from (s)", "worst x, y, z (nT)", "at (s)");
+    put("limits %.0f, %.0f, %.0f nT\n%-32s%10s%27s%29s\n", result->limits_nT.x(), result->limits_nT.y(), result->limits_nT.z(), "action",
+        "from (s)", "worst x, y, z (nT)", "at (s)");
     for (const auto& action : result->actions)
         put("%-32s%10.1f%9.0f%9.0f%9.0f%9.1f%9.1f%9.1f  %s\n", inOneLine(action.action).c_str(), action.from_s, action.worst_nT.x(),
             action.worst_nT.y(), action.worst_nT.z(), action.worstAt_s.x(), action.worstAt_s.y(), action.worstAt_s.z(),

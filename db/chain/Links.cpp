@@ -57,8 +57,9 @@ Result<std::string> recordHead(const Database& database, const std::string& reco
 Result<void> beginChain(const Database& database)
 {
     Statement all(database, "SELECT id, time_utc, what, record, detail FROM audit_entry ORDER BY id");
-    const auto entries = rowsOf<ChainEntry>(
-        all, [](Statement& row) { return ChainEntry{row.integer(0), row.text(1), row.text(2), row.text(3), row.longText(4)}; });
+    const auto entries = rowsOf<ChainEntry>(all, [](Statement& row) {
+        return ChainEntry{row.integer(0), row.text(1), row.text(2), row.text(3), row.longText(4)};
+    });
     if (!entries)
         return entries.error();
     const std::string file = newRecordId();

@@ -51,7 +51,7 @@ public:
     // what is not stated: finished() tells of it, with its table, row and column.
     [[nodiscard]] std::string text(int column) const; ///< of people: at most kLongestText bytes
     [[nodiscard]] std::string optionalText(int column) const;
-    [[nodiscard]] std::string name(int column) const; ///< a text that is not empty
+    [[nodiscard]] std::string name(int column) const;     ///< a text that is not empty
     [[nodiscard]] std::string longText(int column) const; ///< of ours: JSON, what an audit entry says
     [[nodiscard]] std::string optionalLongText(int column) const;
     [[nodiscard]] std::string anything(int column) const; ///< of whatever kind, as text: to be shown

@@ -168,8 +168,8 @@ Result<std::vector<DueCompass>> DueStore::compasses()
     const auto findingsOf = groups<CompassId, LimitsFinding>(
         findings, [](Statement& row) { return row.id<CompassId>(0); },
         [](Statement& row) {
-            return LimitsFinding{row.day(1), row.as(2, SwingStage::AsLeft), row.flag(3), row.as(4, Status::OutOfLimits),
-                row.optionalReal(5, {0, 180})};
+            return LimitsFinding{
+                row.day(1), row.as(2, SwingStage::AsLeft), row.flag(3), row.as(4, Status::OutOfLimits), row.optionalReal(5, {0, 180})};
         });
     if (!findingsOf)
         return findingsOf.error();

@@ -116,8 +116,8 @@ public:
 private:
     static Message whose(const Signature& one, const Swing& swing)
     {
-        return {MARKED("db", "the signature of %1 (%2) on the swing of %3 (record %4)"), one.name, std::string(fileWord(one.role)), swing.date,
-            swing.record};
+        return {MARKED("db", "the signature of %1 (%2) on the swing of %3 (record %4)"), one.name, std::string(fileWord(one.role)),
+            swing.date, swing.record};
     }
 
     /// Each row an entry, each entry a row.

@@ -138,8 +138,7 @@ SwingRow swingRowFrom(const Statement& row)
     return {row.id<SwingId>(0), row.id<CompassId>(1), row.day(2), row.as(3, SwingKind::NotStated), row.as(4, SwingStage::NotStated),
         row.as(5, SwingState::Signed), row.integer(6, {0, double{kMaxReadings}}), row.optionalReal(7, {0, 180}),
         {coefficient_deg(8), coefficient_deg(9), coefficient_deg(10), coefficient_deg(11), coefficient_deg(12)},
-        row.as(13, Status::OutOfLimits), row.integer(14, kRevisionRange), row.flag(15), row.flag(16),
-        row.flag(17)};
+        row.as(13, Status::OutOfLimits), row.integer(14, kRevisionRange), row.flag(15), row.flag(16), row.flag(17)};
 }
 
 void bindParticulars(Statement& statement, const Swing& swing)

@@ -150,14 +150,14 @@ std::optional<RecordId> dangling(const std::vector<Record>& records, IdType Reco
 
 Result<void> checkReferences(const Database& database, const Fleet& fleet)
 {
-    for (const auto& [column, record] :
-        {std::pair(std::string("swing.site_id"), dangling(fleet.swings, &Swing::site, fleet.sites)),
-            std::pair(std::string("aircraft.base_id"), dangling(fleet.aircraft, &Aircraft::base, fleet.sites)),
-            std::pair(std::string("compass.limits_id"), dangling(fleet.compasses, &CompassSystem::limits, fleet.limits))})
+    for (const auto& [column, record] : {std::pair(std::string("swing.site_id"), dangling(fleet.swings, &Swing::site, fleet.sites)),
+             std::pair(std::string("aircraft.base_id"), dangling(fleet.aircraft, &Aircraft::base, fleet.sites)),
+             std::pair(std::string("compass.limits_id"), dangling(fleet.compasses, &CompassSystem::limits, fleet.limits))})
         if (record)
             return Error{ErrorCode::Corrupt,
-                {MARKED("db", "%1 of the record %2 refers to a row that is not there; expected a whole database: `lubberline db verify` lists"
-                              " what is wrong"),
+                {MARKED("db",
+                     "%1 of the record %2 refers to a row that is not there; expected a whole database: `lubberline db verify` lists"
+                     " what is wrong"),
                     column, *record},
                 database.path().toStdString()};
     return {};

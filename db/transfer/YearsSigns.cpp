@@ -65,8 +65,7 @@ Result<void> YearsSigns::addStored(Database& database, std::int64_t before)
             return done;
         while (statement.next()) // evenly spaced headings: the variance of D is 2/n
             m_swings.push_back({compassOf(statement.text(0), m_kinds[kind].compass), static_cast<std::int32_t>(kind),
-                statement.real(1, {-1e9, 1e9}),
-                2.0 / static_cast<double>(statement.integer(2))});
+                statement.real(1, {-1e9, 1e9}), 2.0 / static_cast<double>(statement.integer(2))});
         if (const auto whole = statement.finished(); !whole)
             return whole;
     }

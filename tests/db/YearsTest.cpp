@@ -67,7 +67,7 @@ TEST(Years, comeInWholeAndCount)
     const auto audit = db::SigningStore(database).auditOf(db::exportFleet(database, {}, {})->swings.front().record);
     ASSERT_EQ(audit->size(), 1u);
     EXPECT_EQ(audit->front().detail, "years.csv, line 6: a record of years on paper"); // the newest of the first aircraft
-    const auto again = import(database, rows(6, 6)); // a year later
+    const auto again = import(database, rows(6, 6));                                   // a year later
     EXPECT_EQ(again->swings, 6);
     EXPECT_EQ(again->alreadyThere, 30);
     EXPECT_EQ(again->aircraft, 0);

@@ -164,7 +164,8 @@ std::string signedParticulars(const SwingRecord& record)
 
 std::vector<SwingDifference> changedSince(const std::string& particulars, const SwingRecord& now)
 {
-    const OrderedJson then = OrderedJson::parse(particulars, nullptr, false), today = OrderedJson::parse(signedParticulars(now), nullptr, false);
+    const OrderedJson then = OrderedJson::parse(particulars, nullptr, false),
+                      today = OrderedJson::parse(signedParticulars(now), nullptr, false);
     if (!then.is_object())
         return {{MARKED("core", "particulars"), Message(MARKED("core", "do not read")), Message(MARKED("core", "changed"))}};
     const auto compassOf = [](const OrderedJson& document) { return printed(firstOf(firstOf(document, "aircraft"), "compasses")); };

@@ -40,7 +40,7 @@ public:
     JsonObject(const JsonObject&) = delete;
     JsonObject& operator=(const JsonObject&) = delete;
 
-    [[nodiscard]] std::string text(std::string_view key); ///< empty when the key is not there
+    [[nodiscard]] std::string text(std::string_view key);     ///< empty when the key is not there
     [[nodiscard]] std::string longText(std::string_view key); ///< a document; the others are of people and have at most kLongestText bytes
     [[nodiscard]] std::string requiredText(
         std::string_view key, const Message& expected = MARKED("core", "text")); ///< neither missing nor empty

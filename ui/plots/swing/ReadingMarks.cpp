@@ -89,7 +89,8 @@ void paintDensity(
     for (const ReadingPoint& point : points) {
         const QPointF at = project(point.heading_deg, point.value_deg);
         if (!point.excluded && within.contains(at))
-            most = std::max(most, ++counts[{static_cast<int>(std::floor(at.x() / kDensityCell)), static_cast<int>(std::floor(at.y() / kDensityCell))}]);
+            most = std::max(
+                most, ++counts[{static_cast<int>(std::floor(at.x() / kDensityCell)), static_cast<int>(std::floor(at.y() / kDensityCell))}]);
     }
     painter.setPen(Qt::NoPen);
     for (const auto& [cell, count] : counts) {
