@@ -298,10 +298,12 @@ void SwingPage::showResults()
 {
     const auto& analysis = m_editor->analysis();
     const QString previousLabel = m_editor->previous() ? toText(m_editor->previous()->date) : QString();
-    m_plots->setPicture(
-        pictureOf(m_editor->record(), analysis, m_editor->whyNoAnalysis(), m_editor->previousAnalysis(), previousLabel, m_style));
-    m_coefficients->show(analysis, m_editor->whyNoAnalysis());
     const bool computing = m_editor->computing();
+    SwingPicture picture = pictureOf(m_editor->record(), computing ? nullptr : analysis, m_editor->whyNoAnalysis(),
+        m_editor->previousAnalysis(), previousLabel, m_style);
+    picture.analysis = analysis; // while computing the curves of before, and no mark on any reading
+    m_plots->setPicture(picture);
+    m_coefficients->show(analysis, m_editor->whyNoAnalysis());
     m_coefficients->setEnabled(!computing);
     m_computing->setVisible(computing);
     if (m_derivation && m_derivation->isVisibleTo(this))

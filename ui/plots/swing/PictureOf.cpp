@@ -2,6 +2,7 @@
 
 #include <QStringList>
 
+#include "core/base/Contract.h"
 #include "core/swing/Observations.h"
 
 namespace lubberline::ui {
@@ -17,8 +18,9 @@ QString titleOf(const SwingRecord& record)
     return parts.join(QStringLiteral(" · "));
 }
 
-PlottedReading plotted(int row, const Observation& seen, const Reading& reading)
+PlottedReading plotted(int row, const Swing& swing, const Reading& reading)
 {
+    const Observation seen = observationOf(swing, reading);
     PlottedReading plotted;
     plotted.row = row;
     plotted.magnetic = seen.magnetic;
@@ -36,18 +38,16 @@ std::vector<PlottedReading> plottedReadings(const Swing& swing, const Analysis* 
         const Reading& reading = swing.readings[row];
         if (!reading.complete())
             continue;
-        const Observation seen = observationOf(swing, reading);
-        PlottedReading point = plotted(static_cast<int>(row), seen, reading);
+        PlottedReading point = plotted(static_cast<int>(row), swing, reading);
         if (analysis && reading.used()) {
-            // While the results of a log are computed anew, those before are shown of the readings that are still the same.
-            if (used < analysis->readings.size() && isOf(analysis->readings[used], seen)) {
-                point.suspect = analysis->readings[used].suspect;
-                point.studentised = analysis->readings[used].studentised;
-            }
+            LUBBERLINE_EXPECT(used < analysis->readings.size(), "the analysis is of this swing's used readings");
+            point.suspect = analysis->readings[used].suspect;
+            point.studentised = analysis->readings[used].studentised;
             ++used;
         }
         all.push_back(point);
     }
+    LUBBERLINE_EXPECT(!analysis || used == analysis->readings.size(), "the analysis is of this swing's used readings");
     return all;
 }
 
