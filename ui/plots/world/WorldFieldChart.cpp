@@ -53,7 +53,7 @@ void WorldFieldChart::setGrid(std::shared_ptr<const FieldGrid> grid)
                                        .arg(fieldElementTitle(m_grid->element), QString::fromStdString(m_grid->model))
                                        .arg(m_grid->year, 0, 'f', 1)
                                  : tr("The field is being computed.");
-    m_plot->setTitles(title, {});
+    m_plot->setTitles(title, tr("equirectangular, equal scales"));
     replotAll();
 }
 
