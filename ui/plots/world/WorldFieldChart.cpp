@@ -49,10 +49,9 @@ void WorldFieldChart::setGrid(std::shared_ptr<const FieldGrid> grid)
     LUBBERLINE_EXPECT(!grid || (grid->columns >= 2 && grid->rows >= 2), "a grid of the world has at least two nodes each way");
     m_grid = std::move(grid);
     m_item->setGrid(m_grid);
-    const QString title = m_grid ? tr("%1, %2, %3; equirectangular, equal scales")
-                                       .arg(fieldElementTitle(m_grid->element), QString::fromStdString(m_grid->model))
-                                       .arg(m_grid->year, 0, 'f', 1)
-                                 : tr("The field is being computed.");
+    const QString title = m_grid
+        ? tr("%1, %2, %3").arg(fieldElementTitle(m_grid->element), QString::fromStdString(m_grid->model)).arg(m_grid->year, 0, 'f', 1)
+        : tr("The field is being computed.");
     m_plot->setTitles(title, tr("equirectangular, equal scales"));
     replotAll();
 }
