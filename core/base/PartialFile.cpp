@@ -17,21 +17,25 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostNames = 1000; ///< tried for one file: those that other programs write are passed over
-constexpr std::string_view kBeginning = ".lubberline-", kEnding = ".partial";
+constexpr std::string_view kBeginning = ".lubberline-", kEnding = ".partial", kJournal = "-journal";
 
 bool isPartial(const std::string& name)
 {
     // SQLite keeps a journal beside a copy that it makes.
-    const std::string_view whole(name), ending = whole.ends_with("-journal") ? whole.substr(0, whole.size() - 8) : whole;
+    const std::string_view whole(name), ending = whole.ends_with(kJournal) ? whole.substr(0, whole.size() - kJournal.size()) : whole;
     return whole.starts_with(kBeginning) && ending.ends_with(kEnding);
 }
 
-/// One of ours that nobody writes.
+/// One of ours that nobody writes; a journal is that of the file beside it.
 void removeIfLeft(const std::string& path)
 {
-    const int handle = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (handle < 0)
+    const std::string main = path.ends_with(kJournal) ? path.substr(0, path.size() - kJournal.size()) : path;
+    const int handle = ::open(main.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (handle < 0) {
+        if (errno == ENOENT && main != path)
+            ::unlink(path.c_str());
         return;
+    }
     struct stat state = {};
     if (::fstat(handle, &state) == 0 && S_ISREG(state.st_mode) && state.st_uid == ::geteuid() && ::flock(handle, LOCK_EX | LOCK_NB) == 0)
         ::unlink(path.c_str());

@@ -351,7 +351,11 @@ Result<Database> Database::openCopy(const QString& path, const Database& origina
 /// A copy as it was, before anything is changed.
 Result<void> Database::bringUpToDate(const std::vector<Migration>& steps)
 {
-    const bool isNew = fileSchema() == 0;
+    // Of what nothing was ever stored in (another program is making it just now) there is nothing to keep.
+    const auto stored = fileSchema() == 0 ? Result<std::int64_t>(0) : number(*this, "SELECT COUNT(*) FROM audit_entry");
+    if (!stored)
+        return stored.error();
+    const bool isNew = *stored == 0;
     const QString copy = placeForBackup(*this);
     if (!isNew)
         if (const auto made = copyTo(*this, copy); !made && made.error().code != ErrorCode::Conflict) { // another program made it just now
