@@ -105,11 +105,12 @@ QString wordsAround(const QWidget& widget, const QWidget& page)
 void nameControls(QWidget& page)
 {
     for (auto* widget : page.findChildren<QWidget*>()) {
-        if (!wantsName(*widget) || isBuddy(*widget))
+        const bool table = qobject_cast<const QAbstractItemView*>(widget); // which says no name of a label or a group by itself
+        if (!wantsName(*widget) || (!table && isBuddy(*widget)))
             continue;
         QWidget* parent = widget->parentWidget();
         QLabel* label = parent ? labelBefore(parent->layout(), *widget) : nullptr;
-        if (label && !label->buddy())
+        if (label && !label->buddy() && !table)
             label->setBuddy(widget);
         else if (label)
             widget->setAccessibleName(label->text());

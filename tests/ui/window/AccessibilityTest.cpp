@@ -13,6 +13,7 @@
 #include "tests/ui/window/EveryPage.h"
 #include "ui/kit/Badge.h"
 #include "ui/kit/DueBadge.h"
+#include "ui/plots/base/Plot.h"
 
 using namespace lubberline;
 using namespace lubberline::ui;
@@ -59,6 +60,14 @@ QString pathOf(const QObject* object)
     return names.join('/');
 }
 
+bool insidePlot(const QWidget* widget)
+{
+    for (const QWidget* above = widget ? widget->parentWidget() : nullptr; above; above = above->parentWidget())
+        if (qobject_cast<const Plot*>(above))
+            return true;
+    return false;
+}
+
 QStringList namelessIn(QWidget& window)
 {
     QStringList found;
@@ -66,6 +75,8 @@ QStringList namelessIn(QWidget& window)
         const auto* widget = qobject_cast<const QWidget*>(one.object());
         if (widget && (!widget->isVisible() || widget->objectName().startsWith(QStringLiteral("qt_"))))
             return;
+        if (qobject_cast<const QLabel*>(widget) || insidePlot(widget))
+            return; // words that can be selected are no control; a plot is one, whatever it is drawn on
         const bool focusable = widget && widget->focusPolicy() != Qt::NoFocus && !widget->focusProxy() && widget->isEnabled()
             && !qobject_cast<const QScrollArea*>(widget);
         if (one.role() == QAccessible::NoRole && focusable)

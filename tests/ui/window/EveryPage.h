@@ -81,6 +81,7 @@ inline void stepsOfGuided(OpenWindow& open, SmallFleet& fleet, const LookAt& loo
     for (const auto& item : job.checklist)
         tell(job::Ticked{item, true});
     tell(job::InterferenceRead{0, "engines and electrics", 1, 3});
+    settle();
     look(QStringLiteral("guided, prepared"));
     tell(job::Prepared{});
     bool skipped = false, turned = false;
