@@ -29,10 +29,10 @@ bool isPartial(const std::string& name)
 /// One of ours that nobody writes; a journal is that of the file beside it.
 void removeIfLeft(const std::string& path)
 {
-    const std::string main = path.ends_with(kJournal) ? path.substr(0, path.size() - kJournal.size()) : path;
-    const int handle = ::open(main.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    const std::string whole = path.ends_with(kJournal) ? path.substr(0, path.size() - kJournal.size()) : path;
+    const int handle = ::open(whole.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (handle < 0) {
-        if (errno == ENOENT && main != path)
+        if (errno == ENOENT && whole != path)
             ::unlink(path.c_str());
         return;
     }
