@@ -158,8 +158,27 @@ Result<void> apply(Database& database, const Migration& step)
     return transaction->commit();
 }
 
+/// A new database is made whole or not at all: another first writer must not find it half-way, and take it for an old one.
+Result<void> makeNew(Database& database, const std::vector<Migration>& steps)
+{
+    auto transaction = Transaction::begin(database);
+    if (!transaction)
+        return transaction.error();
+    const auto version = number(database, "PRAGMA user_version");
+    if (!version)
+        return version.error();
+    if (*version > 0)
+        return {}; // it was faster
+    for (const auto& step : steps)
+        if (const auto done = apply(database, step); !done)
+            return done;
+    return transaction->commit();
+}
+
 Result<void> migrate(Database& database, const std::vector<Migration>& steps)
 {
+    if (database.fileSchema() == 0)
+        return makeNew(database, steps);
     for (const auto& step : steps)
         if (step.version > database.fileSchema())
             if (const auto done = apply(database, step); !done)
