@@ -11,6 +11,7 @@ Result<std::unique_ptr<db::Stores>> openStores(const std::string& option, db::Op
     if (!path)
         return path.error();
     auto stores = db::openStores(*path, mode);
+    keepPrivate(*path); // SQLite has made its files by now
     if (stores)
         for (const auto& told : inEnglish((*stores)->database().told()))
             say(told);

@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QStandardPaths>
 
 #include <sys/stat.h>
@@ -9,13 +10,16 @@
 
 #include "core/base/Clock.h"
 #include "core/base/WholeFile.h"
+#include "db/engine/Database.h"
 
 namespace lubberline::app {
 
 namespace {
 
+QString dataFolder() { return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + "/lubberline"; }
+
 /// Who swung what, and who signed it, is nobody else's to read.
-bool keepPrivate(const QString& folder)
+bool keepFolderPrivate(const QString& folder)
 {
     struct stat state = {};
     const QByteArray name = QFile::encodeName(folder);
@@ -27,8 +31,8 @@ bool keepPrivate(const QString& folder)
 
 Result<QString> inDataFolder(const QString& name)
 {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + "/lubberline";
-    if (!QDir().mkpath(folder) || !keepPrivate(folder))
+    const QString folder = dataFolder();
+    if (!QDir().mkpath(folder) || !keepFolderPrivate(folder))
         return Error{ErrorCode::Io, MARKED("app", "the data folder cannot be made; name a database with --db FILE"), folder.toStdString()};
     return folder + "/" + name;
 }
@@ -56,6 +60,17 @@ Result<QString> databasePath(const std::string& option)
 Result<QString> demonstrationPath(const std::string& option)
 {
     return option.empty() ? inDataFolder("demonstration.lubberline") : named(option);
+}
+
+void keepPrivate(const QString& database)
+{
+    if (QFileInfo(database).absolutePath() != dataFolder())
+        return;
+    constexpr mode_t kForOthers = 077;
+    struct stat state = {};
+    for (const std::string& file : db::filesOf(database))
+        if (::stat(file.c_str(), &state) == 0 && state.st_uid == ::geteuid() && (state.st_mode & kForOthers) != 0)
+            (void)::chmod(file.c_str(), state.st_mode & 0700);
 }
 
 QString plainName(const std::string& path)

@@ -20,6 +20,9 @@ Result<QString> demonstrationPath(const std::string& option);
 /// A path as the name of a file: to SQLite ":memory:" would be a place of its own, and to Qt all that begins with a colon.
 [[nodiscard]] QString plainName(const std::string& path);
 
+/// Of a database in the data folder: its files are the user's alone, whatever the umask was that made them.
+void keepPrivate(const QString& database);
+
 /// The time now, UTC, ISO 8601: what is printed on documents.
 [[nodiscard]] QString nowUtc();
 [[nodiscard]] Date today(); ///< UTC

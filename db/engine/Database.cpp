@@ -8,10 +8,6 @@
 #include <QThread>
 #include <QUrl>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <limits>
 
@@ -57,21 +53,6 @@ Result<void> checkFile(const QString& path, OpenMode mode)
         return Error{ErrorCode::Io,
             {MARKED("db", "the folder %1 may not be written; expected one that may"), folder.filePath().toStdString()}, name};
     return {};
-}
-
-/// In a folder that is its owner's alone the files are, too, whatever the umask; SQLite gives those beside the database its rights.
-void keepPrivate(const QString& path, OpenMode mode)
-{
-    const QByteArray name = QFile::encodeName(path);
-    struct stat folder = {}, file = {};
-    if (::stat(QFile::encodeName(QFileInfo(path).absolutePath()).constData(), &folder) != 0 || (folder.st_mode & 077) != 0)
-        return;
-    if (const int made = mode == OpenMode::ReadOnly ? -1 : ::open(name.constData(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
-        made >= 0)
-        ::close(made);
-    for (const auto& one : filesOf(path))
-        if (::stat(one.c_str(), &file) == 0 && file.st_uid == ::geteuid() && (file.st_mode & 077) != 0)
-            (void)::chmod(one.c_str(), file.st_mode & 0700);
 }
 
 /// SQLite writes its log beside the file, so the folder counts, too.
@@ -398,8 +379,6 @@ Result<Database> Database::open(const QString& path, OpenMode mode, const std::v
     if (!inMemory)
         if (const auto checked = checkFile(path, mode); !checked)
             return checked.error();
-    if (!inMemory && !mayNotBeWritten(path))
-        keepPrivate(path, mode);
     Database database(stateFor(path, mode));
     if (const auto connected = database.connectAndConfigure(steps.back().version); !connected)
         return connected.error();

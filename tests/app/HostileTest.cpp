@@ -46,8 +46,8 @@ TEST_F(Hostile, aFullDiskIsAFailureOfEveryCommand)
     for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{"--help"}, {"--version"}, {"card", "--help"},
              {"analyse", "swing.csv"}, {"analyse", "swing.csv", "--json"}, {"card", "swing.csv"}, {"correct", "swing.csv"},
              {"field", "--lat", "50", "--lon", "20", "--date", "2026-01-01"}, {"swings", "--db", "fleet.db"}, {"due", "--db", "fleet.db"},
-             {"db", "status", "--db", "fleet.db"}, {"db", "verify", "--db", "fleet.db"},
-             {"export", "--db", "fleet.db", "-o", "-"}, {"report", "swing.csv", "-o", "-", "--format", "json"}}) {
+             {"db", "status", "--db", "fleet.db"}, {"db", "verify", "--db", "fleet.db"}, {"export", "--db", "fleet.db", "-o", "-"},
+             {"report", "swing.csv", "-o", "-", "--format", "json"}}) {
         const auto whole = sandbox.run(command);
         ASSERT_EQ(whole.status, 0) << command[0] << ": " << whole.err;
         const auto full = sandbox.run(command, {}, {}, "/dev/full");

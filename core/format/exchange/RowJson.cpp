@@ -46,7 +46,7 @@ Result<ExtraColumns> readExtraRow(std::string_view text)
     if (!json->is_array())
         return wrongRow(kExpected);
     for (const auto& pair : *json) {
-        if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string() || pair[0] == "")
+        if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string())
             return wrongRow(kExpected);
         extra.emplace_back(pair[0].get<std::string>(), pair[1].get<std::string>());
     }
