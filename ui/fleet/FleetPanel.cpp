@@ -139,7 +139,8 @@ void FleetPanel::populate()
     m_tree->header()->setSectionResizeMode(FleetModel::Name, QHeaderView::ResizeToContents);
     m_tree->header()->setSectionResizeMode(FleetModel::Badge, QHeaderView::ResizeToContents);
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
-        if (!m_selecting && current.isValid())
+        // A view that gets the focus makes its first item the current one, and selects nothing: nobody has chosen that.
+        if (!m_selecting && current.isValid() && m_tree->selectionModel()->isSelected(current))
             emit itemChosen(m_model->item(current));
     });
 }
