@@ -1,4 +1,6 @@
 // spectrum, coil and interference: what a log of a sensor tells beside its calibration.
+#include <optional>
+
 #include "app/Console.h"
 #include "app/LogOptions.h"
 #include "app/Outputs.h"
@@ -127,6 +129,21 @@ void printThree(const char* name, const Eigen::Vector3d& values, int decimals)
     put("%-28s%14.*f%14.*f%14.*f\n", name, decimals, values.x(), decimals, values.y(), decimals, values.z());
 }
 
+/// The result as JSON, or its warnings, and its report. @return the exit status where no table is wanted besides.
+template <class Test, class MakeSheet>
+std::optional<int> tellTest(const Test& result, const SensorLog& log, const SensorTestArguments& options, MakeSheet makeSheet)
+{
+    if (options.json)
+        put("%s\n", toJson(result, log).c_str());
+    else {
+        warn(log.warnings);
+        warn(result.warnings);
+    }
+    if (!options.output.empty())
+        return writeSheet(makeSheet(), options.output);
+    return options.json ? std::optional(kDone) : std::nullopt;
+}
+
 int coilCommand(const SensorTestArguments& options)
 {
     const auto log = readLog(options.log);
@@ -135,16 +152,8 @@ int coilCommand(const SensorTestArguments& options)
     const auto result = coilBench(*log);
     if (!result)
         return failIn(result.error(), options);
-    if (options.json)
-        put("%s\n", toJson(*result, *log).c_str());
-    else {
-        warn(log->warnings);
-        warn(result->warnings);
-    }
-    if (!options.output.empty())
-        return writeSheet(ui::coilSheet(*result, ui::sourceName(options.log.file)), options.output);
-    if (options.json)
-        return kDone;
+    if (const auto status = tellTest(*result, *log, options, [&] { return ui::coilSheet(*result, ui::sourceName(options.log.file)); }))
+        return *status;
     put("%zu samples, %zu used\n%-28s%14s%14s%14s\n", result->samples, result->used, "", "x", "y", "z");
     printThree("scale, measured per applied", result->scale, 6);
     printThree("  standard error", result->scaleError, 6);
@@ -173,16 +182,9 @@ int interferenceCommand(const SensorTestArguments& options)
     const auto result = interferenceTest(*log, *actions, {options.limits_nT[0], options.limits_nT[1], options.limits_nT[2]});
     if (!result)
         return failIn(result.error(), options);
-    if (options.json)
-        put("%s\n", toJson(*result, *log).c_str());
-    else {
-        warn(log->warnings);
-        warn(result->warnings);
-    }
-    if (!options.output.empty())
-        return writeSheet(ui::interferenceSheet(*result, *log, ui::sourceName(options.log.file)), options.output);
-    if (options.json)
-        return kDone;
+    if (const auto status
+        = tellTest(*result, *log, options, [&] { return ui::interferenceSheet(*result, *log, ui::sourceName(options.log.file)); }))
+        return *status;
     put("limits %.0f, %.0f, %.0f nT\n%-32s%10s%27s%29s\n", result->limits_nT.x(), result->limits_nT.y(), result->limits_nT.z(), "action",
         "from (s)", "worst x, y, z (nT)", "at (s)");
     for (const auto& action : result->actions)
