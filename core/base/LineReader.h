@@ -38,7 +38,7 @@ private:
     [[nodiscard]] std::string_view unread() const { return {m_buffer.data() + m_position, m_filled - m_position}; }
 
     std::istream& m_input;
-    const Progress& m_progress;
+    Progress m_progress; ///< its own: callers may give a temporary
     std::vector<char> m_buffer;
     std::size_t m_position = 0, m_filled = 0;
     std::int64_t m_size = 0; ///< 0: not known

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] const std::optional<Error>& error() const { return m_error; }
 
 private:
-    const std::string& m_file;
+    std::string m_file; ///< its own: callers may give a temporary
     std::optional<Error> m_error;
 };
 
