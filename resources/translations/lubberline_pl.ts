@@ -2,6 +2,64 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pl_PL" sourcelanguage="en">
 <context>
+    <name>CalibrationWords</name>
+    <message>
+        <source>not told</source>
+        <translation>nieokreślone</translation>
+    </message>
+    <message>
+        <source>● Good: the calibration can be used.</source>
+        <translation>● Dobra: kalibracji można użyć.</translation>
+    </message>
+    <message>
+        <source>▲ Doubtful: see why, and what to do for better.</source>
+        <translation>▲ Wątpliwa: zobacz dlaczego i co zrobić, by była lepsza.</translation>
+    </message>
+    <message>
+        <source>■ Not determined: this log does not tell the calibration.</source>
+        <translation>■ Nieokreślona: z tego zapisu kalibracja nie wynika.</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Dlaczego</translation>
+    </message>
+    <message>
+        <source>What to do next</source>
+        <translation>Co zrobić dalej</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;%1 samples, %2 used; unit %3 (%4).&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Próbki: %1, użyto %2; jednostka %3 (%4).&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Heading error (rms, largest): before %1°, %2°; after &lt;b&gt;%3°, %4°&lt;/b&gt;.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Błąd kursu (średni kwadratowy, największy): przed %1°, %2°; po &lt;b&gt;%3°, %4°&lt;/b&gt;.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The field&apos;s size spreads by %1 before and &lt;b&gt;%2&lt;/b&gt; after (%3).&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Wielkość pola rozrzuca się o %1 przed i &lt;b&gt;%2&lt;/b&gt; po (%3).&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>What this log cannot tell</source>
+        <translation>Czego ten zapis nie określa</translation>
+    </message>
+    <message>
+        <source>To note</source>
+        <translation>Uwagi</translation>
+    </message>
+</context>
+<context>
+    <name>DerivationPanel</name>
+    <message>
+        <source>δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′, by least squares over all readings (δ = magnetic − compass, ψ′ compass heading)</source>
+        <translation>δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′, metodą najmniejszych kwadratów ze wszystkich odczytów (δ = kurs magnetyczny − kompasowy, ψ′ kurs kompasowy)</translation>
+    </message>
+    <message>
+        <source>sin δ = 𝔄 cos δ + 𝔅 sin ψ′ + ℭ cos ψ′ + 𝔇 sin(ψ + ψ′) + 𝔈 cos(ψ + ψ′), Smith&apos;s exact equation, by least squares over all readings (ψ magnetic heading)</source>
+        <translation>sin δ = 𝔄 cos δ + 𝔅 sin ψ′ + ℭ cos ψ′ + 𝔇 sin(ψ + ψ′) + 𝔈 cos(ψ + ψ′), dokładne równanie Smitha, metodą najmniejszych kwadratów ze wszystkich odczytów (ψ kurs magnetyczny)</translation>
+    </message>
+</context>
+<context>
     <name>SlipWordsTexts</name>
     <message>
         <source>%1 %</source>
@@ -31,139 +89,243 @@
     <name>app</name>
     <message>
         <source>this swing is of %1, %2; expected the aircraft and compass of %3 (%4, %5)</source>
-        <translation type="unfinished"></translation>
+        <translation>ten pomiar dotyczy %1, %2; oczekiwano statku powietrznego i busoli z %3 (%4, %5)</translation>
     </message>
     <message>
         <source>%1 findings in %2 swings; expected none</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba usterek: %1, w pomiarach: %2; oczekiwano zera</translation>
     </message>
     <message>
         <source>the demonstration database has no swing with a result</source>
-        <translation type="unfinished"></translation>
+        <translation>baza demonstracyjna nie ma pomiaru z wynikiem</translation>
     </message>
     <message>
         <source>the folder cannot be made; expected one that may be written</source>
-        <translation type="unfinished"></translation>
+        <translation>nie da się utworzyć folderu; oczekiwano takiego, w którym wolno pisać</translation>
     </message>
     <message>
         <source>the window could not be started</source>
-        <translation type="unfinished"></translation>
+        <translation>nie udało się otworzyć okna</translation>
     </message>
     <message>
         <source>%1: &apos;%2&apos; is no day of the calendar; expected YYYY-MM-DD</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: &apos;%2&apos; nie jest dniem kalendarza; oczekiwano RRRR-MM-DD</translation>
     </message>
     <message>
         <source>--cause: &apos;%1&apos; is not known; expected one of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>--cause: &apos;%1&apos; jest nieznane; oczekiwano jednego z: %2</translation>
     </message>
     <message>
         <source>--cause: &apos;%1&apos; is not known; expected one of %2 (did you mean %3?)</source>
-        <translation type="unfinished"></translation>
+        <translation>--cause: &apos;%1&apos; jest nieznane; oczekiwano jednego z: %2 (czy chodziło o %3?)</translation>
     </message>
     <message>
         <source>there is no event &apos;%1&apos;; expected a record id as `lubberline due` tells it</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma zdarzenia &apos;%1&apos;; oczekiwano identyfikatora zapisu, jaki podaje `lubberline due`</translation>
     </message>
     <message>
         <source>&apos;%1&apos; begins %2 events; expected more of the record id</source>
-        <translation type="unfinished"></translation>
+        <translation>od &apos;%1&apos; zaczyna się zdarzeń: %2; oczekiwano dłuższej części identyfikatora</translation>
     </message>
     <message>
         <source>an Electrical JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>plik Electrical JSON</translation>
     </message>
     <message>
         <source>field: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>pole: %1</translation>
     </message>
     <message>
         <source>there is no aircraft type &apos;%1&apos; with a compass; expected one of the fleet, or all</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma typu statku powietrznego &apos;%1&apos; z busolą; oczekiwano typu z floty albo: all</translation>
     </message>
     <message>
         <source>there is no rule &apos;%1&apos;; expected one that `lubberline rule` lists</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma reguły &apos;%1&apos;; oczekiwano takiej, jaką wymienia `lubberline rule`</translation>
     </message>
     <message>
         <source>--role: &apos;%1&apos; is not known; expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>--role: &apos;%1&apos; jest nieznane; oczekiwano %2</translation>
     </message>
     <message>
         <source>the horizontal field at the sensor vanishes on every heading, which leaves no readings for %1; expected a compass that points</source>
-        <translation type="unfinished"></translation>
+        <translation>pole poziome przy czujniku znika na każdym kursie, więc nie ma odczytów dla %1; oczekiwano busoli, która wskazuje</translation>
     </message>
     <message>
         <source>the horizontal field at the sensor vanishes on heading %1: no compass heading there</source>
-        <translation type="unfinished"></translation>
+        <translation>pole poziome przy czujniku znika na kursie %1: nie ma tam kursu kompasowego</translation>
     </message>
     <message>
         <source>--switch &quot;%1&quot;; expected NAME=on or NAME=off</source>
-        <translation type="unfinished"></translation>
+        <translation>--switch &quot;%1&quot;; oczekiwano NAZWA=on lub NAZWA=off</translation>
     </message>
     <message>
         <source>there is no circuit &quot;%1&quot;; the model has none</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma obwodu &quot;%1&quot;; model nie ma żadnego</translation>
     </message>
     <message>
         <source>there is no circuit &quot;%1&quot;; the model has %2</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma obwodu &quot;%1&quot;; model ma %2</translation>
     </message>
     <message>
         <source>the data folder cannot be made; name a database with --db FILE</source>
-        <translation type="unfinished"></translation>
+        <translation>nie da się utworzyć folderu danych; podaj bazę przez --db PLIK</translation>
     </message>
     <message>
         <source>PostgreSQL databases are not supported yet; expected an SQLite file</source>
-        <translation type="unfinished"></translation>
+        <translation>bazy PostgreSQL nie są jeszcze obsługiwane; oczekiwano pliku SQLite</translation>
     </message>
     <message>
         <source>swing %1 is of another compass; expected swings of one compass</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar %1 dotyczy innej busoli; oczekiwano pomiarów jednej busoli</translation>
     </message>
     <message>
         <source>swing %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar %1: %2</translation>
     </message>
     <message>
         <source>there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set, or QT_QPA_PLATFORM names one that nobody sees); commands work without one: lubberline --help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The window of the demonstration fleet could not be started.</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma ekranu, na którym można otworzyć okno (nie ustawiono DISPLAY ani WAYLAND_DISPLAY albo QT_QPA_PLATFORM wskazuje taki, którego nikt nie widzi); polecenia działają bez niego: lubberline --help</translation>
     </message>
     <message>
         <source>standard input (-) is named twice; expected it once, it can be read only once</source>
-        <translation type="unfinished"></translation>
+        <translation>wejście standardowe (-) podano dwa razy; oczekiwano raz, można je odczytać tylko jeden raz</translation>
     </message>
     <message>
         <source>a database is no stream; expected the name of an SQLite file</source>
-        <translation type="unfinished"></translation>
+        <translation>baza nie jest strumieniem; oczekiwano nazwy pliku SQLite</translation>
     </message>
     <message>
         <source>this is the swing of %1 once more; expected another swing of the same compass</source>
-        <translation type="unfinished"></translation>
+        <translation>to jeszcze raz pomiar z %1; oczekiwano innego pomiaru tej samej busoli</translation>
     </message>
     <message>
         <source>this swing is %1, that of %2 %3; expected two swings with the same adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>ten pomiar to %1, a ten z %2 to %3; oczekiwano dwóch pomiarów o tej samej regulacji</translation>
     </message>
     <message>
         <source>the two columns could not be told apart (both %1); expected one swing with the radio on and one with it off</source>
-        <translation type="unfinished"></translation>
+        <translation>nie da się odróżnić obu kolumn (obie: %1); oczekiwano jednego pomiaru z włączonym radiem i jednego z wyłączonym</translation>
     </message>
     <message>
         <source>this file is %1 once more; expected another swing of the same compass</source>
-        <translation type="unfinished"></translation>
+        <translation>ten plik to jeszcze raz %1; oczekiwano innego pomiaru tej samej busoli</translation>
     </message>
     <message>
         <source>neither file names its aircraft: whether both swings are of one compass is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>żaden z plików nie podaje statku powietrznego: nie wiadomo, czy oba pomiary dotyczą jednej busoli</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>no reading; expected one at least</source>
+        <translation>brak odczytu; oczekiwano co najmniej jednego</translation>
+    </message>
+    <message>
+        <source>no model is written, as none is determined: %1</source>
+        <translation>nie zapisano modelu, bo żadnego nie określono: %1</translation>
+    </message>
+    <message>
+        <source>the method attitude needs the field: --field-nT and --dip-deg, or --lat, --lon and --date</source>
+        <translation>metoda attitude potrzebuje pola: --field-nT i --dip-deg albo --lat, --lon i --date</translation>
+    </message>
+    <message>
+        <source>a swing without a date is no part of a history; expected “# date: YYYY-MM-DD”</source>
+        <translation>pomiar bez daty nie należy do historii; oczekiwano „# date: RRRR-MM-DD”</translation>
+    </message>
+    <message>
+        <source>the state of a continuous swing</source>
+        <translation>stan pomiaru ciągłego</translation>
+    </message>
+    <message>
+        <source>the state is not told yet, and not kept</source>
+        <translation>stan jest jeszcze nieokreślony i nie został zachowany</translation>
+    </message>
+    <message>
+        <source>--head: &apos;%1&apos; is no head; expected 12 to 64 hexadecimal digits</source>
+        <translation>--head: &apos;%1&apos; nie jest głową łańcucha; oczekiwano od 12 do 64 cyfr szesnastkowych</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>wiersz poleceń</translation>
+    </message>
+    <message>
+        <source>the swing %1 has no such signature; expected a signed one</source>
+        <translation>pomiar %1 nie ma takiego podpisu; oczekiwano podpisanego</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos;: expected a key and what it is, as %1 date=DATUM</source>
+        <translation>%1 &apos;%2&apos;: oczekiwano klucza i jego znaczenia, na przykład %1 date=DATUM</translation>
+    </message>
+    <message>
+        <source>%1: %2 is said twice; expected it once</source>
+        <translation>%1: %2 podano dwa razy; oczekiwano raz</translation>
+    </message>
+    <message>
+        <source>a table of swings</source>
+        <translation>tabela pomiarów</translation>
+    </message>
+    <message>
+        <source>some of the files are tables of many swings, others are not; expected them in two imports</source>
+        <translation>niektóre z plików są tabelami wielu pomiarów, inne nie; oczekiwano dwóch osobnych wczytań</translation>
+    </message>
+    <message>
+        <source>an OpenPGP public key</source>
+        <translation>klucz publiczny OpenPGP</translation>
+    </message>
+    <message>
+        <source>%1 keys are in it; expected one, of one person</source>
+        <translation>jest w nim kluczy: %1; oczekiwano jednego, jednej osoby</translation>
+    </message>
+    <message>
+        <source>no leg has both a compass heading and a variation; expected compass_heading_deg and variation_deg (or --variation)</source>
+        <translation>żaden odcinek nie ma zarazem kursu kompasowego i deklinacji; oczekiwano compass_heading_deg i variation_deg (albo --variation)</translation>
+    </message>
+    <message>
+        <source>--key: the key ring has no secret key %1; expected one of `gpg --list-secret-keys`</source>
+        <translation>--key: w pęku kluczy nie ma klucza tajnego %1; oczekiwano jednego z `gpg --list-secret-keys`</translation>
+    </message>
+    <message>
+        <source>--key: several secret keys are called %1; expected its fingerprint</source>
+        <translation>--key: kilka kluczy tajnych nazywa się %1; oczekiwano odcisku klucza</translation>
+    </message>
+    <message>
+        <source>%1 of what is listed is damaged; expected a whole database: `lubberline db verify` lists all, a backup has what was</source>
+        <translation>uszkodzonych pozycji na liście: %1; oczekiwano całej bazy: `lubberline db verify` wymienia wszystkie, kopia zapasowa ma to, co było</translation>
+    </message>
+    <message>
+        <source>signed content</source>
+        <translation>podpisana treść</translation>
+    </message>
+    <message>
+        <source>a detached OpenPGP signature</source>
+        <translation>odłączony podpis OpenPGP</translation>
+    </message>
+    <message>
+        <source>the text is of a signature by name only, and this key is not its</source>
+        <translation>tekst należy do podpisu samym nazwiskiem i ten klucz nie jest jego kluczem</translation>
+    </message>
+    <message>
+        <source>standard output takes no more; expected one that is read to its end, on a drive with room</source>
+        <translation>wyjście standardowe nie przyjmuje więcej; oczekiwano takiego, które jest czytane do końca, na dysku z wolnym miejscem</translation>
+    </message>
+    <message>
+        <source>has no samples between --from and --to</source>
+        <translation>nie ma próbek między --from i --to</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this; expected smaller input or more memory</source>
+        <translation>za mało pamięci; oczekiwano mniejszych danych albo większej pamięci</translation>
+    </message>
+    <message>
+        <source>this was not foreseen (%1); please report it</source>
+        <translation>tego nie przewidziano (%1); prosimy to zgłosić</translation>
+    </message>
+    <message>
+        <source>there is no such database; expected the name of one</source>
+        <translation>nie ma takiej bazy; oczekiwano nazwy istniejącej</translation>
     </message>
 </context>
 <context>
@@ -296,22 +458,6 @@
         <source>the magnetic heading %1 belongs to several compass headings (%2): the deviation curve is folded; expected one</source>
         <translation>kursowi magnetycznemu %1 odpowiada kilka kursów kompasowych (%2): krzywa dewiacji zawija się; oczekiwano jednego</translation>
     </message>
-    <message numerus="yes">
-        <source>%n reading(s) with both headings; expected at least 3 on different headings</source>
-        <translation>
-            <numerusform>%n odczyt z oboma kursami; oczekiwano co najmniej 3 na różnych kursach</numerusform>
-            <numerusform>%n odczyty z oboma kursami; oczekiwano co najmniej 3 na różnych kursach</numerusform>
-            <numerusform>%n odczytów z oboma kursami; oczekiwano co najmniej 3 na różnych kursach</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>all %1 readings are on %n heading(s); expected at least 3 different headings</source>
-        <translation>
-            <numerusform>wszystkie odczyty (%1) są na %n kursie; oczekiwano co najmniej 3 różnych kursów</numerusform>
-            <numerusform>wszystkie odczyty (%1) są na %n kursach; oczekiwano co najmniej 3 różnych kursów</numerusform>
-            <numerusform>wszystkie odczyty (%1) są na %n kursach; oczekiwano co najmniej 3 różnych kursów</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
@@ -319,14 +465,6 @@
     <message>
         <source>no signed swing is on record</source>
         <translation>w zapisach nie ma podpisanego pomiaru dewiacji</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n month(s) after the swing of %2</source>
-        <translation>
-            <numerusform>%1: %n miesiąc po pomiarze z %2</numerusform>
-            <numerusform>%1: %n miesiące po pomiarze z %2</numerusform>
-            <numerusform>%1: %n miesięcy po pomiarze z %2</numerusform>
-        </translation>
     </message>
     <message>
         <source>installed on %1, and no swing signed since</source>
@@ -351,14 +489,6 @@
     <message>
         <source>is empty; expected magnetic coefficients (WMM .COF or IGRF table)</source>
         <translation>jest pusty; oczekiwano współczynników magnetycznych (WMM .COF lub tablica IGRF)</translation>
-    </message>
-    <message numerus="yes">
-        <source>the line has %n figure(s); it is cut short</source>
-        <translation>
-            <numerusform>wiersz ma %n liczbę; jest ucięty</numerusform>
-            <numerusform>wiersz ma %n liczby; jest ucięty</numerusform>
-            <numerusform>wiersz ma %n liczb; jest ucięty</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 is not a number</source>
@@ -399,14 +529,6 @@
     <message>
         <source>begins with %1 where %2 of degree %3 order %4 was expected: a line is missing, doubled or out of order</source>
         <translation>zaczyna się od %1 zamiast %2 stopnia %3 rzędu %4: brakuje wiersza, jest powtórzony lub nie na miejscu</translation>
-    </message>
-    <message numerus="yes">
-        <source>has %n word(s) where the header has %1</source>
-        <translation>
-            <numerusform>ma %n wyraz, a nagłówek %1</numerusform>
-            <numerusform>ma %n wyrazy, a nagłówek %1</numerusform>
-            <numerusform>ma %n wyrazów, a nagłówek %1</numerusform>
-        </translation>
     </message>
     <message>
         <source>ends within degree %1: it is cut short</source>
@@ -556,14 +678,6 @@
         <source>magnetic + variation, in agreement to %1 degrees</source>
         <translation>kurs magnetyczny + deklinacja, zgodnie do %1 stopnia</translation>
     </message>
-    <message numerus="yes">
-        <source>the row has %n cell(s); expected %1 cells as in the header</source>
-        <translation>
-            <numerusform>wiersz ma %n komórkę; oczekiwano tylu komórek co w nagłówku: %1</numerusform>
-            <numerusform>wiersz ma %n komórki; oczekiwano tylu komórek co w nagłówku: %1</numerusform>
-            <numerusform>wiersz ma %n komórek; oczekiwano tylu komórek co w nagłówku: %1</numerusform>
-        </translation>
-    </message>
     <message>
         <source>the aircraft is not named; expected a line &quot;# aircraft: REGISTRATION&quot;, or its registration beside the file</source>
         <translation>nie podano statku powietrznego; oczekiwano wiersza „# aircraft: ZNAKI” albo znaków rejestracyjnych obok pliku</translation>
@@ -578,7 +692,7 @@
     </message>
     <message>
         <source>box, cylinder, ellipsoid or sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>prostopadłościan, walec, elipsoida lub kula</translation>
     </message>
     <message>
         <source>is “%1”; expected box, cylinder, ellipsoid or sphere</source>
@@ -594,7 +708,7 @@
     </message>
     <message>
         <source>loop or wire</source>
-        <translation type="unfinished"></translation>
+        <translation>pętla lub przewód</translation>
     </message>
     <message>
         <source>is “%1”; expected loop or wire</source>
@@ -742,11 +856,11 @@
     </message>
     <message>
         <source>is that of a magnetic pole, where H is 0 and the dip does not tell the field; expected H_nT with Z_nT</source>
-        <translation type="unfinished"></translation>
+        <translation>to pole bieguna magnetycznego, gdzie H wynosi 0 i inklinacja nie określa pola; oczekiwano H_nT i Z_nT</translation>
     </message>
     <message>
         <source>{H_nT, dip_deg} or {lat_deg, lon_deg, alt_m, date}</source>
-        <translation type="unfinished"></translation>
+        <translation>{H_nT, dip_deg} lub {lat_deg, lon_deg, alt_m, date}</translation>
     </message>
     <message>
         <source>%1 is not allowed; expected %2</source>
@@ -1010,23 +1124,23 @@
     </message>
     <message>
         <source>a body and the cells of its grid must have sizes above 0 m</source>
-        <translation type="unfinished"></translation>
+        <translation>bryła i komórki jej siatki muszą mieć wymiary większe od 0 m</translation>
     </message>
     <message>
         <source>a grid of %1 cells a side is too coarse; expected %2 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>siatka o %1 komórkach na bok jest za rzadka; oczekiwano %2 lub więcej</translation>
     </message>
     <message>
         <source>a grid of %1 cells a side takes %2 MiB of memory; expected no more than %3 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>siatka o %1 komórkach na bok zajmuje %2 MiB pamięci; oczekiwano najwyżej %3 MiB</translation>
     </message>
     <message>
         <source>the body is larger than its grid of %1 cells a side</source>
-        <translation type="unfinished"></translation>
+        <translation>bryła jest większa niż jej siatka o %1 komórkach na bok</translation>
     </message>
     <message>
         <source>the demagnetisation tensor was cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>obliczenie tensora odmagnesowania anulowano</translation>
     </message>
     <message>
         <source>the talker %1 sends no HDG or HDM; these do: %2</source>
@@ -1075,22 +1189,6 @@
     <message>
         <source>holds no compass heading; expected HDG or HDM sentences</source>
         <translation>nie zawiera kursu kompasowego; oczekiwano komunikatów HDG lub HDM</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sentence(s) with a wrong checksum left out</source>
-        <translation>
-            <numerusform>pominięto %n komunikat z błędną sumą kontrolną</numerusform>
-            <numerusform>pominięto %n komunikaty z błędną sumą kontrolną</numerusform>
-            <numerusform>pominięto %n komunikatów z błędną sumą kontrolną</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sentence(s) without a checksum: what was damaged on the way cannot be told</source>
-        <translation>
-            <numerusform>%n komunikat bez sumy kontrolnej: nie wiadomo, co uszkodziło się po drodze</numerusform>
-            <numerusform>%n komunikaty bez sumy kontrolnej: nie wiadomo, co uszkodziło się po drodze</numerusform>
-            <numerusform>%n komunikatów bez sumy kontrolnej: nie wiadomo, co uszkodziło się po drodze</numerusform>
-        </translation>
     </message>
     <message>
         <source>there are more than %1 headings; expected the log of one swing</source>
@@ -1208,30 +1306,6 @@
         <source>the station has a reading</source>
         <translation>stanowisko ma odczyt</translation>
     </message>
-    <message numerus="yes">
-        <source>the N–S control was turned after %n reading(s) of the check swing: void, and to be read again</source>
-        <translation>
-            <numerusform>regulację N–S obrócono po %n odczycie pomiaru kontrolnego: traci on ważność i trzeba go powtórzyć</numerusform>
-            <numerusform>regulację N–S obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
-            <numerusform>regulację N–S obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>the E–W control was turned after %n reading(s) of the check swing: void, and to be read again</source>
-        <translation>
-            <numerusform>regulację E–W obrócono po %n odczycie pomiaru kontrolnego: traci on ważność i trzeba go powtórzyć</numerusform>
-            <numerusform>regulację E–W obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
-            <numerusform>regulację E–W obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>the index control was turned after %n reading(s) of the check swing: void, and to be read again</source>
-        <translation>
-            <numerusform>nastawienie obrócono po %n odczycie pomiaru kontrolnego: traci on ważność i trzeba go powtórzyć</numerusform>
-            <numerusform>nastawienie obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
-            <numerusform>nastawienie obrócono po %n odczytach pomiaru kontrolnego: tracą one ważność i trzeba je powtórzyć</numerusform>
-        </translation>
-    </message>
     <message>
         <source>a control is turned only on a station that was read</source>
         <translation>regulację obraca się tylko na odczytanym stanowisku</translation>
@@ -1283,14 +1357,6 @@
     <message>
         <source>reading %1 has no magnetic heading; fill it in or exclude it with a reason</source>
         <translation>odczyt %1 nie ma kursu magnetycznego; uzupełnij go albo pomiń z podaniem powodu</translation>
-    </message>
-    <message numerus="yes">
-        <source>it has %n reading(s) that count; expected at least %1</source>
-        <translation>
-            <numerusform>ma %n liczący się odczyt; oczekiwano co najmniej %1</numerusform>
-            <numerusform>ma %n liczące się odczyty; oczekiwano co najmniej %1</numerusform>
-            <numerusform>ma %n liczących się odczytów; oczekiwano co najmniej %1</numerusform>
-        </translation>
     </message>
     <message>
         <source>check swing</source>
@@ -1710,11 +1776,11 @@
     </message>
     <message>
         <source>a map has at least 2 x 2 points; asked for %1 x %2</source>
-        <translation type="unfinished"></translation>
+        <translation>mapa ma co najmniej 2 x 2 punkty; zażądano %1 x %2</translation>
     </message>
     <message>
         <source>a map of %1 x %2 has %3 points and takes %4 MiB; expected at most %5 points</source>
-        <translation type="unfinished"></translation>
+        <translation>mapa %1 x %2 ma %3 punktów i zajmuje %4 MiB; oczekiwano najwyżej %5 punktów</translation>
     </message>
     <message>
         <source>soft iron %1 (dip)</source>
@@ -1750,7 +1816,7 @@
     </message>
     <message>
         <source>the coefficients are beyond all numbers: H = %1 nT and λ = %2 are too small for the iron</source>
-        <translation type="unfinished"></translation>
+        <translation>współczynniki wykraczają poza wszelkie liczby: H = %1 nT i λ = %2 są za małe dla tego żelaza</translation>
     </message>
     <message>
         <source>a survey point is not a number; expected metres, degrees and nT</source>
@@ -1810,7 +1876,7 @@
     </message>
     <message>
         <source>the swings&apos; own errors are not known, and two swings have no scatter: no errors can be stated</source>
-        <translation type="unfinished"></translation>
+        <translation>błędy własne pomiarów są nieznane, a dwa pomiary nie mają rozrzutu: nie można podać błędów</translation>
     </message>
     <message>
         <source>the swings contradict each other beyond their errors: something was changed between them, or a swing is wrong</source>
@@ -1826,7 +1892,7 @@
     </message>
     <message>
         <source>(d − b)/2λ = A = %1 (with the turn of the mount)</source>
-        <translation type="unfinished"></translation>
+        <translation>(d − b)/2λ = A = %1 (z obrotem mocowania)</translation>
     </message>
     <message>
         <source>(a − e)/2λ = D = %1</source>
@@ -1838,11 +1904,11 @@
     </message>
     <message>
         <source>(c tan I + P/H)/λ = B = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>(c tan I + P/H)/λ = B = %1</translation>
     </message>
     <message>
         <source>(f tan I + Q/H)/λ = C = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>(f tan I + Q/H)/λ = C = %1</translation>
     </message>
     <message>
         <source>vertical soft iron: c/λ = %1, f/λ = %2</source>
@@ -1854,7 +1920,7 @@
     </message>
     <message>
         <source>c apart from P, f apart from Q: one place gives their sum; a swing where H and dip differ tells them apart</source>
-        <translation type="unfinished"></translation>
+        <translation>c oddzielnie od P, f oddzielnie od Q: jedno miejsce daje ich sumę; rozróżni je pomiar tam, gdzie H i inklinacja są inne</translation>
     </message>
     <message>
         <source>λ, the directive force: a compass shows directions, not sizes</source>
@@ -1862,7 +1928,7 @@
     </message>
     <message>
         <source>a and e each, b and d each: on a level heading only a − e, d + b and d − b act</source>
-        <translation type="unfinished"></translation>
+        <translation>a i e osobno, b i d osobno: na poziomym kursie działają tylko a − e, d + b i d − b</translation>
     </message>
     <message>
         <source>g, h, k and R: they act in pitch and roll only</source>
@@ -1870,11 +1936,11 @@
     </message>
     <message>
         <source>the turn of the mount apart from (d − b)/2λ, and its tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>obrót mocowania oddzielnie od (d − b)/2λ oraz jego pochylenie</translation>
     </message>
     <message>
         <source>soft-iron constants and currents apart from hard iron: both are constant in body axes</source>
-        <translation type="unfinished"></translation>
+        <translation>stałe żelaza miękkiego i prądów oddzielnie od żelaza twardego: oba są stałe w osiach płatowca</translation>
     </message>
     <message>
         <source>the dip is 0 there: vertical soft iron cannot have made B and C</source>
@@ -1902,7 +1968,7 @@
     </message>
     <message>
         <source>H differs by more than a factor of two between the places</source>
-        <translation type="unfinished"></translation>
+        <translation>H w obu miejscach różni się ponad dwukrotnie</translation>
     </message>
     <message>
         <source>swings at several places</source>
@@ -1994,15 +2060,15 @@
     </message>
     <message>
         <source>ends without its line of nines behind degree %1: whether more degrees are missing cannot be told; expected a line of 48 nines at its end</source>
-        <translation type="unfinished"></translation>
+        <translation>kończy się bez linii dziewiątek po stopniu %1: nie da się stwierdzić, czy brakuje dalszych stopni; oczekiwano na końcu linii z 48 dziewiątek</translation>
     </message>
     <message>
         <source>ends without its line of nines within degree %1, before order %2: it is cut short</source>
-        <translation type="unfinished"></translation>
+        <translation>kończy się bez linii dziewiątek w stopniu %1, przed rzędem %2: jest ucięty</translation>
     </message>
     <message>
         <source>has one epoch and no column of the yearly change (as &quot;2025-30&quot;), so it says nothing of any other year; expected both</source>
-        <translation type="unfinished"></translation>
+        <translation>ma jedną epokę i nie ma kolumny zmian rocznych (jak „2025-30”), więc nie mówi nic o innym roku; oczekiwano obu</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -2030,75 +2096,43 @@
     </message>
     <message>
         <source>%1 aircraft types are in one selection: their mean is that of no aircraft</source>
-        <translation type="unfinished"></translation>
+        <translation>w jednym wyborze są typy statków powietrznych: %1; ich średnia nie dotyczy żadnego statku powietrznego</translation>
     </message>
     <message>
         <source>%1 compass systems are in one selection: choose one for a pattern that an aircraft has</source>
-        <translation type="unfinished"></translation>
+        <translation>w jednym wyborze są układy busoli: %1; wybierz jeden, aby wzór był wzorem statku powietrznego</translation>
     </message>
     <message>
         <source>swings with the radio on and off are in one selection: choose one state</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n swing(s) left out: %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation>w jednym wyborze są pomiary z radiem włączonym i wyłączonym: wybierz jeden stan</translation>
     </message>
     <message>
         <source>one aircraft is no population: no spread between aircraft can be told</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pair(s) not held against a limit: their compass has none</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation>jeden statek powietrzny to nie populacja: rozrzutu między statkami nie da się podać</translation>
     </message>
     <message>
         <source>no pair of a swing as left and the next as found: how often limits are exceeded between inspections cannot be told</source>
-        <translation type="unfinished"></translation>
+        <translation>brak pary: pomiar w stanie pozostawionym i następny w zastanym; nie da się podać, jak często przekracza się granice między przeglądami</translation>
     </message>
     <message>
         <source>the compasses have different limits: an expected share is told for one limit only</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n compass(es) not ranked: no limit is known</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n swing(s) not compared through the years: the other radio state</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation>busole mają różne wartości dopuszczalne: udział oczekiwany podaje się tylko dla jednej</translation>
     </message>
     <message>
         <source>few swings of a kind: their scatter is estimated in each series, and only large jumps are found</source>
-        <translation type="unfinished"></translation>
+        <translation>mało pomiarów jednego rodzaju: ich rozrzut szacuje się w każdym szeregu i znajdowane są tylko duże skoki</translation>
     </message>
     <message>
         <source>a grid of %1 headings; expected 3 to 360</source>
-        <translation type="unfinished"></translation>
+        <translation>siatka %1 kursów; oczekiwano od 3 do 360</translation>
     </message>
     <message>
         <source>no swing is in the selection; expected at least one that is complete</source>
-        <translation type="unfinished"></translation>
+        <translation>w wyborze nie ma pomiaru; oczekiwano co najmniej jednego ukończonego</translation>
     </message>
     <message>
         <source>%1 · %2: %3 jumped by %4° ± %5° between %6 and %7</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · %2: %3 skoczył o %4° ± %5° między %6 a %7</translation>
     </message>
     <message>
         <source>crew %1</source>
@@ -2118,47 +2152,47 @@
     </message>
     <message>
         <source>its sum (CUSUM)</source>
-        <translation type="unfinished"></translation>
+        <translation>suma (CUSUM)</translation>
     </message>
     <message>
         <source>its average (EWMA)</source>
-        <translation type="unfinished"></translation>
+        <translation>średnia (EWMA)</translation>
     </message>
     <message>
         <source>%1, %2: A lies %3 what is usual by %4; the average stood at %5°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: A leży %3 zwykłej wartości o %4; średnia wynosiła %5°</translation>
     </message>
     <message>
         <source>fell by %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>spadła o %1 %</translation>
     </message>
     <message>
         <source>rose by %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>wzrosła o %1 %</translation>
     </message>
     <message>
         <source>mean |A| %1, from %2° in %3 swings to %4° in %5</source>
-        <translation type="unfinished"></translation>
+        <translation>średnie |A|: %1, z %2° w %3 pomiarach do %4° w %5</translation>
     </message>
     <message>
         <source>compared at %1, as was asked</source>
-        <translation type="unfinished"></translation>
+        <translation>porównanie na %1, jak zażądano</translation>
     </message>
     <message>
         <source>the change lies between the swings of %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>zmiana leży między pomiarami z %1 i %2</translation>
     </message>
     <message>
         <source>of the %1 compasses that were swung on both sides alone, the mean |A| changed by %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>dla samych %1 busol mierzonych po obu stronach średnie |A| zmieniło się o %2 %</translation>
     </message>
     <message>
         <source>no compass was swung on both sides: the change cannot be told from one of the aircraft</source>
-        <translation type="unfinished"></translation>
+        <translation>żadnej busoli nie mierzono po obu stronach: zmiany nie da się odróżnić od zmiany statków powietrznych</translation>
     </message>
     <message>
         <source>what else changed at that date (crews, datum instrument, base) cannot be told from training by these figures</source>
-        <translation type="unfinished"></translation>
+        <translation>co jeszcze zmieniło się w tym dniu (załogi, przyrząd wzorcowy, baza), tego z tych liczb nie da się odróżnić od szkolenia</translation>
     </message>
     <message>
         <source>%1° by its last swing, beyond its limit of %2°</source>
@@ -2176,14 +2210,6 @@
         <source>%1° expected, near its limit of %2°</source>
         <translation>oczekiwane %1°, blisko granicy %2°</translation>
     </message>
-    <message numerus="yes">
-        <source>%n swing(s) known: mostly its type&apos;s scatter</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 years since its last swing by then</source>
         <translation>do tego czasu %1 lat od ostatniego pomiaru</translation>
@@ -2194,63 +2220,63 @@
     </message>
     <message>
         <source>crew: most swings name none</source>
-        <translation type="unfinished"></translation>
+        <translation>załoga: większość pomiarów jej nie podaje</translation>
     </message>
     <message>
         <source>base: most swings name none</source>
-        <translation type="unfinished"></translation>
+        <translation>baza: większość pomiarów jej nie podaje</translation>
     </message>
     <message>
         <source>aircraft: each has one swing, so that it cannot be told from a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>statek powietrzny: każdy ma jeden pomiar, więc nie da się go odróżnić od odczytu</translation>
     </message>
     <message>
         <source>aircraft: there is one</source>
-        <translation type="unfinished"></translation>
+        <translation>statek powietrzny: jest jeden</translation>
     </message>
     <message>
         <source>base: there is one</source>
-        <translation type="unfinished"></translation>
+        <translation>baza: jest jedna</translation>
     </message>
     <message>
         <source>crew: there is one</source>
-        <translation type="unfinished"></translation>
+        <translation>załoga: jest jedna</translation>
     </message>
     <message>
         <source>crew: each made one swing</source>
-        <translation type="unfinished"></translation>
+        <translation>załoga: każda wykonała jeden pomiar</translation>
     </message>
     <message>
         <source>base: each had one swing</source>
-        <translation type="unfinished"></translation>
+        <translation>baza: każda miała jeden pomiar</translation>
     </message>
     <message>
         <source>crew: each had one aircraft, and each aircraft one crew</source>
-        <translation type="unfinished"></translation>
+        <translation>załoga: każda miała jeden statek powietrzny, a każdy statek jedną załogę</translation>
     </message>
     <message>
         <source>base: each had one aircraft, and each aircraft one base</source>
-        <translation type="unfinished"></translation>
+        <translation>baza: każda miała jeden statek powietrzny, a każdy statek jedną bazę</translation>
     </message>
     <message>
         <source>crew and base: each base has one crew, so that what is told as the base&apos;s may be the crew&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>załoga i baza: każda baza ma jedną załogę, więc to, co przypisano bazie, może pochodzić od załogi</translation>
     </message>
     <message>
         <source>crew: there are more of them than are told apart here</source>
-        <translation type="unfinished"></translation>
+        <translation>załoga: jest ich więcej, niż tu się rozróżnia</translation>
     </message>
     <message>
         <source>base: there are more of them than are told apart here</source>
-        <translation type="unfinished"></translation>
+        <translation>baza: jest ich więcej, niż tu się rozróżnia</translation>
     </message>
     <message>
         <source>fewer than two swings: no variance can be told</source>
-        <translation type="unfinished"></translation>
+        <translation>mniej niż dwa pomiary: nie da się podać wariancji</translation>
     </message>
     <message>
         <source>all swings are equal: there is no variance to be divided</source>
-        <translation type="unfinished"></translation>
+        <translation>wszystkie pomiary są równe: nie ma wariancji do podziału</translation>
     </message>
     <message>
         <source>%1 is what a spreadsheet writes where it cannot compute; expected a heading</source>
@@ -2276,14 +2302,6 @@
         <source>a true heading (HDT or THS)</source>
         <translation>kurs rzeczywisty (HDT lub THS)</translation>
     </message>
-    <message numerus="yes">
-        <source>no fix: the receiver says so in all %n of its RMC and VTG (status V, mode N), so there is no track to hold the compass against</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
     <message>
         <source>the RMC and VTG of the log hold no track with a speed; expected an aircraft that moves</source>
         <translation>RMC i VTG w zapisie nie zawierają kąta drogi z prędkością; oczekiwano poruszającego się statku powietrznego</translation>
@@ -2294,7 +2312,7 @@
     </message>
     <message>
         <source>the true heading is a speed log&apos;s (VHW), which mostly is the compass&apos;s own with the variation added: such a reference shows no deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>kurs rzeczywisty pochodzi z logu prędkości (VHW), który zwykle podaje kurs samej busoli z dodaną deklinacją: taki wzorzec nie pokaże dewiacji</translation>
     </message>
     <message>
         <source>the true heading %1 is sent by a magnetic compass: it is no reference for one</source>
@@ -2303,54 +2321,6 @@
     <message>
         <source>holds no compass heading: all are negative or beyond 360</source>
         <translation>nie zawiera kursu kompasowego: wszystkie są ujemne lub większe niż 360</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n heading(s) that are none (negative, or beyond 360) left out</source>
-        <translation>
-            <numerusform>pominięto %n kurs nieistniejący (ujemny lub powyżej 360)</numerusform>
-            <numerusform>pominięto %n kursy nieistniejące (ujemne lub powyżej 360)</numerusform>
-            <numerusform>pominięto %n kursów nieistniejących (ujemnych lub powyżej 360)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n time(s) the receiver had no fix (status V, mode N)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n track(s) or heading(s) are estimated (mode E, dead reckoning): perhaps from the very compass that is swung</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n track(s) or heading(s) were typed in (mode M)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n track(s) or heading(s) come from a simulator (mode S)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n HDG sentence(s) with a deviation of their own (up to %1°, east +), which is not applied: the heading beside it is the sensor&apos;s before it; an instrument that has applied it already must be swung with it cleared</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
     </message>
     <message>
         <source>wind from %1° true at %2 ± %3 kt, airspeed %4 kt, is taken out of the tracks</source>
@@ -2362,7 +2332,7 @@
     </message>
     <message>
         <source>most of the turn is faster than %1°/s: a card in its liquid lags; %2 to %1°/s tells more</source>
-        <translation type="unfinished"></translation>
+        <translation>większa część obrotu jest szybsza niż %1°/s: róża w cieczy się opóźnia; %2 do %1°/s powie więcej</translation>
     </message>
     <message>
         <source>clockwise A is %1°, counter-clockwise %2°; the two curves differ by up to %3°</source>
@@ -2374,7 +2344,7 @@
     </message>
     <message>
         <source>is UTF-16 text (a Windows editor&apos;s or shell&apos;s &quot;Unicode&quot;); expected plain text: save it once more as UTF-8 or ASCII</source>
-        <translation type="unfinished"></translation>
+        <translation>to tekst UTF-16 („Unicode” edytora lub powłoki Windows); oczekiwano zwykłego tekstu: zapisz go jeszcze raz jako UTF-8 lub ASCII</translation>
     </message>
     <message>
         <source>an NMEA log</source>
@@ -2398,15 +2368,15 @@
     </message>
     <message>
         <source>E or W, or a number with its sign</source>
-        <translation type="unfinished"></translation>
+        <translation>E lub W albo liczba ze znakiem</translation>
     </message>
     <message>
         <source>the survey of %1 has the declination %2° (east +), the model %3°: what lies in the ground there is in no model; state the variation of the survey</source>
-        <translation type="unfinished"></translation>
+        <translation>pomiar kręgu %1 ma deklinację %2° (wschodnia +), model %3°: tego, co leży w ziemi, nie ma w żadnym modelu; podaj deklinację z pomiaru</translation>
     </message>
     <message>
         <source>the tracks do not tell the wind (three directions at one airspeed would): each knot of it across turns the track from the heading by %1°, into A, B and C; their errors allow for %2 kt of it</source>
-        <translation type="unfinished"></translation>
+        <translation>kąty drogi nie określają wiatru (określiłyby go trzy kierunki przy jednej prędkości powietrznej): każdy jego węzeł w poprzek odchyla kąt drogi od kursu o %1° i wchodzi w A, B i C; ich błędy dopuszczają %2 w</translation>
     </message>
     <message>
         <source>the log tells no time: its turn is taken as one of 1°/s</source>
@@ -2414,19 +2384,11 @@
     </message>
     <message>
         <source>the turn goes one way at about one rate: A and a delay between heading and reference cannot be told apart, each second of delay is %1° of A; A is sure to ± %2° only (a turn the other way would tell)</source>
-        <translation type="unfinished"></translation>
+        <translation>obrót idzie w jedną stronę z mniej więcej jedną prędkością: A i opóźnienia między kursem a wzorcem nie da się rozróżnić, każda sekunda opóźnienia to %1° w A; A jest pewne tylko do ± %2° (rozstrzygnąłby obrót w drugą stronę)</translation>
     </message>
     <message>
         <source>the headings are too uneven to tell the delay between heading and reference: each second of it is %1° of A</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>there are readings on %n heading(s), and five coefficients need five</source>
-        <translation>
-            <numerusform>odczyty są na %n kursie, a pięć współczynników wymaga pięciu</numerusform>
-            <numerusform>odczyty są na %n kursach, a pięć współczynników wymaga pięciu</numerusform>
-            <numerusform>odczyty są na %n kursach, a pięć współczynników wymaga pięciu</numerusform>
-        </translation>
+        <translation>kursy są zbyt nierówne, by określić opóźnienie między kursem a wzorcem: każda jego sekunda to %1° w A</translation>
     </message>
     <message>
         <source>the headings stand on one side: %1</source>
@@ -2456,22 +2418,6 @@
         <source>%1 residuals of neighbouring readings are alike (correlation %2): the standard errors count that many readings tell little more than a few; something drifted slowly, or five coefficients do not describe the curve</source>
         <translation>reszty (%1) sąsiednich odczytów są podobne (korelacja %2): błędy standardowe uwzględniają, że wiele odczytów mówi niewiele więcej niż kilka; coś powoli dryfowało albo pięć współczynników nie opisuje krzywej</translation>
     </message>
-    <message numerus="yes">
-        <source>%n reading(s) cannot be checked against each other: a misread figure would not be seen</source>
-        <translation>
-            <numerusform>%n odczytu nie da się sprawdzić z innymi: błędnej wartości nie byłoby widać</numerusform>
-            <numerusform>%n odczytów nie da się sprawdzić ze sobą: błędnej wartości nie byłoby widać</numerusform>
-            <numerusform>%n odczytów nie da się sprawdzić ze sobą: błędnej wartości nie byłoby widać</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n reading(s) hold little against each other: a figure misread by less than about %1° could pass unseen</source>
-        <translation>
-            <numerusform>%n odczyt słabo się sprawdza: pomyłka mniejsza niż około %1° mogłaby przejść niezauważona</numerusform>
-            <numerusform>%n odczyty słabo sprawdzają się nawzajem: pomyłka mniejsza niż około %1° mogłaby przejść niezauważona</numerusform>
-            <numerusform>%n odczytów słabo sprawdza się nawzajem: pomyłka mniejsza niż około %1° mogłaby przejść niezauważona</numerusform>
-        </translation>
-    </message>
     <message>
         <source>the compass reads %1 on all headings: it is stuck, or one figure was written down for all; no deviation can be told</source>
         <translation>busola wskazuje %1 na wszystkich kursach: zacięła się albo zapisano jedną wartość dla wszystkich; dewiacji nie da się określić</translation>
@@ -2490,7 +2436,7 @@
     </message>
     <message>
         <source>vertical soft iron (c, f) of about %1, hard iron (P, Q) of about %2 nT, compensating magnets of about %3 nT and a one-cycle error of the compass itself of about %4° (standard deviations)</source>
-        <translation type="unfinished"></translation>
+        <translation>pionowe żelazo miękkie (c, f) około %1, żelazo twarde (P, Q) około %2 nT, magnesy kompensujące około %3 nT i błąd półokrężny samej busoli około %4° (odchylenia standardowe)</translation>
     </message>
     <message>
         <source>five coefficients do not describe this curve: a third harmonic of %1° is in the readings, more than chance, and the card leaves it out (largest residual %2°)</source>
@@ -2618,11 +2564,11 @@
     </message>
     <message>
         <source>the variation of the log is %1° (east +), that of %2 is %3°: they are %4° apart, and A with them; take the model&apos;s (variation: model) unless you know the log&apos;s to be right</source>
-        <translation type="unfinished"></translation>
+        <translation>deklinacja w zapisie wynosi %1° (wschodnia +), ta z %2 %3°: różnią się o %4°, a z nimi A; przyjmij deklinację modelu (variation: model), chyba że wiesz, że ta z zapisu jest dobra</translation>
     </message>
     <message>
         <source>the log is dated %1, a day on which the GPS week count began: the receiver did not know the date; state it</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis ma datę %1, dzień początku liczenia tygodni GPS: odbiornik nie znał daty; podaj ją</translation>
     </message>
     <message>
         <source>the log is dated %1, and today is %2: one of the clocks is wrong</source>
@@ -2630,35 +2576,27 @@
     </message>
     <message>
         <source>the log is dated %1: a receiver that missed the turn of the GPS week count (1024 weeks) writes so for %2; state the date</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis ma datę %1: odbiornik, który przeoczył przekręcenie licznika tygodni GPS (1024 tygodnie), pisze tak zamiast %2; podaj datę</translation>
     </message>
     <message>
         <source>the ground speed varies with the track, as if wind or current of %1 kt carried it: on wheels that is the driver; otherwise B and C are out by up to %2°; it can be taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>prędkość względem ziemi zmienia się z kątem drogi, jakby niósł wiatr lub prąd %1 w: na kołach to kierowca; inaczej B i C są błędne nawet o %2°; można to odjąć</translation>
     </message>
     <message>
         <source>no pair of readings; expected both compasses read together</source>
-        <translation type="unfinished"></translation>
+        <translation>brak pary odczytów; oczekiwano obu busol odczytanych razem</translation>
     </message>
     <message>
         <source>no reading has a datum beside it: had both compasses moved alike, their readings would agree; that is not told apart from the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>przy żadnym odczycie nie ma wzorca: gdyby obie busole przesunęły się tak samo, odczyty by się zgadzały; tego nie da się odróżnić</translation>
     </message>
     <message>
         <source>a compass without a swing on record has no card: what it always deviated counts as if it had moved</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>both were read on %n heading(s) only; what changed elsewhere is not seen</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation>busola bez pomiaru w zapisach nie ma tablicy: jej stała dewiacja liczy się, jakby się przesunęła</translation>
     </message>
     <message>
         <source>not told which: the first has moved with %1 %, the second with %2 %, neither with %3 %; read them once beside a datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nie wiadomo, która: pierwsza przesunęła się z %1 %, druga z %2 %, żadna z %3 %; odczytaj je raz przy wzorcu</translation>
     </message>
     <message>
         <source>the first compass moved (%1 %)</source>
@@ -2682,11 +2620,11 @@
     </message>
     <message>
         <source>this compass has no swing on record: the check cannot know its card, and holds what was read against no deviation at all and the sizes that compasses of its kind have</source>
-        <translation type="unfinished"></translation>
+        <translation>ta busola nie ma pomiaru w zapisach: sprawdzenie nie zna jej tablicy i porównuje odczyty z brakiem dewiacji i z wielkościami, jakie mają busole tego rodzaju</translation>
     </message>
     <message>
         <source>even readings that agree with the card in full would leave a chance of %1 % that it does not hold: these headings are too few to clear this compass</source>
-        <translation type="unfinished"></translation>
+        <translation>nawet odczyty w pełni zgodne z tablicą zostawiłyby %1 % szansy, że nie jest ważna: tych kursów jest za mało, by uznać busolę za dobrą</translation>
     </message>
     <message>
         <source>swapped digits</source>
@@ -2722,455 +2660,1431 @@
     </message>
     <message>
         <source>is binary: it has NUL bytes or lines of more than 1 MiB; expected %1</source>
-        <translation type="unfinished"></translation>
+        <translation>jest binarny: ma bajty NUL lub wiersze dłuższe niż 1 MiB; oczekiwano: %1</translation>
     </message>
     <message>
         <source>a quoted cell does not end in this row; expected figures and short texts</source>
-        <translation type="unfinished"></translation>
+        <translation>komórka w cudzysłowie nie kończy się w tym wierszu; oczekiwano liczb i krótkich tekstów</translation>
     </message>
     <message>
         <source>has no header; expected %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma nagłówka; oczekiwano: %1</translation>
     </message>
     <message>
         <source>the column %1 stands there twice; expected each once</source>
-        <translation type="unfinished"></translation>
+        <translation>kolumna %1 stoi tu dwa razy; każdej oczekiwano raz</translation>
     </message>
     <message>
         <source>the columns %1 and %2 say the same; expected one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>kolumny %1 i %2 mówią to samo; oczekiwano jednej z nich</translation>
     </message>
     <message>
         <source>has %1 cells; expected the %2 of the header</source>
-        <translation type="unfinished"></translation>
+        <translation>ma komórek: %1; oczekiwano %2, jak w nagłówku</translation>
     </message>
     <message>
         <source>%1 %2 is no figure; expected a number, or nothing where it is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 nie jest liczbą; oczekiwano liczby albo niczego, gdy jej brak</translation>
     </message>
     <message>
         <source>0 to 3000 knots</source>
-        <translation type="unfinished"></translation>
+        <translation>od 0 do 3000 węzłów</translation>
     </message>
     <message>
         <source>0 to 360</source>
-        <translation type="unfinished"></translation>
+        <translation>od 0 do 360</translation>
     </message>
     <message>
-        <source>ነ to 90</source>
-        <translation type="unfinished"></translation>
+        <source>-90 to 90</source>
+        <translation>od -90 do 90</translation>
     </message>
     <message>
-        <source>ↀ to 360</source>
-        <translation type="unfinished"></translation>
+        <source>-180 to 360</source>
+        <translation>od -180 do 360</translation>
     </message>
     <message>
         <source>a Wind CSV: named columns, a report a row</source>
-        <translation type="unfinished"></translation>
+        <translation>plik Wind CSV: nazwane kolumny, meldunek w wierszu</translation>
     </message>
     <message>
         <source>has a header but no reports; expected one a row below it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>there is no column %1; expected ground_speed_kt, track_deg, wind_speed_kt, wind_from_deg, ref_wind_speed_kt and ref_wind_from_deg</source>
-        <translation type="unfinished"></translation>
+        <translation>ma nagłówek, lecz nie ma meldunków; oczekiwano pod nim jednego w wierszu</translation>
     </message>
     <message>
         <source>there is no reported wind; expected wind_speed_kt and wind_from_deg, or heading_deg and tas_kt</source>
-        <translation type="unfinished"></translation>
+        <translation>brak meldowanego wiatru; oczekiwano wind_speed_kt i wind_from_deg albo heading_deg i tas_kt</translation>
     </message>
     <message>
         <source>the column %1 means nothing here</source>
-        <translation type="unfinished"></translation>
+        <translation>kolumna %1 nic tu nie znaczy</translation>
     </message>
     <message>
         <source>there is no position with a time: the declination is not taken out, and the argument of the fit is the true heading</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma położenia z czasem: deklinacji nie odjęto, a argumentem dopasowania jest kurs rzeczywisty</translation>
     </message>
     <message>
         <source>time_utc %1 is no time; expected YYYY-MM-DDTHH:MM:SSZ</source>
-        <translation type="unfinished"></translation>
+        <translation>time_utc %1 nie jest czasem; oczekiwano RRRR-MM-DDTGG:MM:SSZ</translation>
     </message>
     <message>
         <source>a Wind CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>plik Wind CSV</translation>
     </message>
     <message>
         <source>neither Scenario JSON nor a table of manoeuvres; expected { or from_s,to_s,turn_rate_deg_s,…</source>
-        <translation type="unfinished"></translation>
+        <translation>ani Scenario JSON, ani tabela manewrów; oczekiwano { lub from_s,to_s,turn_rate_deg_s,…</translation>
     </message>
     <message>
         <source>%1 stands inside a figure; expected it beside</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 stoi wewnątrz liczby; oczekiwano go obok</translation>
     </message>
     <message>
         <source>%1 stands twice; expected it once</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 stoi dwa razy; oczekiwano raz</translation>
     </message>
     <message>
         <source>a cell in quotes that does not end; expected names of columns</source>
-        <translation type="unfinished"></translation>
+        <translation>komórka w cudzysłowie, która się nie kończy; oczekiwano nazw kolumn</translation>
     </message>
     <message>
         <source>column %1 stands twice; expected it once</source>
-        <translation type="unfinished"></translation>
+        <translation>kolumna %1 stoi dwa razy; oczekiwano raz</translation>
     </message>
     <message>
         <source>column %1; expected from_s, to_s, turn_rate_deg_s, acceleration_m_s2 and climb_m_s</source>
-        <translation type="unfinished"></translation>
+        <translation>kolumna %1; oczekiwano from_s, to_s, turn_rate_deg_s, acceleration_m_s2 i climb_m_s</translation>
     </message>
     <message>
         <source>%1 cells and %2 columns; expected a cell a column</source>
-        <translation type="unfinished"></translation>
+        <translation>komórek %1, kolumn %2; oczekiwano jednej komórki na kolumnę</translation>
     </message>
     <message>
         <source>%1: %2 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 nie jest liczbą</translation>
     </message>
     <message>
         <source>%1 is missing; expected when the manoeuvre begins and ends</source>
-        <translation type="unfinished"></translation>
+        <translation>brak %1; oczekiwano, kiedy manewr się zaczyna i kończy</translation>
     </message>
     <message>
         <source>is %1; expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>wynosi %1; oczekiwano %2</translation>
     </message>
     <message>
         <source>says again what rms_m_s2 says; expected one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>mówi jeszcze raz to, co rms_m_s2; oczekiwano jednego z nich</translation>
     </message>
     <message>
         <source>compass.model: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>compass.model: %1</translation>
     </message>
     <message>
         <source>a Scenario JSON (a flight and its heading references)</source>
-        <translation type="unfinished"></translation>
+        <translation>plik Scenario JSON (lot i jego wzorce kursu)</translation>
     </message>
     <message>
         <source>a Scenario JSON or a table of manoeuvres</source>
-        <translation type="unfinished"></translation>
+        <translation>plik Scenario JSON albo tabela manewrów</translation>
     </message>
     <message>
         <source>no reference wind</source>
-        <translation type="unfinished"></translation>
+        <translation>brak wiatru odniesienia</translation>
     </message>
     <message>
         <source>no wind of its own, and no heading with airspeed</source>
-        <translation type="unfinished"></translation>
+        <translation>brak własnego wiatru oraz kursu z prędkością powietrzną</translation>
     </message>
     <message>
         <source>rolling</source>
-        <translation type="unfinished"></translation>
+        <translation>przechylenie</translation>
     </message>
     <message>
         <source>climbing or descending</source>
-        <translation type="unfinished"></translation>
+        <translation>wznoszenie lub zniżanie</translation>
     </message>
     <message>
         <source>turning</source>
-        <translation type="unfinished"></translation>
+        <translation>zakręt</translation>
     </message>
     <message>
         <source>airspeed too low</source>
-        <translation type="unfinished"></translation>
+        <translation>za mała prędkość powietrzna</translation>
     </message>
     <message>
         <source>the same report again</source>
-        <translation type="unfinished"></translation>
+        <translation>ten sam meldunek jeszcze raz</translation>
     </message>
     <message>
         <source>no report can be used</source>
-        <translation type="unfinished"></translation>
+        <translation>żadnego meldunku nie można użyć</translation>
     </message>
     <message>
         <source>the declination is not taken out of %1 of %2 reports (no position or no time): their argument is the true heading</source>
-        <translation type="unfinished"></translation>
+        <translation>deklinacji nie odjęto w %1 z %2 meldunków (brak położenia lub czasu): ich argumentem jest kurs rzeczywisty</translation>
     </message>
     <message>
         <source>%1; nothing is fitted until it is said which (winds from or towards, kt or m/s, or as the file says)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; nic nie jest dopasowane, dopóki nie wiadomo, co przyjąć (wiatr skąd czy dokąd, kt czy m/s, czy jak mówi plik)</translation>
     </message>
     <message>
         <source>the headings that were flown do not tell %1: no figure is given for it</source>
-        <translation type="unfinished"></translation>
+        <translation>przeleciane kursy nie określają %1: nie podano wartości</translation>
     </message>
     <message>
         <source>one flight only: what its reports share (an error of the reference wind) cannot be told from deviation, and nothing is held out</source>
-        <translation type="unfinished"></translation>
+        <translation>tylko jeden lot: tego, co jego meldunki mają wspólne (błąd wiatru odniesienia), nie da się odróżnić od dewiacji i nic nie odłożono do sprawdzenia</translation>
     </message>
     <message>
         <source>the headings that were flown do not tell D and E</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>D and E are told, and are not surely there (p = %1): the table is that of A, B and C</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>D and E are there (p = %1): the table is no sine</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the deviation changed between the flights %1 and %2 (p = %3); the fit is of the flights since</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n report(s) came twice and count once</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation>przeleciane kursy nie określają D i E</translation>
     </message>
     <message>
         <source>the heading error follows the declination from place to place: the winds were made with magnetic headings that were taken as true</source>
-        <translation type="unfinished"></translation>
+        <translation>błąd kursu zmienia się z deklinacją z miejsca na miejsce: wiatry policzono z kursów magnetycznych wziętych za rzeczywiste</translation>
     </message>
     <message>
         <source>the offset, %1°, is the declination, %2°, the other way: the headings may be magnetic and taken as true</source>
-        <translation type="unfinished"></translation>
+        <translation>przesunięcie, %1°, jest deklinacją, %2°, z przeciwnym znakiem: kursy mogą być magnetyczne, wzięte za rzeczywiste</translation>
     </message>
     <message>
         <source>heading_deg is magnetic here, and not true: it agrees with the winds once the declination is added</source>
-        <translation type="unfinished"></translation>
+        <translation>heading_deg jest tu magnetyczny, a nie rzeczywisty: zgadza się z wiatrami po dodaniu deklinacji</translation>
     </message>
     <message>
         <source>the sine that the fleet has in common, B %1° and C %2°, is taken out: a deviation that all aircraft have goes with it</source>
-        <translation type="unfinished"></translation>
+        <translation>sinusoidę wspólną dla floty, B %1° i C %2°, odjęto: wraz z nią dewiację, którą mają wszystkie statki powietrzne</translation>
     </message>
     <message>
         <source>the fleet has B %1° and C %2° in common: a deviation of them all, or a constant error of the reference wind of %3 kt; these figures cannot tell which</source>
-        <translation type="unfinished"></translation>
+        <translation>flota ma wspólne B %1° i C %2°: dewiację wszystkich albo stały błąd wiatru odniesienia %3 w; tych liczb nie da się rozróżnić</translation>
     </message>
     <message>
         <source>too few aircraft to bound what they have in common: a constant error of the reference wind of 1 kt looks like %1° of B or C and is not told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>za mało statków powietrznych, by ograniczyć to, co wspólne: stały błąd wiatru odniesienia 1 w wygląda jak %1° w B lub C i nie daje się odróżnić</translation>
     </message>
     <message>
         <source>the reported winds are not what their column says</source>
-        <translation type="unfinished"></translation>
+        <translation>meldowane wiatry nie są tym, co mówi ich kolumna</translation>
     </message>
     <message>
         <source>the reported winds fit when they are taken as blowing towards the direction given, and not from it</source>
-        <translation type="unfinished"></translation>
+        <translation>meldowane wiatry pasują, gdy wziąć je jako wiejące ku podanemu kierunkowi, a nie z niego</translation>
     </message>
     <message>
         <source>the reported winds fit when they are taken as m/s, and not as knots</source>
-        <translation type="unfinished"></translation>
+        <translation>meldowane wiatry pasują, gdy wziąć je w m/s, a nie w węzłach</translation>
     </message>
     <message>
         <source>the reported winds fit when they are taken as m/s and as blowing towards the direction given</source>
-        <translation type="unfinished"></translation>
+        <translation>meldowane wiatry pasują, gdy wziąć je w m/s i jako wiejące ku podanemu kierunkowi</translation>
     </message>
     <message>
         <source>the reported winds fit when they are taken as twice too large (knots that were converted twice)</source>
-        <translation type="unfinished"></translation>
+        <translation>meldowane wiatry pasują, gdy wziąć je za dwukrotnie za duże (węzły przeliczone dwa razy)</translation>
     </message>
     <message>
         <source>the reported winds fit when they are taken as twice too large and as blowing towards the direction given</source>
-        <translation type="unfinished"></translation>
+        <translation>meldowane wiatry pasują, gdy wziąć je za dwukrotnie za duże i wiejące ku podanemu kierunkowi</translation>
     </message>
     <message>
         <source>the reference winds are not what their column says</source>
-        <translation type="unfinished"></translation>
+        <translation>wiatry odniesienia nie są tym, co mówi ich kolumna</translation>
     </message>
     <message>
         <source>reported and reference winds blow against each other: one of them is given as blowing towards, and not from</source>
-        <translation type="unfinished"></translation>
+        <translation>wiatry meldowane i odniesienia wieją przeciw sobie: jedne z nich podano jako „dokąd”, a nie „skąd”</translation>
     </message>
     <message>
         <source>the reported winds are half of the reference winds: one of them is in m/s, and not in knots</source>
-        <translation type="unfinished"></translation>
+        <translation>wiatry meldowane są połową wiatrów odniesienia: jedne z nich są w m/s, a nie w węzłach</translation>
     </message>
     <message>
         <source>reported and reference winds are in two units and blow against each other</source>
-        <translation type="unfinished"></translation>
+        <translation>wiatry meldowane i odniesienia są w dwóch jednostkach i wieją przeciw sobie</translation>
     </message>
     <message>
         <source>the reference winds are half of the reported winds: one of them is in m/s, and not in knots</source>
-        <translation type="unfinished"></translation>
+        <translation>wiatry odniesienia są połową meldowanych: jedne z nich są w m/s, a nie w węzłach</translation>
     </message>
     <message>
         <source>airspeeds are far more even when both winds are taken as blowing towards the directions given, and not from them</source>
-        <translation type="unfinished"></translation>
+        <translation>prędkości powietrzne są znacznie równiejsze, gdy oba wiatry wziąć jako wiejące ku podanym kierunkom, a nie z nich</translation>
     </message>
     <message>
         <source>setting</source>
-        <translation type="unfinished"></translation>
+        <translation>nastawienie</translation>
     </message>
     <message>
         <source>reading</source>
-        <translation type="unfinished">odczytu</translation>
+        <translation>odczytu</translation>
     </message>
     <message>
         <source>drift</source>
-        <translation type="unfinished"></translation>
+        <translation>dryf</translation>
     </message>
     <message>
         <source>published direction</source>
-        <translation type="unfinished"></translation>
+        <translation>ogłoszony kierunek</translation>
     </message>
     <message>
         <source>lining up</source>
-        <translation type="unfinished"></translation>
+        <translation>ustawienie w osi</translation>
     </message>
     <message>
         <source>one-cycle error</source>
-        <translation type="unfinished"></translation>
+        <translation>błąd półokrężny</translation>
     </message>
     <message>
         <source>two-cycle error</source>
-        <translation type="unfinished"></translation>
+        <translation>błąd ćwierćokrężny</translation>
     </message>
     <message>
         <source>the levelling loop is unstable: third order needs tau3 &gt; tau2, and tau3 is %1 s with tau2 %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>pętla poziomowania jest niestabilna: trzeci rząd wymaga tau3 &gt; tau2, a tau3 wynosi %1 s przy tau2 %2 s</translation>
     </message>
     <message>
         <source>the speed of %1 m/s is beyond an aircraft&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>prędkość %1 m/s jest poza możliwościami statku powietrznego</translation>
     </message>
     <message>
         <source>the turn of %1°/s is beyond an aircraft&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>zakręt %1°/s jest poza możliwościami statku powietrznego</translation>
     </message>
     <message>
         <source>an acceleration of %1 g is beyond an aircraft&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>przyspieszenie %1 g jest poza możliwościami statku powietrznego</translation>
     </message>
     <message>
         <source>so near to a pole every track crosses meridians at once: what goes with tan of the latitude is left out; steer by grid</source>
-        <translation type="unfinished"></translation>
+        <translation>tak blisko bieguna każda droga od razu przecina południki: to, co rośnie z tangensem szerokości, pominięto; leć według siatki</translation>
     </message>
     <message>
         <source>the aircraft is slowed below standing still; it stays at 0 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>statek powietrzny zwalnia poniżej zera; pozostaje przy 0 m/s</translation>
     </message>
     <message>
         <source>no horizontal field is left at the sensor at times: what it read before is held there</source>
-        <translation type="unfinished"></translation>
+        <translation>chwilami przy czujniku nie zostaje pole poziome: utrzymano tam poprzednie wskazanie</translation>
     </message>
     <message>
         <source>%1 is %2; expected more than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wynosi %2; oczekiwano więcej niż 0</translation>
     </message>
     <message>
         <source>the levelling time constant (tau1_s)</source>
-        <translation type="unfinished"></translation>
+        <translation>stała czasowa poziomowania (tau1_s)</translation>
     </message>
     <message>
         <source>the damping time constant (tau2_s)</source>
-        <translation type="unfinished"></translation>
+        <translation>stała czasowa tłumienia (tau2_s)</translation>
     </message>
     <message>
         <source>the integral time constant (tau3_s)</source>
-        <translation type="unfinished"></translation>
+        <translation>stała czasowa całkowania (tau3_s)</translation>
     </message>
     <message>
         <source>the levelling rate limit</source>
-        <translation type="unfinished"></translation>
+        <translation>ograniczenie prędkości poziomowania</translation>
     </message>
     <message>
         <source>the cut-off</source>
-        <translation type="unfinished"></translation>
+        <translation>próg odcięcia</translation>
     </message>
     <message>
         <source>the time constant of fast levelling</source>
-        <translation type="unfinished"></translation>
+        <translation>stała czasowa szybkiego poziomowania</translation>
     </message>
     <message>
         <source>the slaving time constant</source>
-        <translation type="unfinished"></translation>
+        <translation>stała czasowa korekcji magnetycznej</translation>
     </message>
     <message>
         <source>the slaving rate</source>
-        <translation type="unfinished"></translation>
+        <translation>prędkość korekcji magnetycznej</translation>
     </message>
     <message>
         <source>the fast slaving rate</source>
-        <translation type="unfinished"></translation>
+        <translation>prędkość szybkiej korekcji magnetycznej</translation>
     </message>
     <message>
         <source>the step</source>
-        <translation type="unfinished"></translation>
+        <translation>krok</translation>
     </message>
     <message>
         <source>the duration is negative; expected 0 s or more</source>
-        <translation type="unfinished"></translation>
+        <translation>czas trwania jest ujemny; oczekiwano 0 s lub więcej</translation>
     </message>
     <message>
         <source>%1 s in steps of %2 s are more than 2000000 steps; expected a wider step</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s w krokach po %2 s to więcej niż 2000000 kroków; oczekiwano większego kroku</translation>
     </message>
     <message>
         <source>a manoeuvre from %1 s to %2 s ends before it begins; expected to_s after from_s</source>
-        <translation type="unfinished"></translation>
+        <translation>manewr od %1 s do %2 s kończy się, zanim się zacznie; oczekiwano to_s po from_s</translation>
     </message>
     <message>
         <source>the period of the gusts</source>
-        <translation type="unfinished"></translation>
+        <translation>okres podmuchów</translation>
     </message>
     <message>
         <source>the period of the card</source>
-        <translation type="unfinished"></translation>
+        <translation>okres róży</translation>
     </message>
     <message>
         <source>the compass&apos;s model stands in no horizontal field; expected its field with H above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>model busoli stoi bez pola poziomego; oczekiwano jej pola z H większym od 0</translation>
     </message>
     <message>
         <source>clock</source>
-        <translation type="unfinished"></translation>
+        <translation>zegar</translation>
     </message>
     <message>
         <source>position</source>
-        <translation type="unfinished"></translation>
+        <translation>położenie</translation>
     </message>
     <message>
         <source>plumb</source>
-        <translation type="unfinished"></translation>
+        <translation>pion</translation>
     </message>
     <message>
         <source>pointing</source>
-        <translation type="unfinished"></translation>
+        <translation>celowanie</translation>
     </message>
     <message>
         <source>the sun is %1° below the horizon: it throws no shadow</source>
-        <translation type="unfinished"></translation>
+        <translation>słońce jest %1° pod horyzontem: nie rzuca cienia</translation>
     </message>
     <message>
         <source>the sun stands %1° high: its azimuth tells little (±%2°, one standard deviation); wait until it is lower</source>
-        <translation type="unfinished"></translation>
+        <translation>słońce stoi na wysokości %1°: jego azymut mówi niewiele (±%2°, jedno odchylenie standardowe); poczekaj, aż będzie niżej</translation>
     </message>
     <message>
         <source>the sun stands %1° high: shadows are %2 times as long as the pin, and faint</source>
-        <translation type="unfinished"></translation>
+        <translation>słońce stoi na wysokości %1°: cienie są %2 razy dłuższe od pręta i słabe</translation>
     </message>
     <message>
         <source>the sun&apos;s place is held against almanacs from 1950 to 2050 only</source>
-        <translation type="unfinished"></translation>
+        <translation>położenie słońca sprawdzono z almanachami tylko od 1950 do 2050</translation>
     </message>
     <message>
         <source>%1 is no time; expected YYYY-MM-DDTHH:MM:SSZ</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nie jest czasem; oczekiwano RRRR-MM-DDTGG:MM:SSZ</translation>
     </message>
     <message>
         <source>%1 does not say which clock it is of; expected Z (UTC) or an offset as +02:00 behind it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nie mówi, jaki to zegar; oczekiwano za nim Z (UTC) lub przesunięcia, np. +02:00</translation>
     </message>
     <message>
         <source>a table of variation has steps of 0.1° to 30°</source>
-        <translation type="unfinished"></translation>
+        <translation>tabela deklinacji ma kroki od 0.1° do 30°</translation>
     </message>
     <message>
         <source>the vertical gyro tumbles: it is at its stop, 90° from the vertical, from %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>żyroskop pionu przewraca się: od %1 s stoi na ograniczniku, 90° od pionu</translation>
     </message>
     <message>
         <source>the apparent vertical leans by up to %1°, and the book&apos;s a/g takes it for %2°; exact_tilt takes the angle itself</source>
-        <translation type="unfinished"></translation>
+        <translation>pozorny pion odchyla się do %1°, a wzór a/g z książki bierze to za %2°; exact_tilt bierze sam kąt</translation>
+    </message>
+    <message>
+        <source>heading, pitch and roll look like radians: the largest heading is %1, and as radians they explain the samples far better; expected degrees</source>
+        <translation>kurs, pochylenie i przechylenie wyglądają na radiany: największy kurs to %1, a jako radiany znacznie lepiej wyjaśniają próbki; oczekiwano stopni</translation>
+    </message>
+    <message>
+        <source>pitch and roll look like radians: they stay within %1, and as radians they explain the samples far better; expected degrees</source>
+        <translation>pochylenie i przechylenie wyglądają na radiany: mieszczą się w %1, a jako radiany znacznie lepiej wyjaśniają próbki; oczekiwano stopni</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told: the field along %2 is never other than 0 in this log</source>
+        <translation>nie da się określić %1: pole wzdłuż %2 w tym zapisie zawsze wynosi 0</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told: the current is never other than 0 in this log</source>
+        <translation>nie da się określić %1: prąd w tym zapisie zawsze wynosi 0</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told apart, as the field along %2 is always the same: only %3 is known</source>
+        <translation>nie da się rozróżnić %1, bo pole wzdłuż %2 jest zawsze takie samo: znane jest tylko %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told apart: in this log what they do always goes together</source>
+        <translation>nie da się rozróżnić %1: w tym zapisie ich działanie zawsze występuje razem</translation>
+    </message>
+    <message>
+        <source>the axes of the log are not those of the aircraft: %1 fits %2 times better; expected x forward, y starboard, z down</source>
+        <translation>osie zapisu nie są osiami statku powietrznego: %1 pasuje %2 razy lepiej; oczekiwano x do przodu, y w prawo, z w dół</translation>
+    </message>
+    <message>
+        <source>the headings look true instead of magnetic: with the place&apos;s variation (%1°) taken out they explain the samples far better; expected magnetic headings</source>
+        <translation>kursy wyglądają na rzeczywiste zamiast magnetycznych: po odjęciu deklinacji miejsca (%1°) znacznie lepiej wyjaśniają próbki; oczekiwano kursów magnetycznych</translation>
+    </message>
+    <message>
+        <source>the standard error of the hard iron is %1 nT; expected %2 nT or less, and nothing is determined above %3 nT</source>
+        <translation>błąd standardowy żelaza twardego wynosi %1 nT; oczekiwano najwyżej %2 nT, a powyżej %3 nT nic nie jest określone</translation>
+    </message>
+    <message>
+        <source>the standard error of the hard iron is %1 nT; expected %2 nT or less</source>
+        <translation>błąd standardowy żelaza twardego wynosi %1 nT; oczekiwano najwyżej %2 nT</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parameters can be told; what cannot is named</source>
+        <translation>da się określić %1 z %2 parametrów; pozostałe są wymienione</translation>
+    </message>
+    <message>
+        <source>log all headings at more than one pitch and roll: 20° either way tells all, 5° tells a quarter as well</source>
+        <translation>zapisz wszystkie kursy przy więcej niż jednym pochyleniu i przechyleniu: 20° w obie strony określa wszystko, 5° cztery razy słabiej</translation>
+    </message>
+    <message>
+        <source>headings that were held out are off by %1° rms; expected %2° or less</source>
+        <translation>kursy odłożone do sprawdzenia różnią się o %1° (średnia kwadratowa); oczekiwano najwyżej %2°</translation>
+    </message>
+    <message>
+        <source>the log&apos;s field is %1 nT, %2 % off the %3 nT that were given; expected within %4 %: another unit, another place, or a sensor of another scale</source>
+        <translation>pole zapisu wynosi %1 nT, %2 % inaczej niż podane %3 nT; oczekiwano w granicach %4 %: inna jednostka, inne miejsce albo czujnik o innej skali</translation>
+    </message>
+    <message>
+        <source>the sensor seems turned by %1°, which is the variation of the place (%2°): are the headings true instead of magnetic?</source>
+        <translation>czujnik wydaje się obrócony o %1°, a tyle wynosi deklinacja miejsca (%2°): czy kursy są rzeczywiste zamiast magnetycznych?</translation>
+    </message>
+    <message>
+        <source>has no attitude; expected the columns heading_deg, pitch_deg and roll_deg</source>
+        <translation>nie ma położenia kątowego; oczekiwano kolumn heading_deg, pitch_deg i roll_deg</translation>
+    </message>
+    <message>
+        <source>is in counts; expected a log in nT, uT, mG or G, as the field that it is held against is</source>
+        <translation>jest w zliczeniach; oczekiwano zapisu w nT, uT, mG lub G, jak pole, z którym się go porównuje</translation>
+    </message>
+    <message>
+        <source>has %1 usable samples; expected %2 or more</source>
+        <translation>ma użytecznych próbek: %1; oczekiwano %2 lub więcej</translation>
+    </message>
+    <message>
+        <source>soft constants D1, D2, D3 and hard iron P, Q, R add up: one survey in one field tells their sum, which stands as P, Q, R</source>
+        <translation>stałe miękkie D1, D2, D3 i żelazo twarde P, Q, R sumują się: jeden pomiar w jednym polu określa ich sumę, podaną jako P, Q, R</translation>
+    </message>
+    <message>
+        <source>a turn of the sensor in its mount and the unsymmetric part of soft iron are one thing: the misalignment is stated for symmetric soft iron</source>
+        <translation>obrót czujnika w mocowaniu i niesymetryczna część żelaza miękkiego to jedno: niewspółosiowość podano dla symetrycznego żelaza miękkiego</translation>
+    </message>
+    <message>
+        <source>attitude is taken for exact; an error of 1° makes some 420 nT in R: state it (standard deviation), and it is taken out</source>
+        <translation>położenie kątowe przyjęto za dokładne; błąd 1° daje w R około 420 nT: podaj go (odchylenie standardowe), a zostanie odjęty</translation>
+    </message>
+    <message>
+        <source>an attitude error of %1° is taken out of the moments; what is not known of it by a tenth leaves a fifth of its bias</source>
+        <translation>błąd położenia kątowego %1° odjęto od momentów; nieznajomość jego dziesiątej części zostawia piątą część jego obciążenia</translation>
+    </message>
+    <message>
+        <source>has no applied field; expected the columns ax_nT, ay_nT, az_nT beside bx_nT, by_nT, bz_nT</source>
+        <translation>nie ma pola przyłożonego; oczekiwano kolumn ax_nT, ay_nT, az_nT obok bx_nT, by_nT, bz_nT</translation>
+    </message>
+    <message>
+        <source>has %1 whole rows; expected 8 or more</source>
+        <translation>ma pełnych wierszy: %1; oczekiwano 8 lub więcej</translation>
+    </message>
+    <message>
+        <source>an odd number of the sensor&apos;s axes runs against the coil&apos;s: its frame is left-handed, and no rotation describes its mount</source>
+        <translation>nieparzysta liczba osi czujnika biegnie przeciw cewce: jego układ jest lewoskrętny i żaden obrót nie opisuje mocowania</translation>
+    </message>
+    <message>
+        <source>the applied field does not go through all three axes by itself (and temperature, where there is one); expected steps along x, y and z</source>
+        <translation>pole przyłożone nie przechodzi osobno przez wszystkie trzy osie (i temperaturę, jeśli jest); oczekiwano kroków wzdłuż x, y i z</translation>
+    </message>
+    <message>
+        <source>the applied field went to %1 nT only: beyond it nothing is known of the sensor (a field of the Earth with an aircraft&apos;s iron reaches 65 000 nT and more)</source>
+        <translation>pole przyłożone sięgało tylko %1 nT: powyżej nic o czujniku nie wiadomo (pole Ziemi z żelazem statku powietrznego dochodzi do 65 000 nT i więcej)</translation>
+    </message>
+    <message>
+        <source>the measured field is in counts: scale is counts per nT, and bias, noise and the rest are in counts</source>
+        <translation>pole zmierzone jest w zliczeniach: skala to zliczenia na nT, a przesunięcie, szum i reszta są w zliczeniach</translation>
+    </message>
+    <message>
+        <source>the field&apos;s size spreads by %1 %3 with the model and by %2 %3 without: a log of another sensor, or of another mount?</source>
+        <translation>wielkość pola rozrzuca się o %1 %3 z modelem i o %2 %3 bez niego: zapis innego czujnika albo innego mocowania?</translation>
+    </message>
+    <message>
+        <source>the field&apos;s size is %1 nT with the model, %2 % off the model&apos;s %3 nT: a log of another sensor, unit or place?</source>
+        <translation>wielkość pola z modelem wynosi %1 nT, %2 % inaczej niż %3 nT modelu: zapis innego czujnika, jednostki lub miejsca?</translation>
+    </message>
+    <message>
+        <source>holds no usable sample</source>
+        <translation>nie zawiera użytecznej próbki</translation>
+    </message>
+    <message>
+        <source>without pitch and roll the headings are those of a level compass</source>
+        <translation>bez pochylenia i przechylenia kursy są kursami busoli poziomej</translation>
+    </message>
+    <message>
+        <source>samples a second</source>
+        <translation>próbek na sekundę</translation>
+    </message>
+    <message>
+        <source>latency of the sensor and the filter</source>
+        <translation>opóźnienie czujnika i filtru</translation>
+    </message>
+    <message>
+        <source>heading error, rms</source>
+        <translation>błąd kursu, średni kwadratowy</translation>
+    </message>
+    <message>
+        <source>the nose</source>
+        <translation>nos</translation>
+    </message>
+    <message>
+        <source>the starboard (right) side</source>
+        <translation>prawy bok</translation>
+    </message>
+    <message>
+        <source>the belly</source>
+        <translation>spód</translation>
+    </message>
+    <message>
+        <source>the tail</source>
+        <translation>ogon</translation>
+    </message>
+    <message>
+        <source>the port (left) side</source>
+        <translation>lewy bok</translation>
+    </message>
+    <message>
+        <source>the roof</source>
+        <translation>grzbiet</translation>
+    </message>
+    <message>
+        <source>the edge between %1 and %2</source>
+        <translation>krawędź między %1 a %2</translation>
+    </message>
+    <message>
+        <source>the corner between %1, %2 and %3</source>
+        <translation>narożnik między %1, %2 i %3</translation>
+    </message>
+    <message>
+        <source>point %1 along the Earth&apos;s field (towards north, and down in the northern hemisphere)</source>
+        <translation>skieruj %1 wzdłuż pola Ziemi (na północ, a na półkuli północnej w dół)</translation>
+    </message>
+    <message>
+        <source>%1 readings; expected %2 or more: a place, a moment and a uniform field are nine unknown figures</source>
+        <translation>odczytów: %1; oczekiwano %2 lub więcej: położenie, moment i pole jednorodne to dziewięć niewiadomych</translation>
+    </message>
+    <message>
+        <source>readings %1 and %2 are at one place; expected each somewhere else</source>
+        <translation>odczyty %1 i %2 są w jednym miejscu; każdego oczekiwano gdzie indziej</translation>
+    </message>
+    <message>
+        <source>no dipole explains the readings: the field hardly changes from place to place, or there is more than one source</source>
+        <translation>żaden dipol nie wyjaśnia odczytów: pole prawie nie zmienia się z miejsca na miejsce albo źródeł jest więcej</translation>
+    </message>
+    <message>
+        <source>the nearest reading is %1 m from the source, less than three of its lengths (%2 m): it is no dipole there</source>
+        <translation>najbliższy odczyt jest %1 m od źródła, bliżej niż trzy jego długości (%2 m): tam nie jest ono dipolem</translation>
+    </message>
+    <message>
+        <source>the place is sure to %1 m only: read nearer to it, and on more sides</source>
+        <translation>położenie jest pewne tylko do %1 m: odczytaj bliżej i z większej liczby stron</translation>
+    </message>
+    <message>
+        <source>electric motors and relays, magnets, loudspeakers</source>
+        <translation>silniki elektryczne i przekaźniki, magnesy, głośniki</translation>
+    </message>
+    <message>
+        <source>ferrous parts of more than 1 kg</source>
+        <translation>części żelazne powyżej 1 kg</translation>
+    </message>
+    <message>
+        <source>ferrous parts of less than 1 kg</source>
+        <translation>części żelazne poniżej 1 kg</translation>
+    </message>
+    <message>
+        <source>wires of more than 100 mA</source>
+        <translation>przewody powyżej 100 mA</translation>
+    </message>
+    <message>
+        <source>wires of less than 100 mA</source>
+        <translation>przewody poniżej 100 mA</translation>
+    </message>
+    <message>
+        <source>another flux gate</source>
+        <translation>inny czujnik indukcyjny</translation>
+    </message>
+    <message>
+        <source>%1 usable samples; expected %2 or more, in many attitudes</source>
+        <translation>użytecznych próbek: %1; oczekiwano %2 lub więcej, w wielu położeniach</translation>
+    </message>
+    <message>
+        <source>all samples are equal: the sensor was not turned, or it is stuck</source>
+        <translation>wszystkie próbki są równe: czujnika nie obracano albo się zaciął</translation>
+    </message>
+    <message>
+        <source>the samples lie on a line: across it they spread by %1 %3 against %2 %3 along it; expected %4 %3 or more</source>
+        <translation>próbki leżą na prostej: w poprzek rozrzucone są o %1 %3 wobec %2 %3 wzdłuż niej; oczekiwano %4 %3 lub więcej</translation>
+    </message>
+    <message>
+        <source>the samples lie in a plane: off it they spread by %1 %3 against %2 %3 in it; expected %4 %3 or more</source>
+        <translation>próbki leżą w płaszczyźnie: poza nią rozrzucone są o %1 %3 wobec %2 %3 w niej; oczekiwano %4 %3 lub więcej</translation>
+    </message>
+    <message>
+        <source>no samples within %1° of one direction: %2</source>
+        <translation>brak próbek w promieniu %1° od jednego kierunku: %2</translation>
+    </message>
+    <message>
+        <source>the gate (condition × noise/field) is %1; expected %2 or less, and nothing is determined above %3</source>
+        <translation>próg (uwarunkowanie × szum/pole) wynosi %1; oczekiwano najwyżej %2, a powyżej %3 nic nie jest określone</translation>
+    </message>
+    <message>
+        <source>the field&apos;s size is off by %1 % (rms) after calibration; expected %2 % or less: it was not the same everywhere, or the sensor&apos;s scale is not of this shape</source>
+        <translation>wielkość pola po kalibracji różni się o %1 % (średnia kwadratowa); oczekiwano najwyżej %2 %: nie była wszędzie taka sama albo skala czujnika ma inny kształt</translation>
+    </message>
+    <message>
+        <source>log again away from iron, cars and cables</source>
+        <translation>zapisz jeszcze raz z dala od żelaza, samochodów i kabli</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples were left out as spikes or faults; expected one in five or fewer</source>
+        <translation>%1 z %2 próbek pominięto jako szpilki lub usterki; oczekiwano najwyżej jednej na pięć</translation>
+    </message>
+    <message>
+        <source>the log&apos;s field is %1 nT, %2 % off the %3 nT that were given</source>
+        <translation>pole zapisu wynosi %1 nT, %2 % inaczej niż podane %3 nT</translation>
+    </message>
+    <message>
+        <source>the log is in counts: the field that was given is not used, and the radius is in counts</source>
+        <translation>zapis jest w zliczeniach: podanego pola nie użyto, a promień jest w zliczeniach</translation>
+    </message>
+    <message>
+        <source>turn the sensor through all attitudes, each side up once, with a full turn in each</source>
+        <translation>obróć czujnik przez wszystkie położenia, każdym bokiem raz do góry, z pełnym obrotem w każdym</translation>
+    </message>
+    <message>
+        <source>no ellipsoid goes through the samples: too few attitudes, or a field that was not the same everywhere</source>
+        <translation>przez próbki nie przechodzi żadna elipsoida: za mało położeń albo pole nie było wszędzie takie samo</translation>
+    </message>
+    <message>
+        <source>the currents changed together only: their fields per ampere cannot be told apart</source>
+        <translation>prądy zmieniały się tylko razem: ich pól na amper nie da się rozróżnić</translation>
+    </message>
+    <message>
+        <source>has no time; expected a column time_s</source>
+        <translation>nie ma czasu; oczekiwano kolumny time_s</translation>
+    </message>
+    <message>
+        <source>is in counts; expected a log in nT, uT, mG or G, as the limits are in nT</source>
+        <translation>jest w zliczeniach; oczekiwano zapisu w nT, uT, mG lub G, bo granice są w nT</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s has %3 samples before and %4 after it; expected %5 or more of each: actions inside the log, and time between them</source>
+        <translation>%1 w %2 s ma przed sobą próbek %3, a po sobie %4; oczekiwano %5 lub więcej: czynności wewnątrz zapisu i czasu między nimi</translation>
+    </message>
+    <message>
+        <source>there are no actions; expected at least one</source>
+        <translation>nie ma czynności; oczekiwano co najmniej jednej</translation>
+    </message>
+    <message>
+        <source>the noise of axis %1 is %2 nT: with a limit of %3 nT the test may fail by noise alone</source>
+        <translation>szum osi %1 wynosi %2 nT: przy granicy %3 nT próba może wypaść źle przez sam szum</translation>
+    </message>
+    <message>
+        <source>axis %1 is stuck in %2 of %3 samples: its figure stands while another axis moves; look at its cable and its column</source>
+        <translation>oś %1 stoi w %2 z %3 próbek: jej wartość się nie zmienia, gdy inna oś się rusza; sprawdź jej kabel i jej kolumnę</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples have no whole field: empty cells, or NaN</source>
+        <translation>%1 z %2 próbek nie ma pełnego pola: puste komórki lub NaN</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples are cut off: the field is beyond the sensor&apos;s range</source>
+        <translation>%1 z %2 próbek jest obciętych: pole przekracza zakres czujnika</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples are spikes</source>
+        <translation>%1 z %2 próbek to szpilki</translation>
+    </message>
+    <message>
+        <source>the model&apos;s soft iron cannot be taken out: 1 + S has no inverse</source>
+        <translation>nie da się odjąć żelaza miękkiego modelu: 1 + S nie ma odwrotności</translation>
+    </message>
+    <message>
+        <source>heading_deg is what this compass itself reads%1, to %2° in every row: it cannot show its own deviation; expected a reference of its own (inertial, GPS, datum compass)</source>
+        <translation>heading_deg to wskazanie samej tej busoli%1, do %2° w każdym wierszu: nie może pokazać własnej dewiacji; oczekiwano osobnego wzorca (inercyjnego, GPS, busoli wzorcowej)</translation>
+    </message>
+    <message>
+        <source>mains 50 Hz</source>
+        <translation>sieć 50 Hz</translation>
+    </message>
+    <message>
+        <source>mains 60 Hz</source>
+        <translation>sieć 60 Hz</translation>
+    </message>
+    <message>
+        <source>aircraft supply 400 Hz</source>
+        <translation>zasilanie pokładowe 400 Hz</translation>
+    </message>
+    <message>
+        <source>115 Hz</source>
+        <translation>115 Hz</translation>
+    </message>
+    <message>
+        <source>harmonic %1 of %2</source>
+        <translation>harmoniczna %1 z %2</translation>
+    </message>
+    <message>
+        <source>rotor order %1</source>
+        <translation>rząd wirnika %1</translation>
+    </message>
+    <message>
+        <source>has no stretch of %1 samples without a gap; expected at least one segment</source>
+        <translation>nie ma odcinka %1 próbek bez przerwy; oczekiwano co najmniej jednego</translation>
+    </message>
+    <message>
+        <source>at %1 samples a second %2 Hz fall on 0 Hz: the field of such a supply would look like hard iron; calibrate with it off, or log at another rate</source>
+        <translation>przy %1 próbkach na sekundę %2 Hz pada na 0 Hz: pole takiego zasilania wyglądałoby jak żelazo twarde; kalibruj przy wyłączonym albo zapisuj z inną częstością</translation>
+    </message>
+    <message>
+        <source>has no time; expected a column time_s that goes on</source>
+        <translation>nie ma czasu; oczekiwano kolumny time_s, w której czas płynie</translation>
+    </message>
+    <message>
+        <source>has no such column</source>
+        <translation>nie ma takiej kolumny</translation>
+    </message>
+    <message>
+        <source>has no column %1</source>
+        <translation>nie ma kolumny %1</translation>
+    </message>
+    <message>
+        <source>the line at %1 Hz may be %2 Hz, folded down by sampling: a filter behind the sensor cannot tell it from what is there</source>
+        <translation>linia %1 Hz może być %2 Hz odbitą przez próbkowanie: filtr za czujnikiem nie odróżni jej od tego, co tam jest</translation>
+    </message>
+    <message>
+        <source>%1 ms are less than one sample of this log (%2 ms): such a filter runs in the sensor, not behind it</source>
+        <translation>%1 ms to mniej niż jedna próbka tego zapisu (%2 ms): taki filtr działa w czujniku, nie za nim</translation>
+    </message>
+    <message>
+        <source>read beside %1, the compass %2 no longer holds its card (%3 %)</source>
+        <translation>odczytana obok %1 busola %2 nie zgadza się już ze swoją tablicą (%3 %)</translation>
+    </message>
+    <message>
+        <source>read together, neither %1 nor %2 holds its card (%3 %)</source>
+        <translation>odczytane razem, ani %1, ani %2 nie zgadza się ze swoją tablicą (%3 %)</translation>
+    </message>
+    <message>
+        <source>read together, one of %1 and %2 no longer holds its card, not told which (%3 %)</source>
+        <translation>odczytane razem, jedna z %1 i %2 nie zgadza się już ze swoją tablicą, nie wiadomo która (%3 %)</translation>
+    </message>
+    <message>
+        <source>the card holds within %1° on all headings; this is wrong with a probability of %2 %</source>
+        <translation>tablica jest ważna w granicach %1° na wszystkich kursach; prawdopodobieństwo pomyłki: %2 %</translation>
+    </message>
+    <message>
+        <source>swing it: with a probability of %1 % the card does not hold within %2° any more; this is wrong with %3 %</source>
+        <translation>wykonaj pomiar dewiacji: z prawdopodobieństwem %1 % tablica nie jest już ważna w granicach %2°; prawdopodobieństwo pomyłki: %3 %</translation>
+    </message>
+    <message>
+        <source>%1 readings clockwise and %2 counter-clockwise; expected %3 or more of each</source>
+        <translation>odczytów w prawo %1, w lewo %2; oczekiwano %3 lub więcej w każdą stronę</translation>
+    </message>
+    <message>
+        <source>the headings of both runs do not tell what differs between them; expected them all around</source>
+        <translation>kursy obu przebiegów nie określają, co je różni; oczekiwano kursów dookoła</translation>
+    </message>
+    <message>
+        <source>the runs differ by %1° on all headings: something is late (card, liquid, reference); turn slower, 0.2 to 3 degrees a second</source>
+        <translation>przebiegi różnią się o %1° na wszystkich kursach: coś się opóźnia (róża, ciecz, wzorzec); obracaj wolniej, od 0.2 do 3 stopni na sekundę</translation>
+    </message>
+    <message>
+        <source>the runs differ by up to %1° once around: iron keeps a trace of the heading before, or the field of the site is not the same on both tracks</source>
+        <translation>przebiegi różnią się do %1° raz na obrót: żelazo zachowuje ślad poprzedniego kursu albo pole miejsca nie jest takie samo na obu torach</translation>
+    </message>
+    <message>
+        <source>both runs tell the same</source>
+        <translation>oba przebiegi mówią to samo</translation>
+    </message>
+    <message>
+        <source>OUT OF LIMITS by the swing of %1</source>
+        <translation>POZA GRANICAMI według pomiaru z %1</translation>
+    </message>
+    <message>
+        <source>OUT OF LIMITS by the swing of %1: up to %2°, %3° is allowed%4</source>
+        <translation>POZA GRANICAMI według pomiaru z %1: do %2°, dopuszczalne %3°%4</translation>
+    </message>
+    <message>
+        <source>over 99 % likely out of limits by %1: %2</source>
+        <translation>z ponad 99 % prawdopodobieństwem poza granicami do %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 % likely out of limits by %2: %3</source>
+        <translation>z prawdopodobieństwem %1 % poza granicami do %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2: D is %3° in %4 of %5 swings (%6 to %7) where its siblings have %8°: the sign of these records is suspect; nothing was turned</source>
+        <translation>%1 · %2: D wynosi %3° w %4 z %5 pomiarów (od %6 do %7), gdzie siostrzane mają %8°: znak tych zapisów jest podejrzany; niczego nie odwrócono</translation>
+    </message>
+    <message>
+        <source>%1 %2° ± %3° from %4 aircraft; the next one within %5° to %6° (95 %)</source>
+        <translation>%1 %2° ± %3° z %4 statków powietrznych; następny między %5° a %6° (95 %)</translation>
+    </message>
+    <message>
+        <source>expected a CSV with the columns time_s and action</source>
+        <translation>oczekiwano pliku CSV z kolumnami time_s i action</translation>
+    </message>
+    <message>
+        <source>cannot be read as text; %1</source>
+        <translation>nie daje się odczytać jako tekst; %1</translation>
+    </message>
+    <message>
+        <source>has no such header; %1</source>
+        <translation>nie ma takiego nagłówka; %1</translation>
+    </message>
+    <message>
+        <source>is no row of a time and an action</source>
+        <translation>nie jest wierszem z czasem i czynnością</translation>
+    </message>
+    <message>
+        <source>%1 is no time; expected seconds</source>
+        <translation>%1 nie jest czasem; oczekiwano sekund</translation>
+    </message>
+    <message>
+        <source>there is no action</source>
+        <translation>brak czynności</translation>
+    </message>
+    <message>
+        <source>time goes back, from %1 to %2; expected actions in order of time</source>
+        <translation>czas cofa się, z %1 do %2; oczekiwano czynności w kolejności czasu</translation>
+    </message>
+    <message>
+        <source>there are more than %1 actions, or one of more than %2 bytes; expected what was switched in a test</source>
+        <translation>czynności jest więcej niż %1 albo jedna ma więcej niż %2 bajtów; oczekiwano tego, co przełączano podczas próby</translation>
+    </message>
+    <message>
+        <source>holds no actions; %1</source>
+        <translation>nie zawiera czynności; %1</translation>
+    </message>
+    <message>
+        <source>a CSV of actions</source>
+        <translation>plik CSV z czynnościami</translation>
+    </message>
+    <message>
+        <source>there is no column %1; expected %2</source>
+        <translation>nie ma kolumny %1; oczekiwano %2</translation>
+    </message>
+    <message>
+        <source>track_deg and ground_speed_kt, and leg, compass_heading_deg and variation_deg where they are known</source>
+        <translation>track_deg i ground_speed_kt oraz, gdzie są znane, leg, compass_heading_deg i variation_deg</translation>
+    </message>
+    <message>
+        <source>a Legs CSV: track_deg, ground_speed_kt, a leg or a part of one a row</source>
+        <translation>plik Legs CSV: track_deg, ground_speed_kt, odcinek lub jego część w wierszu</translation>
+    </message>
+    <message>
+        <source>a speed over ground</source>
+        <translation>prędkość względem ziemi</translation>
+    </message>
+    <message>
+        <source>there are more than %1 legs; expected a column leg that says which rows belong together</source>
+        <translation>odcinków jest więcej niż %1; oczekiwano kolumny leg, która mówi, które wiersze należą do siebie</translation>
+    </message>
+    <message>
+        <source>a Legs CSV</source>
+        <translation>plik Legs CSV</translation>
+    </message>
+    <message>
+        <source>time_s, compass_heading_deg, and reference_heading_deg (magnetic) or deviation_deg</source>
+        <translation>time_s, compass_heading_deg oraz reference_heading_deg (magnetyczny) lub deviation_deg</translation>
+    </message>
+    <message>
+        <source>a log: time_s, compass_heading_deg, and reference_heading_deg or deviation_deg</source>
+        <translation>zapis: time_s, compass_heading_deg oraz reference_heading_deg lub deviation_deg</translation>
+    </message>
+    <message>
+        <source>there are %1 loads; expected %2 at most</source>
+        <translation>odbiorników jest %1; oczekiwano najwyżej %2</translation>
+    </message>
+    <message>
+        <source>the state that was kept has other electrical loads than this log; expected the same current_A columns</source>
+        <translation>zachowany stan ma inne odbiorniki elektryczne niż ten zapis; oczekiwano tych samych kolumn current_A</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>sekundy</translation>
+    </message>
+    <message>
+        <source>time_s goes back to %1; expected times in order</source>
+        <translation>time_s cofa się do %1; oczekiwano czasów po kolei</translation>
+    </message>
+    <message>
+        <source>a heading is outside 0 to 360; expected degrees</source>
+        <translation>kurs wykracza poza 0 do 360; oczekiwano stopni</translation>
+    </message>
+    <message>
+        <source>reference_error_deg is not above 0; expected a standard deviation</source>
+        <translation>reference_error_deg nie jest większe od 0; oczekiwano odchylenia standardowego</translation>
+    </message>
+    <message>
+        <source>holds no pair of headings; expected a compass and a reference heading a row</source>
+        <translation>nie zawiera pary kursów; oczekiwano w wierszu kursu kompasowego i wzorcowego</translation>
+    </message>
+    <message>
+        <source>a log of headings</source>
+        <translation>zapis kursów</translation>
+    </message>
+    <message>
+        <source>there are %1 columns; expected at most %2</source>
+        <translation>kolumn jest %1; oczekiwano najwyżej %2</translation>
+    </message>
+    <message>
+        <source>two columns are %1: %2 and %3; expected one</source>
+        <translation>dwie kolumny to %1: %2 i %3; oczekiwano jednej</translation>
+    </message>
+    <message>
+        <source>there is no column %1 for %2</source>
+        <translation>nie ma kolumny %1 dla %2</translation>
+    </message>
+    <message>
+        <source>%1 is nothing that a column can be; expected time, bx, by, bz, heading, pitch or roll</source>
+        <translation>%1 nie może być kolumną; oczekiwano czasu, bx, by, bz, kursu, pochylenia lub przechylenia</translation>
+    </message>
+    <message>
+        <source>has no column %1; expected bx_nT, by_nT, bz_nT (or _uT, _mG, _G, or no unit for counts), or say which it is</source>
+        <translation>nie ma kolumny %1; oczekiwano bx_nT, by_nT, bz_nT (albo _uT, _mG, _G, albo bez jednostki dla zliczeń) lub wskazania, która to jest</translation>
+    </message>
+    <message>
+        <source>the axes are in different units: %1, %2, %3; expected one</source>
+        <translation>osie są w różnych jednostkach: %1, %2, %3; oczekiwano jednej</translation>
+    </message>
+    <message>
+        <source>as chosen</source>
+        <translation>jak wybrano</translation>
+    </message>
+    <message>
+        <source>the column names say so</source>
+        <translation>tak mówią nazwy kolumn</translation>
+    </message>
+    <message>
+        <source>the field&apos;s size, %1, lies where the Earth&apos;s field does in %2</source>
+        <translation>wielkość pola, %1, leży tam, gdzie pole Ziemi w %2</translation>
+    </message>
+    <message>
+        <source>the columns name no unit; taken for %1: the field&apos;s size, %2, lies where the Earth&apos;s field does in that unit</source>
+        <translation>kolumny nie podają jednostki; przyjęto %1: wielkość pola, %2, leży tam, gdzie w tej jednostce pole Ziemi</translation>
+    </message>
+    <message>
+        <source>the columns name no unit: raw counts</source>
+        <translation>kolumny nie podają jednostki: surowe zliczenia</translation>
+    </message>
+    <message>
+        <source>the columns name no unit and are taken for raw counts; their size, %1, would fit %2: choose that unit if it is</source>
+        <translation>kolumny nie podają jednostki i przyjęto surowe zliczenia; ich wielkość, %1, pasowałaby do %2: wybierz tę jednostkę, jeśli to ona</translation>
+    </message>
+    <message>
+        <source>the field&apos;s size is %1 %2, which is no field of the Earth; it would be one in %3</source>
+        <translation>wielkość pola wynosi %1 %2, a to nie pole Ziemi; byłoby nim w %3</translation>
+    </message>
+    <message>
+        <source>expected a sensor log CSV: a header with bx_nT, by_nT, bz_nT, and one sample a row</source>
+        <translation>oczekiwano zapisu czujnika w CSV: nagłówka z bx_nT, by_nT, bz_nT i jednej próbki w wierszu</translation>
+    </message>
+    <message>
+        <source>has no header, and %1 numbers a row; expected three (x, y, z), four (time, x, y, z), or names</source>
+        <translation>nie ma nagłówka, a w wierszu jest liczb: %1; oczekiwano trzech (x, y, z), czterech (czas, x, y, z) albo nazw</translation>
+    </message>
+    <message>
+        <source>%1 in column %2 is no number, as more than %3 cells before it; expected one, or an empty cell</source>
+        <translation>%1 w kolumnie %2 nie jest liczbą, jak ponad %3 komórek przed nią; oczekiwano liczby lub pustej komórki</translation>
+    </message>
+    <message>
+        <source>line %1: %2 in column %3 is no number; its row counts as empty there</source>
+        <translation>wiersz %1: %2 w kolumnie %3 nie jest liczbą; wiersz liczy się tam jako pusty</translation>
+    </message>
+    <message>
+        <source>the row has %1 cells where the header has %2, as many rows before it; expected a cell a column</source>
+        <translation>wiersz ma komórek %1, a nagłówek %2, jak wiele wierszy przed nim; oczekiwano jednej komórki na kolumnę</translation>
+    </message>
+    <message>
+        <source>%1 columns that are no field, heading or current hold more than %2 cells; expected a log without them</source>
+        <translation>kolumn, które nie są polem, kursem ani prądem, jest %1 i mają ponad %2 komórek; oczekiwano zapisu bez nich</translation>
+    </message>
+    <message>
+        <source>time goes back, from %1 to %2; expected rows in order of time, of one log</source>
+        <translation>czas cofa się, z %1 do %2; oczekiwano wierszy w kolejności czasu, z jednego zapisu</translation>
+    </message>
+    <message>
+        <source>holds no samples; %1</source>
+        <translation>nie zawiera próbek; %1</translation>
+    </message>
+    <message>
+        <source>there is no header: the columns are taken for %1</source>
+        <translation>brak nagłówka: kolumny przyjęto za %1</translation>
+    </message>
+    <message>
+        <source>a sensor log</source>
+        <translation>zapis czujnika</translation>
+    </message>
+    <message>
+        <source>places and fields: x_m, y_m, z_m, bx_nT, by_nT, bz_nT, a reading a row</source>
+        <translation>miejsca i pola: x_m, y_m, z_m, bx_nT, by_nT, bz_nT, jeden odczyt w wierszu</translation>
+    </message>
+    <message>
+        <source>there is no column %1; expected x_m, y_m, z_m, bx_nT, by_nT and bz_nT</source>
+        <translation>nie ma kolumny %1; oczekiwano x_m, y_m, z_m, bx_nT, by_nT i bz_nT</translation>
+    </message>
+    <message>
+        <source>there is no figure for %1; expected one in each cell</source>
+        <translation>brak liczby dla %1; oczekiwano jej w każdej komórce</translation>
+    </message>
+    <message>
+        <source>places and fields</source>
+        <translation>miejsca i pola</translation>
+    </message>
+    <message>
+        <source>%1 is a text of %2 bytes; expected at most %3</source>
+        <translation>%1 to tekst długości %2 bajtów; oczekiwano najwyżej %3</translation>
+    </message>
+    <message>
+        <source>there are more than %1 keys; expected the particulars of a swing</source>
+        <translation>kluczy jest więcej niż %1; oczekiwano danych pomiaru</translation>
+    </message>
+    <message>
+        <source>lines of # take more than %1 MiB and no header follows; %2</source>
+        <translation>linie z # zajmują ponad %1 MiB i nie ma po nich nagłówka; %2</translation>
+    </message>
+    <message>
+        <source>the columns that mean nothing here take more than %1 MiB; expected a compass swing</source>
+        <translation>kolumny, które nic tu nie znaczą, zajmują ponad %1 MiB; oczekiwano pomiaru dewiacji busoli</translation>
+    </message>
+    <message>
+        <source>note and keys that mean nothing here are %1 bytes together; expected at most %2</source>
+        <translation>uwaga i klucze, które nic tu nie znaczą, mają razem %1 bajtów; oczekiwano najwyżej %2</translation>
+    </message>
+    <message>
+        <source>a cell holds %1 bytes; expected at most %2</source>
+        <translation>komórka ma %1 bajtów; oczekiwano najwyżej %2</translation>
+    </message>
+    <message>
+        <source>there is no column %1; expected ground_speed_kt, track_deg, wind_speed_kt, wind_from_deg, ref_wind_speed_kt and ref_wind_from_deg; or, in place of both first, latitude_deg, longitude_deg and time_utc</source>
+        <translation>nie ma kolumny %1; oczekiwano ground_speed_kt, track_deg, wind_speed_kt, wind_from_deg, ref_wind_speed_kt i ref_wind_from_deg albo, zamiast dwóch pierwszych, latitude_deg, longitude_deg i time_utc</translation>
+    </message>
+    <message>
+        <source>%1 is not known; expected one of %2</source>
+        <translation>%1 jest nieznane; oczekiwano jednego z: %2</translation>
+    </message>
+    <message>
+        <source>there is no column %1, which should be %2</source>
+        <translation>nie ma kolumny %1, która powinna być: %2</translation>
+    </message>
+    <message>
+        <source>the column %1 is meant to be two things; expected one</source>
+        <translation>kolumna %1 ma być dwiema rzeczami; oczekiwano jednej</translation>
+    </message>
+    <message>
+        <source>two columns are of the heading %1; expected each heading once</source>
+        <translation>dwie kolumny są z kursu %1; każdego kursu oczekiwano raz</translation>
+    </message>
+    <message>
+        <source>headings are columns (%1 …), and what stands in their cells is not said; expected it to be said: compass headings read, deviations (magnetic - compass), indication errors (compass - magnetic), or magnetic headings</source>
+        <translation>kolumnami są kursy (%1 …), a nie powiedziano, co stoi w ich komórkach; oczekiwano wskazania: odczytane kursy kompasowe, dewiacje (magnetyczny - kompasowy), błędy wskazań (kompasowy - magnetyczny) lub kursy magnetyczne</translation>
+    </message>
+    <message>
+        <source>columns and cells are both compass headings; expected the others in one of the two</source>
+        <translation>kolumny i komórki są kursami kompasowymi; w jednym z nich oczekiwano tych drugich</translation>
+    </message>
+    <message>
+        <source>columns and cells are both magnetic headings; expected the others in one of the two</source>
+        <translation>kolumny i komórki są kursami magnetycznymi; w jednym z nich oczekiwano tych drugich</translation>
+    </message>
+    <message>
+        <source>neither headings as columns nor two of magnetic_heading_deg, compass_heading_deg and deviation_deg are there; expected a row a swing or a row a reading</source>
+        <translation>nie ma ani kursów jako kolumn, ani dwóch z magnetic_heading_deg, compass_heading_deg i deviation_deg; oczekiwano wiersza na pomiar albo wiersza na odczyt</translation>
+    </message>
+    <message>
+        <source>headings are columns, and columns of single readings are there too; expected a row a swing or a row a reading</source>
+        <translation>kolumnami są kursy i są też kolumny pojedynczych odczytów; oczekiwano wiersza na pomiar albo wiersza na odczyt</translation>
+    </message>
+    <message>
+        <source>what the cells of heading columns are is said, but no column is a heading</source>
+        <translation>powiedziano, co stoi w komórkach kolumn kursów, lecz żadna kolumna nie jest kursem</translation>
+    </message>
+    <message>
+        <source>a table of swings: a header of named columns, and a row a swing or a row a reading</source>
+        <translation>tabela pomiarów: nagłówek z nazwami kolumn i wiersz na pomiar albo wiersz na odczyt</translation>
+    </message>
+    <message>
+        <source>has a header but no rows; expected %1</source>
+        <translation>ma nagłówek, lecz nie ma wierszy; oczekiwano: %1</translation>
+    </message>
+    <message>
+        <source>the key %1 is said twice for all swings; expected it once</source>
+        <translation>klucz %1 podano dla wszystkich pomiarów dwa razy; oczekiwano raz</translation>
+    </message>
+    <message>
+        <source>no column is the aircraft; expected a column of registrations</source>
+        <translation>żadna kolumna nie jest statkiem powietrznym; oczekiwano kolumny ze znakami rejestracyjnymi</translation>
+    </message>
+    <message>
+        <source>no column is the date; expected a column of the days of the swings</source>
+        <translation>żadna kolumna nie jest datą; oczekiwano kolumny z dniami pomiarów</translation>
+    </message>
+    <message>
+        <source>the column %1 means nothing here; it is kept in the swings&apos; notes</source>
+        <translation>kolumna %1 nic tu nie znaczy; zachowano ją w uwagach pomiarów</translation>
+    </message>
+    <message>
+        <source>true headings stand in place of magnetic ones, and no variation_deg is said for them</source>
+        <translation>zamiast kursów magnetycznych stoją rzeczywiste, a nie podano dla nich variation_deg</translation>
+    </message>
+    <message>
+        <source>no heading of this swing has a reading; expected at least one</source>
+        <translation>żaden kurs tego pomiaru nie ma odczytu; oczekiwano co najmniej jednego</translation>
+    </message>
+    <message>
+        <source>a swing goes on here that rows above began, with others between; expected the rows of a swing to stand together, or a column &quot;swing&quot; that tells it from the other</source>
+        <translation>trwa tu pomiar zaczęty w wierszach powyżej, a między nimi są inne; oczekiwano wierszy pomiaru obok siebie albo kolumny „swing”, która go odróżnia</translation>
+    </message>
+    <message>
+        <source>the aircraft is not named in this row; expected its registration</source>
+        <translation>w tym wierszu nie podano statku powietrznego; oczekiwano znaków rejestracyjnych</translation>
+    </message>
+    <message>
+        <source>the date is not stated in this row; expected the day of the swing</source>
+        <translation>w tym wierszu nie podano daty; oczekiwano dnia pomiaru</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no day; expected %3</source>
+        <translation>%1: %2 nie jest dniem; oczekiwano %3</translation>
+    </message>
+    <message>
+        <source>day, month and year, as 31.12.2019</source>
+        <translation>dzień, miesiąc i rok, jak 31.12.2019</translation>
+    </message>
+    <message>
+        <source>month, day and year, as 12/31/2019</source>
+        <translation>miesiąc, dzień i rok, jak 12/31/2019</translation>
+    </message>
+    <message>
+        <source>YYYY-MM-DD</source>
+        <translation>RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>column %1: %2</source>
+        <translation>kolumna %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 deviations are larger than 45°: look whether the columns are what they were said to be</source>
+        <translation>%1 z %2 dewiacji przekracza 45°: sprawdź, czy kolumny są tym, co o nich powiedziano</translation>
+    </message>
+    <message>
+        <source>this is no signed content of version 3; expected what `export --signature` writes</source>
+        <translation>to nie jest podpisana treść wersji 3; oczekiwano tego, co zapisuje `export --signature`</translation>
+    </message>
+    <message>
+        <source>signed content</source>
+        <translation>podpisana treść</translation>
+    </message>
+    <message>
+        <source>particulars</source>
+        <translation>dane</translation>
+    </message>
+    <message>
+        <source>do not read</source>
+        <translation>nie dają się odczytać</translation>
+    </message>
+    <message>
+        <source>%1 of the type</source>
+        <translation>%1 typu</translation>
+    </message>
+    <message>
+        <source>%1 of the aircraft</source>
+        <translation>%1 statku powietrznego</translation>
+    </message>
+    <message>
+        <source>%1 of the compass</source>
+        <translation>%1 busoli</translation>
+    </message>
+    <message>
+        <source>%1 of the site</source>
+        <translation>%1 miejsca</translation>
+    </message>
+    <message>
+        <source>%1 of the limits</source>
+        <translation>%1 wartości dopuszczalnych</translation>
+    </message>
+    <message>
+        <source>%1: has more than %2 keys; expected %3</source>
+        <translation>%1: ma więcej niż %2 kluczy; oczekiwano %3</translation>
+    </message>
+    <message>
+        <source>%1: the values up to here take more than %2 MiB; expected %3, of a smaller size</source>
+        <translation>%1: wartości do tego miejsca zajmują ponad %2 MiB; oczekiwano %3 mniejszych rozmiarów</translation>
+    </message>
+    <message>
+        <source>is a text of %1 bytes; expected at most %2</source>
+        <translation>to tekst długości %1 bajtów; oczekiwano najwyżej %2</translation>
+    </message>
+    <message>
+        <source>a table of two compasses read together</source>
+        <translation>tabela dwóch busol odczytanych razem</translation>
+    </message>
+    <message>
+        <source>%1 is nested too deeply; expected at most %2 points in it</source>
+        <translation>%1 jest zagnieżdżone zbyt głęboko; oczekiwano najwyżej %2 kropek</translation>
+    </message>
+    <message>
+        <source>a table with the columns %1 and %2</source>
+        <translation>tabela z kolumnami %1 i %2</translation>
+    </message>
+    <message>
+        <source>no column %1; expected it in the header</source>
+        <translation>nie ma kolumny %1; oczekiwano jej w nagłówku</translation>
+    </message>
+    <message>
+        <source>expected a bearing of the shadow or of the sun, one of them in each row</source>
+        <translation>oczekiwano namiaru cienia albo słońca, jednego z nich w każdym wierszu</translation>
+    </message>
+    <message>
+        <source>a table of compass headings and bearings of the sun</source>
+        <translation>tabela kursów kompasowych i namiarów słońca</translation>
+    </message>
+    <message>
+        <source>the state of a continuous swing</source>
+        <translation>stan pomiaru ciągłego</translation>
+    </message>
+    <message>
+        <source>is another; expected the state of a continuous swing</source>
+        <translation>jest inny; oczekiwano stanu pomiaru ciągłego</translation>
+    </message>
+    <message>
+        <source>is not %1: it was written by another version of the program</source>
+        <translation>nie wynosi %1: zapisała to inna wersja programu</translation>
+    </message>
+    <message>
+        <source>has more than %1 loads</source>
+        <translation>ma więcej niż %1 odbiorników</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>liczby</translation>
+    </message>
+    <message>
+        <source>is no covariance; expected a symmetric one that is not negative</source>
+        <translation>nie jest kowariancją; oczekiwano macierzy symetrycznej i nieujemnej</translation>
+    </message>
+    <message>
+        <source>neighbouring innovations resemble each other (correlation %1): errors of the reference last longer than an update; standard errors are widened %2 times</source>
+        <translation>sąsiednie innowacje są do siebie podobne (korelacja %1): błędy wzorca trwają dłużej niż aktualizacja; błędy standardowe poszerzono %2 razy</translation>
+    </message>
+    <message>
+        <source>%1 is not told by the headings and loads so far</source>
+        <translation>dotychczasowe kursy i odbiorniki nie określają %1</translation>
+    </message>
+    <message>
+        <source>the iron changed: %1 by %2° ± %3°, between %4 s and %5 s</source>
+        <translation>żelazo się zmieniło: %1 o %2° ± %3°, między %4 s a %5 s</translation>
+    </message>
+    <message>
+        <source>the innovations are %1 times what the stated errors allow: the error of the reference is stated wrongly, or it changed</source>
+        <translation>innowacje są %1 razy większe, niż pozwalają podane błędy: błąd wzorca podano źle albo się zmienił</translation>
+    </message>
+    <message>
+        <source>there are %1 legs; expected three at least, on headings all round</source>
+        <translation>odcinków jest %1; oczekiwano co najmniej trzech, na kursach dookoła</translation>
+    </message>
+    <message>
+        <source>the legs do not tell the wind: their directions over ground lie on too short an arc; expected them all round, as 120° apart</source>
+        <translation>odcinki nie określają wiatru: ich kierunki nad ziemią leżą na zbyt krótkim łuku; oczekiwano ich dookoła, np. co 120°</translation>
+    </message>
+    <message>
+        <source>three legs determine the wind exactly: nothing is left to check it; errors are those of %1 kt in each leg</source>
+        <translation>trzy odcinki wyznaczają wiatr dokładnie: nie zostaje nic do sprawdzenia; błędy odpowiadają %1 w na każdym odcinku</translation>
+    </message>
+    <message>
+        <source>the legs are off one circle by %1 kt: wind or airspeed changed between them</source>
+        <translation>odcinki odbiegają od jednego okręgu o %1 w: wiatr lub prędkość powietrzna zmieniły się między nimi</translation>
+    </message>
+    <message>
+        <source>no variation is stated: headings are true, and deviations are not told</source>
+        <translation>nie podano deklinacji: kursy są rzeczywiste, a dewiacji nie określono</translation>
+    </message>
+    <message>
+        <source>D and E are told, and are not surely there (%1): the table is that of A, B and C</source>
+        <translation>D i E są określone, lecz nie są pewne (%1): tablica obejmuje A, B i C</translation>
+    </message>
+    <message>
+        <source>D and E are there (%1): the table is no sine</source>
+        <translation>D i E występują (%1): tablica nie jest sinusoidą</translation>
+    </message>
+    <message>
+        <source>the deviation changed between the flights %1 and %2 (%3); the fit is of the flights since</source>
+        <translation>dewiacja zmieniła się między lotami %1 i %2 (%3); dopasowano loty od tego czasu</translation>
+    </message>
+    <message>
+        <source>there is no group and no aircraft %1 to hold the others against</source>
+        <translation>nie ma grupy ani statku powietrznego %1, z którymi można porównać pozostałe</translation>
+    </message>
+    <message>
+        <source>the ground velocity of %1 reports is that between positions; the steps in which these are written make it uncertain by %2 kt</source>
+        <translation>prędkość względem ziemi %1 meldunków policzono z położeń; krok, z jakim je zapisano, daje jej niepewność %2 w</translation>
+    </message>
+    <message>
+        <source>the aircraft that the others are held against have B %1° and C %2° in common, as a constant error of the reference wind of %3 kt would look: their headings being right, it is one</source>
+        <translation>statki powietrzne, z którymi porównuje się pozostałe, mają wspólne B %1° i C %2°, jak przy stałym błędzie wiatru odniesienia %3 w: skoro ich kursy są dobre, jest to ten błąd</translation>
+    </message>
+    <message>
+        <source>%1° was read after the compass was turned by %2° in its mount: that is taken off what it read</source>
+        <translation>%1° odczytano po obróceniu busoli w mocowaniu o %2°: odjęto to od odczytu</translation>
+    </message>
+    <message>
+        <source>a control was turned since this heading was skipped, so that it cannot be read as it was found; the check swing reads it</source>
+        <translation>od pominięcia tego kursu obrócono regulację, więc nie można go odczytać w stanie zastanym; odczyta go pomiar kontrolny</translation>
+    </message>
+    <message>
+        <source>A is %1°: a clock an hour fast makes %2° of it here; look whether it shows daylight saving</source>
+        <translation>A wynosi %1°: zegar spieszący godzinę daje tu %2° z tego; sprawdź, czy nie pokazuje czasu letniego</translation>
+    </message>
+    <message>
+        <source>A is %1°: a clock an hour slow makes %2° of it here; look whether it shows daylight saving</source>
+        <translation>A wynosi %1°: zegar spóźniony o godzinę daje tu %2° z tego; sprawdź, czy nie pokazuje czasu letniego</translation>
+    </message>
+    <message>
+        <source>shadow pin (the sun)</source>
+        <translation>pręt cieniowy (słońce)</translation>
+    </message>
+    <message>
+        <source>a corrector stands at the end of its reach: the iron is more than it can take away; look for the source, or move the sensor</source>
+        <translation>korektor stoi na końcu zakresu: żelaza jest więcej, niż może usunąć; poszukaj źródła albo przenieś czujnik</translation>
+    </message>
+    <message>
+        <source>the analysis was cancelled</source>
+        <translation>analizę anulowano</translation>
+    </message>
+    <message>
+        <source>not read on %1</source>
+        <translation>nie odczytano na %1</translation>
+    </message>
+    <message>
+        <source>not read on %1 (%2)</source>
+        <translation>nie odczytano na %1 (%2)</translation>
+    </message>
+    <message>
+        <source>the base states %1</source>
+        <translation>baza podaje %1</translation>
+    </message>
+    <message>
+        <source>its survey found %1</source>
+        <translation>jej pomiar wykazał %1</translation>
+    </message>
+    <message>
+        <source>the model has %1</source>
+        <translation>model ma %1</translation>
+    </message>
+    <message>
+        <source>the swing states %1</source>
+        <translation>pomiar dewiacji podaje %1</translation>
+    </message>
+    <message>
+        <source>VARIATION in doubt, by %1: %2</source>
+        <translation>WĄTPLIWA DEKLINACJA, o %1: %2</translation>
+    </message>
+    <message>
+        <source>the headings of %1 do not tell %2: its type&apos;s is taken (%3)</source>
+        <translation>kursy z %1 nie określają %2: przyjęto wartość typu (%3)</translation>
     </message>
 </context>
 <context>
@@ -3206,10 +4120,6 @@
     <message>
         <source>the step to schema %1 (%2) failed, nothing was changed: %3</source>
         <translation>przejście do schematu %1 (%2) nie udało się, niczego nie zmieniono: %3</translation>
-    </message>
-    <message>
-        <source>the database has the old schema %1 and may only be read; expected one that may be written once, to bring it up to date</source>
-        <translation>baza ma stary schemat %1 i można ją tylko czytać; oczekiwano takiej, którą można raz zapisać, aby ją zaktualizować</translation>
     </message>
     <message>
         <source>the database was not closed properly, and its folder may not be written; expected one that may, so that what was stored last can be recovered</source>
@@ -3300,10 +4210,6 @@
         <translation>liczba nie jest skończona; oczekiwano rzeczywistej</translation>
     </message>
     <message>
-        <source>%1 is stored where a day should be; expected YYYY-MM-DD</source>
-        <translation>w miejscu daty zapisano %1; oczekiwano RRRR-MM-DD</translation>
-    </message>
-    <message>
         <source>there is no such %1 in the database</source>
         <translation>w bazie nie ma takiego wpisu: %1</translation>
     </message>
@@ -3342,10 +4248,6 @@
     <message>
         <source>electrical swing</source>
         <translation>pomiar elektryczny</translation>
-    </message>
-    <message>
-        <source>the electrical swing %1 does not read: %2</source>
-        <translation>pomiaru elektrycznego %1 nie da się odczytać: %2</translation>
     </message>
     <message>
         <source>aircraft type</source>
@@ -3472,10 +4374,6 @@
         <translation>zestaw wartości dopuszczalnych</translation>
     </message>
     <message>
-        <source>the survey of the site %1 does not read: %2</source>
-        <translation>pomiaru miejsca %1 nie da się odczytać: %2</translation>
-    </message>
-    <message>
         <source>datum instrument</source>
         <translation>przyrząd odniesienia</translation>
     </message>
@@ -3548,20 +4446,8 @@
         <translation>spójność: %1</translation>
     </message>
     <message>
-        <source>foreign key: a row of %1 refers to a missing row of %2</source>
-        <translation>klucz obcy: wiersz %1 odwołuje się do brakującego wiersza %2</translation>
-    </message>
-    <message>
         <source>order: two readings of the swing %1 are in one place</source>
         <translation>kolejność: dwa odczyty pomiaru %1 są w jednym miejscu</translation>
-    </message>
-    <message>
-        <source>figure: %1 of the record %2 is not a real number</source>
-        <translation>liczba: %1 zapisu %2 nie jest rzeczywista</translation>
-    </message>
-    <message>
-        <source>sensor model: %1</source>
-        <translation>model czujnika: %1</translation>
     </message>
     <message>
         <source>signature: %1</source>
@@ -3594,6 +4480,441 @@
     <message>
         <source>%1 &apos;%2&apos;</source>
         <translation>%1 &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>entry %1 (%2, %3, record %4)</source>
+        <translation>wpis %1 (%2, %3, zapis %4)</translation>
+    </message>
+    <message>
+        <source>%1 was put in behind the program&apos;s back</source>
+        <translation>%1 wstawiono z pominięciem programu</translation>
+    </message>
+    <message>
+        <source>%1 does not follow the one before it: an entry was taken out, put in, changed or moved</source>
+        <translation>%1 nie wynika z poprzedniego: wpis wyjęto, wstawiono, zmieniono lub przesunięto</translation>
+    </message>
+    <message>
+        <source>%1 does not follow the entry before it of its record</source>
+        <translation>%1 nie wynika z poprzedniego wpisu swojego zapisu</translation>
+    </message>
+    <message>
+        <source>%1 is not what was written: it was changed</source>
+        <translation>%1 nie jest tym, co zapisano: został zmieniony</translation>
+    </message>
+    <message>
+        <source>%1 stands before the entry before it (%2): the clock had been set back</source>
+        <translation>%1 stoi przed poprzednim wpisem (%2): zegar był cofnięty</translation>
+    </message>
+    <message>
+        <source>the head of the audit trail is not that of its last entry, %1</source>
+        <translation>głowa dziennika zmian nie należy do jego ostatniego wpisu, %1</translation>
+    </message>
+    <message>
+        <source>the audit trail is chained from %1 on: the %2 entries before are as they were found then</source>
+        <translation>dziennik zmian jest łańcuchem od %1: wcześniejsze wpisy (%2) są takie, jak je wtedy zastano</translation>
+    </message>
+    <message>
+        <source>entry %1 is missing</source>
+        <translation>brakuje wpisu %1</translation>
+    </message>
+    <message>
+        <source>entries %1 to %2 are missing</source>
+        <translation>brakuje wpisów od %1 do %2</translation>
+    </message>
+    <message>
+        <source>the audit trail does not hold the head %1… of %2: it was cut off, or is another&apos;s</source>
+        <translation>dziennik zmian nie ma głowy %1… z %2: ucięto go albo jest czyjś inny</translation>
+    </message>
+    <message>
+        <source>%1 was changed, or the entry before it was taken out</source>
+        <translation>%1 zmieniono albo wyjęto wpis przed nim</translation>
+    </message>
+    <message>
+        <source>audit_head has no row; expected the head of the audit trail</source>
+        <translation>audit_head nie ma wiersza; oczekiwano głowy dziennika zmian</translation>
+    </message>
+    <message>
+        <source>the database has the old schema %1 and may only be read, and no copy could be made to bring up to date; expected room for one among the temporary files</source>
+        <translation>baza ma stary schemat %1 i można ją tylko czytać, a nie udało się zrobić kopii do uaktualnienia; oczekiwano na nią miejsca wśród plików tymczasowych</translation>
+    </message>
+    <message>
+        <source>the database has the old schema %1; it was read as a copy and stays as it is</source>
+        <translation>baza ma stary schemat %1; odczytano jej kopię, a ona zostaje bez zmian</translation>
+    </message>
+    <message>
+        <source>nothing was changed: before the database is brought up to date a copy is made, and it failed: %1</source>
+        <translation>niczego nie zmieniono: przed uaktualnieniem bazy robi się kopię, a to się nie udało: %1</translation>
+    </message>
+    <message>
+        <source>the database was brought from schema %1 to %2; a copy as it was stands in %3</source>
+        <translation>bazę uaktualniono ze schematu %1 do %2; kopia poprzedniej jest w %3</translation>
+    </message>
+    <message>
+        <source>nothing (NULL)</source>
+        <translation>nic (NULL)</translation>
+    </message>
+    <message>
+        <source>an infinite number</source>
+        <translation>liczba nieskończona</translation>
+    </message>
+    <message>
+        <source>a block of %1 bytes</source>
+        <translation>blok %1 bajtów</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>liczba całkowita od %1 do %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 is stored; expected %3</source>
+        <translation>%1: zapisano %2; oczekiwano %3</translation>
+    </message>
+    <message>
+        <source>%1 does not read: %2</source>
+        <translation>%1 nie daje się odczytać: %2</translation>
+    </message>
+    <message>
+        <source>a text of at most %1 bytes</source>
+        <translation>tekst najwyżej %1 bajtów</translation>
+    </message>
+    <message>
+        <source>a text that is not empty</source>
+        <translation>tekst niepusty</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>tekst</translation>
+    </message>
+    <message>
+        <source>a record id (UUID in lower case with hyphens)</source>
+        <translation>identyfikator zapisu (UUID małymi literami z łącznikami)</translation>
+    </message>
+    <message>
+        <source>a day of the calendar as YYYY-MM-DD</source>
+        <translation>dzień kalendarza jak RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>liczba całkowita</translation>
+    </message>
+    <message>
+        <source>the number of a row</source>
+        <translation>numer wiersza</translation>
+    </message>
+    <message>
+        <source>the program gpg is not there; expected it to be installed (on Debian: apt install gpg)</source>
+        <translation>nie ma programu gpg; oczekiwano, że jest zainstalowany (w Debianie: apt install gpg)</translation>
+    </message>
+    <message>
+        <source>gpg failed (%1)</source>
+        <translation>gpg zawiódł (%1)</translation>
+    </message>
+    <message>
+        <source>cancelled; nothing was signed</source>
+        <translation>anulowano; niczego nie podpisano</translation>
+    </message>
+    <message>
+        <source>gpg did not answer within %1 s; expected a pass phrase, or a card that is there</source>
+        <translation>gpg nie odpowiedział w ciągu %1 s; oczekiwano hasła albo włożonej karty</translation>
+    </message>
+    <message>
+        <source>the key ring has no key %1; expected one of `gpg --list-keys`</source>
+        <translation>w pęku kluczy nie ma klucza %1; oczekiwano jednego z `gpg --list-keys`</translation>
+    </message>
+    <message>
+        <source>there is no OpenPGP public key in it; expected what `gpg --armor --export` writes</source>
+        <translation>nie ma w nim klucza publicznego OpenPGP; oczekiwano tego, co zapisuje `gpg --armor --export`</translation>
+    </message>
+    <message>
+        <source>no folder for a while could be made; expected room on the drive for temporary files</source>
+        <translation>nie udało się utworzyć folderu tymczasowego; oczekiwano miejsca na dysku na pliki tymczasowe</translation>
+    </message>
+    <message>
+        <source>the key %1 was revoked</source>
+        <translation>klucz %1 został unieważniony</translation>
+    </message>
+    <message>
+        <source>the key %1 had expired on %2, before it signed on %3</source>
+        <translation>klucz %1 wygasł %2, zanim podpisano nim %3</translation>
+    </message>
+    <message>
+        <source>key not known: %1, which calls itself %2</source>
+        <translation>klucz nieznany: %1, podaje się za %2</translation>
+    </message>
+    <message>
+        <source>the key %1 is %2&apos;s, and the name is %3</source>
+        <translation>klucz %1 należy do %2, a nazwisko to %3</translation>
+    </message>
+    <message>
+        <source>verified by the key %1 of %2</source>
+        <translation>sprawdzono kluczem %1, który należy do %2</translation>
+    </message>
+    <message>
+        <source>name not verified</source>
+        <translation>nazwiska nie sprawdzono</translation>
+    </message>
+    <message>
+        <source>it names the key %1 and carries no signature by it</source>
+        <translation>podaje klucz %1, lecz nie ma jego podpisu</translation>
+    </message>
+    <message>
+        <source>the key was not checked: %1</source>
+        <translation>klucza nie sprawdzono: %1</translation>
+    </message>
+    <message>
+        <source>the signature by the key %1 is not over what stands here</source>
+        <translation>podpis kluczem %1 nie dotyczy tego, co tu stoi</translation>
+    </message>
+    <message>
+        <source>head of the audit trail</source>
+        <translation>głowa dziennika zmian</translation>
+    </message>
+    <message>
+        <source>%1.%2, row %3: %4</source>
+        <translation>%1.%2, wiersz %3: %4</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no fingerprint; expected 40 or 64 capital hexadecimal digits</source>
+        <translation>&apos;%1&apos; nie jest odciskiem klucza; oczekiwano 40 lub 64 wielkich cyfr szesnastkowych</translation>
+    </message>
+    <message>
+        <source>the name is empty; expected whose key it is, as he signs</source>
+        <translation>nazwisko jest puste; oczekiwano nazwiska właściciela klucza, tak jak podpisuje</translation>
+    </message>
+    <message>
+        <source>this key is known as that of %1; expected it to be removed first</source>
+        <translation>ten klucz jest już znany jako klucz %1; oczekiwano najpierw jego usunięcia</translation>
+    </message>
+    <message>
+        <source>no key of the station ends in %1; expected eight digits or more of one</source>
+        <translation>żaden klucz stacji nie kończy się na %1; oczekiwano co najmniej ośmiu cyfr</translation>
+    </message>
+    <message>
+        <source>several keys end in %1; expected more of it</source>
+        <translation>kilka kluczy kończy się na %1; oczekiwano dłuższej części</translation>
+    </message>
+    <message>
+        <source>the signature of %1 (%2) on the swing of %3 (record %4)</source>
+        <translation>podpis %1 (%2) pod pomiarem z %3 (zapis %4)</translation>
+    </message>
+    <message>
+        <source>%1 is not in the audit trail: it was put in, or its fields were changed</source>
+        <translation>%1 nie występuje w dzienniku zmian: wstawiono go albo zmieniono jego pola</translation>
+    </message>
+    <message>
+        <source>%1 has another time than its entry in the audit trail, %2</source>
+        <translation>%1 ma inny czas niż jego wpis w dzienniku zmian, %2</translation>
+    </message>
+    <message>
+        <source>the signature &quot;%1&quot;, which the audit trail names at %2, is not there: it was taken out or changed (swing of %3, record %4)</source>
+        <translation>nie ma podpisu „%1”, który dziennik zmian podaje pod %2: wyjęto go lub zmieniono (pomiar z %3, zapis %4)</translation>
+    </message>
+    <message>
+        <source>%1 does not hold: %2 was &quot;%3&quot; when it was signed and is &quot;%4&quot;</source>
+        <translation>%1 nie jest ważny: %2 przy podpisaniu było „%3”, a jest „%4”</translation>
+    </message>
+    <message>
+        <source>%1 does not hold: it, one before it, or the swing is not what was signed</source>
+        <translation>%1 nie jest ważny: on, wcześniejszy podpis albo pomiar nie jest tym, co podpisano</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>the swing of %1 (record %2) is signed, and the audit trail does not say by whom</source>
+        <translation>pomiar z %1 (zapis %2) jest podpisany, a dziennik zmian nie mówi, przez kogo</translation>
+    </message>
+    <message>
+        <source>the swing of %1 (record %2) was signed by two people and is not frozen</source>
+        <translation>pomiar z %1 (zapis %2) podpisały dwie osoby, a nie jest zamrożony</translation>
+    </message>
+    <message>
+        <source>64 hexadecimal digits (SHA-256)</source>
+        <translation>64 cyfry szesnastkowe (SHA-256)</translation>
+    </message>
+    <message>
+        <source>the swing was changed while it was being signed; look at it again and sign anew</source>
+        <translation>pomiar zmieniono podczas podpisywania; obejrzyj go jeszcze raz i podpisz na nowo</translation>
+    </message>
+    <message>
+        <source>the swing is not signed; only a signed card can be printed again</source>
+        <translation>pomiar nie jest podpisany; ponownie drukować można tylko podpisaną tablicę</translation>
+    </message>
+    <message>
+        <source>a text of a reading has %1 bytes; expected at most %2</source>
+        <translation>tekst odczytu ma %1 bajtów; oczekiwano najwyżej %2</translation>
+    </message>
+    <message>
+        <source>swing.site_id, row %1: %2 is stored; expected the number of a site</source>
+        <translation>swing.site_id, wiersz %1: zapisano %2; oczekiwano numeru miejsca</translation>
+    </message>
+    <message>
+        <source>%1 of the record %2 refers to a row that is not there; expected a whole database: `lubberline db verify` lists what is wrong</source>
+        <translation>%1 zapisu %2 wskazuje na wiersz, którego nie ma; oczekiwano całej bazy: `lubberline db verify` wymienia, co jest nie tak</translation>
+    </message>
+    <message>
+        <source>the signed swing of %1, %2, %3 (record %4) is not what was signed; expected one whose signatures hold. Nothing was stored</source>
+        <translation>podpisany pomiar z %1, %2, %3 (zapis %4) nie jest tym, co podpisano; oczekiwano takiego, którego podpisy są ważne. Niczego nie zapisano</translation>
+    </message>
+    <message>
+        <source>the swing of %1, %2, %3 (record %4): %5</source>
+        <translation>pomiar z %1, %2, %3 (zapis %4): %5</translation>
+    </message>
+    <message>
+        <source>signed as %1 &quot;%2&quot;, in the file it is &quot;%3&quot;</source>
+        <translation>podpisano jako %1 „%2”, w pliku jest „%3”</translation>
+    </message>
+    <message>
+        <source>the signature of %1 does not hold</source>
+        <translation>podpis %1 nie jest ważny</translation>
+    </message>
+    <message>
+        <source>signed as %1 &quot;%2&quot;, here it is &quot;%3&quot;</source>
+        <translation>podpisano jako %1 „%2”, tutaj jest „%3”</translation>
+    </message>
+    <message>
+        <source>the file has the old schema %1, in which the audit trail is no chain; it was read as a copy</source>
+        <translation>plik ma stary schemat %1, w którym dziennik zmian nie jest łańcuchem; odczytano jego kopię</translation>
+    </message>
+    <message>
+        <source>foreign key: a row of %1 (%2) refers to a missing row of %3</source>
+        <translation>klucz obcy: wiersz %1 (%2) wskazuje na brakujący wiersz %3</translation>
+    </message>
+    <message>
+        <source>audit trail: %1</source>
+        <translation>dziennik zmian: %1</translation>
+    </message>
+    <message>
+        <source>the copy is written, but the database is damaged and the copy is as damaged (%1 findings; the first: %2); expected a whole one: `lubberline db verify` lists them</source>
+        <translation>kopię zapisano, lecz baza jest uszkodzona i kopia tak samo (usterek: %1; pierwsza: %2); oczekiwano całej: `lubberline db verify` wymienia wszystkie</translation>
+    </message>
+    <message>
+        <source>the backup is damaged: %1</source>
+        <translation>kopia zapasowa jest uszkodzona: %1</translation>
+    </message>
+    <message>
+        <source>the database may only be read; expected one that may be replaced</source>
+        <translation>bazę można tylko czytać; oczekiwano takiej, którą można zastąpić</translation>
+    </message>
+    <message>
+        <source>this is the database itself; expected a backup of it</source>
+        <translation>to jest sama baza; oczekiwano jej kopii zapasowej</translation>
+    </message>
+    <message>
+        <source>there is a file of this name already; expected a new name for the database as it is now</source>
+        <translation>jest już plik o tej nazwie; oczekiwano nowej nazwy dla obecnej bazy</translation>
+    </message>
+    <message>
+        <source>the database could not be put aside; expected a folder that may be written</source>
+        <translation>nie udało się odłożyć bazy na bok; oczekiwano folderu, w którym wolno pisać</translation>
+    </message>
+    <message>
+        <source>the backup could not be put in the place of the database; expected a folder that may be written</source>
+        <translation>nie udało się umieścić kopii zapasowej na miejscu bazy; oczekiwano folderu, w którym wolno pisać</translation>
+    </message>
+    <message>
+        <source>the swing of %1 in it is signed and stays on record; what has something signed cannot be removed</source>
+        <translation>jego pomiar z %1 jest podpisany i pozostaje w zapisach; niczego z podpisem nie można usunąć</translation>
+    </message>
+    <message>
+        <source>the swing of %1 in it is complete; open it again, or it stays on record</source>
+        <translation>jego pomiar z %1 jest ukończony; otwórz go ponownie albo pozostanie w zapisach</translation>
+    </message>
+    <message>
+        <source>%1 has signed a swing in it, which stays on record; what has something signed cannot be removed</source>
+        <translation>%1 podpisał w nim pomiar, który pozostaje w zapisach; niczego z podpisem nie można usunąć</translation>
+    </message>
+    <message>
+        <source>a waiver of %1 in it is signed and stays on record; what has something signed cannot be removed</source>
+        <translation>jego odstąpienie z %1 jest podpisane i pozostaje w zapisach; niczego z podpisem nie można usunąć</translation>
+    </message>
+    <message>
+        <source>the record that is to be removed is gone already</source>
+        <translation>zapis do usunięcia już nie istnieje</translation>
+    </message>
+    <message>
+        <source>line %1: %2 is no %3 in the database; what is known of it is left as it is</source>
+        <translation>wiersz %1: %2 nie jest w bazie jako %3; to, co o nim wiadomo, pozostaje bez zmian</translation>
+    </message>
+    <message>
+        <source>a swing of this import (%1) was changed since; nothing was undone</source>
+        <translation>pomiar z tego wczytania (%1) od tego czasu zmieniono; niczego nie cofnięto</translation>
+    </message>
+    <message>
+        <source>%1 · %2: D is %3° in %4 of %5 swings (the first in line %6) where its siblings have %7°: the sign of these records is suspect; nothing is turned</source>
+        <translation>%1 · %2: D wynosi %3° w %4 z %5 pomiarów (pierwszy w wierszu %6), gdzie siostrzane mają %7°: znak tych zapisów jest podejrzany; niczego nie odwrócono</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui</name>
+    <message>
+        <source>State of the radio</source>
+        <translation>Stan radia</translation>
+    </message>
+    <message>
+        <source>any radio state</source>
+        <translation>dowolny stan radia</translation>
+    </message>
+    <message>
+        <source>radio on</source>
+        <translation>radio włączone</translation>
+    </message>
+    <message>
+        <source>radio off</source>
+        <translation>radio wyłączone</translation>
+    </message>
+    <message>
+        <source>Who has a say in the mean</source>
+        <translation>Kto ma głos w średniej</translation>
+    </message>
+    <message>
+        <source>one aircraft, one vote</source>
+        <translation>jeden statek powietrzny, jeden głos</translation>
+    </message>
+    <message>
+        <source>one swing, one vote</source>
+        <translation>jeden pomiar, jeden głos</translation>
+    </message>
+    <message>
+        <source>From this day on, YYYY-MM-DD</source>
+        <translation>Od tego dnia, RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>od</translation>
+    </message>
+    <message>
+        <source>Up to this day, YYYY-MM-DD</source>
+        <translation>Do tego dnia, RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>do</translation>
+    </message>
+    <message>
+        <source>A day to compare |A| before and after, as that of a training, YYYY-MM-DD; empty: the data are asked for one</source>
+        <translation>Dzień, przed którym i po którym porównać |A|, np. dzień szkolenia, RRRR-MM-DD; puste: wskażą go dane</translation>
+    </message>
+    <message>
+        <source>training</source>
+        <translation>szkolenie</translation>
+    </message>
+    <message>
+        <source> headings</source>
+        <translation> kursów</translation>
+    </message>
+    <message>
+        <source>Period:</source>
+        <translation>Okres:</translation>
+    </message>
+    <message>
+        <source>Training:</source>
+        <translation>Szkolenie:</translation>
     </message>
 </context>
 <context>
@@ -3753,6 +5074,296 @@
     <message>
         <source>Particulars, compasses and events of an aircraft at the left, the swings of the chosen compass and its coefficients over the years at the right. Enter opens the swing that is marked. Record lightning strikes, engine changes and the like as events: what is due follows from them.</source>
         <translation>Po lewej dane, busole i zdarzenia statku powietrznego, po prawej pomiary wybranej busoli i jej współczynniki w kolejnych latach. Enter otwiera zaznaczony pomiar. Uderzenia pioruna, wymiany silnika i podobne zapisuj jako zdarzenia: z nich wynika, co jest do wykonania.</translation>
+    </message>
+    <message>
+        <source>Compasses of this aircraft</source>
+        <translation>Busole tego statku powietrznego</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <translation>Kompasowy</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Terminy</translation>
+    </message>
+    <message>
+        <source>No compass is entered yet</source>
+        <translation>Nie wprowadzono jeszcze busoli</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::AssumedIronForm</name>
+    <message>
+        <source>Soft iron c, f:</source>
+        <translation>Żelazo miękkie c, f:</translation>
+    </message>
+    <message>
+        <source>Hard iron P, Q (nT):</source>
+        <translation>Żelazo twarde P, Q (nT):</translation>
+    </message>
+    <message>
+        <source>Compensating magnets (nT):</source>
+        <translation>Magnesy kompensujące (nT):</translation>
+    </message>
+    <message>
+        <source>One cycle of the compass (°):</source>
+        <translation>Błąd półokrężny busoli (°):</translation>
+    </message>
+    <message>
+        <source>How large it may be (a standard deviation), where the swing cannot tell: the band and the verdict rest on it</source>
+        <translation>Jak duże może być (odchylenie standardowe) tam, gdzie pomiar tego nie określa: na tym opierają się pasmo i ocena</translation>
+    </message>
+    <message>
+        <source>%1 %2 is no size; expected a number above 0, %3 at most</source>
+        <translation>%1 %2 nie jest wielkością; oczekiwano liczby większej od 0, najwyżej %3</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::AuditWords</name>
+    <message>
+        <source>swing made</source>
+        <translation>utworzono pomiar</translation>
+    </message>
+    <message>
+        <source>particulars changed</source>
+        <translation>zmieniono dane</translation>
+    </message>
+    <message>
+        <source>swing removed</source>
+        <translation>usunięto pomiar</translation>
+    </message>
+    <message>
+        <source>reading added</source>
+        <translation>dodano odczyt</translation>
+    </message>
+    <message>
+        <source>reading changed</source>
+        <translation>zmieniono odczyt</translation>
+    </message>
+    <message>
+        <source>reading removed</source>
+        <translation>usunięto odczyt</translation>
+    </message>
+    <message>
+        <source>readings put in</source>
+        <translation>wstawiono odczyty</translation>
+    </message>
+    <message>
+        <source>marked complete</source>
+        <translation>oznaczono jako ukończony</translation>
+    </message>
+    <message>
+        <source>opened again</source>
+        <translation>otwarto ponownie</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>podpisany</translation>
+    </message>
+    <message>
+        <source>signed, and imported so</source>
+        <translation>podpisano i tak wczytano</translation>
+    </message>
+    <message>
+        <source>signed before the trail was a chain</source>
+        <translation>podpisano, zanim dziennik stał się łańcuchem</translation>
+    </message>
+    <message>
+        <source>frozen</source>
+        <translation>zamrożono</translation>
+    </message>
+    <message>
+        <source>amended: a new revision</source>
+        <translation>poprawiono: nowe wydanie</translation>
+    </message>
+    <message>
+        <source>guided swing begun</source>
+        <translation>zaczęto pomiar prowadzony</translation>
+    </message>
+    <message>
+        <source>guided swing finished</source>
+        <translation>ukończono pomiar prowadzony</translation>
+    </message>
+    <message>
+        <source>guided swing abandoned</source>
+        <translation>przerwano pomiar prowadzony</translation>
+    </message>
+    <message>
+        <source>nominal heading</source>
+        <translation>kurs nominalny</translation>
+    </message>
+    <message>
+        <source>magnetic heading</source>
+        <translation>kurs magnetyczny</translation>
+    </message>
+    <message>
+        <source>compass heading</source>
+        <translation>kurs kompasowy</translation>
+    </message>
+    <message>
+        <source>true heading</source>
+        <translation>kurs rzeczywisty</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>pochylenie</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>przechylenie</translation>
+    </message>
+    <message>
+        <source>left out because</source>
+        <translation>pominięto, ponieważ</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>uwaga</translation>
+    </message>
+    <message>
+        <source>site</source>
+        <translation>miejsce</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>busola</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>data</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>rodzaj</translation>
+    </message>
+    <message>
+        <source>stage</source>
+        <translation>etap</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>stan</translation>
+    </message>
+    <message>
+        <source>radio</source>
+        <translation>radio</translation>
+    </message>
+    <message>
+        <source>engines</source>
+        <translation>silniki</translation>
+    </message>
+    <message>
+        <source>electrics</source>
+        <translation>odbiorniki elektryczne</translation>
+    </message>
+    <message>
+        <source>further configuration</source>
+        <translation>dalsza konfiguracja</translation>
+    </message>
+    <message>
+        <source>datum instrument</source>
+        <translation>przyrząd odniesienia</translation>
+    </message>
+    <message>
+        <source>serial number of the datum</source>
+        <translation>numer seryjny wzorca</translation>
+    </message>
+    <message>
+        <source>datum calibrated until</source>
+        <translation>wzorzec sprawdzony do</translation>
+    </message>
+    <message>
+        <source>datum read by</source>
+        <translation>wzorzec odczytał</translation>
+    </message>
+    <message>
+        <source>compass read by</source>
+        <translation>busolę odczytał</translation>
+    </message>
+    <message>
+        <source>adjusted by</source>
+        <translation>regulował</translation>
+    </message>
+    <message>
+        <source>inspected by</source>
+        <translation>sprawdził</translation>
+    </message>
+    <message>
+        <source>variation (°, E +)</source>
+        <translation>deklinacja (°, E +)</translation>
+    </message>
+    <message>
+        <source>procedure</source>
+        <translation>metoda</translation>
+    </message>
+    <message>
+        <source>work order</source>
+        <translation>zlecenie</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>powód</translation>
+    </message>
+    <message>
+        <source>A taken out (°)</source>
+        <translation>odjęte A (°)</translation>
+    </message>
+    <message>
+        <source>weather</source>
+        <translation>pogoda</translation>
+    </message>
+    <message>
+        <source>why on this site</source>
+        <translation>dlaczego w tym miejscu</translation>
+    </message>
+    <message>
+        <source>how the datum is read</source>
+        <translation>jak odczytuje się wzorzec</translation>
+    </message>
+    <message>
+        <source>begun (UTC)</source>
+        <translation>rozpoczęto (UTC)</translation>
+    </message>
+    <message>
+        <source>ended (UTC)</source>
+        <translation>zakończono (UTC)</translation>
+    </message>
+    <message>
+        <source>field model</source>
+        <translation>model pola</translation>
+    </message>
+    <message>
+        <source>why amended</source>
+        <translation>dlaczego poprawiono</translation>
+    </message>
+    <message>
+        <source>revision</source>
+        <translation>wydanie</translation>
+    </message>
+    <message>
+        <source>nothing read</source>
+        <translation>nic nie odczytano</translation>
+    </message>
+    <message>
+        <source>%1 of a reading</source>
+        <translation>%1 odczytu</translation>
+    </message>
+    <message>
+        <source>%1 of the reading on %2°</source>
+        <translation>%1 odczytu na %2°</translation>
+    </message>
+    <message>
+        <source>as %1</source>
+        <translation>jako %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s)</source>
+        <translation>
+            <numerusform>%n odczyt</numerusform>
+            <numerusform>%n odczyty</numerusform>
+            <numerusform>%n odczytów</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3987,14 +5598,6 @@ soft iron S:</source>
         <translation>geometria (m)</translation>
     </message>
     <message>
-        <source>new part</source>
-        <translation>nowa część</translation>
-    </message>
-    <message>
-        <source>new circuit</source>
-        <translation>nowy obwód</translation>
-    </message>
-    <message>
         <source>sensor: %1</source>
         <translation>czujnik: %1</translation>
     </message>
@@ -4036,6 +5639,241 @@ soft iron S:</source>
     <message>
         <source>%1 (copy)</source>
         <translation>%1 (kopia)</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::CalibrationPage</name>
+    <message>
+        <source>&apos;%1&apos; is not allowed for %2; expected %3 to %4</source>
+        <translation>&apos;%1&apos; jest niedozwolone dla %2; oczekiwano od %3 do %4</translation>
+    </message>
+    <message>
+        <source>empty: not known</source>
+        <translation>puste: nieznane</translation>
+    </message>
+    <message>
+        <source>empty: not known; down +</source>
+        <translation>puste: nieznane; w dół +</translation>
+    </message>
+    <message>
+        <source>standard deviation; empty: exact</source>
+        <translation>odchylenie standardowe; puste: dokładne</translation>
+    </message>
+    <message>
+        <source>Only the part of the log that is zoomed in</source>
+        <translation>Tylko powiększona część zapisu</translation>
+    </message>
+    <message>
+        <source>&amp;Open a log…</source>
+        <translation>&amp;Otwórz zapis…</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>&amp;Kalibruj</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>&amp;Save the model…</source>
+        <translation>Zapisz &amp;model…</translation>
+    </message>
+    <message>
+        <source>Store with the c&amp;ompass</source>
+        <translation>Zachowaj przy &amp;busoli</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Zapis</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Przed i po</translation>
+    </message>
+    <message>
+        <source>Column x (forward):</source>
+        <translation>Kolumna x (do przodu):</translation>
+    </message>
+    <message>
+        <source>Column y (right):</source>
+        <translation>Kolumna y (w prawo):</translation>
+    </message>
+    <message>
+        <source>Column z (down):</source>
+        <translation>Kolumna z (w dół):</translation>
+    </message>
+    <message>
+        <source>Time:</source>
+        <translation>Czas:</translation>
+    </message>
+    <message>
+        <source>Magnetic heading:</source>
+        <translation>Kurs magnetyczny:</translation>
+    </message>
+    <message>
+        <source>Pitch (nose up +):</source>
+        <translation>Pochylenie (nos w górę +):</translation>
+    </message>
+    <message>
+        <source>Roll (right wing down +):</source>
+        <translation>Przechylenie (prawe skrzydło w dół +):</translation>
+    </message>
+    <message>
+        <source>as recognised</source>
+        <translation>jak rozpoznano</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>zliczenia</translation>
+    </message>
+    <message>
+        <source>ellipsoid (the field&apos;s size, 10 parameters)</source>
+        <translation>elipsoida (wielkość pola, 10 parametrów)</translation>
+    </message>
+    <message>
+        <source>axes (7 parameters)</source>
+        <translation>osie (7 parametrów)</translation>
+    </message>
+    <message>
+        <source>sphere (4 parameters)</source>
+        <translation>kula (4 parametry)</translation>
+    </message>
+    <message>
+        <source>against heading, pitch and roll</source>
+        <translation>względem kursu, pochylenia i przechylenia</translation>
+    </message>
+    <message>
+        <source>&amp;Unit:</source>
+        <translation>&amp;Jednostka:</translation>
+    </message>
+    <message>
+        <source>&amp;Method:</source>
+        <translation>M&amp;etoda:</translation>
+    </message>
+    <message>
+        <source>Earth&apos;s &amp;field (nT):</source>
+        <translation>&amp;Pole Ziemi (nT):</translation>
+    </message>
+    <message>
+        <source>Its &amp;dip (°):</source>
+        <translation>&amp;Inklinacja (°):</translation>
+    </message>
+    <message>
+        <source>&amp;Attitude sure to (°):</source>
+        <translation>Położenie kątowe pe&amp;wne do (°):</translation>
+    </message>
+    <message>
+        <source>A log of a magnetometer (CSV). Turn it slowly through all attitudes: each side up once, with a full turn in each.</source>
+        <translation>Zapis magnetometru (CSV). Obracaj go powoli przez wszystkie położenia: każdym bokiem raz do góry, z pełnym obrotem w każdym.</translation>
+    </message>
+    <message>
+        <source>Among the sensor models of the compass from whose page this one was opened: maps and predictions take it from there</source>
+        <translation>Wśród modeli czujnika busoli, z której strony otwarto tę stronę: stąd biorą go mapy i przewidywania</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Kierunki</translation>
+    </message>
+    <message>
+        <source>Calibration of a magnetometer from its log</source>
+        <translation>Kalibracja magnetometru z jego zapisu</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>czas (s)</translation>
+    </message>
+    <message>
+        <source>Open a log: it is drawn here. Drag to zoom.</source>
+        <translation>Otwórz zapis: zostanie tu narysowany. Przeciągnij, aby powiększyć.</translation>
+    </message>
+    <message>
+        <source>Nothing is calibrated yet.</source>
+        <translation>Nic jeszcze nie skalibrowano.</translation>
+    </message>
+    <message>
+        <source>Open a sensor log</source>
+        <translation>Otwieranie zapisu czujnika</translation>
+    </message>
+    <message>
+        <source>Sensor logs (*.csv *.txt *.tsv *.dat);;All files (*)</source>
+        <translation>Zapisy czujnika (*.csv *.txt *.tsv *.dat);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(brak)</translation>
+    </message>
+    <message>
+        <source>the Earth&apos;s field</source>
+        <translation>pole Ziemi</translation>
+    </message>
+    <message>
+        <source>the dip</source>
+        <translation>inklinacja</translation>
+    </message>
+    <message>
+        <source>how sure the attitude is</source>
+        <translation>pewność położenia kątowego</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Trwa obliczanie…</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>wiersz</translation>
+    </message>
+    <message>
+        <source>field (%1)</source>
+        <translation>pole (%1)</translation>
+    </message>
+    <message>
+        <source>No calibration comes of this log: see why, and what to do next.</source>
+        <translation>Z tego zapisu nie ma kalibracji: zobacz dlaczego i co zrobić dalej.</translation>
+    </message>
+    <message>
+        <source>magnetic heading (°)</source>
+        <translation>kurs magnetyczny (°)</translation>
+    </message>
+    <message>
+        <source>heading error, read − magnetic (°)</source>
+        <translation>błąd kursu, odczytany − magnetyczny (°)</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>przedtem</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>po</translation>
+    </message>
+    <message>
+        <source>the field&apos;s size (%1)</source>
+        <translation>wielkość pola (%1)</translation>
+    </message>
+    <message>
+        <source>Save the sensor model</source>
+        <translation>Zapisywanie modelu czujnika</translation>
+    </message>
+    <message>
+        <source>Sensor model (*.json);;C header with a self-test (*.h)</source>
+        <translation>Model czujnika (*.json);;Nagłówek C z samokontrolą (*.h)</translation>
+    </message>
+    <message>
+        <source>calibration %1</source>
+        <translation>kalibracja %1</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration from a log…</source>
+        <translation>&amp;Kalibracja z zapisu…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+G</source>
+        <translation>Ctrl+Alt+G</translation>
+    </message>
+    <message>
+        <source>Open a log of a magnetometer that was turned through all attitudes: its hard and soft iron, how sure they are, why no surer and what to do for better. Zoom into the log to use a part of it; Directions shows where no sample is; the model is saved as JSON or as a C header, or stored among the sensor models of the compass from whose page this one was opened.</source>
+        <translation>Otwórz zapis magnetometru, który obracano przez wszystkie położenia: jego żelazo twarde i miękkie, jak pewne są, dlaczego nie pewniejsze i co zrobić, by było lepiej. Powiększ zapis, aby użyć jego części; Kierunki pokazują, gdzie brak próbek; model zapisuje się jako JSON lub nagłówek C albo wśród modeli czujnika busoli, z której strony otwarto tę stronę.</translation>
     </message>
 </context>
 <context>
@@ -4138,13 +5976,6 @@ soft iron S:</source>
     </message>
 </context>
 <context>
-    <name>lubberline::ui::ChartHistoryPlot</name>
-    <message>
-        <source>Coefficients over time</source>
-        <translation>Współczynniki w czasie</translation>
-    </message>
-</context>
-<context>
     <name>lubberline::ui::ChartPlot</name>
     <message>
         <source>Components</source>
@@ -4161,6 +5992,133 @@ soft iron S:</source>
     <message>
         <source>Spectrum</source>
         <translation>Widmo</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::CheckPage</name>
+    <message>
+        <source>&amp;Store as a check swing</source>
+        <translation>&amp;Zachowaj jako pomiar kontrolny</translation>
+    </message>
+    <message>
+        <source>Two-minute check</source>
+        <translation>Sprawdzenie w dwie minuty</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one deviation as it is read on the apron: datum and compass together</source>
+        <translation>Odchylenie standardowe jednej dewiacji odczytanej na płycie: wzorzec i busola razem</translation>
+    </message>
+    <message>
+        <source>&amp;Headings to read:</source>
+        <translation>&amp;Kursy do odczytania:</translation>
+    </message>
+    <message>
+        <source>The card &amp;holds within:</source>
+        <translation>&amp;Tablica ważna w granicach:</translation>
+    </message>
+    <message>
+        <source>&amp;Error of a reading:</source>
+        <translation>&amp;Błąd odczytu:</translation>
+    </message>
+    <message>
+        <source>turn to, by compass</source>
+        <translation>ustaw według busoli</translation>
+    </message>
+    <message>
+        <source>datum, magnetic (°)</source>
+        <translation>wzorzec, magnetyczny (°)</translation>
+    </message>
+    <message>
+        <source>compass reads (°)</source>
+        <translation>busola wskazuje (°)</translation>
+    </message>
+    <message>
+        <source>from its card (°)</source>
+        <translation>według jej tablicy (°)</translation>
+    </message>
+    <message>
+        <source>Two-minute check: %1 · %2</source>
+        <translation>Sprawdzenie w dwie minuty: %1 · %2</translation>
+    </message>
+    <message>
+        <source>No swing on record: the check cannot know this compass&apos;s card.</source>
+        <translation>Brak pomiaru w zapisach: sprawdzenie nie zna tablicy tej busoli.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swing(s) on record, the last %1 years ago. It wanders in a year by %2; since then something may have happened to it with %3 %.</source>
+        <translation>
+            <numerusform>%n pomiar w zapisach, ostatni %1 lat temu. W ciągu roku wędruje o %2; od tego czasu coś mogło się z nią stać z prawdopodobieństwem %3 %.</numerusform>
+            <numerusform>%n pomiary w zapisach, ostatni %1 lat temu. W ciągu roku wędruje o %2; od tego czasu coś mogło się z nią stać z prawdopodobieństwem %3 %.</numerusform>
+            <numerusform>%n pomiarów w zapisach, ostatni %1 lat temu. W ciągu roku wędruje o %2; od tego czasu coś mogło się z nią stać z prawdopodobieństwem %3 %.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>These headings leave %1° of what would matter unknown; as many evenly spaced ones %2°.</source>
+        <translation>Te kursy pozostawiają nieznane %1° z tego, co ma znaczenie; tyle samo równo rozłożonych: %2°.</translation>
+    </message>
+    <message>
+        <source>Turn to each heading, and type what datum and compass read there.</source>
+        <translation>Ustaw kolejno każdy kurs i wpisz, co wskazują na nim wzorzec i busola.</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Sprawozdanie</translation>
+    </message>
+    <message>
+        <source>%1 check.pdf</source>
+        <translation>%1 sprawdzenie.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Two-minute check of a compass</source>
+        <translation>Sprawdzenie busoli w dwie minuty</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Odczyty</translation>
+    </message>
+    <message>
+        <source>Turn to</source>
+        <translation>Obróć na</translation>
+    </message>
+    <message>
+        <source>by compass</source>
+        <translation>według busoli</translation>
+    </message>
+    <message>
+        <source>Datum</source>
+        <translation>Wzorzec</translation>
+    </message>
+    <message>
+        <source>magnetic</source>
+        <translation>magnetyczny</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <translation>Kompasowy</translation>
+    </message>
+    <message>
+        <source>From card</source>
+        <translation>Z tablicy</translation>
+    </message>
+    <message>
+        <source>T&amp;wo-minute check of this compass</source>
+        <translation>Sprawd&amp;zenie tej busoli w dwie minuty</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+C</source>
+        <translation>Ctrl+Alt+C</translation>
+    </message>
+    <message>
+        <source>Turn to the headings that are named, which are those that tell most about this compass given how it changed so far, and type what datum and compass read: whether its card still holds, and how probably that verdict is wrong. Each coefficient is believed to wander, N(0, σ²t) with σ learnt from its swings, and to jump now and then; the readings are weighed by Bayes&apos; rule. Stored, it is a check swing with the verdict in its note, completed and signed as any other; it is no swing for the calendar.</source>
+        <translation>Ustaw podane kursy, czyli te, które przy dotychczasowych zmianach mówią o tej busoli najwięcej, i wpisz, co wskazują wzorzec i busola: czy jej tablica jest nadal ważna i jak prawdopodobna jest pomyłka tej oceny. Przyjmuje się, że każdy współczynnik wędruje, N(0, σ²t) z σ poznanym z pomiarów, i niekiedy skacze; odczyty waży się regułą Bayesa. Zachowane jest pomiarem kontrolnym z oceną w uwadze, uzupełnianym i podpisywanym jak każdy inny; dla kalendarza nie jest pomiarem.</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report…</source>
+        <translation>Zapisz &amp;sprawozdanie…</translation>
     </message>
 </context>
 <context>
@@ -4236,10 +6194,6 @@ soft iron S:</source>
         <translation>Najmniejsze kwadraty δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ na kursach kompasowych</translation>
     </message>
     <message>
-        <source>Standard error</source>
-        <translation>Błąd standardowy</translation>
-    </message>
-    <message>
         <source>Exact Smith coefficients, dimensionless, on magnetic headings</source>
         <translation>Dokładne współczynniki Smitha, bezwymiarowe, na kursach magnetycznych</translation>
     </message>
@@ -4291,6 +6245,125 @@ soft iron S:</source>
         <source>95 % interval (Student): %1 standard errors of %2</source>
         <translation>Przedział 95 % (Student): %1 błędów standardowych %2</translation>
     </message>
+    <message>
+        <source>Half of the 95 % interval</source>
+        <translation>Połowa przedziału 95 %</translation>
+    </message>
+    <message>
+        <source>A click or Enter on a number opens where it comes from</source>
+        <translation>Kliknięcie lub Enter na liczbie otwiera jej pochodzenie</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ComparePage</name>
+    <message>
+        <source>first reads (°)</source>
+        <translation>pierwsza wskazuje (°)</translation>
+    </message>
+    <message>
+        <source>second reads (°)</source>
+        <translation>druga wskazuje (°)</translation>
+    </message>
+    <message>
+        <source>datum, magnetic (°), where there is one</source>
+        <translation>wzorzec, magnetyczny (°), jeśli jest</translation>
+    </message>
+    <message>
+        <source>Make a swing &amp;due</source>
+        <translation>&amp;Wyznacz pomiar dewiacji</translation>
+    </message>
+    <message>
+        <source>Two compasses compared</source>
+        <translation>Porównanie dwóch busol</translation>
+    </message>
+    <message>
+        <source>&amp;Read a file…</source>
+        <translation>Wczytaj &amp;plik…</translation>
+    </message>
+    <message>
+        <source>&amp;Second compass:</source>
+        <translation>&amp;Druga busola:</translation>
+    </message>
+    <message>
+        <source>Notes the finding among the events of the aircraft: the due list names it as a reason until a swing is signed</source>
+        <translation>Zapisuje wynik wśród zdarzeń statku powietrznego: wykaz terminów podaje go jako powód, dopóki pomiar nie zostanie podpisany</translation>
+    </message>
+    <message>
+        <source>one that is not on record</source>
+        <translation>taka, której nie ma w zapisach</translation>
+    </message>
+    <message>
+        <source>Two compasses: %1 · first is %2</source>
+        <translation>Dwie busole: %1 · pierwsza to %2</translation>
+    </message>
+    <message>
+        <source>Two compasses read together</source>
+        <translation>Dwie busole odczytane razem</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>Tabele (*.csv *.txt);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>Type what both compasses read on each heading, as on taxiing out; a runway&apos;s direction is a datum.</source>
+        <translation>Wpisz, co obie busole wskazują na każdym kursie, np. podczas kołowania; kierunek pasa jest wzorcem.</translation>
+    </message>
+    <message>
+        <source>Corrected by their cards, first − second is %1 (standard errors); that a card does not hold: first %2 %, second %3 %.</source>
+        <translation>Po poprawieniu według tablic pierwsza − druga wynosi %1 (w błędach standardowych); że tablica nie jest ważna: pierwsza %2 %, druga %3 %.</translation>
+    </message>
+    <message>
+        <source>Noted among the events of %1; the due list names it.</source>
+        <translation>Zapisano wśród zdarzeń %1; wykaz terminów to podaje.</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Sprawozdanie</translation>
+    </message>
+    <message>
+        <source>%1 two compasses.pdf</source>
+        <translation>%1 dwie busole.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Odczyty</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Pierwsza</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Druga</translation>
+    </message>
+    <message>
+        <source>Datum</source>
+        <translation>Wzorzec</translation>
+    </message>
+    <message>
+        <source>magnetic</source>
+        <translation>magnetyczny</translation>
+    </message>
+    <message>
+        <source>C&amp;ompare with another compass</source>
+        <translation>P&amp;orównaj z inną busolą</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+O</source>
+        <translation>Ctrl+Alt+O</translation>
+    </message>
+    <message>
+        <source>Type what two compasses of one aircraft read together, or read a log of both: which of them moved. Corrected by their cards they differ by −x·Δ1 + x·Δ2, so that only how each of them changes, or a reading beside a datum, tells them apart; what moved both alike is not in the difference at all, and it is said. Make a swing due notes the finding among the events of the aircraft: the due list names it until a swing is signed or somebody answers for not swinging.</source>
+        <translation>Wpisz, co dwie busole jednego statku powietrznego wskazały razem, albo wczytaj zapis obu: która z nich się zmieniła. Po poprawieniu według tablic różnią się o −x·Δ1 + x·Δ2, więc rozróżnia je tylko to, jak każda się zmienia, albo odczyt przy wzorcu; tego, co zmieniło obie jednakowo, w różnicy nie ma wcale, i jest to powiedziane. „Wyznacz pomiar dewiacji” zapisuje wynik wśród zdarzeń statku powietrznego: wykaz terminów go podaje, dopóki pomiar nie zostanie podpisany albo ktoś nie odpowie za odstąpienie.</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report…</source>
+        <translation>Zapisz &amp;sprawozdanie…</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::ComponentsChart</name>
@@ -4305,6 +6378,41 @@ soft iron S:</source>
     <message>
         <source>readings</source>
         <translation>odczyty</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::CoverageSphere</name>
+    <message>
+        <source>Directions of the field that the log has seen</source>
+        <translation>Kierunki pola, które widział zapis</translation>
+    </message>
+    <message>
+        <source>Turn it with the mouse or the arrow keys.</source>
+        <translation>Obracaj myszą lub strzałkami.</translation>
+    </message>
+    <message>
+        <source>nose</source>
+        <translation>nos</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>ogon</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>prawa</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>lewa</translation>
+    </message>
+    <message>
+        <source>belly</source>
+        <translation>spód</translation>
+    </message>
+    <message>
+        <source>roof</source>
+        <translation>grzbiet</translation>
     </message>
 </context>
 <context>
@@ -4375,6 +6483,406 @@ soft iron S:</source>
     <message>
         <source>res.</source>
         <translation>reszta</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::DatumPage</name>
+    <message>
+        <source>“%1” is no size; expected a number from 0</source>
+        <translation>„%1” nie jest wielkością; oczekiwano liczby od 0</translation>
+    </message>
+    <message>
+        <source>Sun over the day</source>
+        <translation>Słońce w ciągu dnia</translation>
+    </message>
+    <message>
+        <source>&amp;Latitude:</source>
+        <translation>&amp;Szerokość geogr.:</translation>
+    </message>
+    <message>
+        <source>L&amp;ongitude:</source>
+        <translation>&amp;Długość geogr.:</translation>
+    </message>
+    <message>
+        <source>&amp;Time (UTC):</source>
+        <translation>&amp;Czas (UTC):</translation>
+    </message>
+    <message>
+        <source>&amp;Variation (°, E +):</source>
+        <translation>&amp;Deklinacja (°, E +):</translation>
+    </message>
+    <message>
+        <source>by the model</source>
+        <translation>według modelu</translation>
+    </message>
+    <message>
+        <source>&amp;Read is the bearing of:</source>
+        <translation>&amp;Odczytano namiar:</translation>
+    </message>
+    <message>
+        <source>the shadow (pin)</source>
+        <translation>cienia (pręt)</translation>
+    </message>
+    <message>
+        <source>the sun (astrocompass, sight)</source>
+        <translation>słońca (astrokompas, celownik)</translation>
+    </message>
+    <message>
+        <source>from the &amp;nose, clockwise (°):</source>
+        <translation>od &amp;nosa, w prawo (°):</translation>
+    </message>
+    <message>
+        <source>Error of the clock (s):</source>
+        <translation>Błąd zegara (s):</translation>
+    </message>
+    <message>
+        <source>of the position (km):</source>
+        <translation>położenia (km):</translation>
+    </message>
+    <message>
+        <source>of pin or level (°):</source>
+        <translation>pręta lub poziomu (°):</translation>
+    </message>
+    <message>
+        <source>of pointing (°):</source>
+        <translation>celowania (°):</translation>
+    </message>
+    <message>
+        <source>of the variation (°):</source>
+        <translation>deklinacji (°):</translation>
+    </message>
+    <message>
+        <source>True &amp;heading (°):</source>
+        <translation>&amp;Kurs rzeczywisty (°):</translation>
+    </message>
+    <message>
+        <source>&amp;Meridian of grid north:</source>
+        <translation>Po&amp;łudnik północy siatki:</translation>
+    </message>
+    <message>
+        <source>Steps of a variation &amp;table (°):</source>
+        <translation>Kroki tabeli deklinac&amp;ji (°):</translation>
+    </message>
+    <message>
+        <source>“%1” are no steps of a table; expected 0.1 to 30 degrees</source>
+        <translation>„%1” to nie krok tabeli; oczekiwano od 0.1 do 30 stopni</translation>
+    </message>
+    <message>
+        <source>A datum anywhere</source>
+        <translation>Wzorzec w dowolnym miejscu</translation>
+    </message>
+    <message>
+        <source>Way to a heading</source>
+        <translation>Droga do kursu</translation>
+    </message>
+    <message>
+        <source>The sun (shadow pin, astrocompass)</source>
+        <translation>Słońce (pręt cieniowy, astrokompas)</translation>
+    </message>
+    <message>
+        <source>Lined up on a runway</source>
+        <translation>Ustawienie na pasie</translation>
+    </message>
+    <message>
+        <source>Transfer gyro</source>
+        <translation>Żyroskop przenośny</translation>
+    </message>
+    <message>
+        <source>By synchro</source>
+        <translation>Przez selsyn</translation>
+    </message>
+    <message>
+        <source>Grid heading near a pole</source>
+        <translation>Kurs siatki w pobliżu bieguna</translation>
+    </message>
+    <message>
+        <source>&amp;Direction, magnetic (°):</source>
+        <translation>K&amp;ierunek, magnetyczny (°):</translation>
+    </message>
+    <message>
+        <source>Error of its published direction (°):</source>
+        <translation>Błąd ogłoszonego kierunku (°):</translation>
+    </message>
+    <message>
+        <source>Nose and tail off the line by (m):</source>
+        <translation>Nos i ogon obok linii o (m):</translation>
+    </message>
+    <message>
+        <source>Between both points (m):</source>
+        <translation>Między oboma punktami (m):</translation>
+    </message>
+    <message>
+        <source>Error of &amp;setting it (°):</source>
+        <translation>Błąd na&amp;stawienia (°):</translation>
+    </message>
+    <message>
+        <source>of &amp;reading it (°):</source>
+        <translation>odczytu (°):</translation>
+    </message>
+    <message>
+        <source>Free &amp;drift (°/h):</source>
+        <translation>Dryf swobodny (°/h):</translation>
+    </message>
+    <message>
+        <source>&amp;Minutes since it was set:</source>
+        <translation>&amp;Minuty od nastawienia:</translation>
+    </message>
+    <message>
+        <source>&amp;One-cycle error, amplitude (°):</source>
+        <translation>Błąd półokrężny, amplituda (°):</translation>
+    </message>
+    <message>
+        <source>&amp;Two-cycle error, amplitude (°):</source>
+        <translation>Błąd ćwierćokrężny, amplituda (°):</translation>
+    </message>
+    <message>
+        <source>Parts of the error</source>
+        <translation>Części błędu</translation>
+    </message>
+    <message>
+        <source>Part of the error</source>
+        <translation>Część błędu</translation>
+    </message>
+    <message>
+        <source>one standard deviation (°)</source>
+        <translation>jedno odchylenie standardowe (°)</translation>
+    </message>
+    <message>
+        <source>Time of no&amp;w</source>
+        <translation>&amp;Teraz</translation>
+    </message>
+    <message>
+        <source>in all</source>
+        <translation>razem</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Sprawozdanie</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>A datum away from a base</source>
+        <translation>Wzorzec z dala od bazy</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Część</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Wielkość</translation>
+    </message>
+    <message>
+        <source>one standard deviation</source>
+        <translation>jedno odchylenie standardowe</translation>
+    </message>
+    <message>
+        <source>A d&amp;atum anywhere: sun, runway, gyro</source>
+        <translation>W&amp;zorzec w dowolnym miejscu: słońce, pas, żyroskop</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+D</source>
+        <translation>Ctrl+Alt+D</translation>
+    </message>
+    <message>
+        <source>What tells a heading away from any base, and how well. Sun: heading = azimuth of the sun − its bearing from the nose (a shadow: less 180°); parts of its error: clock × rate of the azimuth, position, plumb × tan(elevation), pointing, variation (Meeus, Astronomical Formulae for Calculators, chapters 7, 8, 18; held against almanacs from 1950 to 2050). Runway: its published direction and √2 × off-centre ÷ distance of the points. Transfer gyro: setting, reading, drift × time. Synchro: one- and two-cycle errors of about 0.2° each (Kayton and Fried 9.2, 9.4). Grid: true − (λ − λ0) in the north, + in the south.</source>
+        <translation>Co podaje kurs z dala od wszelkiej bazy i jak dobrze. Słońce: kurs = azymut słońca − jego namiar od nosa (cień: jeszcze −180°); części błędu: zegar × prędkość azymutu, położenie, pion × tan(wysokości), celowanie, deklinacja (Meeus, Astronomical Formulae for Calculators, rozdziały 7, 8, 18; sprawdzone z almanachami od 1950 do 2050). Pas: jego ogłoszony kierunek i √2 × odchyłka od osi ÷ odległość punktów. Żyroskop przenośny: nastawienie, odczyt, dryf × czas. Selsyn: błędy półokrężny i ćwierćokrężny po około 0.2° (Kayton i Fried 9.2, 9.4). Siatka: rzeczywisty − (λ − λ0) na północy, + na południu.</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report…</source>
+        <translation>Zapisz &amp;sprawozdanie…</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::DatumWords</name>
+    <message>
+        <source>Sun: azimuth %1 true, elevation %2°; it turns by %3° a minute.</source>
+        <translation>Słońce: azymut rzeczywisty %1, wysokość %2°; obraca się o %3° na minutę.</translation>
+    </message>
+    <message>
+        <source>Astrocompass: set latitude %1°, declination %2°, local hour angle %3.</source>
+        <translation>Astrokompas: nastaw szerokość %1°, deklinację słońca %2°, miejscowy kąt godzinny %3.</translation>
+    </message>
+    <message>
+        <source>The sun has set: no heading.</source>
+        <translation>Słońce zaszło: brak kursu.</translation>
+    </message>
+    <message>
+        <source>The shadow points to %1 true and is %2 times as long as its pin.</source>
+        <translation>Cień wskazuje %1 rzeczywiście i jest %2 razy dłuższy od pręta.</translation>
+    </message>
+    <message>
+        <source>A clock an hour fast (daylight saving) would turn every heading by %1°.</source>
+        <translation>Zegar spieszący godzinę (czas letni) obróciłby każdy kurs o %1°.</translation>
+    </message>
+    <message>
+        <source>Read the bearing of %1 from the nose.</source>
+        <translation>Odczytaj namiar %1 od nosa.</translation>
+    </message>
+    <message>
+        <source>the shadow</source>
+        <translation>cienia</translation>
+    </message>
+    <message>
+        <source>the sun</source>
+        <translation>słońca</translation>
+    </message>
+    <message>
+        <source>The aircraft heads %1 magnetic ± %2° (%3 true, variation %4°).</source>
+        <translation>Statek powietrzny ma kurs magnetyczny %1 ± %2° (rzeczywisty %3, deklinacja %4°).</translation>
+    </message>
+    <message>
+        <source>Grid heading %1 (%2 true)</source>
+        <translation>Kurs siatki %1 (rzeczywisty %2)</translation>
+    </message>
+    <message>
+        <source>Convergence (true − grid) %1°; grid variation %2°, variation %3°.</source>
+        <translation>Zbieżność (rzeczywisty − siatki) %1°; deklinacja siatki %2°, deklinacja %3°.</translation>
+    </message>
+    <message>
+        <source>A table of variation in steps of %1°, read between its entries: %2°, wrong by %3° here and up to %4° in this cell.</source>
+        <translation>Tabela deklinacji w krokach %1°, czytana między wpisami: %2°, błędna tu o %3°, a w tym polu do %4°.</translation>
+    </message>
+    <message>
+        <source>The same by the nearest entry (steps of %1°): %2°, wrong by %3° here and up to %4° in this cell.</source>
+        <translation>To samo według najbliższego wpisu (kroki %1°): %2°, błędne tu o %3°, a w tym polu do %4°.</translation>
+    </message>
+    <message>
+        <source>%1 ± %2° (one standard deviation)</source>
+        <translation>%1 ± %2° (jedno odchylenie standardowe)</translation>
+    </message>
+    <message>
+        <source>hour of the day (UTC)</source>
+        <translation>godzina dnia (UTC)</translation>
+    </message>
+    <message>
+        <source>error of the heading (°, one standard deviation)</source>
+        <translation>błąd kursu (°, jedno odchylenie standardowe)</translation>
+    </message>
+    <message>
+        <source>Lined up, the aircraft heads %1 magnetic</source>
+        <translation>Po ustawieniu w osi kurs magnetyczny wynosi %1</translation>
+    </message>
+    <message>
+        <source>Lined up, the aircraft heads as the runway</source>
+        <translation>Po ustawieniu w osi kurs jest kierunkiem pasa</translation>
+    </message>
+    <message>
+        <source>The heading that the gyro carries</source>
+        <translation>Kurs, który przenosi żyroskop</translation>
+    </message>
+    <message>
+        <source>The heading that comes by synchro</source>
+        <translation>Kurs przekazany selsynem</translation>
+    </message>
+    <message>
+        <source>%1 UTC: elevation %2°, error %3°</source>
+        <translation>%1 UTC: wysokość %2°, błąd %3°</translation>
+    </message>
+    <message>
+        <source>%1 UTC: the sun has set</source>
+        <translation>%1 UTC: słońce zaszło</translation>
+    </message>
+    <message>
+        <source>error of a heading by the sun</source>
+        <translation>błąd kursu według słońca</translation>
+    </message>
+    <message>
+        <source>elevation of the sun (full height: 90°)</source>
+        <translation>wysokość słońca (pełna skala: 90°)</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::DerivationPanel</name>
+    <message>
+        <source>magnetic ψ</source>
+        <translation>magnetyczny ψ</translation>
+    </message>
+    <message>
+        <source>compass ψ′</source>
+        <translation>kompasowy ψ′</translation>
+    </message>
+    <message>
+        <source>weight w</source>
+        <translation>waga w</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>suma</translation>
+    </message>
+    <message>
+        <source>No interval: there are no more readings than coefficients.</source>
+        <translation>Brak przedziału: odczytów nie jest więcej niż współczynników.</translation>
+    </message>
+    <message>
+        <source>95 % ± %1 = %2 × %3: Student&apos;s factor for %4 degrees of freedom times the standard error, which follows from the scatter of the readings, s = √(Σ residual² / %4) = %5°.</source>
+        <translation>95 % ± %1 = %2 × %3: współczynnik Studenta dla %4 stopni swobody razy błąd standardowy, który wynika z rozrzutu odczytów, s = √(Σ reszta² / %4) = %5°.</translation>
+    </message>
+    <message>
+        <source>approximate</source>
+        <translation>przybliżone</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>dokładne</translation>
+    </message>
+    <message>
+        <source>point rule</source>
+        <translation>reguła punktowa</translation>
+    </message>
+    <message>
+        <source>%1 (%2): these headings cannot tell it.</source>
+        <translation>%1 (%2): te kursy go nie określają.</translation>
+    </message>
+    <message>
+        <source>Solved for %1 that is a sum over the readings, Σ w·y: what each of them adds.</source>
+        <translation>Po rozwiązaniu względem %1 jest to suma po odczytach, Σ w·y: ile wnosi każdy z nich.</translation>
+    </message>
+    <message>
+        <source>Where the number comes from</source>
+        <translation>Skąd pochodzi liczba</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Zamknij (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::DistributionDrawing</name>
+    <message>
+        <source>No swing tells %1.</source>
+        <translation>Żaden pomiar nie określa %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n vote(s)</source>
+        <translation>
+            <numerusform>%1, %n głos</numerusform>
+            <numerusform>%1, %n głosy</numerusform>
+            <numerusform>%1, %n głosów</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>; %n more far off</source>
+        <translation>
+            <numerusform>; dalej jeszcze %n</numerusform>
+            <numerusform>; dalej jeszcze %n</numerusform>
+            <numerusform>; dalej jeszcze %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>next date</source>
+        <translation>następny termin</translation>
+    </message>
+    <message>
+        <source>Share of futures beyond the limit by then</source>
+        <translation>Udział przebiegów przyszłości, które do tego czasu przekroczą granicę</translation>
     </message>
 </context>
 <context>
@@ -4713,7 +7221,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>DEV</source>
-        <translation type="unfinished"></translation>
+        <translation>DEW</translation>
     </message>
     <message>
         <source>(2) − (1)</source>
@@ -5278,10 +7786,6 @@ soft iron S:</source>
     <message>
         <source>variation %1° (east +)</source>
         <translation>deklinacja %1° (wschodnia +)</translation>
-    </message>
-    <message>
-        <source>%1 by %2</source>
-        <translation>%1 według %2</translation>
     </message>
     <message>
         <source>class 1 (0.1°)</source>
@@ -6212,10 +8716,6 @@ soft iron S:</source>
         <translation>Średnia dewiacja i rozrzut względem kursu magnetycznego</translation>
     </message>
     <message>
-        <source>The same, polar; amplitudes by order as found and as left</source>
-        <translation>To samo biegunowo; amplitudy według rzędów, stan zastany i końcowy</translation>
-    </message>
-    <message>
         <source>How the figures were made</source>
         <translation>Jak powstały liczby</translation>
     </message>
@@ -6265,7 +8765,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>Of %1 pairs of swings (as left, next as found) %2 were beyond the limit when found: %3 % (%4 to %5 % at 95 % confidence).</source>
-        <translation type="unfinished"></translation>
+        <translation>Z %1 par pomiarów (pozostawiony, następny zastany) %2 przekraczało granicę w stanie zastanym: %3 % (od %4 do %5 % przy ufności 95 %).</translation>
     </message>
     <message>
         <source>No jump is told at a false discovery rate of 10 %.</source>
@@ -6281,7 +8781,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>Swing next: %1 · %2, %3 % to be out of limits by %4 (%5).</source>
-        <translation type="unfinished"></translation>
+        <translation>Następny pomiar: %1 · %2, %3 % na przekroczenie granic do %4 (%5).</translation>
     </message>
     <message>
         <source>One aircraft has one vote: the mean of its swings.</source>
@@ -6293,35 +8793,35 @@ soft iron S:</source>
     </message>
     <message>
         <source>A reading enters a heading of the grid moved along its own swing&apos;s curve, its residual kept; a swing without a reading within half a step enters by its curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Odczyt wchodzi na kurs siatki przesunięty wzdłuż krzywej własnego pomiaru, z zachowaną resztą; pomiar bez odczytu w pół kroku wchodzi swoją krzywą.</translation>
     </message>
     <message>
         <source>Spread as found: standard deviation of what was read. Between aircraft: the same with the fits&apos; own error taken out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozrzut zastany: odchylenie standardowe odczytów. Między statkami powietrznymi: to samo po odjęciu błędu samych dopasowań.</translation>
     </message>
     <message>
         <source>Exceedance is told from pairs: a compass as left, and the same compass as found next. The interval is exact (Clopper and Pearson).</source>
-        <translation type="unfinished"></translation>
+        <translation>Przekroczenia podaje się z par: busola pozostawiona i ta sama busola zastana następnym razem. Przedział jest dokładny (Clopper i Pearson).</translation>
     </message>
     <message>
         <source>Expected share: chance that the largest deviation over all headings of the next swing is beyond the limit, by Student&apos;s prediction from those that were found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Udział oczekiwany: szansa, że największa dewiacja na wszystkich kursach następnego pomiaru przekroczy granicę, według predykcji Studenta z zastanych.</translation>
     </message>
     <message>
         <source>Three-sigma share: mean and standard deviation of the worst single heading taken as if they were known, as in the source paper; too small for few swings and for many headings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Udział 3σ: średnia i odchylenie standardowe najgorszego pojedynczego kursu wzięte za znane, jak w pracy źródłowej; za mały przy niewielu pomiarach i wielu kursach.</translation>
     </message>
     <message>
         <source>Variance components by restricted maximum likelihood; intervals by profile of the likelihood at 95 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Składowe wariancji metodą największej wiarygodności z ograniczeniami (REML); przedziały z profilu wiarygodności, 95 %.</translation>
     </message>
     <message>
         <source>A jump&apos;s date is the interval between two swings. One in ten of the jumps that are told may be false.</source>
-        <translation type="unfinished"></translation>
+        <translation>Datą skoku jest przedział między dwoma pomiarami. Jeden na dziesięć podanych skoków może być fałszywy.</translation>
     </message>
     <message>
         <source>Who next: chance of being out of limits at some time up to the date, by level, drift and wander of each coefficient since the last swing, shrunk to its type.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kto następny: szansa przekroczenia granic kiedykolwiek do tego dnia, z poziomu, dryfu i wędrowania każdego współczynnika od ostatniego pomiaru, ściągnięta ku typowi.</translation>
     </message>
     <message>
         <source>Pattern of the population by magnetic heading</source>
@@ -6425,7 +8925,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>Beyond the limit at the next inspection, from pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Poza granicą przy następnym przeglądzie, z par</translation>
     </message>
     <message>
         <source>pairs</source>
@@ -6449,7 +8949,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>Student</source>
-        <translation type="unfinished"></translation>
+        <translation>Student</translation>
     </message>
     <message>
         <source>three sigma</source>
@@ -6457,7 +8957,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>the paper&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>według pracy</translation>
     </message>
     <message>
         <source>all</source>
@@ -6485,7 +8985,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>Where it comes from: standard deviations by component, with 95 % intervals</source>
-        <translation type="unfinished"></translation>
+        <translation>Skąd pochodzi: odchylenia standardowe składowych, z przedziałami 95 %</translation>
     </message>
     <message>
         <source>swing to swing</source>
@@ -6497,19 +8997,19 @@ soft iron S:</source>
     </message>
     <message>
         <source>A as human error, by base and crew</source>
-        <translation type="unfinished"></translation>
+        <translation>A jako błąd ludzki, według bazy i załogi</translation>
     </message>
     <message>
         <source>mean A</source>
-        <translation type="unfinished"></translation>
+        <translation>średnie A</translation>
     </message>
     <message>
         <source>mean |A|</source>
-        <translation type="unfinished"></translation>
+        <translation>średnie |A|</translation>
     </message>
     <message>
         <source>Jumps, at a false discovery rate of 10 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Skoki, przy odsetku fałszywych odkryć 10 %</translation>
     </message>
     <message>
         <source>between</source>
@@ -6521,7 +9021,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>1 se</source>
-        <translation type="unfinished"></translation>
+        <translation>1 błąd std.</translation>
     </message>
     <message>
         <source>p</source>
@@ -6529,11 +9029,11 @@ soft iron S:</source>
     </message>
     <message>
         <source>event, likely part</source>
-        <translation type="unfinished"></translation>
+        <translation>zdarzenie, prawdopodobna część</translation>
     </message>
     <message>
         <source>Drifts, at a false discovery rate of 10 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Dryfy, przy odsetku fałszywych odkryć 10 %</translation>
     </message>
     <message>
         <source>a year</source>
@@ -6541,7 +9041,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>Who next: out of limits before the next date</source>
-        <translation type="unfinished"></translation>
+        <translation>Kto następny: poza granicami przed następnym terminem</translation>
     </message>
     <message>
         <source>chance</source>
@@ -6565,7 +9065,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>The fleet by what is expected, as a share of the limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Flota według oczekiwań, jako część wartości dopuszczalnej</translation>
     </message>
     <message>
         <source>largest expected deviation</source>
@@ -6594,6 +9094,426 @@ soft iron S:</source>
     <message>
         <source>beyond the limit</source>
         <translation>poza granicą</translation>
+    </message>
+    <message>
+        <source>OUT OF LIMITS</source>
+        <translation>POZA GRANICAMI</translation>
+    </message>
+    <message>
+        <source>%1: OUT OF LIMITS</source>
+        <translation>%1: POZA GRANICAMI</translation>
+    </message>
+    <message>
+        <source>NOT SIGNED</source>
+        <translation>NIEPODPISANE</translation>
+    </message>
+    <message>
+        <source>%1: NOT SIGNED</source>
+        <translation>%1: NIEPODPISANE</translation>
+    </message>
+    <message>
+        <source>signed, names not verified</source>
+        <translation>podpisane, nazwisk nie sprawdzono</translation>
+    </message>
+    <message>
+        <source>* not read on %1</source>
+        <translation>* nie odczytano na %1</translation>
+    </message>
+    <message>
+        <source>Distribution of the coefficients; amplitudes by order</source>
+        <translation>Rozkład współczynników; amplitudy według rzędu</translation>
+    </message>
+    <message>
+        <source>Standard soft-iron correction of a type: D and E, alike in all its aircraft</source>
+        <translation>Standardowa poprawka typu na żelazo miękkie: D i E, jednakowe we wszystkich jego statkach powietrznych</translation>
+    </message>
+    <message>
+        <source>next aircraft</source>
+        <translation>następny statek</translation>
+    </message>
+    <message>
+        <source>highest</source>
+        <translation>największy</translation>
+    </message>
+    <message>
+        <source>lowest</source>
+        <translation>najmniejszy</translation>
+    </message>
+    <message>
+        <source>Alarms of the control charts of A</source>
+        <translation>Alarmy kart kontrolnych A</translation>
+    </message>
+    <message>
+        <source>chart</source>
+        <translation>karta</translation>
+    </message>
+    <message>
+        <source>what it says</source>
+        <translation>co mówi</translation>
+    </message>
+    <message>
+        <source>Swing in flight: legs by GPS</source>
+        <translation>Pomiar dewiacji w locie: odcinki według GPS</translation>
+    </message>
+    <message>
+        <source>Wind from %1° at %2 kt ± %3 kt, airspeed %4 kt ± %5 kt (one standard error).</source>
+        <translation>Wiatr z %1°, %2 w ± %3 w, prędkość powietrzna %4 w ± %5 w (jeden błąd standardowy).</translation>
+    </message>
+    <message>
+        <source>Ground velocity = air velocity + wind: at one airspeed in one air mass the ground velocities of three headings or more lie on a circle about the wind whose radius is the airspeed; the heading of each leg is that of ground velocity − wind.</source>
+        <translation>Prędkość względem ziemi = prędkość powietrzna + wiatr: przy jednej prędkości powietrznej w jednej masie powietrza prędkości trzech lub więcej kursów leżą na okręgu wokół wiatru, którego promieniem jest prędkość powietrzna; kurs każdego odcinka to kierunek prędkości względem ziemi − wiatru.</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>Odcinki</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Odcinek</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Kąt drogi</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>rzeczywisty</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Prędkość</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>ziemia</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Continuous swing in flight</source>
+        <translation>Ciągły pomiar dewiacji w locie</translation>
+    </message>
+    <message>
+        <source>%1 updates; innovations %2 times what the stated errors allow (1: as stated).</source>
+        <translation>Aktualizacji: %1; innowacje są %2 razy większe, niż pozwalają podane błędy (1: jak podano).</translation>
+    </message>
+    <message>
+        <source>δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′, followed by a Kalman filter; an alarm is raised by χ² of the last 10, 20, 40 and 80 innovations, falsely in one of ten logs of 1400 updates.</source>
+        <translation>δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′, śledzone filtrem Kalmana; alarm podnosi χ² ostatnich 10, 20, 40 i 80 innowacji, fałszywie w jednym na dziesięć zapisów po 1400 aktualizacji.</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wartość</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>Błąd standardowy</translation>
+    </message>
+    <message>
+        <source>Deviation = magnetic − compass, easterly positive; indication error = read − magnetic is its negative.</source>
+        <translation>Dewiacja = kurs magnetyczny − kompasowy, wschodnia dodatnia; błąd wskazania = odczytany − magnetyczny ma znak przeciwny.</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Częstotliwość</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplituda</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Źródło</translation>
+    </message>
+    <message>
+        <source>Folded from</source>
+        <translation>Odbita z</translation>
+    </message>
+    <message>
+        <source>Filter of %1 ms: notches %2 Hz, low-pass %3 Hz; above %4 Hz it leaves %5 of %6 %7 rms.</source>
+        <translation>Filtr %1 ms: wycięcia %2 Hz, dolnoprzepustowy %3 Hz; powyżej %4 Hz zostawia %5 z %6 %7 (średnie kwadratowe).</translation>
+    </message>
+    <message>
+        <source>Spectrum of a sensor&apos;s log</source>
+        <translation>Widmo zapisu czujnika</translation>
+    </message>
+    <message>
+        <source>Column %1 at %2 samples a second; Welch, %3 segments of %4 samples, periodic Hann window, half overlap, mean of each taken out; one-sided. A line stands above its neighbours&apos; middle by more than chance does once in a thousand spectra.</source>
+        <translation>Kolumna %1, próbek na sekundę %2; Welch, segmentów %3 po %4 próbek, okresowe okno Hanna, zakładka połowy, średnia każdego odjęta; widmo jednostronne. Linia wystaje ponad środek sąsiadów bardziej, niż przypadek zdarza się raz na tysiąc widm.</translation>
+    </message>
+    <message>
+        <source>Measured against applied</source>
+        <translation>Zmierzone względem przyłożonego</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Wielkość</translation>
+    </message>
+    <message>
+        <source>scale, measured per applied</source>
+        <translation>skala, zmierzone na przyłożone</translation>
+    </message>
+    <message>
+        <source>its standard error</source>
+        <translation>jej błąd standardowy</translation>
+    </message>
+    <message>
+        <source>bias (nT)</source>
+        <translation>przesunięcie (nT)</translation>
+    </message>
+    <message>
+        <source>its standard error (nT)</source>
+        <translation>jego błąd standardowy (nT)</translation>
+    </message>
+    <message>
+        <source>per degree of temperature (nT/°C)</source>
+        <translation>na stopień temperatury (nT/°C)</translation>
+    </message>
+    <message>
+        <source>hysteresis, on the way up − down (nT)</source>
+        <translation>histereza, w górę − w dół (nT)</translation>
+    </message>
+    <message>
+        <source>nonlinearity, largest (nT)</source>
+        <translation>nieliniowość, największa (nT)</translation>
+    </message>
+    <message>
+        <source>noise, rms (nT)</source>
+        <translation>szum, średni kwadratowy (nT)</translation>
+    </message>
+    <message>
+        <source>Not at right angles: x and y by %1°, x and z by %2°, y and z by %3°. Mount: roll %4°, pitch %5°, yaw %6°.</source>
+        <translation>Odchylenie od kąta prostego: x i y o %1°, x i z o %2°, y i z o %3°. Mocowanie: przechylenie %4°, pochylenie %5°, odchylenie %6°.</translation>
+    </message>
+    <message>
+        <source>Sensor on the coil bench</source>
+        <translation>Czujnik na stanowisku z cewkami</translation>
+    </message>
+    <message>
+        <source>%1 samples, %2 used. measured = scale (axes) applied + bias + temperature + hysteresis + nonlinearity; scale is measured per applied.</source>
+        <translation>Próbek %1, użyto %2. zmierzone = skala (osie) przyłożone + przesunięcie + temperatura + histereza + nieliniowość; skala to zmierzone na przyłożone.</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Czynności</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Czynność</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Najgorzej</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>w chwili</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Spełnia</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>tak</translation>
+    </message>
+    <message>
+        <source>NO</source>
+        <translation>NIE</translation>
+    </message>
+    <message>
+        <source>Interference test of a sensor</source>
+        <translation>Próba zakłóceń czujnika</translation>
+    </message>
+    <message>
+        <source>Passes: no action changes the field by more than the limits.</source>
+        <translation>Spełnia: żadna czynność nie zmienia pola bardziej, niż pozwalają granice.</translation>
+    </message>
+    <message>
+        <source>Does not pass: an action changes the field by more than the limits.</source>
+        <translation>Nie spełnia: któraś czynność zmienia pole bardziej, niż pozwalają granice.</translation>
+    </message>
+    <message>
+        <source>Limits %1, %2 and %3 nT on x, y and z; noise before the first action %4, %5, %6 nT.</source>
+        <translation>Granice %1, %2 i %3 nT na x, y i z; szum przed pierwszą czynnością %4, %5, %6 nT.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3, %4 nT per ampere.</source>
+        <translation>%1: %2, %3, %4 nT na amper.</translation>
+    </message>
+    <message>
+        <source>signed %1 (names not verified)</source>
+        <translation>podpisał %1 (nazwisk nie sprawdzono)</translation>
+    </message>
+    <message>
+        <source>1.05 (Jacobs et al. 2014)</source>
+        <translation>1.05 (Jacobs i in. 2014)</translation>
+    </message>
+    <message>
+        <source>1.0530 (exact: straight lines between eight points hold the sine)</source>
+        <translation>1.0530 (dokładnie: proste między ośmioma punktami oddają sinusoidę)</translation>
+    </message>
+    <message>
+        <source>1 (none: the points lie on the curve)</source>
+        <translation>1 (bez: punkty leżą na krzywej)</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>Meldunki</translation>
+    </message>
+    <message>
+        <source>%1, %2 used; %3</source>
+        <translation>%1, użyto %2; %3</translation>
+    </message>
+    <message>
+        <source>e = dir(Vg − wind reported) − dir(Vg − reference wind) = offset + in phase · sin + quadrature · cos of the heading read, weighted with airspeed squared; standard errors by flights (each left out in turn); winds after: each flight corrected by what the others tell</source>
+        <translation>e = kier(Vg − wiatr meldowany) − kier(Vg − wiatr odniesienia) = przesunięcie + w fazie · sin + kwadratura · cos odczytanego kursu, ważone kwadratem prędkości powietrznej; błędy standardowe według lotów (każdy kolejno pominięty); wiatry po: każdy lot poprawiony według pozostałych</translation>
+    </message>
+    <message>
+        <source>Table factor</source>
+        <translation>Współczynnik tabeli</translation>
+    </message>
+    <message>
+        <source>In common</source>
+        <translation>Wspólne</translation>
+    </message>
+    <message>
+        <source>%1 aircraft: in phase %2°, quadrature %3° — as a constant error of the reference wind of %4 kt would look</source>
+        <translation>statków powietrznych %1: w fazie %2°, kwadratura %3° — tak wyglądałby stały błąd wiatru odniesienia %4 w</translation>
+    </message>
+    <message>
+        <source>%1–%2°: %3</source>
+        <translation>%1–%2°: %3</translation>
+    </message>
+    <message>
+        <source>above %1°: %2</source>
+        <translation>powyżej %1°: %2</translation>
+    </message>
+    <message>
+        <source>By size of error</source>
+        <translation>Według wielkości błędu</translation>
+    </message>
+    <message>
+        <source>Out of line</source>
+        <translation>Odstające</translation>
+    </message>
+    <message>
+        <source>Indication error (read − true) of each aircraft</source>
+        <translation>Błąd wskazania (odczytany − rzeczywisty) każdego statku powietrznego</translation>
+    </message>
+    <message>
+        <source>Flights</source>
+        <translation>Loty</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Użyto</translation>
+    </message>
+    <message>
+        <source>In phase</source>
+        <translation>W fazie</translation>
+    </message>
+    <message>
+        <source>Quadr.</source>
+        <translation>Kwadr.</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Przesun.</translation>
+    </message>
+    <message>
+        <source>in phase</source>
+        <translation>w fazie</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>W poprzek</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Wzdłuż</translation>
+    </message>
+    <message>
+        <source>Error of reported winds by source of heading</source>
+        <translation>Błąd meldowanych wiatrów według źródła kursu</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupa</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Łącznie</translation>
+    </message>
+    <message>
+        <source>held against: %1</source>
+        <translation>porównano z: %1</translation>
+    </message>
+    <message>
+        <source>Error of reported winds by altitude, before any correction</source>
+        <translation>Błąd meldowanych wiatrów według wysokości, przed poprawieniem</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Do</translation>
+    </message>
+    <message>
+        <source>Corrections to upload (deviation&apos;s sign, easterly positive)</source>
+        <translation>Poprawki do wgrania (znak dewiacji, wschodnia dodatnia)</translation>
+    </message>
+    <message>
+        <source>Deviation from winds</source>
+        <translation>Dewiacja z wiatrów</translation>
+    </message>
+    <message>
+        <source>Indication error = read − true heading; corrections and deviation (magnetic − compass, easterly positive) are its negative.</source>
+        <translation>Błąd wskazania = kurs odczytany − rzeczywisty; poprawki i dewiacja (magnetyczny − kompasowy, wschodnia dodatnia) mają znak przeciwny.</translation>
+    </message>
+    <message>
+        <source>What has to be said of each</source>
+        <translation>Co o każdym trzeba powiedzieć</translation>
+    </message>
+    <message>
+        <source>signed as %1</source>
+        <translation>podpisał %1</translation>
+    </message>
+    <message>
+        <source>other instrument</source>
+        <translation>inny przyrząd</translation>
+    </message>
+    <message>
+        <source>this PDF unpacks to more than %1 MiB; expected a report PDF of this program</source>
+        <translation>ten PDF rozpakowuje się do ponad %1 MiB; oczekiwano sprawozdania PDF tego programu</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MiB; expected a report PDF of this program</source>
+        <translation>jest większy niż %1 MiB; oczekiwano sprawozdania PDF tego programu</translation>
+    </message>
+    <message>
+        <source>name not verified</source>
+        <translation>nazwiska nie sprawdzono</translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation>Dziennik zmian</translation>
+    </message>
+    <message>
+        <source>head %1 after %2 entries</source>
+        <translation>głowa %1 po %2 wpisach</translation>
+    </message>
+    <message>
+        <source>%1, source: %2</source>
+        <translation>%1, źródło: %2</translation>
     </message>
 </context>
 <context>
@@ -6754,12 +9674,16 @@ soft iron S:</source>
         <translation>Ctrl+J</translation>
     </message>
     <message>
-        <source>What calls for a swing, and since when: by the calendar rules, by an event such as a lightning strike, or by a move. Enter opens the compass. An event that needs no swing is waived, with a reason and a name that stay on the record.</source>
-        <translation>Co wymaga pomiaru i od kiedy: reguła kalendarzowa, zdarzenie, np. uderzenie pioruna, albo przebazowanie. Enter otwiera busolę. Od zdarzenia, które nie wymaga pomiaru, odstępuje się z powodem i nazwiskiem, które pozostają w zapisie.</translation>
-    </message>
-    <message>
         <source>Write the &amp;calendar (.ics)…</source>
         <translation>Zapisz &amp;kalendarz (.ics)…</translation>
+    </message>
+    <message>
+        <source>. What the fleet&apos;s history expects is being computed.</source>
+        <translation>. Trwa obliczanie, czego oczekiwać po historii floty.</translation>
+    </message>
+    <message>
+        <source>What calls for a swing, and since when: by the calendar rules, by an event such as a lightning strike, by a move, or because the fleet&apos;s history expects it out of limits before its next date (due from a chance of one half on, due soon from one fifth on). Enter opens the compass. An event that needs no swing is waived, with a reason and a name that stay on the record.</source>
+        <translation>Co wymaga pomiaru i od kiedy: reguły kalendarzowe, zdarzenie takie jak uderzenie pioruna, przeniesienie albo to, że według historii floty przed następnym terminem wyjdzie poza granice (pomiar należny od szansy jednej drugiej, wkrótce od jednej piątej). Enter otwiera busolę. Od zdarzenia, które nie wymaga pomiaru, odstępuje się z powodem i nazwiskiem, które zostają w zapisie.</translation>
     </message>
 </context>
 <context>
@@ -7108,7 +10032,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>select %1, turn %2: %3 → %4</source>
-        <translation type="unfinished"></translation>
+        <translation>wybierz %1, obróć %2: %3 → %4</translation>
     </message>
     <message>
         <source>half of the error out with N–S</source>
@@ -7136,7 +10060,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Record written: %1</source>
@@ -7431,6 +10355,18 @@ soft iron S:</source>
         <source>%1 · readings: %2</source>
         <translation>%1 · odczytów: %2</translation>
     </message>
+    <message>
+        <source>damaged</source>
+        <translation>uszkodzony</translation>
+    </message>
+    <message>
+        <source>, guided, abandoned</source>
+        <translation>, prowadzony, przerwany</translation>
+    </message>
+    <message>
+        <source>, guided, at %1</source>
+        <translation>, prowadzony, na %1</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::FleetPanel</name>
@@ -7458,6 +10394,145 @@ soft iron S:</source>
         <source>Nothing found</source>
         <translation>Nic nie znaleziono</translation>
     </message>
+    <message>
+        <source>Search everything</source>
+        <translation>Szukaj wszędzie</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::FlightLogPage</name>
+    <message>
+        <source>Wind from %1° at %2 kt ± %3 kt, airspeed %4 kt ± %5 kt, %6 legs.</source>
+        <translation>Wiatr z %1°, %2 w ± %3 w, prędkość powietrzna %4 w ± %5 w, odcinków: %6.</translation>
+    </message>
+    <message>
+        <source>%1 %2° ± %3°</source>
+        <translation>%1 %2° ± %3°</translation>
+    </message>
+    <message>
+        <source>%1 not told</source>
+        <translation>%1 nieokreślone</translation>
+    </message>
+    <message>
+        <source>%1 updates: %2.</source>
+        <translation>Aktualizacji %1: %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a log of legs or headings…</source>
+        <translation>&amp;Otwórz zapis odcinków lub kursów…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>&amp;Make a swing of it</source>
+        <translation>Utwórz &amp;z niego pomiar</translation>
+    </message>
+    <message>
+        <source>What is told</source>
+        <translation>Co z tego wynika</translation>
+    </message>
+    <message>
+        <source>Reading… %1 %</source>
+        <translation>Wczytywanie… %1 %</translation>
+    </message>
+    <message>
+        <source>A swing in flight</source>
+        <translation>Pomiar dewiacji w locie</translation>
+    </message>
+    <message>
+        <source>Legs: track_deg, ground_speed_kt, compass_heading_deg, leg. Continuous: time_s, compass_heading_deg, reference_heading_deg (magnetic) or deviation_deg, leg, current_A:NAME.</source>
+        <translation>Odcinki: track_deg, ground_speed_kt, compass_heading_deg, leg. Ciągły: time_s, compass_heading_deg, reference_heading_deg (magnetyczny) lub deviation_deg, leg, current_A:NAZWA.</translation>
+    </message>
+    <message>
+        <source>variation of the legs, E +</source>
+        <translation>deklinacja odcinków, E +</translation>
+    </message>
+    <message>
+        <source>error of a heading pair, 0.5°</source>
+        <translation>błąd pary kursów, 0.5°</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Dewiacja</translation>
+    </message>
+    <message>
+        <source>Choose a compass first</source>
+        <translation>Najpierw wybierz busolę</translation>
+    </message>
+    <message>
+        <source>A swing in flight of %1 · %2</source>
+        <translation>Pomiar w locie: %1 · %2</translation>
+    </message>
+    <message>
+        <source>Open a log: legs by GPS, or headings beside a reference.</source>
+        <translation>Otwórz zapis: odcinki według GPS albo kursy obok wzorca.</translation>
+    </message>
+    <message>
+        <source>Open a log</source>
+        <translation>Otwieranie zapisu</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv);;All files (*)</source>
+        <translation>CSV (*.csv);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no error of a heading; expected 0.001 to 90 degrees</source>
+        <translation>&apos;%1&apos; nie jest błędem kursu; oczekiwano od 0.001 do 90 stopni</translation>
+    </message>
+    <message numerus="yes">
+        <source>It goes on from %n swing(s) in flight on record, recomputed from their readings.</source>
+        <translation>
+            <numerusform>Kontynuuje od %n pomiaru w locie, przeliczonego z odczytów.</numerusform>
+            <numerusform>Kontynuuje od %n pomiarów w locie, przeliczonych z odczytów.</numerusform>
+            <numerusform>Kontynuuje od %n pomiarów w locie, przeliczonych z odczytów.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wiatr</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Zbieżność</translation>
+    </message>
+    <message>
+        <source>means of legs</source>
+        <translation>średnie odcinków</translation>
+    </message>
+    <message>
+        <source>Nothing to write yet; open a log first</source>
+        <translation>Nie ma jeszcze czego zapisać; najpierw otwórz zapis</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Zapisywanie sprawozdania</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>zapisano %1</translation>
+    </message>
+    <message>
+        <source>Swing in &amp;flight from a log…</source>
+        <translation>Pomiar dewiacji w &amp;locie z zapisu…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+L</source>
+        <translation>Ctrl+Alt+L</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report as PDF…</source>
+        <translation>Zapisz &amp;sprawozdanie jako PDF…</translation>
+    </message>
+    <message>
+        <source>Legs: ground velocities of three or more headings lie on a circle about the wind, whose radius is the airspeed, so the heading of each leg follows without a model. Continuous: δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ is followed by a Kalman filter, without process noise the least-squares solution; χ² of the last 10, 20, 40 and 80 innovations raises an alarm, falsely in one of ten logs of 1400 updates. The means of the legs become the readings of a swing; the next log of the compass goes on from the swings in flight since its last other swing, recomputed from those readings.</source>
+        <translation>Odcinki: prędkości względem ziemi na trzech lub więcej kursach leżą na okręgu wokół wiatru, którego promieniem jest prędkość powietrzna, więc kurs każdego odcinka wynika bez modelu. Ciągły: δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ śledzi filtr Kalmana, bez szumu procesu równy najmniejszym kwadratom; χ² ostatnich 10, 20, 40 i 80 innowacji podnosi alarm, fałszywie w jednym na dziesięć zapisów po 1400 aktualizacji. Średnie odcinków stają się odczytami pomiaru; następny zapis busoli kontynuuje od pomiarów w locie od jej ostatniego innego pomiaru, przeliczonych z tych odczytów.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::GuidedJob</name>
@@ -7468,6 +10543,22 @@ soft iron S:</source>
     <message>
         <source>the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)</source>
         <translation>wzorzec wskazuje %1°, co nie jest odczytem na kursie %2°; obróć na ten kurs albo pomiń go z podaniem powodu (F4)</translation>
+    </message>
+    <message>
+        <source>Set the astrocompass for %1 UTC: latitude %2°, declination %3°, local hour angle %4°.</source>
+        <translation>Nastaw astrokompas na %1 UTC: szerokość %2°, deklinacja słońca %3°, miejscowy kąt godzinny %4°.</translation>
+    </message>
+    <message>
+        <source>the sun tells a heading where the place is known; give the base its latitude and longitude</source>
+        <translation>słońce daje kurs tam, gdzie miejsce jest znane; podaj szerokość i długość bazy</translation>
+    </message>
+    <message>
+        <source>Without it C is not told, and the N–S control stays as it is.</source>
+        <translation>Bez niego C jest nieokreślone, a regulacja N–S pozostaje bez zmian.</translation>
+    </message>
+    <message>
+        <source>Without it B is not told, and the E–W control stays as it is.</source>
+        <translation>Bez niego B jest nieokreślone, a regulacja E–W pozostaje bez zmian.</translation>
     </message>
 </context>
 <context>
@@ -7509,10 +10600,6 @@ soft iron S:</source>
         <translation>Usterka: %1. Co z nią zrobiono?</translation>
     </message>
     <message>
-        <source>This swing was abandoned.</source>
-        <translation>Ten pomiar przerwano.</translation>
-    </message>
-    <message>
         <source>What is the fault? F8 goes back.</source>
         <translation>Jaka to usterka? F8 wraca.</translation>
     </message>
@@ -7545,8 +10632,24 @@ soft iron S:</source>
         <translation>Pomiar prowadzony</translation>
     </message>
     <message>
-        <source>One step a page: turn to the heading, type what datum and compass read, Enter. F2 repeats a step, F4 leaves it out, F8 reports a fault, F11 shows the crew&apos;s display, F12 listens to instruments. Every figure is stored as it is typed; an interrupted swing goes on where it stood.</source>
-        <translation>Jeden krok na stronie: ustaw kurs, wpisz odczyt wzorca i busoli, Enter. F2 powtarza krok, F4 go pomija, F8 zgłasza usterkę, F11 pokazuje ekran załogi, F12 nasłuchuje przyrządów. Każda liczba jest zapisywana od razu; przerwany pomiar podejmuje się tam, gdzie stanął.</translation>
+        <source>Instrument (F3)</source>
+        <translation>Przyrząd (F3)</translation>
+    </message>
+    <message>
+        <source>This swing was abandoned: %1.</source>
+        <translation>Ten pomiar przerwano: %1.</translation>
+    </message>
+    <message>
+        <source>%1 comes in its turn</source>
+        <translation>%1 przyjdzie w swojej kolejności</translation>
+    </message>
+    <message>
+        <source>%1 gives true headings, and this swing has no variation: begin it with a site that has one.</source>
+        <translation>%1 podaje kursy rzeczywiste, a ten pomiar nie ma deklinacji: zacznij go w miejscu, które ją ma.</translation>
+    </message>
+    <message>
+        <source>One step a page: turn to the heading, type what datum and compass read, Enter. F2 repeats a step, F3 changes the instrument, F4 leaves a heading out and says what that costs, F8 reports a fault, F11 shows the crew&apos;s display and closes it, F12 listens to instruments. A heading that was left out is read at any later time: F2, a click on it in the strip below, or the arrows there and Enter. Every figure is kept as it is typed; an interrupted swing goes on where it stood, from the overview, the tree, the page of its compass or Ctrl+Shift+G.</source>
+        <translation>Jeden krok na stronę: ustaw kurs, wpisz wskazania wzorca i busoli, Enter. F2 powtarza krok, F3 zmienia przyrząd, F4 opuszcza kurs i mówi, ile to kosztuje, F8 zgłasza usterkę, F11 pokazuje i zamyka ekran dla załogi, F12 słucha przyrządów. Opuszczony kurs odczytuje się w dowolnej późniejszej chwili: F2, kliknięciem na nim w pasku poniżej albo strzałkami tam i klawiszem Enter. Każda liczba jest zachowywana w trakcie wpisywania; przerwany pomiar idzie dalej od miejsca, w którym stanął: z przeglądu, z drzewa, ze strony busoli albo przez Ctrl+Shift+G.</translation>
     </message>
 </context>
 <context>
@@ -7589,10 +10692,6 @@ soft iron S:</source>
     <message>
         <source>Accept and make the record</source>
         <translation>Przyjmij i utwórz zapis</translation>
-    </message>
-    <message>
-        <source>Read this one again</source>
-        <translation>Odczytaj ten ponownie</translation>
     </message>
     <message>
         <source>A control was turned again</source>
@@ -7673,6 +10772,18 @@ soft iron S:</source>
     <message>
         <source>What does the compass read after the control was turned, on the heading of the row that is chosen? One figure is expected.</source>
         <translation>Co wskazuje busola po obrocie regulacji na kursie wybranego wiersza? Oczekiwano jednej wartości.</translation>
+    </message>
+    <message>
+        <source>Read this one again (F2)</source>
+        <translation>Odczytaj ten jeszcze raz (F2)</translation>
+    </message>
+    <message>
+        <source>skipped: %1</source>
+        <translation>opuszczono: %1</translation>
+    </message>
+    <message>
+        <source>A control is turned on a heading that was read; choose another row.</source>
+        <translation>Regulację obraca się na kursie, który odczytano; wybierz inny wiersz.</translation>
     </message>
 </context>
 <context>
@@ -7896,6 +11007,10 @@ soft iron S:</source>
         <source>A reason is expected; Escape goes back.</source>
         <translation>Oczekiwano powodu; Escape wraca.</translation>
     </message>
+    <message>
+        <source> It can be read later: F2, or its place in the strip below.</source>
+        <translation> Można go odczytać później: F2 albo jego miejsce w pasku poniżej.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::GuidedWords</name>
@@ -7961,7 +11076,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>NE</source>
-        <translation type="unfinished"></translation>
+        <translation>NE</translation>
     </message>
     <message>
         <source>E</source>
@@ -7969,7 +11084,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>SE</source>
-        <translation type="unfinished"></translation>
+        <translation>SE</translation>
     </message>
     <message>
         <source>S</source>
@@ -7977,7 +11092,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>SW</source>
-        <translation type="unfinished"></translation>
+        <translation>SW</translation>
     </message>
     <message>
         <source>W</source>
@@ -7985,7 +11100,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>NW</source>
-        <translation type="unfinished"></translation>
+        <translation>NW</translation>
     </message>
     <message>
         <source>Error %1°: turn the %2 until all of it is gone, and the compass reads</source>
@@ -8023,6 +11138,535 @@ soft iron S:</source>
         <source> D and E are not told any more.</source>
         <translation> Nie można już określić D i E.</translation>
     </message>
+    <message>
+        <source>the bearing of the shadow from the nose</source>
+        <translation>namiar cienia od nosa</translation>
+    </message>
+    <message>
+        <source>the sight reads the reciprocal: about %1</source>
+        <translation>celownik wskazuje kurs przeciwny: około %1</translation>
+    </message>
+    <message>
+        <source>the sight reads the heading: about %1</source>
+        <translation>celownik wskazuje kurs: około %1</translation>
+    </message>
+    <message>
+        <source>the line of %1</source>
+        <translation>linia %1</translation>
+    </message>
+    <message>
+        <source>it shows true: about %1</source>
+        <translation>wskazuje rzeczywisty: około %1</translation>
+    </message>
+    <message>
+        <source>it shows about %1</source>
+        <translation>wskazuje około %1</translation>
+    </message>
+    <message>
+        <source>Instrument: %1</source>
+        <translation>Przyrząd: %1</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Help</name>
+    <message>
+        <source>The tree at the left has types, aircraft, compasses and swings; a click or Enter opens the page of one. Ctrl+F finds any of them by words.
+A new swing (Ctrl+N): name aircraft and compass, type what datum and compass read on each heading; curve, coefficients and verdict follow every key. A guided swing (Ctrl+Shift+G) leads a crew round the base step by step.
+Mark it complete, sign it, and print report and card: all in the menus Swing and File. What is signed is frozen; an amendment is a new revision.
+Every change can be undone (Ctrl+Z), and is on the drive as soon as a field is left: there is no Save. File keeps copies: Save a copy, Back up now, Restore.
+F1 tells about the page in front. Deviation is magnetic minus compass, east positive, everywhere.</source>
+        <translation>Drzewo po lewej ma typy, statki powietrzne, busole i pomiary; kliknięcie lub Enter otwiera stronę. Ctrl+F znajduje każdy z nich po słowach.
+Nowy pomiar (Ctrl+N): podaj statek powietrzny i busolę, wpisz wskazania wzorca i busoli na każdym kursie; krzywa, współczynniki i ocena nadążają za każdym klawiszem. Pomiar prowadzony (Ctrl+Shift+G) prowadzi załogę po kręgu krok po kroku.
+Oznacz go jako ukończony, podpisz, wydrukuj sprawozdanie i tablicę: wszystko w menu Pomiar i Plik. Co podpisano, jest zamrożone; poprawka jest nowym wydaniem.
+Każdą zmianę można cofnąć (Ctrl+Z) i jest ona na dysku, gdy tylko opuści się pole: nie ma polecenia Zapisz. Plik przechowuje kopie: Zapisz kopię, Kopia zapasowa teraz, Przywróć.
+F1 objaśnia bieżącą stronę. Dewiacja to kurs magnetyczny minus kompasowy, wschodnia dodatnia, wszędzie.</translation>
+    </message>
+    <message>
+        <source>On the page of a swing a click on a coefficient, or Enter on it, opens where it comes from: the formula, and the figures of this swing in it. Escape closes it.
+Approximate coefficients: δ = A + B sin ψ&apos; + C cos ψ&apos; + D sin 2ψ&apos; + E cos 2ψ&apos;, fitted to all readings by least squares; δ is magnetic minus compass, ψ&apos; the compass heading.
+On the cardinal headings alone that is A = (δN + δE + δS + δW) / 4, B = (δE − δW) / 2, C = (δN − δS) / 2; the quadrantals give D = (δNE − δSE + δSW − δNW) / 4, and E = (δN − δE + δS − δW) / 4.
+What stands behind ± is the 95 % interval that the scatter of the readings leaves; rms is that scatter. Every number of the report names its method at the foot of the page.</source>
+        <translation>Na stronie pomiaru kliknięcie na współczynniku albo Enter na nim otwiera jego pochodzenie: wzór i podstawione w nim liczby tego pomiaru. Escape zamyka.
+Współczynniki przybliżone: δ = A + B sin ψ&apos; + C cos ψ&apos; + D sin 2ψ&apos; + E cos 2ψ&apos;, dopasowane do wszystkich odczytów metodą najmniejszych kwadratów; δ to kurs magnetyczny minus kompasowy, ψ&apos; kurs kompasowy.
+Na samych kursach głównych jest to A = (δN + δE + δS + δW) / 4, B = (δE − δW) / 2, C = (δN − δS) / 2; kursy pośrednie dają D = (δNE − δSE + δSW − δNW) / 4, a E = (δN − δE + δS − δW) / 4.
+Po znaku ± stoi przedział 95 %, który pozostawia rozrzut odczytów; rms to ten rozrzut. Każda liczba sprawozdania podaje swoją metodę u dołu strony.</translation>
+    </message>
+    <message>
+        <source>Lubberline is free software: you may use, study, share and change it under the GNU General Public License, version 3 or any later version. It comes without any warranty.</source>
+        <translation>Lubberline jest wolnym oprogramowaniem: wolno go używać, badać, przekazywać i zmieniać na warunkach Powszechnej Licencji Publicznej GNU, w wersji 3 lub dowolnej późniejszej. Nie daje się na niego żadnej gwarancji.</translation>
+    </message>
+    <message>
+        <source>Copy or save the lines below, write down what was done and what happened, and send them to whoever keeps the program for you. They have nothing of your records in them.</source>
+        <translation>Skopiuj lub zapisz poniższe wiersze, dopisz, co zrobiono i co się stało, i wyślij temu, kto opiekuje się programem. Nie ma w nich niczego z zapisów.</translation>
+    </message>
+    <message>
+        <source>deviation δ</source>
+        <translation>dewiacja δ</translation>
+    </message>
+    <message>
+        <source>magnetic heading minus compass heading; east positive: what is added to the compass to get magnetic</source>
+        <translation>kurs magnetyczny minus kurs kompasowy; wschodnia dodatnia: to, co dodaje się do kompasowego, by otrzymać magnetyczny</translation>
+    </message>
+    <message>
+        <source>variation</source>
+        <translation>deklinacja</translation>
+    </message>
+    <message>
+        <source>angle from true to magnetic north at a place and date, east positive; also called declination</source>
+        <translation>kąt od północy rzeczywistej do magnetycznej w danym miejscu i dniu, wschodnia dodatnia; zwana też deklinacją</translation>
+    </message>
+    <message>
+        <source>dip</source>
+        <translation>inklinacja</translation>
+    </message>
+    <message>
+        <source>angle of the Earth&apos;s field below the horizontal</source>
+        <translation>kąt pola Ziemi pod poziomem</translation>
+    </message>
+    <message>
+        <source>swing</source>
+        <translation>pensacyjny</translation>
+    </message>
+    <message>
+        <source>deviation measured on a round of headings, with what stood on the aircraft then</source>
+        <translation>dewiacja zmierzona na kolejnych kursach dookoła, z tym, co wtedy było na statku powietrznym</translation>
+    </message>
+    <message>
+        <source>correction swing</source>
+        <translation>pomiar kompensacyjny</translation>
+    </message>
+    <message>
+        <source>a swing in which the compensator is turned; a check swing only measures</source>
+        <translation>pomiar, w którym obraca się kompensator; pomiar kontrolny tylko mierzy</translation>
+    </message>
+    <message>
+        <source>as found, as left</source>
+        <translation>stan zastany, stan pozostawiony</translation>
+    </message>
+    <message>
+        <source>before anything was adjusted; after it</source>
+        <translation>przed jakąkolwiek regulacją; po niej</translation>
+    </message>
+    <message>
+        <source>datum</source>
+        <translation>wzorzec</translation>
+    </message>
+    <message>
+        <source>what the magnetic heading is read from: a sight or landing compass, a painted line, the sun</source>
+        <translation>to, z czego odczytuje się kurs magnetyczny: celownik lub busola wzorcowa, namalowana linia, słońce</translation>
+    </message>
+    <message>
+        <source>nominal heading</source>
+        <translation>kurs nominalny</translation>
+    </message>
+    <message>
+        <source>the heading that the aircraft was to stand on; what was read is the datum</source>
+        <translation>kurs, na którym statek powietrzny miał stanąć; odczytany jest wzorcem</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>the same on all headings: lubber line, mounting, datum</source>
+        <translation>takie samo na wszystkich kursach: kreska kursowa, mocowanie, wzorzec</translation>
+    </message>
+    <message>
+        <source>B, C</source>
+        <translation>B, C</translation>
+    </message>
+    <message>
+        <source>once round: hard iron fore and aft, and athwart</source>
+        <translation>raz na obrót: żelazo twarde wzdłuż i w poprzek</translation>
+    </message>
+    <message>
+        <source>D, E</source>
+        <translation>D, E</translation>
+    </message>
+    <message>
+        <source>twice round: soft iron</source>
+        <translation>dwa razy na obrót: żelazo miękkie</translation>
+    </message>
+    <message>
+        <source>exact coefficients</source>
+        <translation>współczynniki dokładne</translation>
+    </message>
+    <message>
+        <source>Smith&apos;s of large deviations, where B and C no longer just add up</source>
+        <translation>Smitha, dla dużych dewiacji, gdzie B i C nie dają się już po prostu dodać</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>reszta</translation>
+    </message>
+    <message>
+        <source>what a fit leaves of a reading</source>
+        <translation>to, co dopasowanie zostawia z odczytu</translation>
+    </message>
+    <message>
+        <source>hard iron</source>
+        <translation>żelazo twarde</translation>
+    </message>
+    <message>
+        <source>field of what is magnetised and stays with the aircraft; in nT</source>
+        <translation>pole tego, co namagnesowane i zostaje ze statkiem powietrznym; w nT</translation>
+    </message>
+    <message>
+        <source>soft iron</source>
+        <translation>żelazo miękkie</translation>
+    </message>
+    <message>
+        <source>field that the Earth&apos;s field induces in the aircraft</source>
+        <translation>pole, które pole Ziemi wzbudza w statku powietrznym</translation>
+    </message>
+    <message>
+        <source>limits profile</source>
+        <translation>zestaw wartości dopuszczalnych</translation>
+    </message>
+    <message>
+        <source>what a compass is held against, with its document</source>
+        <translation>to, z czym porównuje się busolę, z dokumentem</translation>
+    </message>
+    <message>
+        <source>card</source>
+        <translation>tablica</translation>
+    </message>
+    <message>
+        <source>FOR a magnetic heading STEER by compass: the placard beside the compass</source>
+        <translation>NA kurs magnetyczny STERUJ według busoli: tabliczka przy busoli</translation>
+    </message>
+    <message>
+        <source>slip</source>
+        <translation>pomyłka</translation>
+    </message>
+    <message>
+        <source>a reading that does not fit the others, and what it most likely was meant to be</source>
+        <translation>odczyt, który nie pasuje do pozostałych, i to, czym najpewniej miał być</translation>
+    </message>
+    <message>
+        <source>compass base</source>
+        <translation>krąg dewiacyjny</translation>
+    </message>
+    <message>
+        <source>a surveyed place to swing on</source>
+        <translation>pomierzone miejsce do pomiarów dewiacji</translation>
+    </message>
+    <message>
+        <source>revision</source>
+        <translation>wydanie</translation>
+    </message>
+    <message>
+        <source>an amendment of what was signed; the one before stays</source>
+        <translation>poprawka tego, co podpisano; poprzednie zostaje</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>on to the next figure; on a row of a list: opens it</source>
+        <translation>do następnej liczby; na wierszu listy: otwiera go</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>closes the message above the page; in a field: what was there before</source>
+        <translation>zamyka komunikat nad stroną; w polu: to, co było przedtem</translation>
+    </message>
+    <message>
+        <source>= in the readings</source>
+        <translation>= w odczytach</translation>
+    </message>
+    <message>
+        <source>the nominal heading as read</source>
+        <translation>kurs zadany jako odczytany</translation>
+    </message>
+    <message>
+        <source>Alt and an underlined letter</source>
+        <translation>Alt i podkreślona litera</translation>
+    </message>
+    <message>
+        <source>that menu, field or button</source>
+        <translation>to menu, pole lub przycisk</translation>
+    </message>
+    <message>
+        <source>F2, F4, F8 in a guided swing</source>
+        <translation>F2, F4, F8 w pomiarze prowadzonym</translation>
+    </message>
+    <message>
+        <source>read a step again, leave it out, report a fault</source>
+        <translation>powtórz krok, opuść go, zgłoś usterkę</translation>
+    </message>
+    <message>
+        <source>F6, F7, F12 in a guided swing</source>
+        <translation>F6, F7, F12 w pomiarze prowadzonym</translation>
+    </message>
+    <message>
+        <source>take what is heard as datum, as compass; listen to instruments</source>
+        <translation>weź to, co słychać, jako wzorzec, jako busolę; słuchaj przyrządów</translation>
+    </message>
+    <message>
+        <source>Data that are built in</source>
+        <translation>Dane wbudowane</translation>
+    </message>
+    <message>
+        <source>World Magnetic Model 2025 (WMM)</source>
+        <translation>Światowy Model Magnetyczny 2025 (WMM)</translation>
+    </message>
+    <message>
+        <source>NOAA NCEI and British Geological Survey</source>
+        <translation>NOAA NCEI i British Geological Survey</translation>
+    </message>
+    <message>
+        <source>public domain</source>
+        <translation>domena publiczna</translation>
+    </message>
+    <message>
+        <source>IAGA Division V-MOD, doi 10.5281/zenodo.14012302</source>
+        <translation>IAGA Division V-MOD, doi 10.5281/zenodo.14012302</translation>
+    </message>
+    <message>
+        <source>coastlines</source>
+        <translation>linie brzegowe</translation>
+    </message>
+    <message>
+        <source>samples of swings</source>
+        <translation>próbki pomiarów</translation>
+    </message>
+    <message>
+        <source>the manuals that they name</source>
+        <translation>instrukcje, które podają</translation>
+    </message>
+    <message>
+        <source>figures, with their source</source>
+        <translation>liczby, ze źródłem</translation>
+    </message>
+    <message>
+        <source>Parts of the program</source>
+        <translation>Części programu</translation>
+    </message>
+    <message>
+        <source>window, documents, storage</source>
+        <translation>okno, dokumenty, przechowywanie</translation>
+    </message>
+    <message>
+        <source>plots: based in part on the work of the Qwt project (http://qwt.sf.net)</source>
+        <translation>wykresy: oparte częściowo na pracy projektu Qwt (http://qwt.sf.net)</translation>
+    </message>
+    <message>
+        <source>LGPL-2.1, Qwt exceptions</source>
+        <translation>LGPL-2.1, wyjątki Qwt</translation>
+    </message>
+    <message>
+        <source>Fourier transforms</source>
+        <translation>transformaty Fouriera</translation>
+    </message>
+    <message>
+        <source>linear algebra</source>
+        <translation>algebra liniowa</translation>
+    </message>
+    <message>
+        <source>the sums of the Earth&apos;s field</source>
+        <translation>sumy pola Ziemi</translation>
+    </message>
+    <message>
+        <source>quantiles</source>
+        <translation>kwantyle</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>wiersz poleceń</translation>
+    </message>
+    <message>
+        <source>the data inside a report</source>
+        <translation>dane wewnątrz sprawozdania</translation>
+    </message>
+    <message>
+        <source>QR codes</source>
+        <translation>kody QR</translation>
+    </message>
+    <message>
+        <source>the database</source>
+        <translation>baza danych</translation>
+    </message>
+    <message>
+        <source>An empty database</source>
+        <translation>Pusta baza danych</translation>
+    </message>
+    <message>
+        <source>Page of an aircraft</source>
+        <translation>Strona statku powietrznego</translation>
+    </message>
+    <message>
+        <source>Page of a swing</source>
+        <translation>Strona pomiaru</translation>
+    </message>
+    <message>
+        <source>Overview of the fleet</source>
+        <translation>Przegląd floty</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::HelpPage</name>
+    <message>
+        <source>&amp;Copy this</source>
+        <translation>&amp;Kopiuj to</translation>
+    </message>
+    <message>
+        <source>Save &amp;as text…</source>
+        <translation>Zapisz j&amp;ako tekst…</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Pomoc</translation>
+    </message>
+    <message>
+        <source>Topics</source>
+        <translation>Tematy</translation>
+    </message>
+    <message>
+        <source>Text of the topic</source>
+        <translation>Tekst tematu</translation>
+    </message>
+    <message>
+        <source>Save as text</source>
+        <translation>Zapisywanie jako tekst</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Tekst (*.txt)</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this page</source>
+        <translation>&amp;Pomoc do tej strony</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>Spis &amp;treści</translation>
+    </message>
+    <message>
+        <source>Shift+F1</source>
+        <translation>Shift+F1</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Skróty klawiszowe</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>Słow&amp;niczek</translation>
+    </message>
+    <message>
+        <source>Where a &amp;number comes from</source>
+        <translation>Skąd pochodzi &amp;liczba</translation>
+    </message>
+    <message>
+        <source>&amp;Licences and data sources</source>
+        <translation>L&amp;icencje i źródła danych</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem…</source>
+        <translation>&amp;Zgłoś problem…</translation>
+    </message>
+    <message>
+        <source>&amp;About this program and database</source>
+        <translation>&amp;O programie i bazie danych</translation>
+    </message>
+    <message>
+        <source>Topics at the left, the one that is chosen at the right. F1 on any page opens its topic; a topic is copied or saved as text with the buttons above.</source>
+        <translation>Tematy po lewej, wybrany po prawej. F1 na każdej stronie otwiera jej temat; temat kopiuje się lub zapisuje jako tekst przyciskami powyżej.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::HelpTopics</name>
+    <message>
+        <source>Everywhere</source>
+        <translation>Wszędzie</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Wersja</translation>
+    </message>
+    <message>
+        <source>Database</source>
+        <translation>Baza danych</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Wielkość</translation>
+    </message>
+    <message>
+        <source>Aircraft, compasses, swings</source>
+        <translation>Statki powietrzne, busole, pomiary</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ustawienia</translation>
+    </message>
+    <message>
+        <source>Aircraft magnetic deviation: from the readings to the correction card. Deviation = magnetic − compass, east positive.
+Based in part on the work of the Qwt project (http://qwt.sf.net). Free software under the GNU General Public License, version 3 or later, without any warranty.</source>
+        <translation>Dewiacja magnetyczna statków powietrznych: od odczytów do tablicy dewiacji. Dewiacja = kurs magnetyczny − kompasowy, wschodnia dodatnia.
+Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowanie na licencji GNU GPL w wersji 3 lub późniejszej, bez żadnej gwarancji.</translation>
+    </message>
+    <message>
+        <source>locale %1, time %2</source>
+        <translation>ustawienia regionalne %1, czas %2</translation>
+    </message>
+    <message>
+        <source>screen %1x%2, scale %3, window %4x%5</source>
+        <translation>ekran %1x%2, skala %3, okno %4x%5</translation>
+    </message>
+    <message>
+        <source>database of %1 bytes%2</source>
+        <translation>baza, bajtów: %1%2</translation>
+    </message>
+    <message>
+        <source>, read only</source>
+        <translation>, tylko do odczytu</translation>
+    </message>
+    <message>
+        <source>undo steps %1, last: %2</source>
+        <translation>kroków do cofnięcia %1, ostatni: %2</translation>
+    </message>
+    <message>
+        <source>What was done:</source>
+        <translation>Co zrobiono:</translation>
+    </message>
+    <message>
+        <source>What happened, and what was expected:</source>
+        <translation>Co się stało i czego oczekiwano:</translation>
+    </message>
+    <message>
+        <source>How to begin</source>
+        <translation>Jak zacząć</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Skróty klawiszowe</translation>
+    </message>
+    <message>
+        <source>Glossary</source>
+        <translation>Słowniczek</translation>
+    </message>
+    <message>
+        <source>Where a number comes from</source>
+        <translation>Skąd pochodzi liczba</translation>
+    </message>
+    <message>
+        <source>Licences and data sources</source>
+        <translation>Licencje i źródła danych</translation>
+    </message>
+    <message>
+        <source>This program and this database</source>
+        <translation>Ten program i ta baza danych</translation>
+    </message>
+    <message>
+        <source>Report a problem</source>
+        <translation>Zgłaszanie problemu</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::HistoryChart</name>
@@ -8049,6 +11693,155 @@ soft iron S:</source>
     <message>
         <source>No swings with results yet.</source>
         <translation>Brak jeszcze pomiarów z wynikami.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::HistoryPanel</name>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Odtwarzaj</translation>
+    </message>
+    <message>
+        <source>The swings one after the other</source>
+        <translation>Pomiary, jeden po drugim</translation>
+    </message>
+    <message>
+        <source>Computing.</source>
+        <translation>Trwa obliczanie.</translation>
+    </message>
+    <message>
+        <source>It is not expected to reach its limit: no date to tell.</source>
+        <translation>Nie oczekuje się, by osiągnęła granicę: nie ma daty do podania.</translation>
+    </message>
+    <message>
+        <source>No limit is known of this compass, so no date by which it is reached.</source>
+        <translation>Nie są znane wartości dopuszczalne tej busoli, więc nie ma daty ich osiągnięcia.</translation>
+    </message>
+    <message>
+        <source>%1 drifts by %2° a year (95 %: %3 to %4).</source>
+        <translation>%1 dryfuje o %2° rocznie (95 %: od %3 do %4).</translation>
+    </message>
+    <message>
+        <source>Its limit is reached by %1 in half of the futures, by %2 in one of twenty.</source>
+        <translation>Granicę osiąga do %1 w połowie przebiegów przyszłości, do %2 w jednym na dwadzieścia.</translation>
+    </message>
+    <message>
+        <source>No jump and no drift of it is told.</source>
+        <translation>Nie stwierdzono w niej skoku ani dryfu.</translation>
+    </message>
+    <message>
+        <source>Filled: as found; open or dashed: as left. Bars: 95 % by the readings.</source>
+        <translation>Pełne: stan zastany; puste lub kreskowane: pozostawiony. Słupki: 95 % według odczytów.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::HistoryPlot</name>
+    <message>
+        <source>Coefficients over time</source>
+        <translation>Współczynniki w czasie</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::InflightWords</name>
+    <message>
+        <source>heading read (°)</source>
+        <translation>kurs odczytany (°)</translation>
+    </message>
+    <message>
+        <source>deviation = magnetic − compass (°, east +)</source>
+        <translation>dewiacja = magnetyczny − kompasowy (°, E +)</translation>
+    </message>
+    <message>
+        <source>%1: </source>
+        <translation>%1: </translation>
+    </message>
+    <message>
+        <source>fit %1°</source>
+        <translation>dopasowanie %1°</translation>
+    </message>
+    <message>
+        <source> ± %1° (95 %)</source>
+        <translation> ± %1° (95 %)</translation>
+    </message>
+    <message>
+        <source>mean of %1 reports %2°</source>
+        <translation>średnia z %1 meldunków %2°</translation>
+    </message>
+    <message>
+        <source>no report in these 10°</source>
+        <translation>brak meldunku w tych 10°</translation>
+    </message>
+    <message>
+        <source>headings read; full radius: %1 reports in 10°</source>
+        <translation>kursy odczytane; pełny promień: %1 meldunków na 10°</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3 reports</source>
+        <translation>od %1 do %2: %3 meldunków</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>czas (s)</translation>
+    </message>
+    <message>
+        <source>coefficient (°, east +)</source>
+        <translation>współczynnik (°, E +)</translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
+        <translation>%1 s: %2</translation>
+    </message>
+    <message>
+        <source>reports (some of them)</source>
+        <translation>meldunki (niektóre)</translation>
+    </message>
+    <message>
+        <source>means over 10°</source>
+        <translation>średnie co 10°</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>dopasowanie</translation>
+    </message>
+    <message>
+        <source>95 % band, by flights</source>
+        <translation>pasmo 95 %, według lotów</translation>
+    </message>
+    <message>
+        <source>no report of this aircraft can be used</source>
+        <translation>żadnego meldunku tego statku powietrznego nie można użyć</translation>
+    </message>
+    <message>
+        <source>no headings</source>
+        <translation>brak kursów</translation>
+    </message>
+    <message>
+        <source>A (bands: two standard errors)</source>
+        <translation>A (pasma: dwa błędy standardowe)</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>alarm</translation>
+    </message>
+    <message>
+        <source>the headings so far do not tell the coefficients</source>
+        <translation>dotychczasowe kursy nie określają współczynników</translation>
+    </message>
+    <message>
+        <source>ground velocity %1 kt towards %2</source>
+        <translation>prędkość względem ziemi %1 w ku %2</translation>
+    </message>
+    <message>
+        <source>ground velocity of a leg, with its true heading</source>
+        <translation>prędkość względem ziemi na odcinku, z jego kursem rzeczywistym</translation>
+    </message>
+    <message>
+        <source>airspeed about the wind</source>
+        <translation>prędkość powietrzna wokół wiatru</translation>
+    </message>
+    <message>
+        <source>wind</source>
+        <translation>wiatr</translation>
     </message>
 </context>
 <context>
@@ -8130,14 +11923,6 @@ soft iron S:</source>
         <translation>▲ termin wzorcowania minął %1: pomiar z nim wymaga uzasadnienia</translation>
     </message>
     <message>
-        <source>New instrument</source>
-        <translation>Nowy przyrząd</translation>
-    </message>
-    <message>
-        <source>New instrument %1</source>
-        <translation>Nowy przyrząd %1</translation>
-    </message>
-    <message>
         <source>new instrument</source>
         <translation>nowy przyrząd</translation>
     </message>
@@ -8160,6 +11945,10 @@ soft iron S:</source>
     <message>
         <source>The datum instruments, and what their figures mean: the example under the form shows what heading a figure stands for, which makes a wrong setting plain.</source>
         <translation>Przyrządy odniesienia i znaczenie ich wskazań: przykład pod formularzem pokazuje, jaki kurs oznacza dany odczyt, co ujawnia błędne ustawienie.</translation>
+    </message>
+    <message>
+        <source>Its figure is the bearing of the shadow from the nose, clockwise; with place and time of the reading it gives a true heading.</source>
+        <translation>Jego wartością jest namiar cienia od nosa, w prawo; z miejscem i czasem odczytu daje kurs rzeczywisty.</translation>
     </message>
 </context>
 <context>
@@ -8230,45 +12019,6 @@ soft iron S:</source>
     </message>
 </context>
 <context>
-    <name>lubberline::ui::LiveInput</name>
-    <message>
-        <source>closed</source>
-        <translation>zamknięte</translation>
-    </message>
-    <message>
-        <source>%1 cannot be opened: %2</source>
-        <translation>nie można otworzyć %1: %2</translation>
-    </message>
-    <message>
-        <source>the serial port has vanished</source>
-        <translation>port szeregowy zniknął</translation>
-    </message>
-    <message>
-        <source>listening on %1 at %2 baud</source>
-        <translation>nasłuch na %1, %2 bodów</translation>
-    </message>
-    <message>
-        <source>UDP port %1 cannot be used: %2</source>
-        <translation>nie można użyć portu UDP %1: %2</translation>
-    </message>
-    <message>
-        <source>listening on UDP port %1</source>
-        <translation>nasłuch na porcie UDP %1</translation>
-    </message>
-    <message>
-        <source>replaying %1</source>
-        <translation>odtwarzanie %1</translation>
-    </message>
-    <message>
-        <source>the log has ended</source>
-        <translation>zapis się skończył</translation>
-    </message>
-    <message>
-        <source>%1; trying again</source>
-        <translation>%1; ponawianie</translation>
-    </message>
-</context>
-<context>
     <name>lubberline::ui::LivePanel</name>
     <message>
         <source>Take as datum (F6)</source>
@@ -8291,16 +12041,8 @@ soft iron S:</source>
         <translation>odtwarzanie zapisu</translation>
     </message>
     <message>
-        <source>A serial port with its baud rate, as /dev/ttyUSB0 4800; a UDP port, as 10110; or the path of a log</source>
-        <translation>Port szeregowy z prędkością, np. /dev/ttyUSB0 4800; port UDP, np. 10110; albo ścieżka zapisu</translation>
-    </message>
-    <message>
         <source>Where does it come from? A port or the path of a log is expected.</source>
         <translation>Skąd mają płynąć dane? Oczekiwano portu albo ścieżki zapisu.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no UDP port; expected a number from 1 to 65535</source>
-        <translation>„%1” nie jest portem UDP; oczekiwano liczby od 1 do 65535</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no baud rate; expected one as 4800 or 38400</source>
@@ -8329,10 +12071,6 @@ soft iron S:</source>
     <message>
         <source>%1° %2</source>
         <translation>%1° %2</translation>
-    </message>
-    <message>
-        <source>✓</source>
-        <translation>✓</translation>
     </message>
     <message>
         <source>±%1</source>
@@ -8378,12 +12116,71 @@ soft iron S:</source>
             <numerusform>%n kursów jest ujemnych lub powyżej 360 i zostało pominiętych.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>A serial port with its baud rate, as /dev/ttyUSB0 4800; a UDP port, as 10110 (from this machine only) or *:10110 (from every machine in the network); or the path of a log</source>
+        <translation>Port szeregowy z prędkością, jak /dev/ttyUSB0 4800; port UDP, jak 10110 (tylko z tego komputera) lub *:10110 (z każdego w sieci); albo ścieżka zapisu</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no UDP port; expected a number from 1 to 65535, as 10110, or *:10110 for the whole network</source>
+        <translation>&apos;%1&apos; nie jest portem UDP; oczekiwano liczby od 1 do 65535, jak 10110, lub *:10110 dla całej sieci</translation>
+    </message>
+    <message>
+        <source>%1 sentences left out: more come than can be looked at</source>
+        <translation>pominięto zdań: %1; przychodzi więcej, niż da się przejrzeć</translation>
+    </message>
+    <message>
+        <source>✓ ±%1</source>
+        <translation>✓ ±%1</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::LiveReader</name>
+    <message>
+        <source>closed</source>
+        <translation>zamknięte</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation>nie da się otworzyć %1: %2</translation>
+    </message>
+    <message>
+        <source>the serial port has vanished</source>
+        <translation>port szeregowy zniknął</translation>
+    </message>
+    <message>
+        <source>listening on %1 at %2 baud</source>
+        <translation>nasłuch na %1 z prędkością %2</translation>
+    </message>
+    <message>
+        <source>UDP port %1 cannot be used: %2</source>
+        <translation>nie można użyć portu UDP %1: %2</translation>
+    </message>
+    <message>
+        <source>listening on UDP port %1, to every machine in the network</source>
+        <translation>nasłuch na porcie UDP %1, z każdego komputera w sieci</translation>
+    </message>
+    <message>
+        <source>listening on UDP port %1, to this machine only</source>
+        <translation>nasłuch na porcie UDP %1, tylko z tego komputera</translation>
+    </message>
+    <message>
+        <source>replaying %1</source>
+        <translation>odtwarzanie %1</translation>
+    </message>
+    <message>
+        <source>the log has ended</source>
+        <translation>zapis się skończył</translation>
+    </message>
+    <message>
+        <source>%1; trying again</source>
+        <translation>%1; kolejna próba</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::MainWindow</name>
     <message>
         <source>%1 – Lubberline</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – Lubberline</translation>
     </message>
     <message>
         <source>Fleet</source>
@@ -8494,28 +12291,12 @@ soft iron S:</source>
         <translation>Za&amp;kończ</translation>
     </message>
     <message>
-        <source>&amp;Search everything</source>
-        <translation>&amp;Szukaj wszędzie</translation>
-    </message>
-    <message>
         <source>Go to the &amp;tree</source>
         <translation>Przejdź do &amp;drzewa</translation>
     </message>
     <message>
         <source>Ctrl+T</source>
         <translation>Ctrl+T</translation>
-    </message>
-    <message>
-        <source>&amp;Back up the database…</source>
-        <translation>Kopia zapasowa &amp;bazy danych…</translation>
-    </message>
-    <message>
-        <source>&amp;About Lubberline</source>
-        <translation>&amp;O programie Lubberline</translation>
-    </message>
-    <message>
-        <source>Lubberline %1: aircraft magnetic deviation. Based in part on the work of the Qwt project (http://qwt.sf.net).</source>
-        <translation>Lubberline %1: dewiacja magnetyczna statków powietrznych. Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net).</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -8622,14 +12403,6 @@ soft iron S:</source>
         <translation>Eksportowanie</translation>
     </message>
     <message>
-        <source>Back up the database</source>
-        <translation>Kopia zapasowa bazy danych</translation>
-    </message>
-    <message>
-        <source>Lubberline databases (*.lubberline)</source>
-        <translation>Bazy danych Lubberline (*.lubberline)</translation>
-    </message>
-    <message>
         <source>Backup written: %1</source>
         <translation>Zapisano kopię zapasową: %1</translation>
     </message>
@@ -8646,10 +12419,6 @@ soft iron S:</source>
         <translation>&amp;Kopiuj wykres</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+C</source>
-        <translation>Ctrl+Shift+C</translation>
-    </message>
-    <message>
         <source>E&amp;xport the plot…</source>
         <translation>&amp;Eksportuj wykres…</translation>
     </message>
@@ -8658,8 +12427,235 @@ soft iron S:</source>
         <translation>Ctrl+Shift+E</translation>
     </message>
     <message>
-        <source>&amp;Help on this page</source>
-        <translation>&amp;Pomoc do tej strony</translation>
+        <source>%1 – %2 – Lubberline</source>
+        <translation>%1 – %2 – Lubberline</translation>
+    </message>
+    <message>
+        <source>What was kept for recovery is not used: %1</source>
+        <translation>Nie użyto tego, co zachowano do odzyskania: %1</translation>
+    </message>
+    <message>
+        <source>Something else has been stored since; it stays as it is:</source>
+        <translation>Od tego czasu zapisano coś innego; zostaje bez zmian:</translation>
+    </message>
+    <message>
+        <source>Forget what was kept</source>
+        <translation>Zapomnij, co zachowano</translation>
+    </message>
+    <message>
+        <source>Another program is writing to the database; what was kept is offered again at the next start.</source>
+        <translation>Inny program pisze do bazy; to, co zachowano, zostanie zaproponowane przy następnym uruchomieniu.</translation>
+    </message>
+    <message>
+        <source>What could not be stored is kept, and stored as soon as the database is free.</source>
+        <translation>To, czego nie udało się zapisać, zachowano; zostanie zapisane, gdy tylko baza będzie wolna.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The database is free again: %n were put in.</source>
+        <translation>
+            <numerusform>Baza jest znowu wolna: wstawiono %n.</numerusform>
+            <numerusform>Baza jest znowu wolna: wstawiono %n.</numerusform>
+            <numerusform>Baza jest znowu wolna: wstawiono %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>W&amp;stecz</translation>
+    </message>
+    <message>
+        <source>Alt+Left</source>
+        <translation>Alt+Left</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>&amp;Dalej</translation>
+    </message>
+    <message>
+        <source>Alt+Right</source>
+        <translation>Alt+Right</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Y</source>
+        <translation>Ctrl+Shift+Y</translation>
+    </message>
+    <message>
+        <source>&amp;Larger text</source>
+        <translation>&amp;Większy tekst</translation>
+    </message>
+    <message>
+        <source>Smaller te&amp;xt</source>
+        <translation>&amp;Mniejszy tekst</translation>
+    </message>
+    <message>
+        <source>&amp;Usual text size</source>
+        <translation>&amp;Zwykły rozmiar tekstu</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+0</source>
+        <translation>Ctrl+Shift+0</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>P&amp;ełny ekran</translation>
+    </message>
+    <message>
+        <source>Lubberline databases (*.lubberline *.db);;All files (*)</source>
+        <translation>Bazy Lubberline (*.lubberline *.db);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drukuj…</translation>
+    </message>
+    <message>
+        <source>New &amp;database…</source>
+        <translation>&amp;Nowa baza danych…</translation>
+    </message>
+    <message>
+        <source>New database</source>
+        <translation>Nowa baza danych</translation>
+    </message>
+    <message>
+        <source>&amp;Open a database…</source>
+        <translation>&amp;Otwórz bazę danych…</translation>
+    </message>
+    <message>
+        <source>Open a database</source>
+        <translation>Otwieranie bazy danych</translation>
+    </message>
+    <message>
+        <source>Back to &amp;your own database</source>
+        <translation>Wróć do &amp;własnej bazy</translation>
+    </message>
+    <message>
+        <source>De&amp;monstration fleet</source>
+        <translation>Flota de&amp;monstracyjna</translation>
+    </message>
+    <message>
+        <source>&amp;Save a copy of the database…</source>
+        <translation>Zapisz &amp;kopię bazy…</translation>
+    </message>
+    <message>
+        <source>&amp;Back up now</source>
+        <translation>Kopia zapasowa &amp;teraz</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+U</source>
+        <translation>Ctrl+Shift+U</translation>
+    </message>
+    <message>
+        <source>R&amp;estore from a backup…</source>
+        <translation>P&amp;rzywróć z kopii zapasowej…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Otwórz o&amp;statnie</translation>
+    </message>
+    <message>
+        <source>no other database has been open</source>
+        <translation>nie otwierano innej bazy</translation>
+    </message>
+    <message>
+        <source>A file is being read or written. Wait for it, or cancel it.</source>
+        <translation>Trwa odczyt lub zapis pliku. Poczekaj albo anuluj.</translation>
+    </message>
+    <message>
+        <source>%1: there is a file of this name already. Open it, or choose a new name for the new database.</source>
+        <translation>%1: plik o tej nazwie już istnieje. Otwórz go albo wybierz nową nazwę dla nowej bazy.</translation>
+    </message>
+    <message>
+        <source>%1: nothing on this machine opens it.</source>
+        <translation>%1: nic na tym komputerze go nie otwiera.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otwarte</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Pokaż w folderze</translation>
+    </message>
+    <message>
+        <source>Save a copy of the database</source>
+        <translation>Zapisywanie kopii bazy</translation>
+    </message>
+    <message>
+        <source>%1: the folder for backups is not there; choose another in the preferences.</source>
+        <translation>%1: nie ma folderu na kopie zapasowe; wybierz inny w preferencjach.</translation>
+    </message>
+    <message>
+        <source>Restore from a backup</source>
+        <translation>Przywracanie z kopii zapasowej</translation>
+    </message>
+    <message>
+        <source>Put %1 in the place of this database? What is here now is kept beside it under the name of this moment.</source>
+        <translation>Umieścić %1 na miejscu tej bazy? To, co jest teraz, zostanie obok niej pod nazwą tej chwili.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Przywróć</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Wy&amp;tnij</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiuj</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Wklej</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>Zaznacz w&amp;szystko</translation>
+    </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>&amp;Znajdź…</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapisano: %1</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ManoeuvreLine</name>
+    <message>
+        <source>turn, °/s</source>
+        <translation>zakręt, °/s</translation>
+    </message>
+    <message>
+        <source>speed, m/s²</source>
+        <translation>prędkość, m/s²</translation>
+    </message>
+    <message>
+        <source>climb, m/s</source>
+        <translation>wznoszenie, m/s</translation>
+    </message>
+    <message>
+        <source>Time line of manoeuvres</source>
+        <translation>Oś czasu manewrów</translation>
+    </message>
+    <message>
+        <source>Draw a block in a lane: right of north, faster and up are above the line. Drag it to move or raise it, its ends to stretch it. Keys: Insert, Page Up and Down, arrows, Shift with arrows, Delete.</source>
+        <translation>Narysuj blok na torze: w prawo, szybciej i w górę są nad linią. Przeciągnij go, by przesunąć lub podnieść, jego końce, by rozciągnąć. Klawisze: Insert, Page Up i Down, strzałki, Shift ze strzałkami, Delete.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s: %3 %4</source>
+        <translation>od %1 do %2 s: %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -8821,12 +12817,28 @@ soft iron S:</source>
 <context>
     <name>lubberline::ui::MessagePanel</name>
     <message>
-        <source>Dismiss</source>
-        <translation>Zamknij</translation>
+        <source>Close (Esc)</source>
+        <translation>Zamknij (Esc)</translation>
     </message>
     <message>
-        <source>Dismiss this message</source>
+        <source>Close this message</source>
         <translation>Zamknij ten komunikat</translation>
+    </message>
+    <message>
+        <source>failure</source>
+        <translation>błąd</translation>
+    </message>
+    <message>
+        <source>news</source>
+        <translation>wiadomość</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>jeszcze %n</numerusform>
+            <numerusform>jeszcze %n</numerusform>
+            <numerusform>jeszcze %n</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8854,6 +12866,133 @@ soft iron S:</source>
     <message>
         <source>Whose swing is %1?</source>
         <translation>Czyj jest pomiar %1?</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::NewRecordPage</name>
+    <message>
+        <source>New type of aircraft</source>
+        <translation>Nowy typ statku powietrznego</translation>
+    </message>
+    <message>
+        <source>New aircraft</source>
+        <translation>Nowy statek powietrzny</translation>
+    </message>
+    <message>
+        <source>New compass</source>
+        <translation>Nowa busola</translation>
+    </message>
+    <message>
+        <source>&amp;Make it</source>
+        <translation>&amp;Utwórz</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Nazwa:</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ker:</source>
+        <translation>&amp;Producent:</translation>
+    </message>
+    <message>
+        <source>as Su-22</source>
+        <translation>jak Su-22</translation>
+    </message>
+    <message>
+        <source>&amp;Type:</source>
+        <translation>&amp;Typ:</translation>
+    </message>
+    <message>
+        <source>&amp;Registration:</source>
+        <translation>&amp;Znaki rejestracyjne:</translation>
+    </message>
+    <message>
+        <source>registration or tail number</source>
+        <translation>znaki rejestracyjne lub numer boczny</translation>
+    </message>
+    <message>
+        <source>&amp;Aircraft:</source>
+        <translation>&amp;Statek powietrzny:</translation>
+    </message>
+    <message>
+        <source>&amp;Limits:</source>
+        <translation>&amp;Dopuszczalne:</translation>
+    </message>
+    <message>
+        <source>as standby compass</source>
+        <translation>na przykład busola zapasowa</translation>
+    </message>
+    <message>
+        <source>none set</source>
+        <translation>nie ustalono</translation>
+    </message>
+    <message>
+        <source>Name the aircraft by its registration or tail number.</source>
+        <translation>Podaj znaki rejestracyjne lub numer boczny statku powietrznego.</translation>
+    </message>
+    <message>
+        <source>A name is expected.</source>
+        <translation>Oczekiwano nazwy.</translation>
+    </message>
+    <message>
+        <source>There is no type of aircraft yet: make one first (menu Fleet, New type)</source>
+        <translation>Nie ma jeszcze typu statku powietrznego: najpierw go utwórz (menu Flota, Nowy typ)</translation>
+    </message>
+    <message>
+        <source>There is no aircraft yet: make one first (menu Fleet, New aircraft)</source>
+        <translation>Nie ma jeszcze statku powietrznego: najpierw go utwórz (menu Flota, Nowy statek)</translation>
+    </message>
+    <message>
+        <source>new type %1</source>
+        <translation>nowy typ %1</translation>
+    </message>
+    <message>
+        <source>new aircraft %1</source>
+        <translation>nowy statek powietrzny %1</translation>
+    </message>
+    <message>
+        <source>new compass %1</source>
+        <translation>nowa busola %1</translation>
+    </message>
+    <message>
+        <source>New &amp;type…</source>
+        <translation>Nowy &amp;typ…</translation>
+    </message>
+    <message>
+        <source>New &amp;aircraft…</source>
+        <translation>Nowy &amp;statek powietrzny…</translation>
+    </message>
+    <message>
+        <source>New &amp;compass…</source>
+        <translation>Nowa &amp;busola…</translation>
+    </message>
+    <message>
+        <source>Asks for what a new type, aircraft or compass must have; all else is filled in on its own page afterwards. It can be undone with Ctrl+Z.</source>
+        <translation>Pyta o to, co musi mieć nowy typ, statek powietrzny lub busola; resztę wypełnia się potem na jego stronie. Można to cofnąć przez Ctrl+Z.</translation>
+    </message>
+    <message>
+        <source>removal of %1</source>
+        <translation>usunięcie %1</translation>
+    </message>
+    <message>
+        <source>%1 was removed, with all that belongs to it. Ctrl+Z puts it back.</source>
+        <translation>Usunięto %1 ze wszystkim, co do niego należy. Ctrl+Z przywraca.</translation>
+    </message>
+    <message>
+        <source>Remove this t&amp;ype</source>
+        <translation>Usuń ten t&amp;yp</translation>
+    </message>
+    <message>
+        <source>Remove this a&amp;ircraft</source>
+        <translation>Usuń ten st&amp;atek</translation>
+    </message>
+    <message>
+        <source>Remove this compa&amp;ss</source>
+        <translation>Usuń tę bus&amp;olę</translation>
     </message>
 </context>
 <context>
@@ -9111,6 +13250,45 @@ soft iron S:</source>
     </message>
 </context>
 <context>
+    <name>lubberline::ui::OpenSwings</name>
+    <message>
+        <source>a step that does not read</source>
+        <translation>kroku, który nie czyta</translation>
+    </message>
+    <message>
+        <source>its preparation</source>
+        <translation>przygotowaniu</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>kroku %1 z %2</translation>
+    </message>
+    <message>
+        <source>its index</source>
+        <translation>indeksie</translation>
+    </message>
+    <message>
+        <source>its review</source>
+        <translation>przeglądzie odczytów</translation>
+    </message>
+    <message>
+        <source>a fault (%1)</source>
+        <translation>usterce (%1)</translation>
+    </message>
+    <message>
+        <source>its end: abandoned, %1</source>
+        <translation>końcu: przerwany, %1</translation>
+    </message>
+    <message>
+        <source>%1 %2 stands at %3: go on</source>
+        <translation>%1 %2 stoi na %3: kontynuuj</translation>
+    </message>
+    <message>
+        <source>Guided swing abandoned: %1</source>
+        <translation>Pomiar prowadzony przerwany: %1</translation>
+    </message>
+</context>
+<context>
     <name>lubberline::ui::OverviewPage</name>
     <message>
         <source>&amp;Overview</source>
@@ -9169,8 +13347,57 @@ soft iron S:</source>
         <translation>Wszystkie statki powietrzne tego typu</translation>
     </message>
     <message>
-        <source>The fleet and the state of its aircraft: that of the newest swing of each compass, held against its limits. Click an aircraft to open it; Ctrl+F finds one by name.</source>
-        <translation>Flota i stan jej statków powietrznych: wynik najnowszego pomiaru każdej busoli wobec jej wartości dopuszczalnych. Kliknij statek powietrzny, aby go otworzyć; Ctrl+F znajduje po nazwie.</translation>
+        <source>What needs a hand today comes first: guided swings that stand half-way, compasses that are due or out of limits, the newest swings; Enter or a click goes there. Beneath it the aircraft that are out of limits: their state is that of the newest swing of each compass, held against its limits. Ctrl+F finds one by name.</source>
+        <translation>Najpierw to, co dziś wymaga ręki: pomiary prowadzone stojące w połowie, busole z należnym pomiarem lub poza granicami, najnowsze pomiary; Enter lub kliknięcie tam prowadzi. Poniżej statki powietrzne poza granicami: ich stan to stan najnowszego pomiaru każdej busoli wobec jej wartości dopuszczalnych. Ctrl+F znajduje po nazwie.</translation>
+    </message>
+    <message>
+        <source>What needs a hand today</source>
+        <translation>Co dziś wymaga ręki</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Dziś</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <translation>Kompasowy</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Dlaczego</translation>
+    </message>
+    <message>
+        <source>due</source>
+        <translation>wymagany</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>i jeszcze %n</numerusform>
+            <numerusform>i jeszcze %n</numerusform>
+            <numerusform>i jeszcze %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the whole list</source>
+        <translation>cały wykaz</translation>
+    </message>
+    <message>
+        <source>go on</source>
+        <translation>kontynuuj</translation>
+    </message>
+    <message>
+        <source>swung</source>
+        <translation>zmierzono</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ParameterCell</name>
+    <message>
+        <source>%1
+Arrow keys, or Shift while dragging: fine steps; page keys: coarse ones; double click: back to zero</source>
+        <translation>%1
+Strzałki albo Shift przy przeciąganiu: drobne kroki; Page Up i Down: grube; dwuklik: powrót do zera</translation>
     </message>
 </context>
 <context>
@@ -9389,6 +13616,73 @@ magnetyczny (°)</translation>
     </message>
 </context>
 <context>
+    <name>lubberline::ui::PopulationFilters</name>
+    <message>
+        <source>%1: &apos;%2&apos; is no day of the calendar; expected YYYY-MM-DD</source>
+        <translation>%1: &apos;%2&apos; nie jest dniem kalendarza; oczekiwano RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>Aircraft type</source>
+        <translation>Typ statku powietrznego</translation>
+    </message>
+    <message>
+        <source>Compass system; those of the swings that were computed last are offered</source>
+        <translation>Układ busoli; dostępne są te z ostatnio obliczonych pomiarów</translation>
+    </message>
+    <message>
+        <source>Where they were swung</source>
+        <translation>Gdzie je mierzono</translation>
+    </message>
+    <message>
+        <source>Where the aircraft are based now</source>
+        <translation>Gdzie statki powietrzne teraz bazują</translation>
+    </message>
+    <message>
+        <source>Of pattern, coefficients and bases; pairs and histories need both</source>
+        <translation>Wzoru, współczynników i baz; pary i historie potrzebują obu</translation>
+    </message>
+    <message>
+        <source>found and left</source>
+        <translation>zastane i pozostawione</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>stan zastany</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>stan końcowy</translation>
+    </message>
+    <message>
+        <source>all types</source>
+        <translation>wszystkie typy</translation>
+    </message>
+    <message>
+        <source>swung anywhere</source>
+        <translation>mierzone gdziekolwiek</translation>
+    </message>
+    <message>
+        <source>based anywhere</source>
+        <translation>bazujące gdziekolwiek</translation>
+    </message>
+    <message>
+        <source>all compass systems</source>
+        <translation>wszystkie układy busoli</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>od</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>do</translation>
+    </message>
+    <message>
+        <source>training</source>
+        <translation>szkolenie</translation>
+    </message>
+</context>
+<context>
     <name>lubberline::ui::PopulationPage</name>
     <message>
         <source>Years of swings of a type looked at together: choose a type, then Compute. A click on a heading of the plot lists the swings behind it; the other tabs tell which compass to swing next, the history of one compass as a film, and the tables of the report.</source>
@@ -9419,10 +13713,6 @@ magnetyczny (°)</translation>
         <translation>&amp;Zapisz raport…</translation>
     </message>
     <message>
-        <source>&amp;Play</source>
-        <translation>Od&amp;twórz</translation>
-    </message>
-    <message>
         <source>Pattern</source>
         <translation>Wzorzec</translation>
     </message>
@@ -9441,30 +13731,6 @@ magnetyczny (°)</translation>
     <message>
         <source>Years as a population</source>
         <translation>Lata jako populacja</translation>
-    </message>
-    <message>
-        <source>found and left</source>
-        <translation>zastany i końcowy</translation>
-    </message>
-    <message>
-        <source>as found</source>
-        <translation>stan zastany</translation>
-    </message>
-    <message>
-        <source>as left</source>
-        <translation>stan końcowy</translation>
-    </message>
-    <message>
-        <source>one aircraft, one vote</source>
-        <translation>jeden statek powietrzny, jeden głos</translation>
-    </message>
-    <message>
-        <source>one swing, one vote</source>
-        <translation>jeden pomiar, jeden głos</translation>
-    </message>
-    <message>
-        <source> headings</source>
-        <translation> kursów</translation>
     </message>
     <message>
         <source>date</source>
@@ -9495,28 +13761,8 @@ magnetyczny (°)</translation>
         <translation>%1°: średnia %2°, między statkami powietrznymi ± %3°, głosów: %4</translation>
     </message>
     <message>
-        <source>The swings one after the other</source>
-        <translation>Pomiary jeden po drugim</translation>
-    </message>
-    <message>
-        <source>all types</source>
-        <translation>wszystkie typy</translation>
-    </message>
-    <message>
-        <source>all bases</source>
-        <translation>wszystkie bazy</translation>
-    </message>
-    <message>
-        <source>all compass systems</source>
-        <translation>wszystkie systemy busoli</translation>
-    </message>
-    <message>
         <source>The fleet has changed since: compute again.</source>
         <translation>Flota zmieniła się od tego czasu: oblicz ponownie.</translation>
-    </message>
-    <message>
-        <source>A first look at a part of the swings…</source>
-        <translation>Pierwsze spojrzenie na część pomiarów…</translation>
     </message>
     <message>
         <source>All swings are read and computed…</source>
@@ -9567,22 +13813,6 @@ magnetyczny (°)</translation>
         <translation>Przedziały</translation>
     </message>
     <message>
-        <source>%1 drifts by %2° a year (95 %: %3 to %4).</source>
-        <translation>%1 dryfuje o %2° rocznie (95 %: %3 do %4).</translation>
-    </message>
-    <message>
-        <source>Its limit is reached by %1 in half of the futures, by %2 in one of twenty.</source>
-        <translation>Granicę osiągnie do %1 w połowie przypadków, do %2 w jednym na dwadzieścia.</translation>
-    </message>
-    <message>
-        <source>No jump and no drift of it is told.</source>
-        <translation>Nie stwierdzono jej skoku ani dryfu.</translation>
-    </message>
-    <message>
-        <source>Filled: as found; open or dashed: as left. Bars: 95 % by the readings.</source>
-        <translation>Wypełnione: stan zastany; puste lub przerywane: końcowy. Słupki: 95 % z odczytów.</translation>
-    </message>
-    <message>
         <source>%1 swings at %2°, those farthest from the mean first; Enter opens one.</source>
         <translation>Pomiary na %2°: %1, najpierw najdalsze od średniej; Enter otwiera.</translation>
     </message>
@@ -9605,6 +13835,22 @@ magnetyczny (°)</translation>
     <message>
         <source>wrote %1</source>
         <translation>zapisano %1</translation>
+    </message>
+    <message>
+        <source>Distributions</source>
+        <translation>Rozkłady</translation>
+    </message>
+    <message>
+        <source>Computing a first look at a part of the swings; all of them follow…</source>
+        <translation>Trwa obliczanie z części pomiarów; wszystkie nastąpią…</translation>
+    </message>
+    <message>
+        <source>Soft iron</source>
+        <translation>Żelazo miękkie</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmy</translation>
     </message>
 </context>
 <context>
@@ -9792,12 +14038,139 @@ magnetyczny (°)</translation>
         <source>What it will read elsewhere</source>
         <translation>Co wskaże gdzie indziej</translation>
     </message>
+    <message>
+        <source>Where the swing cannot tell, assumed to be about:</source>
+        <translation>Gdzie pomiar tego nie określa, przyjęto około:</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::PredictionPlot</name>
     <message>
         <source>Prediction</source>
         <translation>Prognoza</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::PreferencesPage</name>
+    <message>
+        <source>one that is not in this database</source>
+        <translation>taki, którego nie ma w tej bazie</translation>
+    </message>
+    <message>
+        <source>as the system</source>
+        <translation>jak w systemie</translation>
+    </message>
+    <message>
+        <source>decimal degrees (3.25°)</source>
+        <translation>stopnie dziesiętne (3.25°)</translation>
+    </message>
+    <message>
+        <source>degrees and minutes (3°15&apos;)</source>
+        <translation>stopnie i minuty (3°15&apos;)</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>jasny</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>ciemny</translation>
+    </message>
+    <message>
+        <source>Open the &amp;window anew</source>
+        <translation>O&amp;twórz okno na nowo</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Preferencje</translation>
+    </message>
+    <message>
+        <source>How it looks</source>
+        <translation>Jak wygląda</translation>
+    </message>
+    <message>
+        <source>What a new swing begins with</source>
+        <translation>Od czego zaczyna się nowy pomiar</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>Kopie zapasowe</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>&amp;Język:</translation>
+    </message>
+    <message>
+        <source>&amp;Angles:</source>
+        <translation>&amp;Kąty:</translation>
+    </message>
+    <message>
+        <source>&amp;Theme:</source>
+        <translation>&amp;Motyw:</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size:</source>
+        <translation>&amp;Rozmiar tekstu:</translation>
+    </message>
+    <message>
+        <source>Text size on the &amp;ramp:</source>
+        <translation>Rozmiar tekstu na &amp;płycie:</translation>
+    </message>
+    <message>
+        <source>Of the pages of a guided swing, on top of the text size</source>
+        <translation>Stron pomiaru prowadzonego, ponad rozmiar tekstu</translation>
+    </message>
+    <message>
+        <source>&amp;Compass base:</source>
+        <translation>Krąg &amp;dewiacyjny:</translation>
+    </message>
+    <message>
+        <source>&amp;Datum instrument:</source>
+        <translation>Przyrząd &amp;wzorcowy:</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>Wy&amp;bierz…</translation>
+    </message>
+    <message>
+        <source>asked for each time</source>
+        <translation>za każdym razem pyta</translation>
+    </message>
+    <message>
+        <source>Fo&amp;lder:</source>
+        <translation>&amp;Folder:</translation>
+    </message>
+    <message>
+        <source>Backups &amp;kept:</source>
+        <translation>&amp;Ile kopii:</translation>
+    </message>
+    <message>
+        <source>When there are more of this database in the folder, the oldest go</source>
+        <translation>Gdy w folderze jest ich dla tej bazy więcej, najstarsze znikają</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>The language is another when the window is opened anew.</source>
+        <translation>Język zmieni się po otwarciu okna na nowo.</translation>
+    </message>
+    <message>
+        <source>Folder for backups</source>
+        <translation>Folder na kopie zapasowe</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences…</source>
+        <translation>Prefere&amp;ncje…</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>What is chosen once for all: language, how angles are written, light or dark, text sizes, what a new swing begins with, and where backups go. A choice holds at once.</source>
+        <translation>To, co wybiera się raz: język, zapis kątów, jasny lub ciemny, rozmiary tekstu, od czego zaczyna się nowy pomiar i dokąd trafiają kopie zapasowe. Wybór działa od razu.</translation>
     </message>
 </context>
 <context>
@@ -9948,16 +14321,8 @@ magnetyczny (°)</translation>
         <translation>pominięty: %1</translation>
     </message>
     <message>
-        <source>incomplete</source>
-        <translation>niepełny</translation>
-    </message>
-    <message>
         <source>suspect, %1</source>
         <translation>wątpliwy, %1</translation>
-    </message>
-    <message>
-        <source>Not stored: %1</source>
-        <translation>Nie zapisano: %1</translation>
     </message>
     <message>
         <source>The nominal heading: nobody has read it yet. Enter or = accepts it, typing replaces it</source>
@@ -9999,6 +14364,38 @@ magnetyczny (°)</translation>
         <source>%1 rows pasted.</source>
         <translation>Wklejono wierszy: %1.</translation>
     </message>
+    <message>
+        <source>incomplete: not read yet</source>
+        <translation>niepełny: jeszcze nie odczytano</translation>
+    </message>
+    <message>
+        <source>incomplete: both headings are missing</source>
+        <translation>niepełny: brak obu kursów</translation>
+    </message>
+    <message>
+        <source>incomplete: the compass heading is missing</source>
+        <translation>niepełny: brak kursu kompasowego</translation>
+    </message>
+    <message>
+        <source>incomplete: the magnetic heading is missing</source>
+        <translation>niepełny: brak kursu magnetycznego</translation>
+    </message>
+    <message>
+        <source>Not stored: %1
+Stored: %2
+Escape puts the stored value back.</source>
+        <translation>Niezapisane: %1
+Zapisane: %2
+Escape przywraca zapisaną wartość.</translation>
+    </message>
+    <message>
+        <source>%1, not stored; stored: %2</source>
+        <translation>%1, niezapisane; zapisane: %2</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nic</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::ReadingsTable</name>
@@ -10015,16 +14412,20 @@ magnetyczny (°)</translation>
         <translation>Kopiuj z &amp;nagłówkami</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+C</source>
-        <translation>Ctrl+Shift+C</translation>
-    </message>
-    <message>
         <source>&amp;Paste</source>
         <translation>&amp;Wklej</translation>
     </message>
     <message>
         <source>Nothing was pasted: %1</source>
         <translation>Niczego nie wklejono: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Empty the cells</source>
+        <translation>&amp;Opróżnij komórki</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>Zaznacz w&amp;szystko</translation>
     </message>
 </context>
 <context>
@@ -10048,6 +14449,335 @@ magnetyczny (°)</translation>
     <message>
         <source>the swing with the radio in the other state (record %1): %2</source>
         <translation>pomiar przy radiu w drugim stanie (zapis %1): %2</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Recovery</name>
+    <message>
+        <source>earlier</source>
+        <translation>wcześniej</translation>
+    </message>
+    <message>
+        <source>%1: kept %2, stored since %3</source>
+        <translation>%1: zachowane %2, zapisane od tego czasu %3</translation>
+    </message>
+    <message>
+        <source>%1, kept %2. %3</source>
+        <translation>%1, zachowane %2. %3</translation>
+    </message>
+    <message>
+        <source>%1, kept %2: step %3 of the guided swing; another has been stored in its place since</source>
+        <translation>%1, zachowane %2: krok %3 pomiaru prowadzonego; od tego czasu w jego miejscu zapisano inny</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ReferencePage</name>
+    <message>
+        <source>Heading error</source>
+        <translation>Błąd kursu</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Wzmocnienie</translation>
+    </message>
+    <message>
+        <source>&amp;Film</source>
+        <translation>&amp;Film</translation>
+    </message>
+    <message>
+        <source>no vertical gyro</source>
+        <translation>bez żyroskopu pionu</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>pierwszy rząd</translation>
+    </message>
+    <message>
+        <source>second order, damped</source>
+        <translation>drugi rząd, tłumiony</translation>
+    </message>
+    <message>
+        <source>second order, integral</source>
+        <translation>drugi rząd, całkujący</translation>
+    </message>
+    <message>
+        <source>third order</source>
+        <translation>trzeci rząd</translation>
+    </message>
+    <message>
+        <source>&amp;Levelling:</source>
+        <translation>&amp;Poziomowanie:</translation>
+    </message>
+    <message>
+        <source>τ&amp;1:</source>
+        <translation>τ&amp;1:</translation>
+    </message>
+    <message>
+        <source>τ&amp;2:</source>
+        <translation>τ&amp;2:</translation>
+    </message>
+    <message>
+        <source>τ&amp;3:</source>
+        <translation>τ&amp;3:</translation>
+    </message>
+    <message>
+        <source>&amp;Slaving τ:</source>
+        <translation>&amp;Korekcja τ:</translation>
+    </message>
+    <message>
+        <source>L&amp;atitude:</source>
+        <translation>&amp;Szerokość:</translation>
+    </message>
+    <message>
+        <source>&amp;Dip:</source>
+        <translation>&amp;Inklinacja:</translation>
+    </message>
+    <message>
+        <source>S&amp;peed:</source>
+        <translation>Prę&amp;dkość:</translation>
+    </message>
+    <message>
+        <source>&amp;Bank:</source>
+        <translation>Przec&amp;hylenie:</translation>
+    </message>
+    <message>
+        <source>G&amp;usts:</source>
+        <translation>Pod&amp;muchy:</translation>
+    </message>
+    <message>
+        <source>Du&amp;ration:</source>
+        <translation>&amp;Czas trwania:</translation>
+    </message>
+    <message>
+        <source>needle</source>
+        <translation>igła</translation>
+    </message>
+    <message>
+        <source>flux valve</source>
+        <translation>czujnik indukcyjny</translation>
+    </message>
+    <message>
+        <source>flux valve, slaved gyro</source>
+        <translation>czujnik indukcyjny, żyroskop z korekcją</translation>
+    </message>
+    <message>
+        <source>&amp;Compass:</source>
+        <translation>&amp;Busola:</translation>
+    </message>
+    <message>
+        <source>from s</source>
+        <translation>od s</translation>
+    </message>
+    <message>
+        <source>to s</source>
+        <translation>do s</translation>
+    </message>
+    <message>
+        <source>turn °/s</source>
+        <translation>zakręt °/s</translation>
+    </message>
+    <message>
+        <source>m/s²</source>
+        <translation>m/s²</translation>
+    </message>
+    <message>
+        <source>climb m/s</source>
+        <translation>wznosz. m/s</translation>
+    </message>
+    <message>
+        <source>A manoeuvre a row; one more may be typed in the last row. An empty row is taken out.</source>
+        <translation>Manewr w wierszu; następny można wpisać w ostatnim wierszu. Pusty wiersz znika.</translation>
+    </message>
+    <message>
+        <source>Heading references in flight</source>
+        <translation>Wzorce kursu w locie</translation>
+    </message>
+    <message>
+        <source>&amp;Open scenario…</source>
+        <translation>&amp;Otwórz scenariusz…</translation>
+    </message>
+    <message>
+        <source>“%1” is no number</source>
+        <translation>„%1” nie jest liczbą</translation>
+    </message>
+    <message>
+        <source>Levelling: natural period %1 s, damping %2, largest gain %3; standoff %4°.</source>
+        <translation>Poziomowanie: okres własny %1 s, tłumienie %2, największe wzmocnienie %3; odchyłka trwała %4°.</translation>
+    </message>
+    <message>
+        <source>Slaving leaves %1° of the drift.</source>
+        <translation>Korekcja zostawia %1° dryfu.</translation>
+    </message>
+    <message>
+        <source>A flight and its heading references</source>
+        <translation>Lot i jego wzorce kursu</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.json *.csv);;All files (*)</source>
+        <translation>Scenariusze (*.json *.csv);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>Save the scenario</source>
+        <translation>Zapisywanie scenariusza</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.json);;Run as a table (*.csv)</source>
+        <translation>Scenariusze (*.json);;Przebieg jako tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Sprawozdanie</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Latitude %1°, dip %2°, %3 m/s, %4 s; error is read − magnetic; a share is the run with all less the run without it.</source>
+        <translation>Szerokość %1°, inklinacja %2°, %3 m/s, %4 s; błąd to odczytany − magnetyczny; udział to przebieg ze wszystkim minus przebieg bez danego źródła.</translation>
+    </message>
+    <message>
+        <source>Manoeuvres</source>
+        <translation>Manewry</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>od</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>do</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>zakręt</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>przyspieszenie</translation>
+    </message>
+    <message>
+        <source>climb</source>
+        <translation>wznoszenie</translation>
+    </message>
+    <message>
+        <source>Heading &amp;references in flight</source>
+        <translation>Wzorce ku&amp;rsu w locie</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+R</source>
+        <translation>Ctrl+Alt+R</translation>
+    </message>
+    <message>
+        <source>Draw manoeuvres on the time line or type them, turn the sliders, and see what a vertical gyro, a needle or a slaved gyro makes of them: the error read − magnetic with the share of each source (the run with all less the run without it), and the gains of the loops against frequency. Levelling: τ2 dm/dt + m = ε, dσ/dt = −(m + ∫m dt/τ3)/τ1 + ω_D − θ̇; third order needs τ3 &gt; τ2. Slaving: τ_s de/dt + e = e_m + τ_s d. Vertical: σ = τ1(ω_D − θ̇) is left for good where no integral takes it away; its gain at ω is 1/√(1 + (τ1ω)²) of first order, and that of slaving 1/√(1 + (τ_sω)²). A tilted sensor is wrong by −(φ cos ψ − θ sin ψ) tan I. Source: Kayton and Fried, Avionics Navigation Systems, chapter 9; where it is misprinted, recomputed.</source>
+        <translation>Narysuj manewry na osi czasu lub wpisz je, przesuwaj suwaki i zobacz, co robi z nich żyroskop pionu, igła lub żyroskop z korekcją: błąd odczytany − magnetyczny z udziałem każdego źródła (przebieg ze wszystkim minus przebieg bez niego) oraz wzmocnienia pętli względem częstotliwości. Poziomowanie: τ2 dm/dt + m = ε, dσ/dt = −(m + ∫m dt/τ3)/τ1 + ω_D − θ̇; trzeci rząd wymaga τ3 &gt; τ2. Korekcja: τ_s de/dt + e = e_m + τ_s d. Pion: σ = τ1(ω_D − θ̇) zostaje na stałe tam, gdzie nie usuwa go całkowanie; wzmocnienie przy ω wynosi dla pierwszego rzędu 1/√(1 + (τ1ω)²), a dla korekcji 1/√(1 + (τ_sω)²). Pochylony czujnik myli się o −(φ cos ψ − θ sin ψ) tan I. Źródło: Kayton i Fried, Avionics Navigation Systems, rozdział 9; gdzie są błędy druku, przeliczono.</translation>
+    </message>
+    <message>
+        <source>Save the &amp;scenario or its run…</source>
+        <translation>&amp;Zapisz scenariusz lub jego przebieg…</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report…</source>
+        <translation>Zapisz &amp;sprawozdanie…</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ReferenceWords</name>
+    <message>
+        <source>tilt</source>
+        <translation>pochylenie pionu</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>dewiacja</translation>
+    </message>
+    <message>
+        <source>slaving</source>
+        <translation>korekcja</translation>
+    </message>
+    <message>
+        <source>drift</source>
+        <translation>dryf</translation>
+    </message>
+    <message>
+        <source>gimbal</source>
+        <translation>zawieszenie</translation>
+    </message>
+    <message>
+        <source>card</source>
+        <translation>tablica</translation>
+    </message>
+    <message>
+        <source>together</source>
+        <translation>razem</translation>
+    </message>
+    <message>
+        <source>slaving and together</source>
+        <translation>korekcja i razem</translation>
+    </message>
+    <message>
+        <source>error shown</source>
+        <translation>błąd wskazania</translation>
+    </message>
+    <message>
+        <source>tilt of the vertical</source>
+        <translation>pochylenie pionu</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>czas (s)</translation>
+    </message>
+    <message>
+        <source>read − magnetic (°), shares of the sources stacked</source>
+        <translation>odczytany − magnetyczny (°), udziały źródeł jeden na drugim</translation>
+    </message>
+    <message>
+        <source>%1 s: error %2°, tilt %3°; %4</source>
+        <translation>%1 s: błąd %2°, pochylenie %3°; %4</translation>
+    </message>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>częstotliwość (Hz)</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>wzmocnienie</translation>
+    </message>
+    <message>
+        <source>levelling %1</source>
+        <translation>poziomowanie %1</translation>
+    </message>
+    <message>
+        <source>slaving %1</source>
+        <translation>korekcja %1</translation>
+    </message>
+    <message>
+        <source>period %1 s: gain of %2</source>
+        <translation>okres %1 s: wzmocnienie %2</translation>
+    </message>
+    <message>
+        <source>no loop: neither a vertical gyro nor a time constant of slaving</source>
+        <translation>brak pętli: ani żyroskopu pionu, ani stałej czasowej korekcji</translation>
+    </message>
+    <message>
+        <source>levelling: tilt of gyro ÷ tilt of the apparent vertical</source>
+        <translation>poziomowanie: pochylenie żyroskopu ÷ pochylenie pozornego pionu</translation>
+    </message>
+    <message>
+        <source>slaving: gyro ÷ sensor</source>
+        <translation>korekcja: żyroskop ÷ czujnik</translation>
+    </message>
+    <message>
+        <source>magnetic</source>
+        <translation>magnetyczny</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>wskazanie</translation>
+    </message>
+    <message>
+        <source>vertical: %1° forward, %2° to starboard</source>
+        <translation>pion: %1° do przodu, %2° w prawo</translation>
     </message>
 </context>
 <context>
@@ -10120,10 +14850,6 @@ magnetyczny (°)</translation>
         <translation>Nowy model, same zera</translation>
     </message>
     <message>
-        <source>model</source>
-        <translation>model</translation>
-    </message>
-    <message>
         <source>new sensor model</source>
         <translation>nowy model czujnika</translation>
     </message>
@@ -10177,10 +14903,6 @@ magnetyczny (°)</translation>
     <message>
         <source>new model</source>
         <translation>nowy model</translation>
-    </message>
-    <message>
-        <source>model</source>
-        <translation>model</translation>
     </message>
     <message>
         <source>new sensor model</source>
@@ -10290,10 +15012,6 @@ magnetyczny (°)</translation>
     <message>
         <source>as si&amp;ze and direction</source>
         <translation>jako &amp;wielkość i kierunek</translation>
-    </message>
-    <message>
-        <source>circuit %1</source>
-        <translation>obwód %1</translation>
     </message>
     <message>
         <source>new circuit</source>
@@ -10469,6 +15187,204 @@ magnetyczny (°)</translation>
     </message>
 </context>
 <context>
+    <name>lubberline::ui::SensorTestWords</name>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>częstotliwość (Hz)</translation>
+    </message>
+    <message>
+        <source>density (%1²/Hz)</source>
+        <translation>gęstość (%1²/Hz)</translation>
+    </message>
+    <message>
+        <source>%1 Hz: %2 %3²/Hz</source>
+        <translation>%1 Hz: %2 %3²/Hz</translation>
+    </message>
+    <message>
+        <source>; %1, amplitude %2 %3</source>
+        <translation>; %1, amplituda %2 %3</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>czas (s)</translation>
+    </message>
+    <message>
+        <source>frequency (Hz); dark: strong, decades below the strongest</source>
+        <translation>częstotliwość (Hz); ciemne: silne, dekady poniżej najsilniejszego</translation>
+    </message>
+    <message>
+        <source>field less that of before (nT)</source>
+        <translation>pole minus pole przedtem (nT)</translation>
+    </message>
+    <message>
+        <source>density of %1</source>
+        <translation>gęstość %1</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>linie</translation>
+    </message>
+    <message>
+        <source>behind the filter</source>
+        <translation>za filtrem</translation>
+    </message>
+    <message>
+        <source>the log is too short for a spectrogram: it needs two segments at least</source>
+        <translation>zapis jest za krótki na spektrogram: potrzeba co najmniej dwóch segmentów</translation>
+    </message>
+    <message>
+        <source>%1 s, %2 Hz: %3 %4²/Hz</source>
+        <translation>%1 s, %2 Hz: %3 %4²/Hz</translation>
+    </message>
+    <message>
+        <source>%1 s: x %2, y %3, z %4 nT</source>
+        <translation>%1 s: x %2, y %3, z %4 nT</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SensorTestsPage</name>
+    <message>
+        <source>&amp;Tests of a sensor: spectrum, coil, interference…</source>
+        <translation>&amp;Próby czujnika: widmo, cewka, zakłócenia…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+T</source>
+        <translation>Ctrl+Alt+T</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report as PDF…</source>
+        <translation>Zapisz &amp;sprawozdanie jako PDF…</translation>
+    </message>
+    <message>
+        <source>Spectrum: Welch&apos;s method (1967), periodic Hann window, half overlap; lines are named by the supplies (50, 60, 115, 400 Hz and harmonics) or by orders of a rotor, also where sampling folds them down: a frequency f stands at |f − n·rate|, and one that falls on 0 looks like hard iron. Notches of Q 5 cost 1/(2π f Q) of delay, a low-pass 1/(2π f). Coil: measured = scale · applied + bias + temperature + hysteresis. Interference: the aircraft stands still, things are switched at noted times, and the field must not change by more than 5, 5 and 8 mG (500, 500, 800 nT) on x, y and z, as makers ask.</source>
+        <translation>Widmo: metoda Welcha (1967), okresowe okno Hanna, zakładka połowy; linie nazywa się według zasilania (50, 60, 115, 400 Hz i harmoniczne) albo rzędów wirnika, także tam, gdzie odbija je próbkowanie: częstotliwość f stoi na |f − n·częstość|, a ta, która pada na 0, wygląda jak żelazo twarde. Wycięcie o Q 5 kosztuje 1/(2π f Q) opóźnienia, filtr dolnoprzepustowy 1/(2π f). Cewka: zmierzone = skala · przyłożone + przesunięcie + temperatura + histereza. Zakłócenia: statek powietrzny stoi, o zanotowanych czasach przełącza się odbiorniki, a pole nie może zmienić się bardziej niż o 5, 5 i 8 mG (500, 500, 800 nT) na x, y i z, jak żądają producenci.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a log…</source>
+        <translation>&amp;Otwórz zapis…</translation>
+    </message>
+    <message>
+        <source>Open the &amp;actions…</source>
+        <translation>Otwórz &amp;czynności…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>column: strongest axis</source>
+        <translation>kolumna: najsilniejsza oś</translation>
+    </message>
+    <message>
+        <source>tachometer column</source>
+        <translation>kolumna obrotomierza</translation>
+    </message>
+    <message>
+        <source>filter delay, ms</source>
+        <translation>opóźnienie filtru, ms</translation>
+    </message>
+    <message>
+        <source>limits: 500, 500, 800 nT</source>
+        <translation>granice: 500, 500, 800 nT</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Widmo</translation>
+    </message>
+    <message>
+        <source>Spectrogram</source>
+        <translation>Spektrogram</translation>
+    </message>
+    <message>
+        <source>Interference</source>
+        <translation>Zakłócenia</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Coil bench</source>
+        <translation>Stanowisko z cewkami</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Czynności</translation>
+    </message>
+    <message>
+        <source>Reading… %1 %</source>
+        <translation>Wczytywanie… %1 %</translation>
+    </message>
+    <message>
+        <source>Tests of a sensor from its log</source>
+        <translation>Próby czujnika z jego zapisu</translation>
+    </message>
+    <message>
+        <source>Open a log of the sensor: time_s, bx_nT, by_nT, bz_nT.</source>
+        <translation>Otwórz zapis czujnika: time_s, bx_nT, by_nT, bz_nT.</translation>
+    </message>
+    <message>
+        <source>Open a log of the sensor while it stands still, then the list of actions: time_s, action.</source>
+        <translation>Otwórz zapis stojącego czujnika, potem wykaz czynności: time_s, action.</translation>
+    </message>
+    <message>
+        <source>A coil bench needs the applied field beside the measured one: ax_nT, ay_nT, az_nT; temperature_c where it was read.</source>
+        <translation>Stanowisko z cewkami wymaga pola przyłożonego obok zmierzonego: ax_nT, ay_nT, az_nT; temperature_c, jeśli ją odczytano.</translation>
+    </message>
+    <message>
+        <source>Open a sensor log</source>
+        <translation>Otwieranie zapisu czujnika</translation>
+    </message>
+    <message>
+        <source>Sensor logs (*.csv *.txt *.tsv *.dat);;All files (*)</source>
+        <translation>Zapisy czujnika (*.csv *.txt *.tsv *.dat);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>Open the actions</source>
+        <translation>Otwieranie czynności</translation>
+    </message>
+    <message>
+        <source>Actions (*.csv);;All files (*)</source>
+        <translation>Czynności (*.csv);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>“%1” is no delay; expected 0.01 to 10000 ms</source>
+        <translation>„%1” nie jest opóźnieniem; oczekiwano od 0.01 do 10000 ms</translation>
+    </message>
+    <message>
+        <source>“%1” are no limits; expected three numbers above 0 in nT: x, y, z</source>
+        <translation>„%1” to nie granice; oczekiwano trzech liczb większych od 0 w nT: x, y, z</translation>
+    </message>
+    <message>
+        <source>Open the list of actions: time_s, action.</source>
+        <translation>Otwórz wykaz czynności: time_s, action.</translation>
+    </message>
+    <message>
+        <source>Passes: no action changes the field by more than the limits.</source>
+        <translation>Spełnia: żadna czynność nie zmienia pola bardziej, niż pozwalają granice.</translation>
+    </message>
+    <message>
+        <source>Does not pass: an action changes the field by more than the limits.</source>
+        <translation>Nie spełnia: któraś czynność zmienia pole bardziej, niż pozwalają granice.</translation>
+    </message>
+    <message>
+        <source>Nothing to write yet: this test has no result</source>
+        <translation>Nie ma jeszcze czego zapisać: ta próba nie ma wyniku</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Zapisywanie sprawozdania</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>zapisano %1</translation>
+    </message>
+</context>
+<context>
     <name>lubberline::ui::SigningPanel</name>
     <message>
         <source>role</source>
@@ -10515,10 +15431,6 @@ magnetyczny (°)</translation>
         <translation>co zrobiono</translation>
     </message>
     <message>
-        <source>detail</source>
-        <translation>szczegóły</translation>
-    </message>
-    <message>
         <source>licence, stamp or service number</source>
         <translation>numer licencji, stempla lub legitymacji</translation>
     </message>
@@ -10557,6 +15469,66 @@ magnetyczny (°)</translation>
     <message>
         <source>✗ no longer: the swing was changed after it</source>
         <translation>✗ już nie: pomiar później zmieniono</translation>
+    </message>
+    <message>
+        <source>✗</source>
+        <translation>✗</translation>
+    </message>
+    <message>
+        <source>✗ no longer</source>
+        <translation>✗ już nieważny</translation>
+    </message>
+    <message>
+        <source>signed as %1: %2</source>
+        <translation>podpisano jako %1: %2</translation>
+    </message>
+    <message>
+        <source>name not verified</source>
+        <translation>nazwiska nie sprawdzono</translation>
+    </message>
+    <message>
+        <source>the key is being checked …</source>
+        <translation>trwa sprawdzanie klucza…</translation>
+    </message>
+    <message>
+        <source>Waiting for the key: cancel</source>
+        <translation>Oczekiwanie na klucz: anuluj</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>od</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>do</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>przez</translation>
+    </message>
+    <message>
+        <source>name only, not verified</source>
+        <translation>samo nazwisko, niesprawdzone</translation>
+    </message>
+    <message>
+        <source>An OpenPGP key of yours, from gpg&apos;s key ring or a card: it verifies the name</source>
+        <translation>Twój klucz OpenPGP z pęku kluczy gpg lub z karty: potwierdza nazwisko</translation>
+    </message>
+    <message>
+        <source>The results are being computed</source>
+        <translation>Trwa obliczanie wyników</translation>
+    </message>
+    <message>
+        <source>%1 (key …%2)</source>
+        <translation>%1 (klucz …%2)</translation>
+    </message>
+    <message>
+        <source>✗ Audit trail: %1</source>
+        <translation>✗ Dziennik zmian: %1</translation>
+    </message>
+    <message>
+        <source>The clock of this machine stands before the last entry of the audit trail (%1): what is signed now would seem older.</source>
+        <translation>Zegar tego komputera stoi przed ostatnim wpisem dziennika zmian (%1): to, co się teraz podpisze, wydawałoby się starsze.</translation>
     </message>
 </context>
 <context>
@@ -10662,14 +15634,6 @@ magnetyczny (°)</translation>
         <translation>%1 z %2</translation>
     </message>
     <message>
-        <source>New base</source>
-        <translation>Nowa baza</translation>
-    </message>
-    <message>
-        <source>New base %1</source>
-        <translation>Nowa baza %1</translation>
-    </message>
-    <message>
         <source>new base</source>
         <translation>nowa baza</translation>
     </message>
@@ -10765,6 +15729,22 @@ magnetyczny (°)</translation>
         <source>Compass bases: place, class and certificate, the lines that are painted there, and the survey. Paste the survey&apos;s points from a spreadsheet with Ctrl+V: whether the base is fit, and for what, follows.</source>
         <translation>Bazy dewiacyjne: położenie, klasa i świadectwo, namalowane linie oraz pomiar. Punkty pomiaru wklej z arkusza przez Ctrl+V: wyniknie, czy i do czego baza się nadaje.</translation>
     </message>
+    <message>
+        <source>&amp;Remove this base</source>
+        <translation>&amp;Usuń tę bazę</translation>
+    </message>
+    <message>
+        <source>removal of %1</source>
+        <translation>usunięcie %1</translation>
+    </message>
+    <message>
+        <source>New &amp;base…</source>
+        <translation>Nowa &amp;baza…</translation>
+    </message>
+    <message>
+        <source>Remove this base</source>
+        <translation>Usuwanie bazy</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::SlipWords</name>
@@ -10799,6 +15779,10 @@ magnetyczny (°)</translation>
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>magnetic %1 is %2° off its nominal heading %3: is it this row&apos;s?</source>
+        <translation>magnetyczny %1 odbiega o %2° od zadanego kursu %3: czy należy do tego wiersza?</translation>
     </message>
 </context>
 <context>
@@ -10924,6 +15908,10 @@ magnetyczny (°)</translation>
         <source>%1: to come</source>
         <translation>%1: przed nami</translation>
     </message>
+    <message>
+        <source>Headings of this swing</source>
+        <translation>Kursy tego pomiaru</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::SurfaceChart</name>
@@ -11028,6 +16016,10 @@ pole całkowite %1 nT</translation>
         <source>inclusion</source>
         <translation>przywrócenie</translation>
     </message>
+    <message>
+        <source>it is being computed</source>
+        <translation>trwa obliczanie</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::SwingFiles</name>
@@ -11057,7 +16049,7 @@ pole całkowite %1 nT</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Card written: %1</source>
@@ -11295,18 +16287,36 @@ pole całkowite %1 nT</translation>
         <translation>Pomiar</translation>
     </message>
     <message>
-        <source>Not stored: %1</source>
-        <translation>Nie zapisano: %1</translation>
+        <source>computing %p %</source>
+        <translation>obliczanie %p %</translation>
+    </message>
+    <message>
+        <source>Computing the results</source>
+        <translation>Obliczanie wyników</translation>
+    </message>
+    <message>
+        <source>The results are being computed</source>
+        <translation>Trwa obliczanie wyników</translation>
+    </message>
+    <message>
+        <source>Being computed anew; of the readings before the last change: %1</source>
+        <translation>Trwa ponowne obliczanie; z odczytów przed ostatnią zmianą: %1</translation>
+    </message>
+    <message>
+        <source>Not stored: %1 (Esc: the stored value)</source>
+        <translation>Niezapisane: %1 (Esc: wartość zapisana)</translation>
     </message>
     <message>
         <source>Type the magnetic heading, Enter, the compass reading, Enter: the next row follows. Angles as 3.25, 3.25W, 3°15&apos;W, 3 15 W; decimal point or comma.
 In the deviation column, W and E (or a sign) give the compass heading. = or Ctrl+D takes the nominal heading as read. Delete empties a cell.
+A text that is refused stands beside the stored value; Escape puts that back. A click or Enter on a coefficient opens where it comes from.
 Cells and blocks are copied, cut and pasted as in a spreadsheet (Ctrl+C, X, V), with or without a first row of headings.
 Ctrl+Z undoes everything, across swings. Ctrl+E leaves a reading out, with a reason that stays on the record.</source>
-        <translation>Wpisz kurs magnetyczny, Enter, odczyt busoli, Enter: następuje kolejny wiersz. Kąty jako 3.25, 3.25W, 3°15&apos;W, 3 15 W; kropka lub przecinek dziesiętny.
-W kolumnie dewiacji W i E (albo znak) dają kurs kompasowy. = lub Ctrl+D przyjmuje kurs nominalny jako odczytany. Delete opróżnia komórkę.
+        <translation>Wpisz kurs magnetyczny, Enter, wskazanie busoli, Enter: następuje kolejny wiersz. Kąty jako 3.25, 3.25W, 3°15&apos;W, 3 15 W; kropka lub przecinek dziesiętny.
+W kolumnie dewiacji W i E (albo znak) dają kurs kompasowy. = lub Ctrl+D bierze kurs zadany jako odczytany. Delete opróżnia komórkę.
+Odrzucony tekst stoi obok zapisanej wartości; Escape ją przywraca. Kliknięcie lub Enter na współczynniku otwiera jego pochodzenie.
 Komórki i bloki kopiuje się, wycina i wkleja jak w arkuszu (Ctrl+C, X, V), z pierwszym wierszem nagłówków lub bez.
-Ctrl+Z cofa wszystko, we wszystkich pomiarach. Ctrl+E pomija odczyt, z powodem, który pozostaje w zapisie.</translation>
+Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem, który zostaje w zapisie.</translation>
     </message>
 </context>
 <context>
@@ -11463,6 +16473,209 @@ Ctrl+Z cofa wszystko, we wszystkich pomiarach. Ctrl+E pomija odczyt, z powodem, 
     </message>
 </context>
 <context>
+    <name>lubberline::ui::WindsPage</name>
+    <message>
+        <source>Deviation from &amp;winds…</source>
+        <translation>Dewiacja z &amp;wiatrów…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+W</source>
+        <translation>Ctrl+Alt+W</translation>
+    </message>
+    <message>
+        <source>Write the &amp;tables to upload…</source>
+        <translation>Zapisz &amp;tabele do wgrania…</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report as PDF…</source>
+        <translation>Zapisz &amp;sprawozdanie jako PDF…</translation>
+    </message>
+    <message>
+        <source>An aircraft&apos;s wind is wrong across its track by airspeed times the error of its heading. Each report beside a reference wind gives that error: e = dir(Vg − reported wind) − dir(Vg − reference wind) = offset + a sin ψ′ + b cos ψ′; deviation is −e (N. Jacobs, D. Mulally, A. Anderson, 2014, equations 1 and 4 to 7). Standard errors are by flights, since reports of a flight share the error of the reference; a constant error of the reference looks like B or C. Tables of eight points are enlarged by 1.05 (the paper), 1.0530 (so that straight lines hold the sine) or not.</source>
+        <translation>Wiatr statku powietrznego jest błędny w poprzek jego drogi o prędkość powietrzną razy błąd kursu. Każdy meldunek obok wiatru odniesienia daje ten błąd: e = kier(Vg − wiatr meldowany) − kier(Vg − wiatr odniesienia) = przesunięcie + a sin ψ′ + b cos ψ′; dewiacja to −e (N. Jacobs, D. Mulally, A. Anderson, 2014, równania 1 i od 4 do 7). Błędy standardowe są według lotów, bo meldunki lotu dzielą błąd odniesienia; stały błąd odniesienia wygląda jak B lub C. Tabele ośmiu punktów powiększa się o 1.05 (praca), 1.0530 (by proste oddały sinusoidę) albo nie.</translation>
+    </message>
+    <message>
+        <source>&amp;Open wind reports…</source>
+        <translation>&amp;Otwórz meldunki o wietrze…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Reports over heading</source>
+        <translation>Meldunki według kursu</translation>
+    </message>
+    <message>
+        <source>Headings flown</source>
+        <translation>Przeleciane kursy</translation>
+    </message>
+    <message>
+        <source>Reading… %1 %</source>
+        <translation>Wczytywanie… %1 %</translation>
+    </message>
+    <message>
+        <source>Deviation from winds</source>
+        <translation>Dewiacja z wiatrów</translation>
+    </message>
+    <message>
+        <source>Open a CSV of wind reports beside a reference wind: ground_speed_kt, track_deg, wind_speed_kt, wind_from_deg, ref_wind_speed_kt, ref_wind_from_deg; aircraft, flight, time_utc, position.</source>
+        <translation>Otwórz plik CSV z meldunkami o wietrze obok wiatru odniesienia: ground_speed_kt, track_deg, wind_speed_kt, wind_from_deg, ref_wind_speed_kt, ref_wind_from_deg; aircraft, flight, time_utc, położenie.</translation>
+    </message>
+    <message>
+        <source>table × 1.05 (paper)</source>
+        <translation>tabela × 1.05 (praca)</translation>
+    </message>
+    <message>
+        <source>table × 1.0530 (exact)</source>
+        <translation>tabela × 1.0530 (dokładnie)</translation>
+    </message>
+    <message>
+        <source>table × 1 (none)</source>
+        <translation>tabela × 1 (bez)</translation>
+    </message>
+    <message>
+        <source>winds as the file says</source>
+        <translation>wiatry, jak mówi plik</translation>
+    </message>
+    <message>
+        <source>reported winds: towards</source>
+        <translation>wiatry meldowane: dokąd</translation>
+    </message>
+    <message>
+        <source>reference winds: towards</source>
+        <translation>wiatry odniesienia: dokąd</translation>
+    </message>
+    <message>
+        <source>both: towards</source>
+        <translation>oba: dokąd</translation>
+    </message>
+    <message>
+        <source>winds: from (believed)</source>
+        <translation>wiatry: skąd (uznane)</translation>
+    </message>
+    <message>
+        <source>units as the file says</source>
+        <translation>jednostki, jak mówi plik</translation>
+    </message>
+    <message>
+        <source>reported winds in m/s</source>
+        <translation>wiatry meldowane w m/s</translation>
+    </message>
+    <message>
+        <source>reference winds in m/s</source>
+        <translation>wiatry odniesienia w m/s</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Statek powietrzny</translation>
+    </message>
+    <message>
+        <source>Flights</source>
+        <translation>Loty</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Użyto</translation>
+    </message>
+    <message>
+        <source>In phase °</source>
+        <translation>W fazie °</translation>
+    </message>
+    <message>
+        <source>Quadrature °</source>
+        <translation>Kwadratura °</translation>
+    </message>
+    <message>
+        <source>Offset °</source>
+        <translation>Przesunięcie °</translation>
+    </message>
+    <message>
+        <source>± °</source>
+        <translation>± °</translation>
+    </message>
+    <message>
+        <source>Across, kt</source>
+        <translation>W poprzek, w</translation>
+    </message>
+    <message>
+        <source>After, kt</source>
+        <translation>Po, w</translation>
+    </message>
+    <message>
+        <source>Changed after</source>
+        <translation>Zmiana po</translation>
+    </message>
+    <message>
+        <source>Held against</source>
+        <translation>Porównano z</translation>
+    </message>
+    <message>
+        <source>held against (group or aircraft)</source>
+        <translation>porównaj z (grupa lub statek)</translation>
+    </message>
+    <message>
+        <source>Aircraft whose headings are held to be right, as by laser gyros: a name of the column group, or of an aircraft. What they have in common is the error of the reference wind.</source>
+        <translation>Statki powietrzne, których kursy uznaje się za dobre, np. z żyroskopów laserowych: nazwa z kolumny group albo statku. To, co mają wspólne, jest błędem wiatru odniesienia.</translation>
+    </message>
+    <message>
+        <source>Open wind reports to see an aircraft&apos;s deviation over heading.</source>
+        <translation>Otwórz meldunki o wietrze, aby zobaczyć dewiację statku powietrznego według kursu.</translation>
+    </message>
+    <message>
+        <source>The headings that were flown stand here.</source>
+        <translation>Tu stoją przeleciane kursy.</translation>
+    </message>
+    <message>
+        <source>Open wind reports</source>
+        <translation>Otwieranie meldunków o wietrze</translation>
+    </message>
+    <message>
+        <source>Wind CSV (*.csv);;All files (*)</source>
+        <translation>Wind CSV (*.csv);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Czytanie %1 …</translation>
+    </message>
+    <message>
+        <source>%1: %2 reports, %3 used.</source>
+        <translation>%1: meldunków %2, użyto %3.</translation>
+    </message>
+    <message>
+        <source>Across the track %1 is %2 times as far off as %3%4.</source>
+        <translation>W poprzek drogi %1 odbiega %2 razy tyle co %3%4.</translation>
+    </message>
+    <message>
+        <source>, %1 times once corrected</source>
+        <translation>, po poprawieniu %1 razy</translation>
+    </message>
+    <message>
+        <source>Nothing to write yet; open wind reports first</source>
+        <translation>Nie ma jeszcze czego zapisać; najpierw otwórz meldunki o wietrze</translation>
+    </message>
+    <message>
+        <source>Write the tables</source>
+        <translation>Zapisywanie tabel</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>zapisano %1</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Zapisywanie sprawozdania</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
     <name>lubberline::ui::WorldFieldChart</name>
     <message>
         <source>%1, %2, %3</source>
@@ -11471,6 +16684,10 @@ Ctrl+Z cofa wszystko, we wszystkich pomiarach. Ctrl+E pomija odczyt, z powodem, 
     <message>
         <source>The field is being computed.</source>
         <translation>Pole jest obliczane.</translation>
+    </message>
+    <message>
+        <source>equirectangular, equal scales</source>
+        <translation>odwzorowanie walcowe równoodległościowe, skale równe</translation>
     </message>
 </context>
 <context>
@@ -11541,6 +16758,237 @@ Ctrl+Z cofa wszystko, we wszystkich pomiarach. Ctrl+E pomija odczyt, z powodem, 
     <message>
         <source>%1, %2: %3 %4</source>
         <translation>%1, %2: %3 %4</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::YearsImportPage</name>
+    <message>
+        <source>Records of &amp;years…</source>
+        <translation>Zapisy z &amp;lat…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+I</source>
+        <translation>Ctrl+Alt+I</translation>
+    </message>
+    <message>
+        <source>Swings of many years on paper, typed into one table: open it, say what each column is and what stands under the headings, and look at the first swings. Records whose sign the type&apos;s D speaks against are told, never turned. What was stored is undone as one step.</source>
+        <translation>Papierowe pomiary z wielu lat, przepisane do jednej tabeli: otwórz ją, powiedz, czym jest każda kolumna i co stoi pod kursami, i obejrzyj pierwsze pomiary. Zapisy, przeciw których znakowi mówi D typu, są wymieniane, nigdy odwracane. To, co zapisano, cofa się jednym krokiem.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a table…</source>
+        <translation>&amp;Otwórz tabelę…</translation>
+    </message>
+    <message>
+        <source>&amp;Store these swings</source>
+        <translation>&amp;Zapisz te pomiary</translation>
+    </message>
+    <message>
+        <source>&amp;Undo this import</source>
+        <translation>&amp;Cofnij to wczytanie</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>&amp;Anuluj</translation>
+    </message>
+    <message>
+        <source>— what stands in their cells? —</source>
+        <translation>— co stoi w ich komórkach? —</translation>
+    </message>
+    <message>
+        <source>compass heading read</source>
+        <translation>odczytany kurs kompasowy</translation>
+    </message>
+    <message>
+        <source>magnetic heading read</source>
+        <translation>kurs magnetyczny</translation>
+    </message>
+    <message>
+        <source>deviation (magnetic − compass)</source>
+        <translation>dewiacja (magnetyczny − kompasowy)</translation>
+    </message>
+    <message>
+        <source>indication error (compass − magnetic)</source>
+        <translation>błąd wskazania (kompasowy − magnetyczny)</translation>
+    </message>
+    <message>
+        <source>magnetic headings</source>
+        <translation>kursy magnetyczne</translation>
+    </message>
+    <message>
+        <source>compass headings</source>
+        <translation>kursy kompasowe</translation>
+    </message>
+    <message>
+        <source>year-month-day</source>
+        <translation>rok-miesiąc-dzień</translation>
+    </message>
+    <message>
+        <source>day.month.year</source>
+        <translation>dzień.miesiąc.rok</translation>
+    </message>
+    <message>
+        <source>month/day/year</source>
+        <translation>miesiąc/dzień/rok</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nie podano</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>stan zastany</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>stan końcowy</translation>
+    </message>
+    <message>
+        <source>Records of years on paper</source>
+        <translation>Zapisy z lat na papierze</translation>
+    </message>
+    <message>
+        <source>A table (CSV) of many swings: a row a swing with a column for each heading, or a row a reading. Say what its columns are; nothing is stored before you have seen how the first swings look.</source>
+        <translation>Tabela (CSV) wielu pomiarów: wiersz na pomiar z kolumną na każdy kurs albo wiersz na odczyt. Powiedz, czym są jej kolumny; nic nie jest zapisywane, zanim nie zobaczysz, jak wyglądają pierwsze pomiary.</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Kolumna</translation>
+    </message>
+    <message>
+        <source>In the first rows</source>
+        <translation>W pierwszych wierszach</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Co to jest</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Wiersz</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Aircraft</source>
+        <translation>Statek powietrzny</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <translation>Kompasowy</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Etap</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Odczyty</translation>
+    </message>
+    <message>
+        <source>A (°)</source>
+        <translation>A (°)</translation>
+    </message>
+    <message>
+        <source>B (°)</source>
+        <translation>B (°)</translation>
+    </message>
+    <message>
+        <source>C (°)</source>
+        <translation>C (°)</translation>
+    </message>
+    <message>
+        <source>D (°)</source>
+        <translation>D (°)</translation>
+    </message>
+    <message>
+        <source>E (°)</source>
+        <translation>E (°)</translation>
+    </message>
+    <message>
+        <source>Largest (°)</source>
+        <translation>Największa (°)</translation>
+    </message>
+    <message>
+        <source>Under the headings stands</source>
+        <translation>Pod kursami stoją</translation>
+    </message>
+    <message>
+        <source>The columns are</source>
+        <translation>Kolumny są</translation>
+    </message>
+    <message>
+        <source>Dates are written</source>
+        <translation>Daty są pisane</translation>
+    </message>
+    <message>
+        <source>Where no column says it, the type is</source>
+        <translation>Gdy nie mówi tego kolumna, typ to</translation>
+    </message>
+    <message>
+        <source>the compass is</source>
+        <translation>busola to</translation>
+    </message>
+    <message>
+        <source>the stage is</source>
+        <translation>etap to</translation>
+    </message>
+    <message>
+        <source>the kind of swing is</source>
+        <translation>rodzaj pomiaru to</translation>
+    </message>
+    <message>
+        <source>A table of swings</source>
+        <translation>Tabela pomiarów</translation>
+    </message>
+    <message>
+        <source>Table (*.csv *.tsv *.txt)</source>
+        <translation>Tabela (*.csv *.tsv *.txt)</translation>
+    </message>
+    <message>
+        <source>heading %1°</source>
+        <translation>kurs %1°</translation>
+    </message>
+    <message>
+        <source>nothing known: kept as a note</source>
+        <translation>nic znanego: zachowane jako uwaga</translation>
+    </message>
+    <message>
+        <source>The whole table is read; nothing is stored yet…</source>
+        <translation>Trwa czytanie całej tabeli; nic jeszcze nie jest zapisane…</translation>
+    </message>
+    <message>
+        <source>The swings are stored…</source>
+        <translation>Trwa zapisywanie pomiarów…</translation>
+    </message>
+    <message>
+        <source>The import is undone…</source>
+        <translation>Trwa cofanie wczytania…</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was changed.</source>
+        <translation>Anulowano: niczego nie zmieniono.</translation>
+    </message>
+    <message>
+        <source>Undone: %1 swings were taken out.</source>
+        <translation>Cofnięto: wyjęto pomiarów %1.</translation>
+    </message>
+    <message>
+        <source>No sign is suspect, and nothing else is to be told.</source>
+        <translation>Żaden znak nie jest podejrzany i nie ma nic więcej do powiedzenia.</translation>
+    </message>
+    <message>
+        <source>%1 swings with %2 readings; %3 aircraft and %4 compasses are new; %5 swings are there already. Nothing is stored yet.</source>
+        <translation>Pomiarów %1 z odczytami %2; nowych statków powietrznych %3, busol %4; już zapisanych pomiarów %5. Nic jeszcze nie jest zapisane.</translation>
+    </message>
+    <message>
+        <source>Stored: %1 swings with %2 readings; %3 aircraft and %4 compasses are new; %5 swings were there already.</source>
+        <translation>Zapisano: pomiarów %1 z odczytami %2; nowych statków powietrznych %3, busol %4; już zapisanych było %5.</translation>
     </message>
 </context>
 <context>
@@ -11640,6 +17088,134 @@ Ctrl+Z cofa wszystko, we wszystkich pomiarach. Ctrl+E pomija odczyt, z powodem, 
     <message>
         <source>separated, %1 places</source>
         <translation>rozdzielone, miejsc: %1</translation>
+    </message>
+    <message>
+        <source>against attitude the Earth&apos;s field and its dip must be known: enter both</source>
+        <translation>względem położenia kątowego muszą być znane pole Ziemi i jego inklinacja: podaj oba</translation>
+    </message>
+    <message>
+        <source>registration of the aircraft</source>
+        <translation>znaki rejestracyjne statku powietrznego</translation>
+    </message>
+    <message>
+        <source>aircraft type</source>
+        <translation>typ statku powietrznego</translation>
+    </message>
+    <message>
+        <source>compass</source>
+        <translation>busola</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>data</translation>
+    </message>
+    <message>
+        <source>compass base</source>
+        <translation>krąg dewiacyjny</translation>
+    </message>
+    <message>
+        <source>as found or as left</source>
+        <translation>stan zastany lub pozostawiony</translation>
+    </message>
+    <message>
+        <source>kind of swing</source>
+        <translation>rodzaj pomiaru</translation>
+    </message>
+    <message>
+        <source>radio on or off</source>
+        <translation>radio włączone lub wyłączone</translation>
+    </message>
+    <message>
+        <source>who read the datum (crew)</source>
+        <translation>kto odczytywał wzorzec (załoga)</translation>
+    </message>
+    <message>
+        <source>who read the compass</source>
+        <translation>kto odczytywał busolę</translation>
+    </message>
+    <message>
+        <source>inspector</source>
+        <translation>kontroler</translation>
+    </message>
+    <message>
+        <source>adjuster</source>
+        <translation>kompensujący</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>uwaga</translation>
+    </message>
+    <message>
+        <source>work order</source>
+        <translation>zlecenie</translation>
+    </message>
+    <message>
+        <source>number that tells swings of one day apart</source>
+        <translation>numer odróżniający pomiary z jednego dnia</translation>
+    </message>
+    <message>
+        <source>magnetic heading of a reading</source>
+        <translation>kurs magnetyczny odczytu</translation>
+    </message>
+    <message>
+        <source>compass heading of a reading</source>
+        <translation>kurs kompasowy odczytu</translation>
+    </message>
+    <message>
+        <source>deviation of a reading (magnetic − compass)</source>
+        <translation>dewiacja odczytu (magnetyczny − kompasowy)</translation>
+    </message>
+    <message>
+        <source>indication error of a reading (compass − magnetic)</source>
+        <translation>błąd wskazania odczytu (kompasowy − magnetyczny)</translation>
+    </message>
+    <message>
+        <source>a table of swings (CSV)</source>
+        <translation>tabela pomiarów (CSV)</translation>
+    </message>
+    <message>
+        <source>the swing was completed since; expected it to be opened again first</source>
+        <translation>pomiar w międzyczasie ukończono; oczekiwano, że najpierw zostanie ponownie otwarty</translation>
+    </message>
+    <message>
+        <source>its folder cannot be opened; expected a folder of the user&apos;s own</source>
+        <translation>nie da się otworzyć jego folderu; oczekiwano własnego folderu użytkownika</translation>
+    </message>
+    <message>
+        <source>others may write into its folder; expected a folder of the user&apos;s own</source>
+        <translation>inni mogą pisać w jego folderze; oczekiwano własnego folderu użytkownika</translation>
+    </message>
+    <message>
+        <source>this is no plain file; expected the recovery file that this program has written</source>
+        <translation>to nie jest zwykły plik; oczekiwano pliku odzyskiwania zapisanego przez ten program</translation>
+    </message>
+    <message>
+        <source>others may have written this file; expected one of the user&apos;s own</source>
+        <translation>inni mogli zapisać ten plik; oczekiwano własnego pliku użytkownika</translation>
+    </message>
+    <message>
+        <source>this file is larger than any that this program has written; expected a recovery file</source>
+        <translation>ten plik jest większy niż jakikolwiek zapisany przez ten program; oczekiwano pliku odzyskiwania</translation>
+    </message>
+    <message>
+        <source>this is a link; expected the recovery file that this program has written</source>
+        <translation>to jest dowiązanie; oczekiwano pliku odzyskiwania zapisanego przez ten program</translation>
+    </message>
+    <message>
+        <source>this file cannot be read; expected one of the user&apos;s own</source>
+        <translation>tego pliku nie da się odczytać; oczekiwano własnego pliku użytkownika</translation>
+    </message>
+    <message>
+        <source>this file cannot be written; expected one of the user&apos;s own</source>
+        <translation>tego pliku nie da się zapisać; oczekiwano własnego pliku użytkownika</translation>
+    </message>
+    <message>
+        <source>the drive takes no more; expected room for it</source>
+        <translation>dysk nie przyjmuje więcej; oczekiwano na to miejsca</translation>
+    </message>
+    <message>
+        <source>the drive failed; expected one that is there</source>
+        <translation>dysk zawiódł; oczekiwano takiego, który jest podłączony</translation>
     </message>
 </context>
 </TS>

@@ -59,8 +59,8 @@ Message boundsText(Bounds bounds)
     case Bounds::Any: break;
     case Bounds::Speed: return MARKED("core", "0 to 3000 knots");
     case Bounds::Direction: return MARKED("core", "0 to 360");
-    case Bounds::Latitude: return MARKED("core", "\u221290 to 90");
-    case Bounds::Longitude: return MARKED("core", "\u2212180 to 360");
+    case Bounds::Latitude: return MARKED("core", "-90 to 90");
+    case Bounds::Longitude: return MARKED("core", "-180 to 360");
     }
     return MARKED("core", "a number");
 }
