@@ -109,6 +109,12 @@ struct JobEvent {
     friend bool operator==(const JobEvent&, const JobEvent&) = default;
 };
 
+/// What is typed into a field and not stored as a step yet.
+struct TypedText {
+    std::string field, text;
+    friend bool operator==(const TypedText&, const TypedText&) = default;
+};
+
 struct SwingJob {
     RecordId record;
     PlanOptions plan;

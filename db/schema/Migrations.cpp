@@ -230,11 +230,18 @@ const Migration kEighth{8,
     },
     beginTrail};
 
+/// Part of the record, so that it goes wherever its database goes and never to another one; a step that is stored takes it away.
+const Migration kNinth{9, "a guided swing keeps what is typed and not stored as a step yet",
+    {
+        "CREATE TABLE job_typed (id INTEGER PRIMARY KEY, job_id INTEGER NOT NULL REFERENCES swing_job(id) ON DELETE CASCADE,"
+        " field TEXT NOT NULL CHECK (field <> ''), typed TEXT NOT NULL CHECK (typed <> ''), UNIQUE (job_id, field))",
+    }};
+
 } // namespace
 
 const std::vector<Migration>& migrations()
 {
-    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh, kEighth};
+    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh, kEighth, kNinth};
     return steps;
 }
 

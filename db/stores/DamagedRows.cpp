@@ -44,6 +44,12 @@ std::vector<Rows> otherRows()
                 if (const auto event = readJobEvent(row.longText(3), {}); !event)
                     row.damages(3, event.error());
             }},
+        {"SELECT id, job_id, field, typed FROM job_typed",
+            [](const Statement& row) {
+                (void)row.id<Id<struct JobTag>>(1);
+                (void)row.name(2);
+                (void)row.text(3);
+            }},
         {"SELECT id, time_utc, what, record, link, file_link, detail FROM audit_entry",
             [](const Statement& row) {
                 for (int column = 1; column <= 5; ++column)

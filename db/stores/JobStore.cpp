@@ -106,6 +106,36 @@ Result<void> insertEvent(Database& database, std::int64_t job, std::size_t place
     return statement.run();
 }
 
+Result<void> forgetTyped(Database& database, const JobRowIn& row)
+{
+    Statement statement(database, "DELETE FROM job_typed WHERE job_id = ?");
+    statement << row.id;
+    return statement.run();
+}
+
+/// The open job, for what follows its first `place` events.
+Result<JobRowIn> openRowAt(Database& database, SwingId swing, std::size_t place)
+{
+    auto row = rowOf(database, swing);
+    if (!row)
+        return row;
+    const std::string file = database.path().toStdString();
+    if (row->standing != JobStanding::Open)
+        return Error{ErrorCode::Frozen, MARKED("db", "the guided swing is finished; nothing is added to it"), file};
+    Statement count(database, "SELECT COUNT(*) FROM job_event WHERE job_id = ?");
+    count << row->id;
+    const auto stored = oneOf<std::int64_t>(count, database, MARKED("db", "guided swing"), [](Statement& one) { return one.integer(0); });
+    if (!stored)
+        return stored.error();
+    if (*stored != static_cast<std::int64_t>(place))
+        return Error{ErrorCode::Conflict,
+            {MARKED("db",
+                 "this guided swing has gone on in another window (%1 steps there, %2 known here); nothing was overwritten: take it up again"),
+                *stored, place},
+            file};
+    return row;
+}
+
 /// None where the swing before told less than five coefficients.
 std::optional<ExpectedCurve> historyOf(const SwingRow& before, const Swing& swing)
 {
@@ -242,27 +272,42 @@ Result<void> JobStore::append(SwingId swing, std::size_t place, const JobEvent& 
     auto transaction = Transaction::begin(m_database);
     if (!transaction)
         return transaction.error();
-    const auto row = rowOf(m_database, swing);
+    const auto row = openRowAt(m_database, swing, place);
     if (!row)
         return row.error();
-    const std::string file = m_database.path().toStdString();
-    if (row->standing != JobStanding::Open)
-        return Error{ErrorCode::Frozen, MARKED("db", "the guided swing is finished; nothing is added to it"), file};
-    Statement count(m_database, "SELECT COUNT(*) FROM job_event WHERE job_id = ?");
-    count << row->id;
-    const auto stored = oneOf<std::int64_t>(count, m_database, MARKED("db", "guided swing"), [](Statement& one) { return one.integer(0); });
-    if (!stored)
-        return stored.error();
-    if (*stored != static_cast<std::int64_t>(place))
-        return Error{ErrorCode::Conflict,
-            {MARKED("db",
-                 "this guided swing has gone on in another window (%1 steps there, %2 known here); nothing was overwritten: take it up again"),
-                *stored, place},
-            file};
     if (const auto done = insertEvent(m_database, row->id, place, event); !done)
+        return done;
+    if (const auto done = forgetTyped(m_database, *row); !done)
         return done;
     m_database.changes().note(change::OfSwing{swing}); // lists say where it stands
     return transaction->commit();
+}
+
+Result<void> JobStore::keepTyped(SwingId swing, std::size_t place, const std::vector<TypedText>& typed)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto row = openRowAt(m_database, swing, place);
+    if (!row)
+        return row.error();
+    if (const auto done = forgetTyped(m_database, *row); !done)
+        return done;
+    for (const TypedText& one : typed) {
+        Statement statement(m_database, "INSERT INTO job_typed (job_id, field, typed) VALUES (?, ?, ?)");
+        statement << row->id << one.field << one.text;
+        if (const auto done = statement.run(); !done)
+            return done;
+    }
+    return transaction->commit();
+}
+
+Result<std::vector<TypedText>> JobStore::typed(SwingId swing)
+{
+    Statement statement(
+        m_database, "SELECT t.field, t.typed FROM job_typed t JOIN swing_job j ON j.id = t.job_id WHERE j.swing_id = ? ORDER BY t.id");
+    statement << swing;
+    return rowsOf<TypedText>(statement, [](Statement& row) { return TypedText{row.name(0), row.text(1)}; });
 }
 
 Result<SwingId> JobStore::start(const Swing& particulars, const SwingJob& job)
@@ -324,6 +369,8 @@ Result<void> JobStore::close(SwingId swing, bool finished)
     Statement statement(m_database, "UPDATE swing_job SET state = ? WHERE id = ?");
     statement << static_cast<int>(finished ? JobStanding::Finished : JobStanding::Abandoned) << row->id;
     if (const auto done = statement.run(); !done)
+        return done;
+    if (const auto done = forgetTyped(m_database, *row); !done)
         return done;
     if (const auto kept = audit(m_database, finished ? "finished guided swing" : "abandoned guided swing", row->record, {}); !kept)
         return kept;

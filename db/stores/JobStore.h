@@ -44,6 +44,11 @@ public:
     Result<void> append(SwingId swing, std::size_t place, const JobEvent& event);
     Result<void> close(SwingId swing, bool finished);
 
+    /// What is typed of the step that follows the first `place` ones, in place of what was: storing that step takes it away. Nobody is told.
+    /// Errors: those of append().
+    Result<void> keepTyped(SwingId swing, std::size_t place, const std::vector<TypedText>& typed);
+    Result<std::vector<TypedText>> typed(SwingId swing); ///< of the step that it stands at
+
 private:
     Database& m_database;
 };

@@ -29,6 +29,25 @@ TEST_F(JobStore, aGuidedSwingOnlyGrowsAndASecondWriterIsTold)
     EXPECT_EQ(m_jobs.append(id, 3, taken(1)).error().code, ErrorCode::Frozen);
 }
 
+TEST_F(JobStore, whatIsTypedIsKeptUntilItsStepIsStored)
+{
+    const SwingId id = guided();
+    const std::vector<TypedText> half{{"guidedDatum", "44.5"}, {"guidedCompass", "4"}};
+    ASSERT_TRUE(m_jobs.keepTyped(id, 1, {{"guidedDatum", "44"}}));
+    ASSERT_TRUE(m_jobs.keepTyped(id, 1, half)); // in place of it
+    EXPECT_EQ(*m_jobs.typed(id), half);
+    EXPECT_EQ(m_jobs.keepTyped(id, 0, {}).error().code, ErrorCode::Conflict); // of a step that is stored
+    EXPECT_EQ(*m_jobs.typed(id), half);
+    EXPECT_TRUE(m_jobs.typed(guided())->empty());
+    EXPECT_THAT(db::verify(m_database, {})->findings, testing::IsEmpty());
+    ASSERT_TRUE(m_jobs.append(id, 1, prepared()));
+    EXPECT_TRUE(m_jobs.typed(id)->empty());
+    ASSERT_TRUE(m_jobs.keepTyped(id, 2, half));
+    ASSERT_TRUE(m_jobs.close(id, true));
+    EXPECT_TRUE(m_jobs.typed(id)->empty());
+    EXPECT_EQ(m_jobs.keepTyped(id, 2, half).error().code, ErrorCode::Frozen);
+}
+
 TEST_F(JobStore, aJobIsTakenUpOnAnotherMachineAndComesBack)
 {
     const SwingId id = guided();

@@ -32,7 +32,7 @@ constexpr int kFoot_px = 14; // all of them side by side on a small screen
 
 } // namespace
 
-GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent, QSettings* settings)
+GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent)
     : Page(parent)
     , m_stores(stores)
     , m_nowUtc(std::move(nowUtc))
@@ -63,11 +63,11 @@ GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, 
     m_station = new GuidedStation(*m_job);
     m_review = new GuidedReview(*m_job);
     build();
-    if (settings)
-        m_typed = new TypedFigures(*settings, *m_work, this);
+    m_typed = new TypedFigures(stores, *m_steps, this);
+    connect(m_typed, &TypedFigures::failed, this, &GuidedPage::failed);
 }
 
-GuidedPage::~GuidedPage() = default;
+GuidedPage::~GuidedPage() { m_typed->settle(); }
 
 void GuidedPage::build()
 {
@@ -183,6 +183,8 @@ Result<void> GuidedPage::begin(CompassId compass)
 {
     if (auto begun = m_start->begin(compass, m_stores.clock().today()); !begun)
         return begun;
+    m_typed->settle();
+    m_typed->forget();
     m_swing = {};
     m_job->close();
     m_pages->setCurrentWidget(m_start);
@@ -253,8 +255,7 @@ void GuidedPage::refresh()
         m_faultLine->setFocus();
         break;
     }
-    if (m_typed)
-        m_typed->follow(toText(m_job->record().swing.record), m_job->job().events.size());
+    m_typed->follow(m_swing, m_job->job().events.size());
     m_plot->setPicture(m_job->picture());
     if (state.current >= 0)
         m_plot->setSelectedRow(-1);
@@ -289,8 +290,7 @@ void GuidedPage::abandon()
     if (const auto done = m_stores.jobs.abandon(m_swing); !done)
         emit failed(messageOf(done.error()));
     else {
-        if (m_typed)
-            m_typed->forget();
+        m_typed->forget();
         emit abandoned(m_job->record().compass.id);
     }
 }
@@ -355,8 +355,7 @@ void GuidedPage::finish()
         emit failed(messageOf(done.error()));
         return;
     }
-    if (m_typed)
-        m_typed->forget();
+    m_typed->forget();
     const SwingId made = m_swing;
     m_job->close();
     if (m_crew)

@@ -13,8 +13,6 @@ class QMenu;
 class QSettings;
 class QStackedWidget;
 
-class QSettings;
-
 namespace lubberline::ui {
 
 class Preferences;
@@ -34,8 +32,7 @@ class GuidedPage : public Page {
 
 public:
     /// @param nowUtc ISO 8601 date and time.
-    /// @param settings keeps what is typed and not stored yet; none: nothing does.
-    GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent = nullptr, QSettings* settings = nullptr);
+    GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, QWidget* parent = nullptr);
     ~GuidedPage() override;
     /// What people have chosen once for all: base and instrument, where it is heard from, how large it is.
     void take(const Preferences& preferences, QSettings& settings);
@@ -99,7 +96,7 @@ private:
     QLabel* m_whose;
     QLabel* m_instrument;
     QMenu* m_instruments;
-    TypedFigures* m_typed = nullptr;
+    TypedFigures* m_typed;
     StationStrip* m_strip;
     SwingPlot* m_plot;
     LivePanel* m_live;

@@ -1,6 +1,7 @@
 // How the window reaches the guided swing: a compass begins one, a swing that has one open goes on with it.
 
 #include <QSettings>
+#include <QStackedWidget>
 
 #include <algorithm>
 
@@ -45,8 +46,7 @@ void goGuided(PageContext& context, Page& page)
 
 GuidedPage* makePage(PageContext& context)
 {
-    auto* page = new GuidedPage(
-        context.stores, [&stores = context.stores] { return stores.clock().nowUtc(); }, nullptr, &context.settings);
+    auto* page = new GuidedPage(context.stores, [&stores = context.stores] { return stores.clock().nowUtc(); });
     page->take(*context.preferences, context.settings);
     QObject::connect(page, &GuidedPage::notStored, &context.window, [&context, page](SwingId, std::size_t place, const JobEvent& event) {
         context.keep(page->job().record(), LostStep{place, event}, false);

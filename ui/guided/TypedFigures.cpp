@@ -4,20 +4,36 @@
 #include <QTableWidget>
 #include <QTimer>
 
+#include <algorithm>
+
+#include "ui/kit/Words.h"
+
 namespace lubberline::ui {
 
 namespace {
+
+constexpr int kTryAgain_ms = 1000; // another program is writing
 
 QString cellName(const QTableWidget& table, int row, int column)
 {
     return QStringLiteral("%1 %2 %3").arg(table.objectName()).arg(row).arg(column);
 }
 
+/// The cells that can be typed into.
+template <class Each>
+void eachCell(const QWidget& form, Each each)
+{
+    for (auto* table : form.findChildren<QTableWidget*>())
+        for (int row = 0; row < table->rowCount(); ++row)
+            for (int column = 0; column < table->columnCount(); ++column)
+                each(*table, row, column);
+}
+
 } // namespace
 
-TypedFigures::TypedFigures(QSettings& settings, QWidget& form, QObject* parent)
+TypedFigures::TypedFigures(db::Stores& stores, QWidget& form, QObject* parent)
     : QObject(parent)
-    , m_settings(settings)
+    , m_stores(stores)
     , m_form(form)
     , m_soon(new QTimer(this))
 {
@@ -25,8 +41,8 @@ TypedFigures::TypedFigures(QSettings& settings, QWidget& form, QObject* parent)
     m_soon->setInterval(0); // once for all that one key changes
     connect(m_soon, &QTimer::timeout, this, &TypedFigures::keep);
     const auto changed = [this] {
-        if (!m_restoring && !m_record.isEmpty())
-            m_soon->start();
+        if (!m_restoring && m_swing.valid())
+            m_soon->start(0);
     };
     for (auto* line : form.findChildren<QLineEdit*>())
         if (!line->objectName().isEmpty())
@@ -35,57 +51,89 @@ TypedFigures::TypedFigures(QSettings& settings, QWidget& form, QObject* parent)
         connect(table, &QTableWidget::cellChanged, this, changed);
 }
 
-QString TypedFigures::key() const { return QStringLiteral("guided/typed/") + m_record; }
-
-void TypedFigures::follow(const QString& record, std::size_t step)
+void TypedFigures::follow(SwingId swing, std::size_t step)
 {
-    const bool other = record != m_record;
-    m_record = record;
+    const bool other = swing != m_swing;
+    if (!other && step != m_step) { // the step took away what was kept; what still stands in the form is of the next one
+        m_kept.clear();
+        m_soon->start(0);
+    }
+    m_swing = swing;
     m_step = step;
     if (!other)
         return;
-    const QVariantMap kept = m_settings.value(key()).toMap();
-    if (kept.value(QStringLiteral("step")).toULongLong() != step)
-        return;
+    m_soon->stop();
+    m_kept.clear();
+    if (auto kept = m_stores.jobs.typed(swing)) {
+        m_kept = std::move(kept.value());
+        putBack(m_kept);
+    } else {
+        emit failed(messageOf(kept.error()));
+    }
+}
+
+void TypedFigures::putBack(const std::vector<TypedText>& kept)
+{
+    const auto textOf = [&kept](const QString& field) {
+        const auto found = std::find_if(kept.begin(), kept.end(), [&](const TypedText& one) { return toText(one.field) == field; });
+        return found == kept.end() ? QString() : toText(found->text);
+    };
     m_restoring = true;
     for (auto* line : m_form.findChildren<QLineEdit*>())
-        if (const auto text = kept.constFind(line->objectName()); text != kept.constEnd())
-            line->setText(text->toString());
-    for (auto* table : m_form.findChildren<QTableWidget*>())
-        for (int row = 0; row < table->rowCount(); ++row)
-            for (int column = 0; column < table->columnCount(); ++column)
-                if (const auto text = kept.constFind(cellName(*table, row, column)); text != kept.constEnd() && !table->item(row, column))
-                    table->setItem(row, column, new QTableWidgetItem(text->toString()));
+        if (const QString text = line->objectName().isEmpty() ? QString() : textOf(line->objectName()); !text.isEmpty())
+            line->setText(text);
+    eachCell(m_form, [&](QTableWidget& table, int row, int column) {
+        if (const QString text = textOf(cellName(table, row, column)); !text.isEmpty() && !table.item(row, column))
+            table.setItem(row, column, new QTableWidgetItem(text));
+    });
     m_restoring = false;
 }
 
+std::vector<TypedText> TypedFigures::typed() const
+{
+    std::vector<TypedText> all;
+    const auto add = [&all](const QString& field, const QString& text) {
+        if (!field.isEmpty() && !text.isEmpty())
+            all.push_back({field.toStdString(), text.toStdString()});
+    };
+    for (const auto* line : m_form.findChildren<QLineEdit*>())
+        if (!line->objectName().startsWith(QStringLiteral("qt_"))) // an editor of Qt's own, of a spin box or a cell
+            add(line->objectName(), line->text());
+    eachCell(m_form, [&add](const QTableWidget& table, int row, int column) {
+        if (const auto* item = table.item(row, column); item && (item->flags() & Qt::ItemIsEditable))
+            add(cellName(table, row, column), item->text());
+    });
+    return all;
+}
+
+/// What another program's writing holds up is tried again; where the swing has gone on elsewhere, or cannot be written, nothing is to be kept.
 void TypedFigures::keep()
 {
-    if (m_record.isEmpty())
+    if (!m_swing.valid() || m_stores.readOnly())
         return;
-    QVariantMap typed;
-    for (const auto* line : m_form.findChildren<QLineEdit*>())
-        if (!line->objectName().isEmpty() && !line->text().isEmpty())
-            typed.insert(line->objectName(), line->text());
-    for (const auto* table : m_form.findChildren<QTableWidget*>())
-        for (int row = 0; row < table->rowCount(); ++row)
-            for (int column = 0; column < table->columnCount(); ++column)
-                if (const auto* item = table->item(row, column); item && (item->flags() & Qt::ItemIsEditable) && !item->text().isEmpty())
-                    typed.insert(cellName(*table, row, column), item->text());
-    if (typed.isEmpty()) {
-        m_settings.remove(key());
-    } else {
-        typed.insert(QStringLiteral("step"), static_cast<qulonglong>(m_step));
-        m_settings.setValue(key(), typed);
-    }
-    m_settings.sync(); // on disk before the next key
+    const std::vector<TypedText> now = typed();
+    if (now == m_kept)
+        return;
+    const auto kept = m_stores.jobs.keepTyped(m_swing, m_step, now);
+    if (kept)
+        m_kept = now;
+    else if (kept.error().code == ErrorCode::Locked)
+        m_soon->start(kTryAgain_ms);
+    else if (const auto code = kept.error().code; code != ErrorCode::Conflict && code != ErrorCode::Frozen && code != ErrorCode::NotFound)
+        emit failed(messageOf(kept.error()));
+}
+
+void TypedFigures::settle()
+{
+    if (m_soon->isActive())
+        keep();
 }
 
 void TypedFigures::forget()
 {
-    if (!m_record.isEmpty())
-        m_settings.remove(key());
-    m_record.clear();
+    m_soon->stop();
+    m_swing = {};
+    m_kept.clear();
 }
 
 } // namespace lubberline::ui

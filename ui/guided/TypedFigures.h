@@ -1,10 +1,12 @@
 #pragma once
-/// What is typed and not stored as a step yet: kept with every key, so that a window that dies in the middle of a figure shows it again.
-/// It belongs to one guided swing and to the step that it stood at; on any other step it is gone.
+/// What is typed and not stored as a step yet: kept in the swing's own record with every key, so that a window that dies in the middle of a
+/// figure shows it again, on this machine or with a copy of the database on another. The step that is stored takes it away.
 
 #include <QObject>
-#include <QSettings>
-#include <QString>
+
+#include <vector>
+
+#include "db/stores/Stores.h"
 
 class QTimer;
 
@@ -15,21 +17,27 @@ class TypedFigures : public QObject {
 
 public:
     /// Follows the lines and table cells of `form` by their names.
-    TypedFigures(QSettings& settings, QWidget& form, QObject* parent = nullptr);
+    TypedFigures(db::Stores& stores, QWidget& form, QObject* parent = nullptr);
 
-    /// From now on of this swing at this step; what was kept there is put back into the form.
-    void follow(const QString& record, std::size_t step);
-    void forget(); ///< the swing has ended
+    /// From now on of this swing at this step; what was kept of another swing than the one before is put back into the form.
+    void follow(SwingId swing, std::size_t step);
+    void settle(); ///< what was typed since the last key is kept now: the form goes
+    void forget(); ///< the swing has ended, which takes it away
+
+signals:
+    void failed(const QString& message);
 
 private:
     void keep();
-    [[nodiscard]] QString key() const;
+    [[nodiscard]] std::vector<TypedText> typed() const;
+    void putBack(const std::vector<TypedText>& kept);
 
-    QSettings& m_settings;
+    db::Stores& m_stores;
     QWidget& m_form;
     QTimer* m_soon;
-    QString m_record;
+    SwingId m_swing;
     std::size_t m_step = 0;
+    std::vector<TypedText> m_kept;
     bool m_restoring = false;
 };
 

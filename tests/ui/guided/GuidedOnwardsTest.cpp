@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <QTreeView>
 
+#include "db/transfer/Maintenance.h"
 #include "tests/ui/window/Fixture.h"
 #include "ui/fleet/AircraftPage.h"
 #include "ui/guided/CrewDisplay.h"
@@ -72,16 +73,13 @@ struct Crew {
         find<QLineEdit>("guidedReason").setText(why);
         page().station().next();
     }
-    /// The window is gone in the middle of whatever was done, and another one opens on the same database and settings.
+    /// The window is gone in the middle of whatever was done, and another one opens on the same database, with settings of its own.
     void kill()
     {
         QApplication::processEvents();
         open->window.disconnect();
-        auto before = std::move(open);
+        const auto before = std::move(open);
         open = std::make_unique<OpenWindow>(fleet.stores);
-        open->settings.clear();
-        for (const QString& key : before->settings.allKeys())
-            open->settings.setValue(key, before->settings.value(key));
     }
     void click(StationStrip& strip, int station)
     {
@@ -117,7 +115,37 @@ private slots:
         crew.readHere();
         crew.kill();
         crew.open->window.go(swing);
-        QVERIFY(crew.find<QLineEdit>("guidedDatum").text().isEmpty()); // that step is done
+        QVERIFY(crew.find<QLineEdit>("guidedDatum").text().isEmpty());         // that step is done
+        QCOMPARE(crew.fleet.stores.jobs.typed(swing)->size(), std::size_t{1}); // the name of the load, which has its usual words
+    }
+
+    /// It goes where its record goes, and no other swing has it: not that of the same compass, nor the one that stands at the same step.
+    void aFigureThatIsHalfTypedBelongsToItsRecord()
+    {
+        Crew crew;
+        crew.begin(ProcedureKind::CheckOnly);
+        crew.readHere();
+        QTest::keyClicks(&crew.find<QLineEdit>("guidedDatum"), "46.2");
+        const SwingId swing = crew.page().swing();
+        crew.open->window.go(crew.fleet.aircraft); // at once, before anything else happens
+        crew.begin(ProcedureKind::CheckOnly);
+        QVERIFY(crew.page().swing() != swing);
+        crew.readHere();
+        QVERIFY(crew.find<QLineEdit>("guidedDatum").text().isEmpty());
+        crew.open->window.go(swing);
+        QCOMPARE(crew.find<QLineEdit>("guidedDatum").text(), "46.2");
+
+        const QString copy = crew.open->folder.filePath("copy.lubberline");
+        QVERIFY(db::backup(crew.fleet.stores.database(), copy));
+        auto stores = db::openStores(copy, db::OpenMode::ReadWriteCreate);
+        QVERIFY(stores);
+        OpenWindow elsewhere(**stores);
+        elsewhere.window.go(swing);
+        QCOMPARE(elsewhere.find<QLineEdit>("guidedDatum").text(), "46.2");
+        elsewhere.find<QLineEdit>("guidedCompass").setText("44");
+        QApplication::processEvents();
+        const auto typed = (*stores)->jobs.typed(swing);
+        QVERIFY(typed && std::find(typed->begin(), typed->end(), TypedText{"guidedCompass", "44"}) != typed->end());
     }
 
     void itIsOfferedWherePeopleLook()
