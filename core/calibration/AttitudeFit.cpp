@@ -5,7 +5,7 @@
 
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
-#include "core/calibration/AttitudeRegression.h"
+#include "core/calibration/AttitudeParts.h"
 #include "core/calibration/LogQuality.h"
 #include "core/calibration/ModelHeader.h"
 #include "core/calibration/ReferenceHeading.h"
@@ -30,111 +30,6 @@ std::vector<std::uint8_t> usableRows(const SensorLog& log, const LogQuality& qua
         used[row] = usable ? 1 : 0;
     }
     return used;
-}
-
-RegressionMoments momentsOfRows(
-    const SensorLog& log, const std::vector<std::uint8_t>& used, const MeridianField& field, const AngleReading& reading = {})
-{
-    RegressionMoments moments;
-    const auto scales = currentScales(log);
-    for (std::size_t row = 0; row < log.size(); ++row)
-        if (used[row] != 0)
-            addRow(moments, log, row, field, scales, reading);
-    return moments;
-}
-
-double largestIn(const std::vector<double>& values)
-{
-    double largest = 0;
-    for (const double value : values)
-        if (std::isfinite(value))
-            largest = std::max(largest, std::abs(value));
-    return largest;
-}
-
-/// Angles in another unit, or from another north, explain the samples far better than as they are named.
-Message misreadAngles(const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options, double variance)
-{
-    const bool smallHeadings = largestIn(log.heading_deg) <= 6.3,
-               smallTilts = std::max(largestIn(log.pitch_deg), largestIn(log.roll_deg)) <= 1.6;
-    const auto better = [&](const AngleReading& reading) {
-        return regress(momentsOfRows(log, used, options.field, reading), 0).variance < 0.25 * variance;
-    };
-    if (smallHeadings && largestIn(log.heading_deg) > 0.5 && better({kDegreesPerRadian, smallTilts ? kDegreesPerRadian : 1.0, 0}))
-        return {
-            MARKED("core",
-                "heading, pitch and roll look like radians: the largest heading is %1, and as radians they explain the samples far better; expected degrees"),
-            figureText(largestIn(log.heading_deg), 3)};
-    if (smallTilts && largestIn(log.pitch_deg) + largestIn(log.roll_deg) > 0.05 && better({1.0, kDegreesPerRadian, 0}))
-        return {
-            MARKED("core",
-                "pitch and roll look like radians: they stay within %1, and as radians they explain the samples far better; expected degrees"),
-            figureText(std::max(largestIn(log.pitch_deg), largestIn(log.roll_deg)), 3)};
-    return {};
-}
-
-std::string regressorName(const SensorLog& log, Eigen::Index regressor, Eigen::Index axis)
-{
-    constexpr std::array<const char*, 12> kNames{"a", "b", "c", "P", "d", "e", "f", "Q", "g", "h", "k", "R"};
-    if (regressor < 4)
-        return kNames[static_cast<std::size_t>(axis * 4 + regressor)];
-    constexpr std::array<char, 3> kAxes{'S', 'T', 'V'};
-    return log.currents[static_cast<std::size_t>(regressor - 4)].name + " " + kAxes[static_cast<std::size_t>(axis)];
-}
-
-std::string listed(const std::vector<std::string>& names)
-{
-    std::string text;
-    for (const auto& name : names)
-        text += (text.empty() ? "" : ", ") + name;
-    return text;
-}
-
-/// A direction of the regressors along which nothing changes, in words for all three axes.
-Message inWords(const SensorLog& log, const Eigen::VectorXd& direction, double total_nT)
-{
-    std::vector<Eigen::Index> involved;
-    for (Eigen::Index i = 0; i < direction.size(); ++i)
-        if (std::abs(direction[i]) > 1e-2)
-            involved.push_back(i);
-    std::vector<std::string> names;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        std::vector<std::string> together;
-        for (const auto i : involved)
-            together.push_back(regressorName(log, i, axis));
-        names.push_back(together.size() == 1 ? together[0]
-                : together.size() == 2       ? together[0] + " and " + together[1]
-                                             : "(" + listed(together) + ")");
-    }
-    if (involved.size() == 1)
-        return involved[0] < 3 ? Message{MARKED("core", "%1 cannot be told: the field along %2 is never other than 0 in this log"),
-                   listed(names), "xyz"[involved[0]]}
-                               : Message{MARKED("core", "%1 cannot be told: the current is never other than 0 in this log"), listed(names)};
-    if (involved.size() == 2 && involved[1] == 3 && involved[0] < 3) {
-        // The direction is (1, v) in (F s, p): what stays is p − v F s, and −v F is the constant field.
-        std::vector<std::string> sums;
-        const std::string factor = figureText(-direction[3] * total_nT, 0);
-        for (Eigen::Index axis = 0; axis < 3; ++axis)
-            sums.push_back(regressorName(log, involved[0], axis) + " \u00B7 " + factor + " nT + " + regressorName(log, 3, axis));
-        return {MARKED("core", "%1 cannot be told apart, as the field along %2 is always the same: only %3 is known"), listed(names),
-            "xyz"[involved[0]], listed(sums)};
-    }
-    return {MARKED("core", "%1 cannot be told apart: in this log what they do always goes together"), listed(names)};
-}
-
-void describeAttitudeParameters(AttitudeResult& result, const SensorLog& log, const Regression& fit, double total_nT, double variance)
-{
-    const auto scales = currentScales(log);
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-        for (Eigen::Index i = 0; i < fit.solution.rows(); ++i) {
-            const double factor = i < 3 ? 1.0 : i == 3 ? total_nT : total_nT / scales[static_cast<std::size_t>(i - 4)];
-            FittedParameter parameter{regressorName(log, i, axis), {}, {}, i < 3 ? "1" : i == 3 ? "nT" : "nT/A"};
-            if (fit.told[static_cast<std::size_t>(i)]) {
-                parameter.value = factor * fit.solution(i, axis);
-                parameter.standard_error = factor * std::sqrt(std::max(0.0, variance * fit.covariance(i, i)));
-            }
-            result.parameters.push_back(std::move(parameter));
-        }
 }
 
 SensorModel modelOf(const SensorLog& log, const Regression& fit, double total_nT)
@@ -209,61 +104,6 @@ std::optional<HeldOut> heldOut(const SensorLog& log, const std::vector<std::uint
     result.dip_deg = std::sqrt(dips / count);
     result.field_nT = std::sqrt(fields / count);
     return result;
-}
-
-/// Swapped or mirrored axes: of the 48 ways to name them, one fits far better than the one that is stated.
-void checkAxes(AttitudeResult& result, const RegressionMoments& moments)
-{
-    const Eigen::Vector3d meanField = moments.design.block<3, 1>(0, 3) / moments.rows,
-                          meanRead = moments.across.row(3).transpose() / moments.rows;
-    const Eigen::Matrix3d across = moments.across.topRows<3>() / moments.rows - meanField * meanRead.transpose(); // B by m
-    const double size = (moments.design.topLeftCorner<3, 3>() / moments.rows - meanField * meanField.transpose()).trace()
-        + (moments.own / moments.rows - meanRead * meanRead.transpose()).trace();
-    std::array<int, 3> order{0, 1, 2}, best{0, 1, 2};
-    int bestSigns = 0;
-    double least = std::numeric_limits<double>::max(), stated = 0;
-    do {
-        for (int signs = 0; signs < 8; ++signs) {
-            double explained = 0;
-            for (int axis = 0; axis < 3; ++axis)
-                explained += ((signs >> axis) & 1 ? -1.0 : 1.0) * across(axis, order[static_cast<std::size_t>(axis)]);
-            const double rest = size - 2.0 * explained;
-            if (signs == 0 && order == std::array{0, 1, 2})
-                stated = rest;
-            if (rest < least - 1e-12 * size) {
-                least = rest;
-                best = order;
-                bestSigns = signs;
-            }
-        }
-    } while (std::next_permutation(order.begin(), order.end()));
-    if (stated <= 2.0 * least || stated < 0.05 * size)
-        return;
-    std::string named;
-    for (int axis = 0; axis < 3; ++axis)
-        named += std::string(axis > 0 ? ", " : "") + "xyz"[axis] + " = " + ((bestSigns >> axis) & 1 ? "\u2212" : "+")
-            + "xyz"[best[static_cast<std::size_t>(axis)]] + " of the log";
-    result.reasons.push_back(
-        {MARKED(
-             "core", "the axes of the log are not those of the aircraft: %1 fits %2 times better; expected x forward, y starboard, z down"),
-            named, figureText(stated / std::max(least, 1e-9 * size), 1)});
-    result.verdict = CalibrationVerdict::Doubtful;
-}
-
-/// Headings from true north, where the place's variation explains the samples far better: seen only where the aircraft was tilted.
-void checkNorth(
-    AttitudeResult& result, const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options, double variance)
-{
-    if (!options.variation || std::abs(options.variation->degrees()) < 1)
-        return;
-    const AngleReading fromTrue{1.0, 1.0, -options.variation->degrees()};
-    if (regress(momentsOfRows(log, used, options.field, fromTrue), 0).variance > 0.25 * variance)
-        return;
-    result.reasons.push_back(
-        {MARKED("core",
-             "the headings look true instead of magnetic: with the place's variation (%1°) taken out they explain the samples far better; expected magnetic headings"),
-            signedFigureText(options.variation->degrees(), 1)});
-    result.verdict = CalibrationVerdict::Doubtful;
 }
 
 void misalign(AttitudeResult& result)

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kStuckRows = 50;
 constexpr double kSpikeScatters = 12.0;
+constexpr std::size_t kLongestPeriod = 64; ///< rows, of what comes again
 constexpr double kMedianToSigma = 1.4826;
 
 void note(LogQuality& quality, std::size_t row, SampleFault fault)
@@ -135,13 +136,64 @@ void findClipped(const SensorLog& log, LogQuality& quality)
     }
 }
 
-double middleOfFive(const std::vector<double>& values, std::size_t row)
+/// How far each row leaves the middle of five around it; NaN where that is not known.
+std::vector<double> awayFromMiddles(const std::vector<double>& values)
 {
-    std::array<double, 5> five{};
-    for (std::size_t i = 0; i < 5; ++i)
-        five[i] = values[row + i - 2];
-    std::nth_element(five.begin(), five.begin() + 2, five.end());
-    return five[2];
+    std::vector<double> away(values.size(), kNoValue);
+    for (std::size_t row = 2; row + 2 < values.size(); ++row) {
+        std::array<double, 5> five{};
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(row - 2), five.size(), five.begin());
+        if (std::any_of(five.begin(), five.end(), [](double value) { return std::isnan(value); }))
+            continue;
+        std::nth_element(five.begin(), five.begin() + 2, five.end());
+        away[row] = values[row] - five[2];
+    }
+    return away;
+}
+
+/// How far a row may leave the middle of five: 12 of the log's own scatter.
+double spikeLimit(const std::vector<double>& values, const std::vector<double>& away)
+{
+    std::vector<double> off;
+    off.reserve(values.size());
+    for (const double one : away)
+        if (std::isfinite(one) && one != 0)
+            off.push_back(std::abs(one));
+    if (off.size() < values.size() / 8) { // so smooth that most samples are the middle of their neighbours: what bends is its scatter
+        off.clear();
+        for (std::size_t row = 1; row + 1 < values.size(); ++row) {
+            const double bend = values[row] - 0.5 * (values[row - 1] + values[row + 1]);
+            if (std::isfinite(bend) && bend != 0)
+                off.push_back(std::abs(bend));
+        }
+    }
+    return off.empty() ? std::numeric_limits<double>::max() : kSpikeScatters * kMedianToSigma * middleOf(std::move(off));
+}
+
+/// Whether what leaves its neighbours at a row does so again after equal steps, on both sides or twice on one: a line of the spectrum, maybe
+/// one that was switched on for a part of the log, and no spike. Of spikes at random, 3 in 100 rows, one in twenty looks like that.
+bool comesAgain(const std::vector<double>& away, std::size_t row)
+{
+    const auto alike = [&](std::size_t at) { // a row before the first wraps around, and is none
+        const double ratio = at < away.size() ? away[at] / away[row] : 0.0;
+        return ratio > 0.5 && ratio < 2.0;
+    };
+    for (std::size_t step = 2; step <= kLongestPeriod; ++step) {
+        const bool before = alike(row - step), behind = alike(row + step);
+        if ((before && behind) || (before && alike(row - 2 * step)) || (behind && alike(row + 2 * step)))
+            return true;
+    }
+    return false;
+}
+
+/// Whether a row is one of many around it that leave their neighbours, and by no more than they do: a disturbance, and no spike.
+bool amongMany(const std::vector<double>& away, std::size_t row, double limit)
+{
+    std::vector<double> others;
+    for (std::size_t at = row - std::min(row, kLongestPeriod / 2); at <= row + kLongestPeriod / 2 && at < away.size(); ++at)
+        if (std::abs(away[at]) > limit)
+            others.push_back(std::abs(away[at]));
+    return others.size() * 5 > kLongestPeriod && std::abs(away[row]) < 4 * middleOf(std::move(others));
 }
 
 /// In a log whose samples follow each other; of one whose rows are in no order the scatter is as large as the field, and nothing is found.
@@ -149,27 +201,13 @@ void findSpikes(const SensorLog& log, LogQuality& quality)
 {
     if (log.size() < 20)
         return;
-    std::array<double, 3> limit{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::vector<double> off;
-        off.reserve(log.size());
-        for (std::size_t row = 2; row + 2 < log.size(); ++row)
-            if (const double away = std::abs(log.field[axis][row] - middleOfFive(log.field[axis], row)); std::isfinite(away) && away > 0)
-                off.push_back(away);
-        if (off.size() < log.size() / 8) { // so smooth that most samples are the middle of their neighbours: what bends is its scatter
-            off.clear();
-            for (std::size_t row = 1; row + 1 < log.size(); ++row) {
-                const double bend = log.field[axis][row] - 0.5 * (log.field[axis][row - 1] + log.field[axis][row + 1]);
-                if (std::isfinite(bend) && bend != 0)
-                    off.push_back(std::abs(bend));
-            }
-        }
-        limit[axis] = off.empty() ? std::numeric_limits<double>::max() : kSpikeScatters * kMedianToSigma * middleOf(std::move(off));
-    }
-    for (std::size_t row = 2; row + 2 < log.size(); ++row)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if (log.hasField(row) && std::abs(log.field[axis][row] - middleOfFive(log.field[axis], row)) > limit[axis])
+    for (const auto& values : log.field) {
+        const auto away = awayFromMiddles(values);
+        const double limit = spikeLimit(values, away);
+        for (std::size_t row = 0; row < away.size(); ++row)
+            if (std::abs(away[row]) > limit && log.hasField(row) && !comesAgain(away, row) && !amongMany(away, row, limit))
                 note(quality, row, SampleFault::Spike);
+    }
 }
 
 } // namespace

@@ -31,7 +31,8 @@ struct LogQuality {
 /// Repeat: a row of three figures that are the row's before it (data read faster than the sensor makes them); kept in use, as it is only
 /// no news. Stuck: one axis shows the same figure in 50 rows and more while another one moves by more than 20 of its own steps.
 /// Clipped: three rows and more stand at the largest or smallest figure of an axis, and no figure is near it. Spike: a row that leaves
-/// the line between its neighbours (median of five) by more than 12 of the log's own scatter, both neighbours being where they should.
+/// the line between its neighbours (median of five) by more than 12 of the log's own scatter, and neither comes again after equal
+/// steps nor stands among many such rows, as a strong line of the spectrum does.
 [[nodiscard]] LogQuality qualityOf(const SensorLog& log);
 
 } // namespace lubberline

@@ -14,7 +14,6 @@ namespace lubberline {
 
 namespace {
 
-constexpr double kNotchQ = 5;
 constexpr double kFalseAlarm = 1e-3; ///< of a whole spectrum
 constexpr int kNear = 3;             ///< bins that a line fills on either side (Hann)
 constexpr int kNeighbours = 25;
@@ -197,58 +196,6 @@ void addOrders(LogSpectrum& result, const std::vector<double>& values, const std
     }
 }
 
-double notchDelay_ms(double frequency_hz) { return 1e3 / (2 * kPi * frequency_hz * kNotchQ); }
-
-DelayFilter filterWith(const LogSpectrum& spectrum, std::vector<double> notches, double maxDelay_ms)
-{
-    DelayFilter filter;
-    filter.notches_hz = std::move(notches);
-    for (const double frequency : filter.notches_hz)
-        filter.delay_ms += notchDelay_ms(frequency);
-    if (const double rest = maxDelay_ms - filter.delay_ms; rest > 1e-6) {
-        filter.lowPass_hz = 1e3 / (2 * kPi * rest);
-        filter.delay_ms = maxDelay_ms;
-    }
-    filter.from_hz = std::max(1.0, 3 * spectrum.frequency_hz[1]);
-    for (std::size_t k = 1; k < spectrum.density.size(); ++k)
-        if (spectrum.frequency_hz[k] >= filter.from_hz) {
-            const double power = spectrum.density[k] * spectrum.frequency_hz[1];
-            filter.before_rms += power;
-            filter.left_rms += power * gainSquared(filter, spectrum.frequency_hz[k]);
-        }
-    filter.before_rms = std::sqrt(filter.before_rms);
-    filter.left_rms = std::sqrt(filter.left_rms);
-    return filter;
-}
-
-/// Notches one after the other, each time the one that leaves least, as long as that helps; what delay is left goes to the low-pass.
-DelayFilter chooseFilter(const LogSpectrum& spectrum, double maxDelay_ms)
-{
-    DelayFilter best = filterWith(spectrum, {}, maxDelay_ms);
-    for (;;) {
-        std::optional<DelayFilter> better;
-        for (const auto& line : spectrum.lines) {
-            auto notches = best.notches_hz;
-            if (line.frequency_hz < 1 || std::find(notches.begin(), notches.end(), line.frequency_hz) != notches.end())
-                continue;
-            notches.push_back(line.frequency_hz);
-            double delay = 0;
-            for (const double frequency : notches)
-                delay += notchDelay_ms(frequency);
-            if (delay > maxDelay_ms)
-                continue;
-            if (DelayFilter filter = filterWith(spectrum, notches, maxDelay_ms);
-                filter.left_rms < (better ? better->left_rms : 0.99 * best.left_rms))
-                better = std::move(filter);
-        }
-        if (!better)
-            break;
-        best = std::move(*better);
-    }
-    std::sort(best.notches_hz.begin(), best.notches_hz.end());
-    return best;
-}
-
 Result<LogSpectrum> spectrumOfColumn(
     const SensorLog& log, const std::vector<double>& values, const LogQuality& quality, const SpectrumOptions& options)
 {
@@ -276,20 +223,6 @@ Result<LogSpectrum> spectrumOfColumn(
 } // namespace
 
 double aliasOf_hz(double frequency_hz, double rate_hz) { return std::abs(frequency_hz - rate_hz * std::round(frequency_hz / rate_hz)); }
-
-double gainSquared(const DelayFilter& filter, double frequency_hz)
-{
-    double gain = 1;
-    for (const double notch : filter.notches_hz) {
-        const double r = frequency_hz / notch, top = (1 - r * r) * (1 - r * r);
-        gain *= top / (top + r * r / (kNotchQ * kNotchQ));
-    }
-    if (filter.lowPass_hz) {
-        const double r = frequency_hz / *filter.lowPass_hz;
-        gain /= 1 + r * r;
-    }
-    return gain;
-}
 
 std::vector<double> suppliesOnZero_hz(double rate_hz, double within_hz)
 {
@@ -354,8 +287,12 @@ Result<LogSpectrum> spectrumOf(const SensorLog& log, const SpectrumOptions& opti
         std::sort(result->lines.begin(), result->lines.end(),
             [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; });
     }
-    if (options.maxDelay_ms)
-        result->filter = chooseFilter(*result, *options.maxDelay_ms);
+    if (options.maxDelay_ms) {
+        std::vector<double> lines_hz;
+        for (const auto& line : result->lines)
+            lines_hz.push_back(line.frequency_hz);
+        result->filter = chooseFilter(result->frequency_hz, result->density, lines_hz, *options.maxDelay_ms);
+    }
     for (const auto& line : result->lines)
         if (line.aliasOf_hz)
             result->warnings.push_back(

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/base/Result.h"
+#include "core/calibration/DelayFilter.h"
 #include "core/calibration/SensorLog.h"
 
 namespace lubberline {
@@ -13,15 +14,6 @@ struct SpectralLine {
     double amplitude = 0;             ///< of the sine, in the unit of the log
     Message source;                   ///< "mains 50 Hz", "rotor order 2", "not known"
     std::optional<double> aliasOf_hz; ///< the frequency that sampling folded down to it
-};
-
-/// Notches of second order (Q 5) and a low-pass of first order, whose delays at low frequency add up: 1/(2π f Q) and 1/(2π f).
-struct DelayFilter {
-    std::vector<double> notches_hz;
-    std::optional<double> lowPass_hz;
-    double delay_ms = 0;
-    double before_rms = 0, left_rms = 0; ///< above `from_hz`, where what moves is no turn of the aircraft
-    double from_hz = 1;
 };
 
 struct SpectrumOptions {
@@ -61,8 +53,5 @@ Result<Spectrogram> spectrogramOf(const SensorLog& log, const std::string& colum
 [[nodiscard]] std::vector<double> suppliesOnZero_hz(double rate_hz, double within_hz);
 /// The warning of it; empty where there is none.
 [[nodiscard]] Message warningOfZero(double rate_hz, double within_hz);
-
-/// |H|² of the filter at a frequency.
-[[nodiscard]] double gainSquared(const DelayFilter& filter, double frequency_hz);
 
 } // namespace lubberline

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/angle/Angle.h"
+#include "core/calibration/LogQuality.h"
 #include "core/calibration/Welch.h"
 
 namespace lubberline::test {
@@ -101,6 +102,28 @@ TEST(Spectrum, whatFallsOnZeroIsWarnedOf)
     EXPECT_EQ(suppliesOnZero_hz(100, 0.01), (std::vector<double>{300, 400, 1200, 2000}));
     EXPECT_THAT(warningOfZero(100, 0.01).english(), HasSubstr("400"));
     EXPECT_TRUE(warningOfZero(97, 0.01).empty());
+}
+
+/// Mains that a light brings for a third of the log, far above its noise: whole periods of it, and not spikes.
+TEST(Spectrum, aStrongLineIsNoRowOfSpikes)
+{
+    for (const double rate_hz : {240.0, 1000.0}) {
+        SensorLog log = logWith({}, rate_hz, 16384, 2);
+        for (std::size_t row = 8000; row < 12000; ++row)
+            log.field[0][row] += 500 * std::sin(2 * kPi * 50 * log.time_s[row]);
+        log.field[0][2000] += 400; // spikes all the same
+        log.field[0][9000] += 4000;
+        const LogQuality quality = qualityOf(log);
+        EXPECT_LE(quality.of(SampleFault::Spike), 6) << rate_hz;
+        EXPECT_EQ(quality.faults[2000], SampleFault::Spike) << rate_hz;
+        EXPECT_EQ(quality.faults[9000], SampleFault::Spike) << rate_hz;
+        const auto spectrum = spectrumOf(log, {.column = "bx"});
+        ASSERT_TRUE(spectrum) << describe(spectrum.error());
+        ASSERT_FALSE(spectrum->lines.empty());
+        EXPECT_NEAR(spectrum->lines[0].frequency_hz, 50, 0.1);
+        // A quarter of the log has it: in the mean of squares half of the amplitude.
+        EXPECT_NEAR(spectrum->lines[0].amplitude, 500 * std::sqrt(4000.0 / 16384), 25) << rate_hz;
+    }
 }
 
 /// A rotor that speeds up from 300 to 420 rev/min: its line is smeared over frequency, and sharp over its angle.

@@ -1,0 +1,106 @@
+#include <algorithm>
+
+#include "core/angle/Angle.h"
+#include "core/base/Number.h"
+#include "core/calibration/AttitudeParts.h"
+
+namespace lubberline {
+
+namespace {
+
+double largestIn(const std::vector<double>& values)
+{
+    double largest = 0;
+    for (const double value : values)
+        if (std::isfinite(value))
+            largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+} // namespace
+
+RegressionMoments momentsOfRows(
+    const SensorLog& log, const std::vector<std::uint8_t>& used, const MeridianField& field, const AngleReading& reading)
+{
+    RegressionMoments moments;
+    const auto scales = currentScales(log);
+    for (std::size_t row = 0; row < log.size(); ++row)
+        if (used[row] != 0)
+            addRow(moments, log, row, field, scales, reading);
+    return moments;
+}
+
+Message misreadAngles(const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options, double variance)
+{
+    const bool smallHeadings = largestIn(log.heading_deg) <= 6.3,
+               smallTilts = std::max(largestIn(log.pitch_deg), largestIn(log.roll_deg)) <= 1.6;
+    const auto better = [&](const AngleReading& reading) {
+        return regress(momentsOfRows(log, used, options.field, reading), 0).variance < 0.25 * variance;
+    };
+    if (smallHeadings && largestIn(log.heading_deg) > 0.5 && better({kDegreesPerRadian, smallTilts ? kDegreesPerRadian : 1.0, 0}))
+        return {
+            MARKED("core",
+                "heading, pitch and roll look like radians: the largest heading is %1, and as radians they explain the samples far better; expected degrees"),
+            figureText(largestIn(log.heading_deg), 3)};
+    if (smallTilts && largestIn(log.pitch_deg) + largestIn(log.roll_deg) > 0.05 && better({1.0, kDegreesPerRadian, 0}))
+        return {
+            MARKED("core",
+                "pitch and roll look like radians: they stay within %1, and as radians they explain the samples far better; expected degrees"),
+            figureText(std::max(largestIn(log.pitch_deg), largestIn(log.roll_deg)), 3)};
+    return {};
+}
+
+void checkAxes(AttitudeResult& result, const RegressionMoments& moments)
+{
+    const Eigen::Vector3d meanField = moments.design.block<3, 1>(0, 3) / moments.rows,
+                          meanRead = moments.across.row(3).transpose() / moments.rows;
+    const Eigen::Matrix3d across = moments.across.topRows<3>() / moments.rows - meanField * meanRead.transpose(); // B by m
+    const double size = (moments.design.topLeftCorner<3, 3>() / moments.rows - meanField * meanField.transpose()).trace()
+        + (moments.own / moments.rows - meanRead * meanRead.transpose()).trace();
+    std::array<int, 3> order{0, 1, 2}, best{0, 1, 2};
+    int bestSigns = 0;
+    double least = std::numeric_limits<double>::max(), stated = 0;
+    do {
+        for (int signs = 0; signs < 8; ++signs) {
+            double explained = 0;
+            for (int axis = 0; axis < 3; ++axis)
+                explained += ((signs >> axis) & 1 ? -1.0 : 1.0) * across(axis, order[static_cast<std::size_t>(axis)]);
+            const double rest = size - 2.0 * explained;
+            if (signs == 0 && order == std::array{0, 1, 2})
+                stated = rest;
+            if (rest < least - 1e-12 * size) {
+                least = rest;
+                best = order;
+                bestSigns = signs;
+            }
+        }
+    } while (std::next_permutation(order.begin(), order.end()));
+    if (stated <= 2.0 * least || stated < 0.05 * size)
+        return;
+    std::string named;
+    for (int axis = 0; axis < 3; ++axis)
+        named += std::string(axis > 0 ? ", " : "") + "xyz"[axis] + " = " + ((bestSigns >> axis) & 1 ? "\u2212" : "+")
+            + "xyz"[best[static_cast<std::size_t>(axis)]] + " of the log";
+    result.reasons.push_back(
+        {MARKED(
+             "core", "the axes of the log are not those of the aircraft: %1 fits %2 times better; expected x forward, y starboard, z down"),
+            named, figureText(stated / std::max(least, 1e-9 * size), 1)});
+    result.verdict = CalibrationVerdict::Doubtful;
+}
+
+void checkNorth(
+    AttitudeResult& result, const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options, double variance)
+{
+    if (!options.variation || std::abs(options.variation->degrees()) < 1)
+        return;
+    const AngleReading fromTrue{1.0, 1.0, -options.variation->degrees()};
+    if (regress(momentsOfRows(log, used, options.field, fromTrue), 0).variance > 0.25 * variance)
+        return;
+    result.reasons.push_back(
+        {MARKED("core",
+             "the headings look true instead of magnetic: with the place's variation (%1°) taken out they explain the samples far better; expected magnetic headings"),
+            signedFigureText(options.variation->degrees(), 1)});
+    result.verdict = CalibrationVerdict::Doubtful;
+}
+
+} // namespace lubberline
