@@ -2,22 +2,19 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "core/swing/SwingField.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
-#include "db/stores/Audit.h"
 #include "db/stores/DueStore.h"
 #include "db/stores/ElectricalStore.h"
 #include "db/stores/FleetStore.h"
 #include "db/stores/JobStore.h"
 #include "db/stores/SensorStore.h"
-#include "db/stores/SignatureChecks.h"
 #include "db/stores/Signatures.h"
-#include "db/stores/SigningStore.h"
 #include "db/stores/SiteStore.h"
 #include "db/stores/SwingStore.h"
+#include "db/transfer/ImportChecks.h"
 
 namespace lubberline::db {
 
@@ -55,7 +52,7 @@ public:
     }
     Result<void> swing(const Swing& swing);
     Imported imported;
-    int signedByNobody = 0;
+    int signedByNobody = 0; ///< before signatures were kept, or they were taken out: told once for all
 
 private:
     Result<void> limits();
@@ -70,8 +67,6 @@ private:
     Result<void> waivers();
     Result<void> electrical();
     Result<SwingId> add(Swing swing, const JobRecord* job);
-    Result<void> checkSigned(const Swing& original, const JobRecord* job);
-    Result<void> checkStored(SwingId id, const Swing& original, const JobRecord* job);
     Result<void> goOn(const Swing& incoming, const JobRecord& job, const SwingRecord& stored);
     [[nodiscard]] const JobRecord* jobOf(SwingId id) const;
 
@@ -365,66 +360,6 @@ Result<void> Importer::goOn(const Swing& incoming, const JobRecord& job, const S
     return before ? swings.replace(*before, now) : before.error();
 }
 
-/// In the file itself: a signed swing that is not what was signed does not come in.
-Result<void> Importer::checkSigned(const Swing& original, const JobRecord* job)
-{
-    if (original.signatures.empty() || original.state != SwingState::Signed)
-        return {};
-    std::optional<SwingJob> own;
-    if (job) {
-        own = job->job;
-        own->particulars = {};
-    }
-    const SwingRecord record = recordIn(m_fleet, original);
-    const bool cannotBeTold = !original.job.empty() && !job; // a report holds no guided swing: checkStored() marks it
-    if (cannotBeTold || freezes(original.signatures, holding(statesBy(record, own))))
-        return {};
-    return Error{ErrorCode::Corrupt,
-        {MARKED("db",
-             "the signed swing of %1, %2, %3 (record %4) is not what was signed; expected one whose signatures hold. Nothing was stored"),
-            record.aircraft.registration, record.compass.name, original.date, original.record},
-        m_database.path().toStdString()};
-}
-
-/// What stands there now, on the aircraft and compass as they are here, is marked wherever it is shown; and told at once.
-Result<void> Importer::checkStored(SwingId id, const Swing& original, const JobRecord* job)
-{
-    const auto record = SwingStore(m_database).record(id);
-    if (!record)
-        return record.error();
-    const Swing& swing = record->swing;
-    const auto tell = [&](Message what) {
-        imported.warnings.push_back({MARKED("db", "the swing of %1, %2, %3 (record %4): %5"), record->aircraft.registration,
-            record->compass.name, swing.date, swing.record, std::move(what)});
-    };
-    if (swing.signatures.empty()) {
-        signedByNobody += swing.state == SwingState::Signed; // before signatures were kept, or they were taken out: told once for all
-        return {};
-    }
-    // What was changed where it comes from, after it was signed: said here, in the trail and wherever it is printed.
-    std::set<std::string> told;
-    for (const auto& state : statesBy(recordIn(m_fleet, original), job ? std::optional(job->job) : std::nullopt))
-        for (const auto& one : state.since) {
-            const std::string change = one.what.english() + ": " + one.before.english() + " -> " + one.after.english();
-            if (!told.insert(change).second)
-                continue;
-            tell({MARKED("db", "signed as %1 \"%2\", in the file it is \"%3\""), one.what, one.before, one.after});
-            if (const auto kept = audit(m_database, "changed elsewhere", record->aircraft.record, change); !kept)
-                return kept;
-        }
-    const auto states = SigningStore(m_database).states(id);
-    if (!states)
-        return states.error();
-    for (std::size_t i = 0; i < states->size(); ++i) {
-        if ((*states)[i].holds)
-            continue;
-        tell({MARKED("db", "the signature of %1 does not hold"), swing.signatures[i].name});
-        for (const auto& one : (*states)[i].since)
-            tell({MARKED("db", "signed as %1 \"%2\", here it is \"%3\""), one.what, one.before, one.after});
-    }
-    return {};
-}
-
 Result<void> Importer::swing(const Swing& original)
 {
     Swing one = original;
@@ -432,19 +367,24 @@ Result<void> Importer::swing(const Swing& original)
     one.compass = translated(m_known.compasses, one.compass);
     one.site = translated(m_known.sites, one.site);
     const JobRecord* job = jobOf(original.id);
-    if (const auto whole = checkSigned(original, job); !whole)
+    if (const auto whole = checkSigned(m_database, m_fleet, original, job); !whole)
         return whole;
     SwingStore swings(m_database);
     const auto found = find<SwingId>("swing", one.record, "1 = 0");
     if (!found)
         return found.error();
     if (!found->valid()) {
-        const auto stored = add(std::move(one), job);
+        const auto stored = add(one, job);
         if (!stored)
             return stored.error();
         ++imported.swings;
         imported.swingIds.push_back(*stored);
-        return checkStored(*stored, original, job);
+        auto told = checkStored(m_database, m_fleet, *stored, original, job);
+        if (!told)
+            return told.error();
+        signedByNobody += one.state == SwingState::Signed && one.signatures.empty();
+        imported.warnings.insert(imported.warnings.end(), told->begin(), told->end());
+        return {};
     }
     const auto record = swings.record(*found);
     if (!record)
