@@ -1,271 +1,38 @@
 #include "db/transfer/Transfer.h"
 
 #include <algorithm>
-#include <map>
 
 #include "core/swing/SwingField.h"
-#include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
-#include "db/stores/DueStore.h"
-#include "db/stores/ElectricalStore.h"
-#include "db/stores/FleetStore.h"
 #include "db/stores/JobStore.h"
-#include "db/stores/SensorStore.h"
 #include "db/stores/Signatures.h"
 #include "db/stores/SiteStore.h"
 #include "db/stores/SwingStore.h"
 #include "db/transfer/ImportChecks.h"
+#include "db/transfer/ImportParticulars.h"
+#include "db/transfer/RowWhere.h"
 
 namespace lubberline::db {
 
 namespace {
 
-/// Ids of the fleet's own numbering → ids in the database.
-struct Known {
-    std::map<LimitsProfileId, LimitsProfileId> limits;
-    std::map<SiteId, SiteId> sites;
-    std::map<AircraftTypeId, AircraftTypeId> types;
-    std::map<AircraftId, AircraftId> aircraft;
-    std::map<CompassId, CompassId> compasses;
-    std::map<EventId, EventId> events;
-};
-
-template <class IdType>
-IdType translated(const std::map<IdType, IdType>& known, IdType id)
-{
-    const auto found = known.find(id);
-    return found == known.end() ? IdType{} : found->second;
-}
-
 class Importer {
 public:
-    Importer(Database& database, const Fleet& fleet) : m_database(database), m_fleet(fleet) {}
+    Importer(Database& database, const Fleet& fleet, const ImportedIds& known) : m_database(database), m_fleet(fleet), m_known(known) {}
 
-    Result<void> particulars()
-    {
-        for (const auto& step :
-            {&Importer::limits, &Importer::sites, &Importer::types, &Importer::aircraft, &Importer::compasses, &Importer::sensors,
-                &Importer::events, &Importer::instruments, &Importer::dueRules, &Importer::waivers, &Importer::electrical})
-            if (const auto done = (this->*step)(); !done)
-                return done;
-        return {};
-    }
     Result<void> swing(const Swing& swing);
     Imported imported;
     int signedByNobody = 0; ///< before signatures were kept, or they were taken out: told once for all
 
 private:
-    Result<void> limits();
-    Result<void> sites();
-    Result<void> types();
-    Result<void> aircraft();
-    Result<void> compasses();
-    Result<void> sensors();
-    Result<void> events();
-    Result<void> instruments();
-    Result<void> dueRules();
-    Result<void> waivers();
-    Result<void> electrical();
     Result<SwingId> add(Swing swing, const JobRecord* job);
     Result<void> goOn(const Swing& incoming, const JobRecord& job, const SwingRecord& stored);
     [[nodiscard]] const JobRecord* jobOf(SwingId id) const;
 
-    /// The id of the record with this RecordId, else of the one that `where` finds by name; not valid: none.
-    template <class IdType, class... Values>
-    Result<IdType> find(const QString& table, const RecordId& record, const QString& where, const Values&... values)
-    {
-        for (const bool byRecord : {true, false}) {
-            Statement statement(m_database, "SELECT id FROM " + table + " WHERE " + (byRecord ? QStringLiteral("record = ?") : where));
-            if (byRecord)
-                statement << record;
-            else
-                static_cast<void>((statement << ... << values));
-            const auto found = firstOf<IdType>(statement, [](Statement& row) { return row.id<IdType>(0); });
-            if (!found)
-                return found.error();
-            if (*found)
-                return **found;
-        }
-        return IdType{};
-    }
-
-    /// Finds or stores each of `records`, and remembers under which id.
-    template <class Record, class IdType, class Find, class Save>
-    Result<void> each(const std::vector<Record>& records, std::map<IdType, IdType>& known, Find findOne, Save save, int* added = nullptr)
-    {
-        for (const auto& record : records) {
-            const Result<IdType> found = findOne(record);
-            if (!found)
-                return found.error();
-            IdType id = *found;
-            if (!id.valid()) {
-                const Result<IdType> stored = save(record);
-                if (!stored)
-                    return stored.error();
-                id = *stored;
-                if (added)
-                    ++*added;
-            }
-            known[record.id] = id;
-        }
-        return {};
-    }
-
     Database& m_database;
     const Fleet& m_fleet;
-    Known m_known;
+    const ImportedIds& m_known;
 };
-
-Result<void> Importer::limits()
-{
-    return each(
-        m_fleet.limits, m_known.limits,
-        [this](const LimitsProfile& one) { return find<LimitsProfileId>("limits_profile", one.record, "name = ?", one.name); },
-        [this](LimitsProfile one) {
-            one.id = {};
-            return SiteStore(m_database).add(one);
-        });
-}
-
-Result<void> Importer::sites()
-{
-    return each(
-        m_fleet.sites, m_known.sites, [this](const Site& one) { return find<SiteId>("site", one.record, "name = ?", one.name); },
-        [this](Site one) {
-            one.id = {};
-            return SiteStore(m_database).add(one);
-        });
-}
-
-Result<void> Importer::types()
-{
-    return each(
-        m_fleet.types, m_known.types,
-        [this](const AircraftType& one) { return find<AircraftTypeId>("aircraft_type", one.record, "name = ?", one.name); },
-        [this](AircraftType one) {
-            one.id = {};
-            return FleetStore(m_database).add(one);
-        });
-}
-
-Result<void> Importer::aircraft()
-{
-    return each(
-        m_fleet.aircraft, m_known.aircraft,
-        [this](const Aircraft& one) { return find<AircraftId>("aircraft", one.record, "registration = ?", one.registration); },
-        [this](Aircraft one) {
-            one.id = {};
-            one.type = translated(m_known.types, one.type);
-            one.base = translated(m_known.sites, one.base);
-            return FleetStore(m_database).add(one);
-        },
-        &imported.aircraft);
-}
-
-Result<void> Importer::compasses()
-{
-    return each(
-        m_fleet.compasses, m_known.compasses,
-        [this](const CompassSystem& one) {
-            return find<CompassId>(
-                "compass", one.record, "aircraft_id = ? AND name = ?", translated(m_known.aircraft, one.aircraft), one.name);
-        },
-        [this](CompassSystem one) {
-            one.id = {};
-            one.aircraft = translated(m_known.aircraft, one.aircraft);
-            one.limits = translated(m_known.limits, one.limits);
-            return FleetStore(m_database).add(one);
-        });
-}
-
-Result<void> Importer::sensors()
-{
-    std::map<SensorModelId, SensorModelId> none;
-    return each(
-        m_fleet.sensors, none,
-        [this](const SensorRecord& one) {
-            return find<SensorModelId>(
-                "sensor_model", one.record, "compass_id = ? AND name = ?", translated(m_known.compasses, one.compass), one.name);
-        },
-        [this](SensorRecord one) {
-            one.id = {};
-            one.compass = translated(m_known.compasses, one.compass);
-            return SensorStore(m_database).add(one);
-        });
-}
-
-Result<void> Importer::events()
-{
-    return each(
-        m_fleet.events, m_known.events, [this](const Event& one) { return find<EventId>("event", one.record, "1 = 0"); },
-        [this](Event one) {
-            one.id = {};
-            one.aircraft = translated(m_known.aircraft, one.aircraft);
-            return FleetStore(m_database).add(one);
-        });
-}
-
-/// What is not known by its record or its name is added.
-Result<void> Importer::instruments()
-{
-    for (const auto& one : m_fleet.instruments) {
-        const auto found = find<Id<struct InstrumentRow>>("datum_instrument", one.record, "name = ?", one.name);
-        if (!found)
-            return found.error();
-        if (!found->valid())
-            if (const auto saved = SiteStore(m_database).add(one); !saved)
-                return saved.error();
-    }
-    return {};
-}
-
-Result<void> Importer::dueRules()
-{
-    for (DueRule one : m_fleet.dueRules) {
-        const auto found = find<Id<struct RuleRow>>("due_rule", one.record, "name = ?", one.name);
-        if (!found)
-            return found.error();
-        if (found->valid())
-            continue;
-        if (const auto type
-            = std::find_if(m_fleet.types.begin(), m_fleet.types.end(), [&](const AircraftType& each) { return each.record == one.type; });
-            type != m_fleet.types.end()) { // the type may be known here under another record, by its name
-            const auto here = FleetStore(m_database).type(translated(m_known.types, type->id));
-            if (!here)
-                return here.error();
-            one.type = here->record;
-        }
-        if (const auto saved = DueStore(m_database).add(one); !saved)
-            return saved.error();
-    }
-    return {};
-}
-
-Result<void> Importer::waivers()
-{
-    for (const auto& one : m_fleet.waivers) {
-        const auto found = find<Id<struct WaiverRow>>("waiver", one.record, "1 = 0");
-        if (!found)
-            return found.error();
-        if (!found->valid())
-            if (const auto saved = DueStore(m_database).add(one); !saved)
-                return saved.error();
-    }
-    return {};
-}
-
-Result<void> Importer::electrical()
-{
-    for (const auto& one : m_fleet.electrical) {
-        const auto found = find<Id<struct ElectricalRow>>("electrical_swing", one.swing.record, "1 = 0");
-        if (!found)
-            return found.error();
-        if (!found->valid())
-            if (const auto saved = ElectricalStore(m_database).add(translated(m_known.compasses, one.compass), one.swing); !saved)
-                return saved.error();
-    }
-    return {};
-}
 
 const JobRecord* Importer::jobOf(SwingId id) const
 {
@@ -370,7 +137,7 @@ Result<void> Importer::swing(const Swing& original)
     if (const auto whole = checkSigned(m_database, m_fleet, original, job); !whole)
         return whole;
     SwingStore swings(m_database);
-    const auto found = find<SwingId>("swing", one.record, "1 = 0");
+    const auto found = rowWhere<SwingId>(m_database, "swing", "record = ?", one.record);
     if (!found)
         return found.error();
     if (!found->valid()) {
@@ -412,9 +179,11 @@ Result<Imported> importFleet(Database& database, const Fleet& fleet, const Progr
     auto transaction = Transaction::begin(database);
     if (!transaction)
         return transaction.error();
-    Importer importer(database, fleet);
-    if (const auto done = importer.particulars(); !done)
-        return done.error();
+    const auto known = importParticulars(database, fleet);
+    if (!known)
+        return known.error();
+    Importer importer(database, fleet, *known);
+    importer.imported.aircraft = known->newAircraft;
     for (std::size_t i = 0; i < fleet.swings.size(); ++i) {
         if (progress && i % 64 == 0 && !progress(static_cast<double>(i) / static_cast<double>(fleet.swings.size())))
             return Error{ErrorCode::Cancelled, MARKED("db", "cancelled; nothing was stored"), database.path().toStdString()};

@@ -15,6 +15,7 @@
 #include "db/stores/Saving.h"
 #include "db/stores/SiteStore.h"
 #include "db/stores/SwingRows.h"
+#include "db/transfer/RowWhere.h"
 #include "db/transfer/YearsSigns.h"
 
 namespace lubberline::db {
@@ -165,21 +166,10 @@ private:
         return id;
     }
 
-    template <class IdType, class... Values>
-    Result<IdType> rowWhere(const QString& table, const char* where, const Values&... values)
-    {
-        Statement statement(m_database, "SELECT id FROM " + table + " WHERE " + where);
-        static_cast<void>((statement << ... << values));
-        const auto found = firstOf<IdType>(statement, [](Statement& row) { return row.id<IdType>(0); });
-        if (!found)
-            return found.error();
-        return found->value_or(IdType{});
-    }
-
     Result<AircraftTypeId> typeOf(const std::string& name)
     {
         return known(
-            m_types, name, [&] { return rowWhere<AircraftTypeId>("aircraft_type", "name = ?", name); },
+            m_types, name, [&] { return rowWhere<AircraftTypeId>(m_database, "aircraft_type", "name = ?", name); },
             [&] {
                 AircraftType type;
                 type.record = recordIdOfType(name);
@@ -193,10 +183,10 @@ private:
     {
         const auto& file = swing.file;
         const auto find = [&]() -> Result<AircraftId> {
-            const auto id = rowWhere<AircraftId>("aircraft", "registration = ?", file.aircraft);
+            const auto id = rowWhere<AircraftId>(m_database, "aircraft", "registration = ?", file.aircraft);
             if (!id || !id->valid() || file.type.empty())
                 return id;
-            const auto same = rowWhere<AircraftId>("aircraft", "id = ? AND type_id = ?", *id, type.value);
+            const auto same = rowWhere<AircraftId>(m_database, "aircraft", "id = ? AND type_id = ?", *id, type.value);
             if (!same)
                 return same;
             if (!same->valid() && m_outcome.warnings.size() < kMostTold)
@@ -222,7 +212,7 @@ private:
         if (file.site.empty())
             return SiteId{};
         const auto id = known(
-            m_siteNames, file.site, [&] { return rowWhere<SiteId>("site", "name = ?", file.site); },
+            m_siteNames, file.site, [&] { return rowWhere<SiteId>(m_database, "site", "name = ?", file.site); },
             [&] {
                 Site site = *recordOf(file).site;
                 site.record = recordIdOfSite(site.name);
@@ -246,7 +236,7 @@ private:
             [&]() -> Result<CompassId> {
                 if (!aircraft.valid())
                     return CompassId{};
-                return rowWhere<CompassId>("compass", "aircraft_id = ? AND name = ?", aircraft, name);
+                return rowWhere<CompassId>(m_database, "compass", "aircraft_id = ? AND name = ?", aircraft, name);
             },
             [&] {
                 CompassSystem compass = recordOf(file).compass;
