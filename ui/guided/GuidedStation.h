@@ -40,15 +40,17 @@ private:
     void showReading(const StationState& station);
     void showTurn(const MakeCompassRead& turn);
     void showNoTurn();
+    void say(const QString& message, bool urgent = false);
+    [[nodiscard]] bool turning() const;
+    [[nodiscard]] QWidget* firstEmpty() const;
+
+    // GuidedStationTaken.cpp: what was typed becomes a step of the job
     void takeReading();
     void takeTurn();
     void takeReason();
     void ask(Asks what, const QString& question);
-    void say(const QString& message, bool urgent = false);
     void tell(job::What what);
     [[nodiscard]] Result<Entry> entry() const;
-    [[nodiscard]] bool turning() const;
-    [[nodiscard]] QWidget* firstEmpty() const;
 
     GuidedJob& m_job;
     Asks m_asks = Asks::Nothing;

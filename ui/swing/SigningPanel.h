@@ -38,11 +38,6 @@ private:
     void showState();
     void showSignatures();
     void fillSignatures(const std::vector<KeyVerdict>& verdicts);
-    void checkKeys();
-    void listKeys();
-    void showKeys(const Result<std::vector<db::OpenPgpKey>>& keys);
-    void signWithKey(Signature signature);
-    void finishSigning(const Result<Signature>& made);
     void showTrail();
     void showDifferences();
     void showAudit();
@@ -51,6 +46,13 @@ private:
     void amend();
     [[nodiscard]] static QString standsFor(const Signature& one, const SignatureState& state);
     bool done(const Result<void>& result);
+
+    // SigningPanelKeys.cpp: what gpg is asked for, on workers
+    void checkKeys();
+    void listKeys();
+    void showKeys(const Result<std::vector<db::OpenPgpKey>>& keys);
+    void signWithKey(Signature signature);
+    void finishSigning(const Result<Signature>& made);
 
     [[nodiscard]] const SwingRecord& record() const;
 

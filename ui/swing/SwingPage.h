@@ -90,12 +90,14 @@ private:
     [[nodiscard]] QString suspicion() const;
     [[nodiscard]] QString remark() const;
     void onRowChanged();
+    [[nodiscard]] int currentRow() const; ///< −1: none, or the empty row
+
+    // SwingPagePanels.cpp: what opens above the readings
     void showParticulars(bool visible);
     void showSigning(bool visible);
     void showCard(bool visible);
     void showCardFigures();
     void showDerivation(CoefficientPlace place);
-    [[nodiscard]] int currentRow() const; ///< −1: none, or the empty row
 
     EditContext& m_context;
     SwingEditor* m_editor;

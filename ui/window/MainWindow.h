@@ -92,11 +92,7 @@ private:
     void showSaved(bool saved);
     void watchDue();
     void watchElsewhere();
-    void lookElsewhere(); ///< what another window or a command has stored is shown
-    void offerRecovery();
-    void putBack(const std::vector<LostEntry>& entries);
-    void keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what, bool waits);
-    void tryWaiting();
+    void lookElsewhere();        ///< what another window or a command has stored is shown
     void makeSwing(Swing swing); ///< of readings that a page has made
     [[nodiscard]] Shown shown() const;
 
@@ -132,6 +128,12 @@ private:
     void restore();
     void writeBackup(const QString& path);
     void tellWritten(const QString& message, const QString& path);
+
+    // MainWindowRecovery.cpp: what could not be stored
+    void offerRecovery();
+    void putBack(const std::vector<LostEntry>& entries);
+    void keepElsewhere(const SwingRecord& record, std::variant<LostStep, LostReading> what, bool waits);
+    void tryWaiting();
 
     // MainWindowFiles.cpp: import, export
     void chooseImport();
