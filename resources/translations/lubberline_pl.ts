@@ -10562,19 +10562,7 @@ soft iron S:</source>
     </message>
 </context>
 <context>
-    <name>lubberline::ui::GuidedPage</name>
-    <message>
-        <source>Crew display (F11)</source>
-        <translation>Ekran dla załogi (F11)</translation>
-    </message>
-    <message>
-        <source>Fault… (F8)</source>
-        <translation>Usterka… (F8)</translation>
-    </message>
-    <message>
-        <source>Live (F12)</source>
-        <translation>Na żywo (F12)</translation>
-    </message>
+    <name>lubberline::ui::GuidedFault</name>
     <message>
         <source>Go on (Enter)</source>
         <translation>Dalej (Enter)</translation>
@@ -10592,20 +10580,39 @@ soft iron S:</source>
         <translation>Jaka to usterka? Oczekiwano kilku słów.</translation>
     </message>
     <message>
-        <source>this swing is not a guided one</source>
-        <translation>ten pomiar nie jest prowadzony</translation>
+        <source>Why is the swing abandoned? Some words are expected; its readings stay on record.</source>
+        <translation>Dlaczego pomiar jest przerwany? Oczekiwano kilku słów; odczyty pozostają w zapisie.</translation>
     </message>
     <message>
         <source>Fault: %1. What was done about it?</source>
         <translation>Usterka: %1. Co z nią zrobiono?</translation>
     </message>
     <message>
+        <source>This swing was abandoned: %1.</source>
+        <translation>Ten pomiar przerwano: %1.</translation>
+    </message>
+    <message>
         <source>What is the fault? F8 goes back.</source>
         <translation>Jaka to usterka? F8 wraca.</translation>
     </message>
+</context>
+<context>
+    <name>lubberline::ui::GuidedPage</name>
     <message>
-        <source>Why is the swing abandoned? Some words are expected; its readings stay on record.</source>
-        <translation>Dlaczego pomiar jest przerwany? Oczekiwano kilku słów; odczyty pozostają w zapisie.</translation>
+        <source>Crew display (F11)</source>
+        <translation>Ekran dla załogi (F11)</translation>
+    </message>
+    <message>
+        <source>Fault… (F8)</source>
+        <translation>Usterka… (F8)</translation>
+    </message>
+    <message>
+        <source>Live (F12)</source>
+        <translation>Na żywo (F12)</translation>
+    </message>
+    <message>
+        <source>this swing is not a guided one</source>
+        <translation>ten pomiar nie jest prowadzony</translation>
     </message>
     <message>
         <source>The datum of this swing is sighted by a person: a live heading is none of its figures. Begin the swing with an instrument that sends headings.</source>
@@ -10634,10 +10641,6 @@ soft iron S:</source>
     <message>
         <source>Instrument (F3)</source>
         <translation>Przyrząd (F3)</translation>
-    </message>
-    <message>
-        <source>This swing was abandoned: %1.</source>
-        <translation>Ten pomiar przerwano: %1.</translation>
     </message>
     <message>
         <source>%1 comes in its turn</source>

@@ -11,6 +11,7 @@
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/CrewDisplay.h"
 #include "ui/guided/FrontStack.h"
+#include "ui/guided/GuidedFault.h"
 #include "ui/guided/GuidedPrepare.h"
 #include "ui/guided/GuidedReview.h"
 #include "ui/guided/GuidedStart.h"
@@ -39,9 +40,6 @@ GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, 
     , m_work(new QWidget)
     , m_pages(new FrontStack)
     , m_steps(new FrontStack)
-    , m_fault(new QWidget)
-    , m_faultText(bigLabel("faultText", kSentence_px, true))
-    , m_faultLine(new QLineEdit)
     , m_whose(bigLabel("guidedWhose", kTitle_px))
     , m_instrument(bigLabel("guidedInstrument", kTitle_px))
     , m_instruments(new QMenu(this))
@@ -62,6 +60,7 @@ GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, 
     m_prepare = new GuidedPrepare(*m_job);
     m_station = new GuidedStation(*m_job);
     m_review = new GuidedReview(*m_job);
+    m_fault = new GuidedFault(*m_job);
     build();
     m_typed = new TypedFigures(stores, *m_steps, this);
     connect(m_typed, &TypedFigures::failed, this, &GuidedPage::failed);
@@ -71,8 +70,7 @@ GuidedPage::~GuidedPage() { m_typed->settle(); }
 
 void GuidedPage::build()
 {
-    buildFault();
-    for (QWidget* step : {static_cast<QWidget*>(m_prepare), static_cast<QWidget*>(m_station), static_cast<QWidget*>(m_review), m_fault})
+    for (QWidget* step : std::initializer_list<QWidget*>{m_prepare, m_station, m_review, m_fault})
         m_steps->addWidget(step);
     m_whose->setAlignment(Qt::AlignRight);
     setTitle(tr("Guided swing"));
@@ -117,6 +115,8 @@ void GuidedPage::build()
     connect(m_prepare, &GuidedPrepare::failed, this, &GuidedPage::failed);
     connect(m_station, &GuidedStation::failed, this, &GuidedPage::failed);
     connect(m_review, &GuidedReview::failed, this, &GuidedPage::failed);
+    connect(m_fault, &GuidedFault::failed, this, &GuidedPage::failed);
+    connect(m_fault, &GuidedFault::givenUp, this, &GuidedPage::abandon);
     connect(m_review, &GuidedReview::finish, this, &GuidedPage::finish);
     connect(m_start, &GuidedStart::goOn, this, [this](SwingId swing) {
         if (const auto taken = takeUp(swing); !taken)
@@ -147,36 +147,6 @@ void GuidedPage::build()
     key(Qt::Key_F3, &GuidedPage::offerInstruments);
     key(Qt::Key_F11, &GuidedPage::openCrewDisplay);
     key(Qt::Key_F8, &GuidedPage::reportFault);
-}
-
-void GuidedPage::buildFault()
-{
-    m_faultLine->setObjectName(QStringLiteral("faultLine"));
-    m_faultLine->setFont(bigFont(m_faultLine->font(), kSentence_px));
-    auto* mended = bigButton(tr("Go on (Enter)"), "faultMended");
-    auto* abandon = bigButton(tr("Abandon this swing"), "abandonSwing");
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(mended);
-    buttons->addWidget(abandon);
-    buttons->addStretch();
-    auto* column = new QVBoxLayout(m_fault);
-    column->addWidget(m_faultText);
-    column->addWidget(m_faultLine);
-    column->addLayout(buttons);
-    column->addStretch();
-    const auto goOn = [this] {
-        const std::string words = m_faultLine->text().trimmed().toStdString();
-        if (words.empty())
-            emit failed(m_job->state().phase == JobPhase::Fault ? tr("What was done about the fault? Some words are expected.")
-                                                                : tr("What is the fault? Some words are expected."));
-        else if (m_job->state().phase == JobPhase::Fault)
-            tell(job::Mended{words});
-        else
-            tell(job::Faulted{words});
-    };
-    connect(m_faultLine, &QLineEdit::returnPressed, this, goOn);
-    connect(mended, &QPushButton::clicked, this, goOn);
-    connect(abandon, &QPushButton::clicked, this, &GuidedPage::abandon);
 }
 
 Result<void> GuidedPage::begin(CompassId compass)
@@ -248,11 +218,8 @@ void GuidedPage::refresh()
         break;
     case JobPhase::Fault:
     case JobPhase::Abandoned:
-        m_faultText->setText(state.phase == JobPhase::Fault ? tr("Fault: %1. What was done about it?").arg(toText(state.fault))
-                                                            : tr("This swing was abandoned: %1.").arg(toText(state.abandoned)));
-        m_faultLine->clear();
         m_steps->setCurrentWidget(m_fault);
-        m_faultLine->setFocus();
+        m_fault->refresh();
         break;
     }
     m_typed->follow(m_swing, m_job->job().events.size());
@@ -268,31 +235,19 @@ void GuidedPage::reportFault()
             refresh(); // back to the step
         return;
     }
-    m_faultText->setText(tr("What is the fault? F8 goes back."));
-    m_faultLine->clear();
     m_steps->setCurrentWidget(m_fault);
-    m_faultLine->setFocus();
+    m_fault->ask();
 }
 
+/// That it was given up is a step of the job by now; the swing stays as a draft.
 void GuidedPage::abandon()
 {
-    const std::string reason = m_faultLine->text().trimmed().toStdString();
-    if (reason.empty()) {
-        emit failed(tr("Why is the swing abandoned? Some words are expected; its readings stay on record."));
-        m_faultLine->setFocus();
-        return;
-    }
-    const auto told = m_job->tell(job::Abandoned{reason});
-    if (!told) {
-        emit failed(messageOf(told.error()));
-        return;
-    }
-    if (const auto done = m_stores.jobs.abandon(m_swing); !done)
+    if (const auto done = m_stores.jobs.abandon(m_swing); !done) {
         emit failed(messageOf(done.error()));
-    else {
-        m_typed->forget();
-        emit abandoned(m_job->record().compass.id);
+        return;
     }
+    m_typed->forget();
+    emit abandoned(m_job->record().compass.id);
 }
 
 void GuidedPage::readAgain(int station)

@@ -8,7 +8,6 @@
 #include "ui/kit/Page.h"
 
 class QLabel;
-class QLineEdit;
 class QMenu;
 class QSettings;
 class QStackedWidget;
@@ -18,6 +17,7 @@ namespace lubberline::ui {
 class Preferences;
 
 class CrewDisplay;
+class GuidedFault;
 class GuidedPrepare;
 class GuidedReview;
 class GuidedStart;
@@ -68,7 +68,6 @@ protected:
 
 private:
     void build();
-    void buildFault();
     void refresh();
     void finish();
     void reportFault();
@@ -90,9 +89,7 @@ private:
     GuidedPrepare* m_prepare;
     GuidedStation* m_station;
     GuidedReview* m_review;
-    QWidget* m_fault;
-    QLabel* m_faultText;
-    QLineEdit* m_faultLine;
+    GuidedFault* m_fault;
     QLabel* m_whose;
     QLabel* m_instrument;
     QMenu* m_instruments;

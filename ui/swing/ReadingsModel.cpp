@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/kit/Words.h"
+#include "ui/swing/ReadingBlock.h"
 #include "ui/swing/SlipWords.h"
 #include "ui/swing/SwingEditor.h"
 
