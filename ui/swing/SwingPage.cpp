@@ -17,17 +17,17 @@
 #include "ui/swing/CardPanel.h"
 #include "ui/swing/CoefficientsPanel.h"
 #include "ui/swing/DerivationPanel.h"
-#include "ui/swing/ExclusionPanel.h"
 #include "ui/swing/FieldStampPanel.h"
 #include "ui/swing/PlotTabs.h"
-#include "ui/swing/ReadingsModel.h"
-#include "ui/swing/ReadingsTable.h"
 #include "ui/swing/RecordDocuments.h"
 #include "ui/swing/SigningPanel.h"
 #include "ui/swing/SlipWords.h"
 #include "ui/swing/SwingEditor.h"
 #include "ui/swing/SwingParticulars.h"
 #include "ui/swing/SwingWords.h"
+#include "ui/swing/readings/ExclusionPanel.h"
+#include "ui/swing/readings/ReadingsModel.h"
+#include "ui/swing/readings/ReadingsTable.h"
 
 namespace lubberline::ui {
 

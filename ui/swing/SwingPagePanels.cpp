@@ -10,11 +10,11 @@
 #include "ui/kit/Words.h"
 #include "ui/swing/CardPanel.h"
 #include "ui/swing/DerivationPanel.h"
-#include "ui/swing/ReadingsTable.h"
 #include "ui/swing/RecordDocuments.h"
 #include "ui/swing/SigningPanel.h"
 #include "ui/swing/SwingEditor.h"
 #include "ui/swing/SwingParticulars.h"
+#include "ui/swing/readings/ReadingsTable.h"
 
 namespace lubberline::ui {
 

@@ -1,6 +1,6 @@
 // A true heading is typed with its letter.
 
-#include "ui/swing/ReadingText.h"
+#include "ui/swing/readings/ReadingText.h"
 #include "tests/ui/window/Fixture.h"
 
 namespace lubberline::ui {

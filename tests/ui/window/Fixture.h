@@ -10,10 +10,10 @@
 
 #include "tests/db/TestStores.h"
 #include "ui/kit/MessagePanel.h"
-#include "ui/swing/ReadingsModel.h"
-#include "ui/swing/ReadingsTable.h"
 #include "ui/swing/SwingEditor.h"
 #include "ui/swing/SwingPage.h"
+#include "ui/swing/readings/ReadingsModel.h"
+#include "ui/swing/readings/ReadingsTable.h"
 #include "ui/window/MainWindow.h"
 
 namespace lubberline::ui {

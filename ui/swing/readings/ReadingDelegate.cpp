@@ -1,11 +1,11 @@
-#include "ui/swing/ReadingDelegate.h"
+#include "ui/swing/readings/ReadingDelegate.h"
 
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
 
-#include "ui/swing/ReadingsModel.h"
+#include "ui/swing/readings/ReadingsModel.h"
 
 namespace lubberline::ui {
 

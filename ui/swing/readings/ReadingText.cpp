@@ -1,4 +1,4 @@
-#include "ui/swing/ReadingText.h"
+#include "ui/swing/readings/ReadingText.h"
 
 #include <QCoreApplication>
 

@@ -3,7 +3,7 @@
 
 #include "core/record/NorthTwice.h"
 #include "ui/kit/ClipboardRows.h"
-#include "ui/swing/ReadingText.h"
+#include "ui/swing/readings/ReadingText.h"
 
 namespace lubberline::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/swing/ReadingBlock.h"
+#include "ui/swing/readings/ReadingBlock.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,4 +1,4 @@
-#include "ui/swing/ReadingsTable.h"
+#include "ui/swing/readings/ReadingsTable.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -9,8 +9,8 @@
 #include <algorithm>
 
 #include "ui/kit/Words.h"
-#include "ui/swing/ReadingDelegate.h"
-#include "ui/swing/ReadingsModel.h"
+#include "ui/swing/readings/ReadingDelegate.h"
+#include "ui/swing/readings/ReadingsModel.h"
 
 namespace lubberline::ui {
 

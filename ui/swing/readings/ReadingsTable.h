@@ -5,7 +5,7 @@
 
 #include <QTableView>
 
-#include "ui/swing/ReadingText.h"
+#include "ui/swing/readings/ReadingText.h"
 
 namespace lubberline::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/swing/ReadingsModel.h"
+#include "ui/swing/readings/ReadingsModel.h"
 
 #include <QFont>
 #include <QGuiApplication>
@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "ui/kit/Words.h"
-#include "ui/swing/ReadingBlock.h"
 #include "ui/swing/SlipWords.h"
 #include "ui/swing/SwingEditor.h"
+#include "ui/swing/readings/ReadingBlock.h"
 
 namespace lubberline::ui {
 

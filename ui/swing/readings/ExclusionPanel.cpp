@@ -1,4 +1,4 @@
-#include "ui/swing/ExclusionPanel.h"
+#include "ui/swing/readings/ExclusionPanel.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>

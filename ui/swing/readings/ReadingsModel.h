@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/swing/ReadingText.h"
+#include "ui/swing/readings/ReadingText.h"
 
 namespace lubberline::ui {
 

@@ -1,12 +1,12 @@
-#include "ui/swing/ReadingsModel.h"
+#include "ui/swing/readings/ReadingsModel.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/format/csv/TextCell.h"
 #include "ui/kit/Words.h"
-#include "ui/swing/ReadingBlock.h"
 #include "ui/swing/SwingEditor.h"
+#include "ui/swing/readings/ReadingBlock.h"
 
 namespace lubberline::ui {
 
