@@ -64,14 +64,14 @@ QString DesktopDialogs::chooseFolder(QWidget* parent, const QString& title, cons
 
 bool DesktopDialogs::openOutside(const QString& path) { return QDesktopServices::openUrl(QUrl::fromLocalFile(path)); }
 
-void DesktopDialogs::printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint)
+bool DesktopDialogs::printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint)
 {
     QPrinter printer(QPrinter::HighResolution);
     printer.setPageSize(QPageSize(QPageSize::A4));
     QPrintPreviewDialog preview(&printer, parent);
     QObject::connect(&preview, &QPrintPreviewDialog::paintRequested, &preview, [&paint](QPrinter* target) { paint(*target); });
     preview.resize(900, 700);
-    preview.exec();
+    return preview.exec() == QDialog::Accepted; // it closes itself when it has printed
 }
 
 } // namespace lubberline::ui

@@ -21,7 +21,8 @@ public:
     virtual QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) = 0;
     /// @return the folder chosen, or empty.
     virtual QString chooseFolder(QWidget* parent, const QString& title, const QString& before) = 0;
-    virtual void printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) = 0;
+    /// @return whether it was printed.
+    virtual bool printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) = 0;
     /// A file or folder in the program that the desktop has for it. @return false: there is none
     virtual bool openOutside(const QString& path) = 0;
 };
@@ -34,7 +35,7 @@ public:
     QString openFile(QWidget* parent, const QString& title, const QString& filter) override;
     QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) override;
     QString chooseFolder(QWidget* parent, const QString& title, const QString& before) override;
-    void printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) override;
+    bool printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) override;
     bool openOutside(const QString& path) override;
 
 private:

@@ -32,6 +32,15 @@ Result<CardInput> cardShown(PageContext& context, SwingPage& page, const CardOpt
     return cardOf(context.stores, page.editor().id(), options, toText(context.stores.clock().nowUtc()), again);
 }
 
+/// A card that went out, as a file or on paper: the next one is a reprint.
+void noteIssued(PageContext& context, const CardInput& card)
+{
+    if (context.stores.readOnly())
+        return;
+    if (const auto noted = noteCards(context.stores, card); !noted)
+        context.fail(messageOf(noted.error()));
+}
+
 } // namespace
 
 void writeReportFile(PageContext& context, SwingPage& page)
@@ -75,10 +84,8 @@ void writeCardFile(PageContext& context, SwingPage& page, const CardOptions& opt
         return;
     const auto written = writeCard(*input, path);
     tell(context, written, FileWords::tr("Card written: %1").arg(path));
-    if (!written || context.stores.readOnly())
-        return;
-    if (const auto noted = noteCards(context.stores, *input); !noted)
-        context.fail(messageOf(noted.error()));
+    if (written)
+        noteIssued(context, *input);
 }
 
 void previewCard(PageContext& context, SwingPage& page)
@@ -88,10 +95,15 @@ void previewCard(PageContext& context, SwingPage& page)
         context.fail(FileWords::tr("No card: %1").arg(messageOf(input.error())));
         return;
     }
-    context.dialogs.printPreview(&context.window, [&context, &input](QPrinter& printer) {
-        if (const auto printed = printCard(*input, printer); !printed)
-            context.fail(messageOf(printed.error()));
+    bool painted = true;
+    const bool printed = context.dialogs.printPreview(&context.window, [&](QPrinter& printer) {
+        const auto done = printCard(*input, printer);
+        painted = static_cast<bool>(done);
+        if (!done)
+            context.fail(messageOf(done.error()));
     });
+    if (printed && painted)
+        noteIssued(context, *input);
 }
 
 void writeJobCardFile(PageContext& context, SwingPage& page)

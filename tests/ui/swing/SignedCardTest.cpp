@@ -58,6 +58,13 @@ void SignedCardTest::aCompleteCardIsNotSignedAndTheFirstSignedOneIsNoReprint()
     QVERIFY(fleet.stores.signing.complete(amended));
     sign(fleet, amended);
     QVERIFY(reprintOf(fleet, amended).isEmpty());
+    // A look at it is none; printed from the look it is one.
+    open.window.go(amended);
+    open.trigger("printCard");
+    QVERIFY(reprintOf(fleet, amended).isEmpty());
+    open.dialogs.prints = true;
+    open.trigger("printCard");
+    QVERIFY(!reprintOf(fleet, amended).isEmpty());
 }
 
 void SignedCardTest::aSignatureTakesNoCompassOutOfItsLimitsOffTheDueList()

@@ -37,11 +37,13 @@ public:
         openedOutside = path;
         return true;
     }
-    void printPreview(QWidget*, const std::function<void(QPrinter&)>& paint) override
+    bool prints = false; ///< what is previewed
+    bool printPreview(QWidget*, const std::function<void(QPrinter&)>& paint) override
     {
         ++previews;
         if (onPreview)
             onPreview(paint);
+        return prints;
     }
 };
 
