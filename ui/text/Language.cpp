@@ -19,6 +19,19 @@ QString languageOf(const QString& name)
     return name.trimmed().section(kEnd, 0, 0).toLower();
 }
 
+/// "3 readings" and "1 reading" of "%n reading(s)": English has no catalogue that says so.
+class EnglishPlurals final : public QTranslator {
+public:
+    QString translate(const char*, const char* source, const char*, int count) const override
+    {
+        QString text = QString::fromUtf8(source);
+        return count < 0 || !text.contains(QStringLiteral("(s)"))
+            ? QString()
+            : text.replace(QStringLiteral("(s)"), QStringLiteral("s").left(count != 1));
+    }
+    bool isEmpty() const override { return false; }
+};
+
 /// It ends with the application, as Qt wants it.
 void install(std::unique_ptr<QTranslator> translator)
 {
@@ -40,6 +53,7 @@ QString speak(const QStringList& languages)
 {
     qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly));
     const QString english = QStringLiteral("en");
+    install(std::make_unique<EnglishPlurals>()); // another language stands before it
     for (const QString& wanted : languages) {
         const QString language = languageOf(wanted);
         if (language == english || language == QStringLiteral("c"))

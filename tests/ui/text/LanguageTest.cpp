@@ -61,6 +61,8 @@ private slots:
         QCOMPARE(choiceWords<SwingStage>(), (QStringList{"stan zastany", "stan końcowy", "nie podano"}));
         // What is not translated yet is English, with its plural.
         QCOMPARE(translated(Message{MARKED_N("core", "%n thing(s) nobody translated"), 2}), QString("2 things nobody translated"));
+        QCOMPARE(QCoreApplication::translate("nobody", "%n thing(s)", nullptr, 1), QString("1 thing"));
+        QCOMPARE(QCoreApplication::translate("nobody", "%n thing(s)", nullptr, 5), QString("5 things"));
         // Commands and files do not ask the language.
         QCOMPARE(QString::fromStdString(countedReadings(2).english()),
             QString("2 readings with both headings; expected at least 3 on different headings"));
