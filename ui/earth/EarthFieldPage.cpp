@@ -14,6 +14,7 @@
 #include "ui/earth/FieldValues.h"
 #include "ui/kit/FormField.h"
 #include "ui/kit/PlaceText.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/world/WorldFieldPlot.h"
 #include "ui/plots/world/WorldFieldText.h"
@@ -40,7 +41,6 @@ QComboBox* choice(const QString& name)
 {
     auto* box = new QComboBox;
     box->setObjectName(name);
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     return box;
 }
 
@@ -96,13 +96,17 @@ void EarthFieldPage::build()
     choose->addWidget(title);
     choose->addWidget(m_element, 1);
     choose->addStretch(1);
-    auto* right = new QVBoxLayout;
+    auto* map = new QWidget;
+    auto* right = new QVBoxLayout(map);
+    right->setContentsMargins(0, 0, 0, 0);
     right->addLayout(choose);
     right->addWidget(m_map, 1);
-    auto* across = new QHBoxLayout;
-    across->addWidget(buildForm());
-    across->addLayout(right, 1);
-    body().addLayout(across, 1);
+    auto* across = new SideBySide;
+    across->addWidget(new SidePanel(buildForm()));
+    across->addWidget(map);
+    across->setStretchFactor(1, 1);
+    across->setSizes({kFormWidth, 2 * kFormWidth});
+    body().addWidget(across, 1);
     setFocusProxy(m_site);
 }
 
@@ -122,7 +126,6 @@ QWidget* EarthFieldPage::buildForm()
     setTitle(tr("Earth's field"));
     messageLine().setObjectName(QStringLiteral("fieldMessage"));
     auto* left = new QWidget;
-    left->setFixedWidth(kFormWidth);
     auto* column = new QVBoxLayout(left);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(form);

@@ -42,6 +42,7 @@ public:
     [[nodiscard]] Plot* plot() const override;
 
 protected:
+    void anglesChanged() override { recompute(); }
     void showEvent(QShowEvent* event) override;
 
 private:

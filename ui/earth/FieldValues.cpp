@@ -3,6 +3,7 @@
 #include <QHeaderView>
 
 #include "core/earth/FieldModel.h"
+#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -17,6 +18,7 @@ constexpr int kRows = 7;
 FieldValues::FieldValues(QWidget* parent) : QTableWidget(kRows, kColumns, parent)
 {
     setAccessibleName(tr("Elements of the Earth's field"));
+    wrapHeadings(*this); // before its height is asked
     setHorizontalHeaderLabels({tr("value"), tr("a year"), tr("± 1 σ")});
     setVerticalHeaderLabels({tr("X north (nT)"), tr("Y east (nT)"), tr("Z down (nT)"), tr("H horizontal (nT)"), tr("F total (nT)"),
         tr("D east + (°)"), tr("I down + (°)")});
@@ -27,7 +29,7 @@ FieldValues::FieldValues(QWidget* parent) : QTableWidget(kRows, kColumns, parent
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     verticalHeader()->setDefaultSectionSize(height);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setFixedHeight(kRows * height + horizontalHeader()->sizeHint().height() + 4);
+    setFixedHeight(heightOfRows(*this, kRows) + 2);
     for (int row = 0; row < kRows; ++row)
         for (int column = 0; column < kColumns; ++column) {
             setItem(row, column, new QTableWidgetItem);

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include <span>
@@ -14,8 +13,10 @@
 #include "core/swing/SwingPlaces.h"
 #include "ui/earth/AssumedIronForm.h"
 #include "ui/kit/PlaceText.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PredictionPlot.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -29,6 +30,13 @@ QLabel* words(const char* name, QWidget* parent)
     label->setObjectName(QString::fromLatin1(name));
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+QLabel* wrapped(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setWordWrap(true);
     return label;
 }
 
@@ -67,7 +75,7 @@ PredictionPage::~PredictionPage()
 void PredictionPage::build()
 {
     setTitle(tr("What it will read elsewhere"));
-    auto* splitter = new QSplitter;
+    auto* splitter = new SideBySide;
     auto* left = new QWidget;
     auto* column = new QVBoxLayout(left);
     column->setContentsMargins(0, 0, 0, 0);
@@ -76,7 +84,7 @@ void PredictionPage::build()
     m_plot = new PredictionPlot;
     m_plot->setObjectName(QStringLiteral("prediction"));
     follow(*m_plot);
-    splitter->addWidget(left);
+    splitter->addWidget(new SidePanel(left));
     splitter->addWidget(m_plot);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({400, 620});
@@ -110,7 +118,7 @@ QWidget* PredictionPage::buildForm()
     m_date->setText(toText(m_stores.clock().today()));
     m_field = words("predictionField", this);
     form->addRow(tr("Field there:"), m_field);
-    form->addRow(new QLabel(tr("Where the swing cannot tell, assumed to be about:")));
+    form->addRow(wrapped(tr("Where the swing cannot tell, assumed to be about:")));
     m_assumed = new AssumedIronForm(*form, this);
     connect(m_assumed, &AssumedIronForm::changed, this, &PredictionPage::recompute);
     return box;
@@ -129,7 +137,7 @@ QWidget* PredictionPage::buildWords()
     m_knowledge->setWordWrap(true);
     for (QWidget* each : {static_cast<QWidget*>(m_verdict), static_cast<QWidget*>(m_again), static_cast<QWidget*>(m_warnings)})
         layout->addWidget(each);
-    layout->addWidget(new QLabel(tr("What the swings tell (✓) and what they cannot (–):")));
+    layout->addWidget(wrapped(tr("What the swings tell (✓) and what they cannot (–):")));
     layout->addWidget(m_knowledge, 1);
     return box;
 }
@@ -247,8 +255,8 @@ void PredictionPage::recompute()
         showNothing(messageOf(field.error()));
         return;
     }
-    m_field->setText(
-        tr("H %1 nT, dip %2° (down +)").arg(field->horizontal_nT, 0, 'f', 0).arg(toDegrees(field->inclination_rad()), 0, 'f', 1));
+    m_field->setText(inAngleStyle(
+        tr("H %1 nT, dip %2° (down +)").arg(field->horizontal_nT, 0, 'f', 0).arg(toDegrees(field->inclination_rad()), 0, 'f', 1)));
     const auto assumed = m_assumed->assumed();
     const auto there = assumed ? predictAt(*field, *assumed) : Result<Prediction>(assumed.error());
     if (!there) {
@@ -271,7 +279,7 @@ void PredictionPage::showNothing(const QString& why)
 void PredictionPage::showPrediction(const Prediction& there, const std::optional<Prediction>& here)
 {
     m_there = there;
-    m_verdict->setText(verdictWords(there, m_record.limits));
+    m_verdict->setText(inAngleStyle(verdictWords(there, m_record.limits)));
     m_again->clear();
     if (const auto again = swingAgainAfterMove(there, m_record.limits))
         m_again->setText(again->needed ? tr("Swing again after the move: %1.").arg(toText(again->reason))
@@ -282,7 +290,7 @@ void PredictionPage::showPrediction(const Prediction& there, const std::optional
                  .arg(toText(sayAssumed(*there.assumed)));
     for (const auto& warning : there.warnings)
         lines += tr("Mind: %1.").arg(toText(warning));
-    m_warnings->setText(lines.join('\n'));
+    m_warnings->setText(inAngleStyle(lines.join('\n')));
     m_plot->setPicture({there, here, m_record.limits ? m_record.limits->maxDeviation_deg : std::nullopt, {}});
 }
 

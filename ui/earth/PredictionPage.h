@@ -32,7 +32,11 @@ public:
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] Shown shown() const override { return {m_record.aircraft.id, m_record.compass.id}; }
     [[nodiscard]] Plot* plot() const override;
+
+protected:
+    void anglesChanged() override { recompute(); }
 
 private:
     void build();

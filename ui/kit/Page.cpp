@@ -4,6 +4,7 @@
 
 #include "ui/kit/LongWords.h"
 #include "ui/plots/base/Plot.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -16,10 +17,17 @@ FleetItem Shown::item() const
 
 namespace {
 
+/// Is scrolled when its window is smaller than its parts at their smallest, and not before: left to itself, Qt reckons with the heights that
+/// they wish, as soon as one of them wraps its words.
+class PageBody final : public QWidget {
+public:
+    [[nodiscard]] int heightForWidth(int width) const override { return layout()->minimumHeightForWidth(width); }
+};
+
 /// A page that is larger than its window is scrolled: it never makes the window larger than the screen.
 QScrollArea* scrolled(QVBoxLayout& body)
 {
-    auto* inner = new QWidget;
+    auto* inner = new PageBody;
     inner->setLayout(&body);
     body.setContentsMargins(0, 0, 0, 0);
     body.setSpacing(4);
@@ -73,9 +81,20 @@ void Page::setTitle(const QString& title)
 
 void Page::say(const QString& message)
 {
-    m_message->setText(breakable(message));
+    m_said = message;
+    m_message->setText(breakable(inAngleStyle(message)));
     m_message->setStyleSheet({});
     m_message->setVisible(!message.isEmpty());
+}
+
+void Page::restyle()
+{
+    m_message->setText(breakable(inAngleStyle(m_said)));
+    for (Plot* plot : findChildren<Plot*>())
+        plot->restyle();
+    for (QWidget* part : findChildren<QWidget*>())
+        part->update(); // what is painted by hand
+    anglesChanged();
 }
 
 void Page::refuse(const QString& message)

@@ -9,7 +9,6 @@
 
 #include <vector>
 
-#include "core/angle/AngleText.h"
 #include "core/base/Result.h"
 #include "ui/kit/Destination.h"
 
@@ -57,7 +56,8 @@ public:
     [[nodiscard]] virtual std::vector<FleetItem> path() const { return {}; }
     /// Takes over how people have set out the page before.
     virtual void takeLook(const Page& before);
-    virtual void setAngleStyle(AngleStyle) {}
+    /// Angles are shown in another style now: what is said is said anew.
+    void restyle();
     /// Records came, went or were changed while it is in front.
     virtual void fleetChanged() {}
 
@@ -67,6 +67,8 @@ signals:
     void stateChanged();                 ///< shown() is another: commands may be enabled otherwise now
 
 protected:
+    /// What a page writes of angles itself, it writes anew; its message and its plots follow alone.
+    virtual void anglesChanged() {}
     void setTitle(const QString& title);
     void say(const QString& message);    ///< under the title, until something else is said; empty: nothing
     void refuse(const QString& message); ///< likewise, and marked: what was typed does not stand
@@ -80,6 +82,7 @@ protected:
 
 private:
     QLabel *m_title, *m_message;
+    QString m_said; ///< in decimal degrees
     QHBoxLayout* m_head;
     QVBoxLayout* m_body;
 };

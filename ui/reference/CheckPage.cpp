@@ -15,6 +15,7 @@
 #include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
 #include "ui/report/forms/ReferenceSheet.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -208,8 +209,8 @@ std::vector<Observation> CheckPage::readings()
             }
         read.push_back({MagneticHeading::fromDegrees(*magnetic_deg), CompassHeading::fromDegrees(*compass_deg)});
         m_table->item(row, kFromCard)
-            ->setText(signedNumber(wrap180(deviationOf(read.back().magnetic, read.back().compass).degrees()
-                                       - deviationAt(m_belief.card, read.back().compass).degrees()),
+            ->setText(shownFigure(wrap180(deviationOf(read.back().magnetic, read.back().compass).degrees()
+                                      - deviationAt(m_belief.card, read.back().compass).degrees()),
                 1));
     }
     return read;
@@ -229,7 +230,7 @@ void CheckPage::judge()
     } else if (auto verdict = verdictOf(m_belief, m_read, options())) {
         m_verdict = std::move(*verdict);
         const QString words = toText(inWords(*m_verdict, options()));
-        m_answer->setText(words.left(1).toUpper() + words.mid(1) + QLatin1Char('.'));
+        m_answer->setText(inAngleStyle(words.left(1).toUpper() + words.mid(1) + QLatin1Char('.')));
         QStringList warnings;
         for (const Message& warning : m_verdict->warnings)
             warnings.append(toText(warning));

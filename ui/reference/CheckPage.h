@@ -37,6 +37,9 @@ public:
 signals:
     void makeSwing(const Swing& swing);
 
+protected:
+    void anglesChanged() override { judge(); }
+
 private:
     void build();
     void choose();

@@ -13,6 +13,7 @@
 #include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
 #include "ui/report/forms/ReferenceSheet.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -232,7 +233,7 @@ void ComparePage::judge()
         return;
     m_verdict = std::move(*verdict);
     const QString words = toText(inWords(*m_verdict));
-    m_answer->setText(words.left(1).toUpper() + words.mid(1) + QLatin1Char('.'));
+    m_answer->setText(inAngleStyle(words.left(1).toUpper() + words.mid(1) + QLatin1Char('.')));
     m_due->setEnabled(m_aircraft.id.valid() && !m_stores.readOnly()
         && !whySwing(*m_verdict, m_first.name, m_second->currentText().toStdString()).empty());
     QStringList coefficients, warnings;
@@ -240,9 +241,9 @@ void ComparePage::judge()
         coefficients.append(QStringLiteral("%1 %2° ± %3°")
                                 .arg(QChar(letterOf(kCoefficients[c])))
                                 .arg(signedNumber(m_verdict->difference_deg[c], 1), plainNumber(m_verdict->differenceError_deg[c], 1)));
-    m_figures->setText(
+    m_figures->setText(inAngleStyle(
         tr("Corrected by their cards, first − second is %1 (standard errors); that a card does not hold: first %2 %, second %3 %.")
-            .arg(coefficients.join(QStringLiteral(", ")), shareWords(m_verdict->firstFault), shareWords(m_verdict->secondFault)));
+            .arg(coefficients.join(QStringLiteral(", ")), shareWords(m_verdict->firstFault), shareWords(m_verdict->secondFault))));
     for (const Message& warning : m_verdict->warnings)
         warnings.append(toText(warning));
     say(warnings.join(QLatin1Char('\n')));

@@ -32,6 +32,9 @@ public:
     void writeReport();
     void makeDue(); ///< an event of the aircraft, which makes a swing due until one is signed or somebody answers for not swinging
 
+protected:
+    void anglesChanged() override { judge(); }
+
 private:
     void build();
     void chooseSecond();

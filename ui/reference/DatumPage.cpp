@@ -13,9 +13,12 @@
 #include "core/angle/AngleText.h"
 #include "core/base/Number.h"
 #include "ui/kit/PlaceText.h"
+#include "ui/kit/SideBySide.h"
+#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/drawn/DrawnPlot.h"
 #include "ui/report/forms/ReferenceSheet.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -237,8 +240,10 @@ void DatumPage::build()
     }
     m_budget->setObjectName(QStringLiteral("datumBudget"));
     m_budget->setAccessibleName(tr("Parts of the error"));
+    wrapHeadings(*m_budget);
     m_budget->setHorizontalHeaderLabels({tr("Part of the error"), tr("one standard deviation (°)")});
     m_budget->verticalHeader()->hide();
+    m_budget->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     m_budget->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_budget->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_day->setObjectName(QStringLiteral("datumDay"));
@@ -251,16 +256,19 @@ void DatumPage::build()
     left->addStretch(1);
     auto* panel = new QWidget;
     panel->setLayout(left);
-    panel->setFixedWidth(kDatumFormWidth);
-    auto* right = new QVBoxLayout;
+    auto* answers = new QWidget;
+    auto* right = new QVBoxLayout(answers);
+    right->setContentsMargins(0, 0, 0, 0);
     right->addWidget(m_headline);
     right->addWidget(m_lines);
-    right->addWidget(m_budget, 2);
-    right->addWidget(m_day, 3);
-    auto* across = new QHBoxLayout;
-    across->addWidget(panel);
-    across->addLayout(right, 1);
-    body().addLayout(across, 1);
+    right->addWidget(m_budget);
+    right->addWidget(m_day, 1);
+    auto* across = new SideBySide;
+    across->addWidget(new SidePanel(panel));
+    across->addWidget(answers);
+    across->setStretchFactor(1, 1);
+    across->setSizes({kDatumFormWidth, 2 * kDatumFormWidth});
+    body().addWidget(across, 1);
     follow(*m_day);
     setFocusProxy(m_method);
     connect(m_method, &QComboBox::currentIndexChanged, this, [this, now](int index) {
@@ -300,8 +308,8 @@ void DatumPage::answer()
         return;
     }
     say(told->warnings.join(u'\n'));
-    m_headline->setText(told->headline);
-    m_lines->setText(told->lines.join(u'\n'));
+    m_headline->setText(inAngleStyle(told->headline));
+    m_lines->setText(inAngleStyle(told->lines.join(u'\n')));
     if (!told->budget)
         return;
     const auto add = [this](const QString& what, double size_deg) {
@@ -315,6 +323,7 @@ void DatumPage::answer()
     for (const ErrorPart& part : told->budget->parts)
         add(toText(part.what), part.size_deg);
     add(tr("in all"), told->budget->total_deg());
+    m_budget->setFixedHeight(heightOfRows(*m_budget, m_budget->rowCount()) + 2);
 }
 
 void DatumPage::writeReport()

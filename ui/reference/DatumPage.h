@@ -30,6 +30,9 @@ public:
     [[nodiscard]] const DatumInputs& inputs() const { return m_fields.record(); }
     void writeReport();
 
+protected:
+    void anglesChanged() override { answer(); }
+
 private:
     void build();
     void buildSun(QFormLayout& form);

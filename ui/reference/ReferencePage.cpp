@@ -5,8 +5,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QSlider>
 #include <QTableWidget>
 
 #include <algorithm>
@@ -17,6 +15,8 @@
 #include "core/format/reference/ReferenceJson.h"
 #include "core/format/reference/ScenarioJson.h"
 #include "core/reference/LevellingLoop.h"
+#include "ui/kit/PlaySlider.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/drawn/DrawnPlot.h"
 #include "ui/reference/ManoeuvreLine.h"
@@ -27,7 +27,8 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr int kSliderSteps = 1000;
+constexpr int kFormWidth = 290;
+constexpr int kSliderSteps = 1000, kCoarseSteps = 50;
 constexpr double kShownSteps = 4000; ///< more are not seen, and a slider is to follow the hand
 constexpr int kFrame_ms = 40;
 constexpr std::size_t kFilmFrames = 600;
@@ -75,9 +76,17 @@ ReferencePage::ReferencePage(FileQuestions files, QWidget* parent)
     run();
 }
 
+int ReferencePage::positionOf(const Knob& knob, const Scenario& scenario)
+{
+    const double value = std::clamp(knob.show(scenario), knob.least, knob.most);
+    const double part = knob.logarithmic ? std::log(value / knob.least) / std::log(knob.most / knob.least)
+                                         : (value - knob.least) / (knob.most - knob.least);
+    return static_cast<int>(std::lround(part * kSliderSteps));
+}
+
 void ReferencePage::addKnob(QFormLayout& form, const QString& title, const char* name, Knob knob)
 {
-    knob.slider = new QSlider(Qt::Horizontal);
+    knob.slider = new PlaySlider(Qt::Horizontal);
     knob.slider->setObjectName(QString::fromLatin1(name));
     knob.slider->setRange(0, kSliderSteps);
     knob.value = new QLabel;
@@ -88,7 +97,12 @@ void ReferencePage::addKnob(QFormLayout& form, const QString& title, const char*
     auto* label = new QLabel(title);
     label->setBuddy(knob.slider);
     form.addRow(label, row);
-    connect(knob.slider, &QSlider::valueChanged, this, &ReferencePage::turned);
+    PlaySlider* slider = knob.slider;
+    slider->setToolTip(tr("Arrow keys, or Shift while dragging: fine steps; page keys: coarse ones; double click: back to where it began"));
+    connect(slider, &QSlider::valueChanged, this, &ReferencePage::turned);
+    connect(slider, &PlaySlider::stepped, slider,
+        [slider](int steps, bool coarse) { slider->setValue(slider->value() + steps * (coarse ? kCoarseSteps : 1)); });
+    connect(slider, &PlaySlider::resetWanted, slider, [slider, at = positionOf(knob, firstScenario())] { slider->setValue(at); });
     m_knobs.push_back(std::move(knob));
 }
 
@@ -188,15 +202,12 @@ void ReferencePage::build()
         on ? m_clock.start(kFrame_ms) : m_clock.stop();
     });
     connect(&m_clock, &QTimer::timeout, this, &ReferencePage::showFrame);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(buildControls());
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFixedWidth(290);
     auto* below = new QHBoxLayout;
     below->addWidget(m_gain, 1);
     below->addWidget(m_dials, 1);
-    auto* right = new QVBoxLayout;
+    auto* plots = new QWidget;
+    auto* right = new QVBoxLayout(plots);
+    right->setContentsMargins(0, 0, 0, 0);
     right->addWidget(m_time, 3);
     right->addWidget(m_line);
     right->addLayout(below, 2);
@@ -206,10 +217,12 @@ void ReferencePage::build()
     follow(*m_gain);
     connect(m_line, &ManoeuvreLine::drawn, this, &ReferencePage::takeManoeuvres);
     connect(m_line, &ManoeuvreLine::readOut, this, &Page::readOut);
-    auto* across = new QHBoxLayout;
-    across->addWidget(scroll);
-    across->addLayout(right, 1);
-    body().addLayout(across, 1);
+    auto* across = new SideBySide;
+    across->addWidget(new SidePanel(buildControls()));
+    across->addWidget(plots);
+    across->setStretchFactor(1, 1);
+    across->setSizes({kFormWidth, 3 * kFormWidth});
+    body().addWidget(across, 1);
     setFocusProxy(m_loop);
 }
 
@@ -229,9 +242,7 @@ void ReferencePage::showControls()
     m_compass->setCurrentIndex(m_scenario.gyro ? 2 : m_scenario.compass.type == CompassType::FluxValve ? 1 : 0);
     for (const Knob& knob : m_knobs) {
         const double value = std::clamp(knob.show(m_scenario), knob.least, knob.most);
-        const double part = knob.logarithmic ? std::log(value / knob.least) / std::log(knob.most / knob.least)
-                                             : (value - knob.least) / (knob.most - knob.least);
-        knob.slider->setValue(static_cast<int>(std::lround(part * kSliderSteps)));
+        knob.slider->setValue(positionOf(knob, m_scenario));
         knob.value->setText(QStringLiteral("%1 %2").arg(plainNumber(value, value < 10 ? 1 : 0), knob.unit));
     }
     m_line->show(m_scenario.manoeuvres, m_scenario.duration_s);

@@ -13,12 +13,12 @@
 class QCheckBox;
 class QComboBox;
 class QPushButton;
-class QSlider;
 class QTableWidget;
 
 namespace lubberline::ui {
 
 class DrawnPlot;
+class PlaySlider;
 class ManoeuvreLine;
 class Painted;
 
@@ -39,12 +39,15 @@ public:
     void save();
     void writeReport();
 
+protected:
+    void anglesChanged() override { run(); }
+
 private:
     void build();
     QWidget* buildControls();
     /// A slider over a figure of the scenario, logarithmic where it spans decades.
     struct Knob {
-        QSlider* slider;
+        PlaySlider* slider;
         class QLabel* value;
         double least, most;
         bool logarithmic;
@@ -52,6 +55,7 @@ private:
         std::function<double(const Scenario&)> show;
         std::function<void(Scenario&, double)> take;
     };
+    [[nodiscard]] static int positionOf(const Knob& knob, const Scenario& scenario);
     void addKnob(class QFormLayout& form, const QString& title, const char* name, Knob knob);
     void turned();
     void takeTable();

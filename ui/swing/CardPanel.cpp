@@ -77,10 +77,6 @@ void CardPanel::build()
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setMinimumWidth(m_table->fontMetrics().horizontalAdvance(QString(36, QChar('0'))));
-    for (QComboBox* box : {m_step, m_by, m_from}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(9);
-    }
     m_table->setTabKeyNavigation(false);
     m_write->setObjectName(QStringLiteral("writeThisCard"));
     m_write->setAutoDefault(true);

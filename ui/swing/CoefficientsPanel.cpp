@@ -9,8 +9,10 @@
 
 #include <cmath>
 
+#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/SwingWords.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -28,6 +30,7 @@ CoefficientsPanel::CoefficientsPanel(QWidget* parent)
 {
     m_table->setObjectName(QStringLiteral("coefficients"));
     m_table->setAccessibleName(tr("Coefficients"));
+    wrapHeadings(*m_table); // before its height is asked
     m_table->setHorizontalHeaderLabels({tr("Approx. (°)"), tr("95 % ±"), tr("Exact"), tr("95 % ±"), tr("Rule (°)")});
     m_table->setVerticalHeaderLabels({"A", "B", "C", "D", "E"});
     const QString tips[] = {tr("Least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ on compass headings"),
@@ -43,8 +46,7 @@ CoefficientsPanel::CoefficientsPanel(QWidget* parent)
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
     m_table->verticalHeader()->setDefaultAlignment(Qt::AlignCenter);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setFixedHeight(static_cast<int>(kCoefficientCount) * (fontMetrics().height() + 4)
-        + m_table->horizontalHeader()->sizeHint().height() + 4
+    m_table->setFixedHeight(heightOfRows(*m_table, m_table->rowCount())
         + m_table->horizontalScrollBar()->sizeHint().height()); // where it is narrow it scrolls, and hides no row
     m_table->setToolTip(tr("A click or Enter on a number opens where it comes from"));
     m_table->installEventFilter(this);
@@ -96,12 +98,16 @@ void CoefficientsPanel::setCell(int row, int column, const QString& text, const 
 void CoefficientsPanel::showFit(const SmithFitReport& fit, int column, double scale, int decimals, const QString& whyNone)
 {
     const QString whyNoInterval = fit.fitted() ? tr("No interval: there are no more readings than coefficients") : whyNone;
+    const bool degrees = column == Approximate;
+    const auto valueText = [&](double value) { return degrees ? shownFigure(value, decimals) : signedNumber(value, decimals); };
+    const auto spreadText = [&](double value) {
+        return degrees && shownAngles() == AngleStyle::DegreesMinutes ? shownSize(value, decimals) : plainNumber(value, decimals);
+    };
     for (const Coefficient coefficient : kCoefficients) {
         const auto i = indexOf(coefficient);
         const auto value = fit.value[i], interval = fit.interval95(coefficient), error = fit.standardError[i];
-        setCell(static_cast<int>(i), column, value ? signedNumber(*value * scale, decimals) : QString(), whyNone);
-        setCell(static_cast<int>(i), column + 1, interval ? QString::number(*interval * scale, 'f', decimals) : QString(),
-            value ? whyNoInterval : whyNone);
+        setCell(static_cast<int>(i), column, value ? valueText(*value * scale) : QString(), whyNone);
+        setCell(static_cast<int>(i), column + 1, interval ? spreadText(*interval * scale) : QString(), value ? whyNoInterval : whyNone);
         if (interval)
             m_table->item(static_cast<int>(i), column + 1)
                 ->setToolTip(tr("95 % interval (Student): %1 standard errors of %2")
@@ -118,7 +124,7 @@ void CoefficientsPanel::showPointRules(const std::optional<PointRules>& rules)
         values_rad = {rules->A_rad, rules->B_rad, rules->C_rad, rules->D_rad, rules->E_rad};
     const QString why = rules ? tr("Four points cannot tell D") : tr("The rule needs readings near N, E, S and W");
     for (std::size_t i = 0; i < kCoefficientCount; ++i)
-        setCell(static_cast<int>(i), Rule, values_rad[i] ? signedNumber(toDegrees(*values_rad[i]), 2) : QString(), why);
+        setCell(static_cast<int>(i), Rule, values_rad[i] ? shownFigure(toDegrees(*values_rad[i]), 2) : QString(), why);
 }
 
 void CoefficientsPanel::show(const std::shared_ptr<const Analysis>& analysis, const QString& whyNone)
@@ -145,7 +151,7 @@ void CoefficientsPanel::show(const std::shared_ptr<const Analysis>& analysis, co
             tr("degrees of freedom %1").arg(analysis->approximate.degreesOfFreedom)};
     if (std::isfinite(analysis->approximate.conditionNumber))
         parts += tr("condition %1").arg(analysis->approximate.conditionNumber, 0, 'f', 1);
-    m_summary->setText(parts.join(QStringLiteral(" · ")));
+    m_summary->setText(inAngleStyle(parts.join(QStringLiteral(" · "))));
     m_limitations->setText(limitations);
     m_limitations->setVisible(!limitations.isEmpty());
 }

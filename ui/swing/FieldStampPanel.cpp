@@ -11,12 +11,13 @@
 #include "core/swing/SwingField.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/SwingEditor.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
 namespace {
 
-QString angleText(double angle_deg) { return toText(formatSignedAngle(angle_deg, AngleStyle::DecimalDegrees, 1)); }
+QString angleText(double angle_deg) { return shownAngle(angle_deg); }
 
 QString valuesOf(const FieldStamp& stamp)
 {

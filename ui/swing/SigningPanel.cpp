@@ -13,6 +13,7 @@
 
 #include "core/record/SwingDifferences.h"
 #include "ui/audit/AuditWords.h"
+#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/SwingEditor.h"
 
@@ -26,6 +27,7 @@ QTableWidget* readOnlyTable(const char* name, const QStringList& heads)
 {
     auto* table = new QTableWidget(0, static_cast<int>(heads.size()));
     table->setObjectName(QString::fromLatin1(name));
+    wrapHeadings(*table);
     table->setHorizontalHeaderLabels(heads);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->verticalHeader()->hide();
@@ -49,8 +51,7 @@ void addRow(QTableWidget& table, const QStringList& cells)
 /// As high as its rows, up to a few.
 void fit(QTableWidget& table)
 {
-    table.resizeColumnsToContents();
-    table.setFixedHeight(kRowHeight_px * (std::min(table.rowCount(), kMostShown) + 1) + 6);
+    table.setFixedHeight(heightOfRows(table, std::min(table.rowCount(), kMostShown)) + 2);
     table.setVisible(table.rowCount() > 0);
 }
 

@@ -1,7 +1,6 @@
 #include "ui/swing/SwingPage.h"
 
 #include <QGroupBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -10,7 +9,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/kit/ControlNames.h"
 #include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"

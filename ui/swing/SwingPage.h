@@ -7,6 +7,7 @@
 #include "core/swing/Card.h"
 #include "ui/kit/EditContext.h"
 #include "ui/kit/Page.h"
+#include "ui/text/AngleWords.h"
 
 class QLabel;
 class QProgressBar;
@@ -38,7 +39,7 @@ public:
 
     /// Errors: those of SwingStore::record(); what was shown stays then.
     Result<void> showSwing(SwingId id);
-    void setAngleStyle(AngleStyle style) override;
+    void setAngleStyle(AngleStyle style);
 
     /// How people have set it out: what the page of another swing takes over.
     struct Look {
@@ -76,6 +77,9 @@ signals:
     void openSwing(lubberline::SwingId id); ///< another one is to be shown
     void writeCard(const lubberline::CardOptions& options);
     void closed(); ///< the swing that was shown is no more
+
+protected:
+    void anglesChanged() override { setAngleStyle(shownAngles()); }
 
 private:
     void build();
@@ -118,7 +122,7 @@ private:
     QToolButton* m_showSigning;
     QToolButton* m_showCard;
     QPushButton* m_complete;
-    AngleStyle m_style = AngleStyle::DecimalDegrees;
+    AngleStyle m_style = shownAngles();
 };
 
 } // namespace lubberline::ui

@@ -6,7 +6,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/kit/ControlNames.h"
+#include "ui/kit/ControlFit.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/CardPanel.h"
 #include "ui/swing/DerivationPanel.h"
@@ -23,7 +23,7 @@ void SwingPage::showParticulars(bool visible)
     m_showParticulars->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
     if (!m_particulars) {
         m_particulars = new SwingParticulars(*m_editor);
-        nameControls(*m_particulars);
+        finishControls(*m_particulars);
         body().insertWidget(0, m_particulars);
         setTabOrder(m_complete, m_particulars);
     }
@@ -36,7 +36,7 @@ void SwingPage::showSigning(bool visible)
     m_showSigning->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
     if (!m_signing) {
         m_signing = new SigningPanel(m_context, *m_editor);
-        nameControls(*m_signing);
+        finishControls(*m_signing);
         body().insertWidget(0, m_signing);
         setTabOrder(m_showSigning, m_signing);
         connect(m_signing, &SigningPanel::failed, this, &SwingPage::failed);
@@ -52,7 +52,7 @@ void SwingPage::showCard(bool visible)
     m_showCard->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
     if (!m_card) {
         m_card = new CardPanel;
-        nameControls(*m_card);
+        finishControls(*m_card);
         body().insertWidget(0, m_card);
         setTabOrder(m_showCard, m_card);
         connect(m_card, &CardPanel::writeCard, this, &SwingPage::writeCard);

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "core/base/Contract.h"
-#include "ui/kit/ControlNames.h"
+#include "ui/kit/ControlFit.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -43,7 +44,6 @@ const PageDescription* PageStack::description() const
 Page* PageStack::make(const PageDescription& description)
 {
     Page* page = description.make();
-    page->setAngleStyle(m_style);
     connect(page, &Page::readOut, this, &PageStack::readOut);
     connect(page, &Page::failed, this, &PageStack::failed);
     connect(page, &Page::stateChanged, this, &PageStack::stateChanged);
@@ -96,16 +96,18 @@ bool PageStack::showAsLeft(const QString& id)
 
 void PageStack::turnTo(Page& page)
 {
-    nameControls(page);
+    finishControls(page);
     setCurrentWidget(&page);
     emit turned();
 }
 
 void PageStack::setAngleStyle(AngleStyle style)
 {
-    m_style = style;
+    if (style == shownAngles())
+        return;
+    showAnglesIn(style);
     for (const auto& [id, page] : m_made)
-        page->setAngleStyle(style);
+        page->restyle();
 }
 
 } // namespace lubberline::ui

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "core/angle/AngleText.h"
 #include "ui/kit/PageDescription.h"
 
 namespace lubberline::ui {
@@ -47,7 +48,6 @@ private:
     PageContext& m_context;
     std::vector<PageDescription> m_descriptions;
     std::map<QString, Page*> m_made;
-    AngleStyle m_style = AngleStyle::DecimalDegrees;
 };
 
 } // namespace lubberline::ui

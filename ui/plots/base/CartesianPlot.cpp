@@ -16,6 +16,7 @@
 #include <qwt_text.h>
 
 #include "ui/plots/base/Chart.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -24,15 +25,26 @@ namespace {
 constexpr double kClosest = 0.02;                     ///< a fiftieth of the base fills the plot
 constexpr int kSideMargin_px = 11, kEndMargin_px = 6; ///< a reading on the frame is still seen whole
 
-/// Signed ticks: east is +, zero has no sign.
+/// Signed ticks: east is +, zero has no sign. Where the axis is one of degrees they follow the style of angles.
 class SignedScaleDraw : public QwtScaleDraw {
 public:
+    void setDegrees(bool degrees)
+    {
+        m_degrees = degrees;
+        invalidateCache();
+    }
+    void forget() { invalidateCache(); }
     [[nodiscard]] QwtText label(double value) const override
     {
         const QList<double> ticks = scaleDiv().ticks(QwtScaleDiv::MajorTick);
         const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
+        if (m_degrees)
+            return angleTick(value, step);
         return std::abs(value) < 1e-9 * std::abs(step) ? QStringLiteral("0") : signedTick(value, step);
     }
+
+private:
+    bool m_degrees = false;
 };
 
 double keptWithin(double from, double length, double low, double high) { return std::clamp(from, low, std::max(low, high - length)); }
@@ -89,6 +101,8 @@ void CartesianPlot::setLook(const PlotColours& colours, const QFont& font)
         title.setColor(colours.text);
         setAxisTitle(axis, title);
     }
+    if (auto* scale = dynamic_cast<SignedScaleDraw*>(axisScaleDraw(QwtAxis::YLeft)))
+        scale->forget(); // the style of angles may be another
 }
 
 void CartesianPlot::setTitles(const QString& x, const QString& y)
@@ -100,6 +114,8 @@ void CartesianPlot::setTitles(const QString& x, const QString& y)
         setAxisTitle(axis, title);
         axisScaleDraw(axis)->setPenWidthF(1); // the hairline of 0 vanishes on paper
     }
+    if (auto* scale = dynamic_cast<SignedScaleDraw*>(axisScaleDraw(QwtAxis::YLeft)))
+        scale->setDegrees(y.contains(u'°'));
 }
 
 void CartesianPlot::setNotice(const QString& text) { m_notice->setText(text); }

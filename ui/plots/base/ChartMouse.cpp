@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/plots/base/CanvasMouse.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -52,8 +53,9 @@ void ChartMouse::watch(QWidget* canvas)
 }
 
 /// Right and below the pointer; on the other side where the plot ends.
-void ChartMouse::tell(const QString& text, QPoint at)
+void ChartMouse::tell(const QString& said, QPoint at)
 {
+    const QString text = inAngleStyle(said);
     emit readOut(text);
     m_beside->setText(text);
     m_beside->setVisible(!text.isEmpty());

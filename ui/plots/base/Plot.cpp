@@ -13,6 +13,7 @@
 #include "ui/plots/base/Chart.h"
 #include "ui/plots/base/ChartMouse.h"
 #include "ui/plots/base/PlotFile.h"
+#include "ui/text/AngleWords.h"
 #include "ui/text/Translated.h"
 
 namespace lubberline::ui {
@@ -60,6 +61,7 @@ ChartMouse* Plot::watchMouse()
     return mouse;
 }
 
+void Plot::restyle() { m_chart->setColours(coloursFor(palette())); }
 void Plot::resetZoom() { m_chart->resetZoom(); }
 bool Plot::step(int) { return false; }
 
@@ -196,7 +198,7 @@ void Plot::addLegend(QMenu& menu)
     for (int i = 0; i < static_cast<int>(legend.size()); ++i) {
         if (!legend[i].present)
             continue;
-        QAction* shown = menu.addAction(legend[i].title, this, [this, i](bool on) { m_chart->setShown(i, on); });
+        QAction* shown = menu.addAction(inAngleStyle(legend[i].title), this, [this, i](bool on) { m_chart->setShown(i, on); });
         shown->setCheckable(true);
         shown->setChecked(legend[i].shown);
     }

@@ -25,6 +25,7 @@ public:
     explicit Plot(const QString& name, QWidget* parent = nullptr);
 
     [[nodiscard]] QString name() const { return m_name; } ///< "Polar", "Curve", …: the tab's text and the file name's end
+    void restyle();                                       ///< drawn anew: the style of angles is another
     void resetZoom();
     /// Draws the plot as it is, light colours on white, in vector form, into `target` of the painter's own units.
     virtual void render(QPainter& painter, const QRectF& target) const = 0;

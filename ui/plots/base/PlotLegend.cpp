@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "ui/text/AngleWords.h"
+
 namespace lubberline::ui {
 
 namespace {
@@ -21,7 +23,7 @@ double rowHeight(const QFont& font) { return QFontMetricsF(font).height() + 4; }
 
 double entryWidth(const LegendEntry& entry, const QFontMetricsF& metrics)
 {
-    return kKeyWidth + kKeyGap + metrics.horizontalAdvance(entry.title);
+    return kKeyWidth + kKeyGap + metrics.horizontalAdvance(inAngleStyle(entry.title));
 }
 
 void centreRow(std::vector<PlacedEntry>& placed, std::size_t first, const QRectF& rect)
@@ -108,8 +110,8 @@ void paintLegend(QPainter& painter, const QRectF& rect, const std::vector<Legend
         paintKey(painter, QRectF(place.left(), place.top(), kKeyWidth, place.height()), look);
         painter.setPen(entry.shown ? colours.text : colours.previous);
         const QRectF text = place.adjusted(kKeyWidth + kKeyGap, 0, 1, 0);
-        painter.drawText(
-            text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, metrics.elidedText(entry.title, Qt::ElideRight, text.width() + 1));
+        painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
+            metrics.elidedText(inAngleStyle(entry.title), Qt::ElideRight, text.width() + 1));
     }
     painter.restore();
 }

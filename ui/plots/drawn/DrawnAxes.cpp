@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/plots/base/NiceScale.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -46,9 +47,10 @@ std::vector<Tick> ticksOf(const DrawnScale& scale, double most)
         step = 90;
     for (double i = std::ceil(scale.from / step - 1e-9); i * step <= scale.to + 1e-9 * step; ++i)
         ticks.push_back({i * step,
-            scale.headings       ? QStringLiteral("%1").arg(i * step, 3, 'f', 0, QChar('0'))
-                : scale.withSign ? signedTick(i * step, step)
-                                 : plainTick(i * step, step)});
+            scale.headings                                     ? QStringLiteral("%1").arg(i * step, 3, 'f', 0, QChar('0'))
+                : scale.withSign && scale.title.contains(u'°') ? angleTick(i * step, step)
+                : scale.withSign                               ? signedTick(i * step, step)
+                                                               : plainTick(i * step, step)});
     return ticks;
 }
 

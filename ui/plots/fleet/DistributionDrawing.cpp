@@ -8,6 +8,7 @@
 
 #include "ui/plots/base/NiceScale.h"
 #include "ui/plots/fleet/FleetAxes.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -55,7 +56,7 @@ void paintXTicks(QPainter& painter, const FleetAxes& axes, const FleetLook& look
     painter.setPen(look.colours.text);
     for (double x = std::ceil(axes.xFrom / step) * step; x <= axes.xTo + 1e-9; x += step)
         painter.drawText(QRectF(axes.at(x, 0).x() - 4 * line, axes.room.bottom() + 0.2 * line, 8 * line, 1.2 * line),
-            Qt::AlignHCenter | Qt::AlignTop, signedTick(x, step) + QChar(0xB0));
+            Qt::AlignHCenter | Qt::AlignTop, degreeTick(x, step));
 }
 
 void paintFrame(QPainter& painter, const FleetAxes& axes, const FleetLook& look)

@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include "ui/plots/base/NiceScale.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -20,7 +21,9 @@ FleetAxes headingAxes(const QRectF& rect, double largest_deg, const FleetLook& l
     const double line = lineHeight(look);
     const NiceScale scale = niceScale(largest_deg, 4, 0.5);
     FleetAxes axes;
-    axes.room = rect.adjusted(QFontMetricsF(look.font).horizontalAdvance(QStringLiteral("+88.8°")), 0.8 * line, -line, -1.6 * line);
+    const QFontMetricsF metrics(look.font); // the outermost heading is not cut, the lowest figure stands clear of it
+    axes.room = rect.adjusted(metrics.horizontalAdvance(QStringLiteral("+88.8°")), 0.8 * line,
+        -0.5 * metrics.horizontalAdvance(QStringLiteral("NW 360°")) - 2, -2 * line);
     axes.yFrom = -scale.end;
     axes.yTo = scale.end;
     axes.yStep = scale.step;
@@ -37,7 +40,7 @@ void paintYGrid(QPainter& painter, const FleetAxes& axes, const FleetLook& look)
         painter.drawLine(QPointF(axes.room.left(), y), QPointF(axes.room.right(), y));
         painter.setPen(look.colours.text);
         painter.drawText(QRectF(axes.room.left() - 10 * line, y - line, 9.7 * line, 2 * line), Qt::AlignRight | Qt::AlignVCenter,
-            signedTick(value, axes.yStep) + QChar(0xB0));
+            degreeTick(value, axes.yStep));
     }
 }
 
@@ -55,7 +58,7 @@ void paintHeadingAxes(QPainter& painter, const FleetAxes& axes, const FleetLook&
         const QString label = figures ? QStringLiteral("%1 %2°").arg(QString::fromLatin1(names[i])).arg(45 * i, 3, 10, QChar('0'))
                                       : QString::fromLatin1(names[i]);
         painter.drawText(
-            QRectF(x - 5 * line, axes.room.bottom() + 0.2 * line, 10 * line, 1.2 * line), Qt::AlignHCenter | Qt::AlignTop, label);
+            QRectF(x - 5 * line, axes.room.bottom() + 0.6 * line, 10 * line, 1.2 * line), Qt::AlignHCenter | Qt::AlignTop, label);
     }
     painter.setPen(penOf(look.colours.axis, look));
     painter.setBrush(Qt::NoBrush);

@@ -9,6 +9,7 @@
 
 #include "ui/plots/base/NiceScale.h"
 #include "ui/plots/fleet/FleetAxes.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -131,8 +132,8 @@ void paintCircleGrid(QPainter& painter, const Circle& circle, const FleetLook& l
         painter.drawEllipse(circle.centre, r, r);
         const QPointF at = circle.at(22.5, i * circle.step_deg);
         painter.setPen(look.colours.faint);
-        painter.drawText(QRectF(at.x() - 3 * line, at.y() - line, 6 * line, 2 * line), Qt::AlignCenter,
-            signedTick(i * circle.step_deg, circle.step_deg));
+        painter.drawText(
+            QRectF(at.x() - 3 * line, at.y() - line, 6 * line, 2 * line), Qt::AlignCenter, angleTick(i * circle.step_deg, circle.step_deg));
     }
 }
 

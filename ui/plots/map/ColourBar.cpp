@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/plots/map/DivergingMap.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -17,7 +18,7 @@ constexpr int kBands = 128; ///< rectangles, not a gradient: the same on every d
 
 double tickWidth(const ColourBar& bar, const QFont& font)
 {
-    return QFontMetricsF(font).horizontalAdvance(signedTick(-bar.scale.end, bar.scale.step)) + kBarTick + kBarGap;
+    return QFontMetricsF(font).horizontalAdvance(angleTick(-bar.scale.end, bar.scale.step)) + kBarTick + kBarGap;
 }
 
 void paintBands(QPainter& painter, const QRectF& bar)
@@ -57,7 +58,7 @@ void paintColourBar(QPainter& painter, const QRectF& rect, const ColourBar& bar,
         painter.drawLine(QPointF(strip.right(), y), QPointF(strip.right() + kBarTick, y));
         painter.setPen(colours.text);
         const QRectF room(strip.right() + kBarTick + kBarGap, y - metrics.height() / 2, tickWidth(bar, font), metrics.height());
-        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, signedTick(value_deg, bar.scale.step));
+        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, angleTick(value_deg, bar.scale.step));
     }
     if (bar.limit_deg && *bar.limit_deg <= bar.scale.end) {
         painter.setPen(QPen(inkOnMap(), 2.6));

@@ -12,6 +12,7 @@
 #include "ui/plots/map/DivergingMap.h"
 #include "ui/plots/map/MapMarks.h"
 #include "ui/plots/map/MapText.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -174,8 +175,7 @@ void MapItem::addStrokes(std::vector<ContourStroke>& strokes, const std::vector<
         const bool zero = std::abs(line.level) < step / 1000;
         stroke.pen = QPen(inkOnMap(), limit ? 2.8 : zero ? 1.7 : 0.9);
         stroke.pen.setJoinStyle(Qt::RoundJoin);
-        stroke.label
-            = (limit ? signedTick(line.level, line.level == std::round(line.level) ? 1 : 0.1) : signedTick(line.level, step)) + u'°';
+        stroke.label = degreeTick(line.level, !limit ? step : line.level == std::round(line.level) ? 1 : 0.1);
         strokes.push_back(std::move(stroke));
     }
 }

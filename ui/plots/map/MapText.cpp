@@ -8,6 +8,8 @@
 
 #include "core/angle/AngleText.h"
 #include "core/base/Contract.h"
+#include "ui/text/AngleWords.h"
+#include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
 
@@ -41,9 +43,10 @@ QString attitudeTitle(AttitudeAxis axis)
 
 QString attitudeText(AttitudeAxis axis, double value_deg)
 {
-    const std::string value = axis == AttitudeAxis::Heading ? formatHeading(value_deg, AngleStyle::DecimalDegrees, 0)
-                                                            : formatSignedAngle(value_deg, AngleStyle::DecimalDegrees);
-    return axisName(axis) + " " + QString::fromStdString(value);
+    const QString value = axis == AttitudeAxis::Heading ? shownHeading(value_deg, 0)
+        : shownAngles() == AngleStyle::DegreesMinutes   ? angleTick(value_deg, 0.1) // it is neither east nor west
+                                                        : signedNumber(value_deg, 1) + QStringLiteral("°");
+    return axisName(axis) + " " + value;
 }
 
 QString attitudeTick(AttitudeAxis axis, double value_deg)
@@ -72,7 +75,7 @@ QString mapValueTitle(const MapPicture& picture)
     return picture.difference ? Words::tr("difference of deviations (°, east +)") : Words::tr("deviation (°, east +)");
 }
 
-QString mapValueText(double value_deg) { return QString::fromStdString(formatSignedAngle(value_deg, AngleStyle::DecimalDegrees)); }
+QString mapValueText(double value_deg) { return shownAngle(value_deg); }
 
 QString vanishingText() { return Words::tr("horizontal field vanishes"); }
 

@@ -8,6 +8,7 @@
 
 #include "ui/plots/map/MapText.h"
 #include "ui/plots/map/SurfacePainting.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -116,7 +117,7 @@ void SurfaceAxes::paintUpright(QPainter& painter) const
     for (double i = std::ceil(-m_look.scale.end / step - 1e-9); i * step <= m_look.scale.end * (1 + 1e-9); i += 1) {
         painter.setPen(QPen(m_look.colours.axis, 1));
         painter.drawLine(at(i * step), at(i * step) - QPointF(kTick, 0));
-        const QString text = signedTick(i * step, step);
+        const QString text = angleTick(i * step, step);
         widest = std::max(widest, QFontMetricsF(m_look.font).horizontalAdvance(text));
         const double lifted = i * step < -0.99 * m_look.scale.end ? kLift : 0; // the floor's first label stands beneath
         paintLabel(painter, at(i * step) - QPointF(kTick + kGap, lifted), {-1, 0}, text);

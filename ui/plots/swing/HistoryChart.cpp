@@ -16,6 +16,7 @@
 #include "ui/plots/base/CartesianLines.h"
 #include "ui/plots/base/CartesianPlot.h"
 #include "ui/plots/base/LineLooks.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -138,7 +139,7 @@ QString HistoryChart::readOutOfRow(int swing) const
     QStringList parts{found->date.toString(Qt::ISODate)};
     for (std::size_t series = 0; series < m_series.size(); ++series) {
         if (const auto value = valueOf(*found, series))
-            parts += seriesName(series) + " " + QString::fromStdString(formatSignedAngle(*value, AngleStyle::DecimalDegrees));
+            parts += seriesName(series) + " " + shownAngle(*value);
     }
     return parts.join(QStringLiteral(" · "));
 }
@@ -148,8 +149,7 @@ QString HistoryChart::readOutAt(const CanvasPlace& place) const
     if (m_points.empty())
         return {};
     const QPointF value = m_plot->valueAt(place.at);
-    return QwtDate::toDateTime(value.x(), Qt::UTC).date().toString(Qt::ISODate) + QStringLiteral(" · ")
-        + QString::fromStdString(formatSignedAngle(value.y(), AngleStyle::DecimalDegrees));
+    return QwtDate::toDateTime(value.x(), Qt::UTC).date().toString(Qt::ISODate) + QStringLiteral(" · ") + shownAngle(value.y());
 }
 
 void HistoryChart::zoomInto(const QWidget*, const QRectF& rect) { m_plot->zoomInto(rect); }

@@ -13,6 +13,7 @@
 #include "core/angle/Angle.h"
 #include "ui/plots/base/Chart.h"
 #include "ui/plots/swing/PictureText.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -168,7 +169,7 @@ void PolarGround::drawScale(QPainter& painter, const QwtScaleMap& radialMap, con
     for (int i = -steps; i <= steps; ++i) {
         if (i % every != 0)
             continue;
-        const QString label = signedTick(i * m_scale.step, m_scale.step) + QStringLiteral("°");
+        const QString label = degreeTick(i * m_scale.step, m_scale.step);
         QRectF place(0, 0, metrics.horizontalAdvance(label) + 4, metrics.height() - 3);
         const double ring = radialMap.transform(i * m_scale.step);
         place.moveLeft(pole.x() + kScaleGap);

@@ -9,6 +9,7 @@
 #include "core/angle/AngleText.h"
 #include "ui/plots/base/CartesianPlot.h"
 #include "ui/plots/base/LineLooks.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -66,7 +67,7 @@ double largestPredicted(const PredictionPicture& picture)
     return std::min(180.0, toDegrees(largest));
 }
 
-QString signedAngle(double angle_deg) { return QString::fromStdString(formatSignedAngle(angle_deg)); }
+QString signedAngle(double angle_deg) { return shownAngle(angle_deg); }
 
 } // namespace
 
@@ -125,8 +126,7 @@ QString PredictionChart::readOutAt(const CanvasPlace& place) const
     const auto nearest
         = static_cast<std::size_t>(std::lround(wrap360(m_plot->valueAt(place.at).x()) / 360.0 * count)) % m_picture.there->points.size();
     const PredictedPoint& point = m_picture.there->points[nearest];
-    const QString heading
-        = tr("magnetic %1").arg(QString::fromStdString(formatHeading(point.magnetic.degrees(), AngleStyle::DecimalDegrees, 0)));
+    const QString heading = tr("magnetic %1").arg(shownHeading(point.magnetic.degrees(), 0));
     if (!point.deviation)
         return heading + tr(" · the horizontal field vanishes");
     QString text = heading + tr(" · there %1").arg(signedAngle(point.deviation->degrees()));

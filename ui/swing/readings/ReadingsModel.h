@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ui/swing/readings/ReadingText.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -82,7 +83,7 @@ private:
     std::vector<Reading> m_rows; ///< as the views know them: behind the editor only while sync() tells the views
     int m_count = 0;             ///< rows that views know of, the empty one included
     std::map<Cell, Rejected> m_rejected;
-    AngleStyle m_style = AngleStyle::DecimalDegrees;
+    AngleStyle m_style = shownAngles();
     int m_decimals = 1;
     bool m_editable = false;
 };

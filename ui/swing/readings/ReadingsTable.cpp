@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/readings/ReadingDelegate.h"
 #include "ui/swing/readings/ReadingsModel.h"
@@ -32,9 +33,11 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent) : QTableView
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     verticalHeader()->setMinimumWidth(fontMetrics().horizontalAdvance("000"));
+    wrapHeadings(*this);
+    keepOwnColumns(*this);
     horizontalHeader()->setHighlightSections(false);
     for (int column = 0; column < kReadingColumns; ++column)
-        setColumnWidth(column, fontMetrics().horizontalAdvance("000°00'W0"));
+        setColumnWidth(column, std::max(fontMetrics().horizontalAdvance("000°00'W0"), horizontalHeader()->sectionSizeHint(column)));
     horizontalHeader()->setResizeContentsPrecision(0); // of the rows that are seen: a log has thousands
     horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::State), QHeaderView::ResizeToContents);
     horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance("Note00"));

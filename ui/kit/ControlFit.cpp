@@ -1,0 +1,119 @@
+#include "ui/kit/ControlFit.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHelpEvent>
+#include <QLineEdit>
+#include <QPointer>
+#include <QStyle>
+#include <QStyleOptionComboBox>
+#include <QTableView>
+#include <QToolTip>
+
+#include <algorithm>
+
+#include "ui/kit/ControlNames.h"
+#include "ui/kit/TableFit.h"
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr int kLeastLetters = 9, kMostLetters = 48, kMostHint_px = 420;
+
+bool isCut(const QComboBox& box)
+{
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    option.editable = box.isEditable();
+    const QRect text = box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box);
+    return box.fontMetrics().horizontalAdvance(box.currentText()) > text.width();
+}
+
+/// What is typed in it, else what it asks for; empty: all of it is seen.
+QString cutTextOf(const QLineEdit& line)
+{
+    const QString text = line.text().isEmpty() ? line.placeholderText() : line.text();
+    const bool hidden = line.echoMode() != QLineEdit::Normal;
+    return hidden || line.fontMetrics().horizontalAdvance(text) <= line.width() - 10 ? QString() : text;
+}
+
+QString withTip(const QString& text, const QWidget& widget) { return widget.toolTip().isEmpty() ? text : text + '\n' + widget.toolTip(); }
+
+/// Says as a tip what is too long for its place.
+class WholeTexts final : public QObject {
+public:
+    using QObject::QObject;
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override
+    {
+        if (event->type() != QEvent::ToolTip)
+            return false;
+        const auto* help = static_cast<QHelpEvent*>(event);
+        if (auto* box = qobject_cast<QComboBox*>(object); box && isCut(*box)) {
+            QToolTip::showText(help->globalPos(), withTip(box->currentText(), *box), box);
+            return true;
+        }
+        if (auto* line = qobject_cast<QLineEdit*>(object)) {
+            const QString text = cutTextOf(*line);
+            if (!text.isEmpty())
+                QToolTip::showText(help->globalPos(), withTip(text, *line), line);
+            return !text.isEmpty();
+        }
+        auto* view = qobject_cast<QAbstractItemView*>(object->parent());
+        const QModelIndex index = view ? view->indexAt(help->pos()) : QModelIndex();
+        if (!index.isValid() || !index.data(Qt::ToolTipRole).toString().isEmpty()
+            || view->sizeHintForIndex(index).width() <= view->visualRect(index).width())
+            return false;
+        QToolTip::showText(help->globalPos(), index.data().toString(), view);
+        return true;
+    }
+};
+
+void fitChoice(QComboBox& box)
+{
+    const int letter = box.fontMetrics().averageCharWidth(), arrow = box.fontMetrics().height() + 14;
+    box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    box.setMinimumWidth(kLeastLetters * letter + arrow);
+    box.setMaximumWidth(kMostLetters * letter + arrow);
+}
+
+} // namespace
+
+void showHint(QLineEdit& line)
+{
+    line.setFixedWidth(std::min(line.fontMetrics().horizontalAdvance(line.placeholderText()), kMostHint_px) + 24);
+}
+
+void finishControls(QWidget& page)
+{
+    nameControls(page);
+    fitControls(page);
+}
+
+void fitControls(QWidget& page)
+{
+    static QPointer<WholeTexts> tips;
+    if (!tips)
+        tips = new WholeTexts(qApp);
+    for (auto* form : page.findChildren<QFormLayout*>())
+        if (form->rowWrapPolicy() == QFormLayout::DontWrapRows)
+            form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    for (auto* box : page.findChildren<QComboBox*>())
+        if (!qobject_cast<QAbstractItemView*>(box->parentWidget() ? box->parentWidget()->parentWidget() : nullptr)) {
+            fitChoice(*box);
+            box->installEventFilter(tips);
+        }
+    for (auto* line : page.findChildren<QLineEdit*>())
+        line->installEventFilter(tips);
+    for (auto* view : page.findChildren<QAbstractItemView*>()) {
+        if (auto* table = qobject_cast<QTableView*>(view))
+            fitColumns(*table);
+        view->viewport()->installEventFilter(tips);
+    }
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,120 @@
+#include "ui/kit/SideBySide.h"
+
+#include <QEvent>
+#include <QLayout>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace lubberline::ui {
+
+namespace {
+
+constexpr int kLeastHeight = 260; ///< of a plot that stands beneath its fields
+
+/// As Qt reckons it: a size that was set rules.
+int leastWidth(const QWidget& widget)
+{
+    return widget.minimumWidth() > 0 ? widget.minimumWidth() : std::min(widget.minimumSizeHint().width(), widget.maximumWidth());
+}
+
+} // namespace
+
+SidePanel::SidePanel(QWidget* content, QWidget* parent) : QScrollArea(parent)
+{
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::NoFocus);
+    setWidget(content);
+    content->setAutoFillBackground(false);
+    viewport()->setAutoFillBackground(false);
+}
+
+QSize SidePanel::sizeHint() const
+{
+    return {widget()->sizeHint().width() + verticalScrollBar()->sizeHint().width(), widget()->sizeHint().height()};
+}
+
+QSize SidePanel::minimumSizeHint() const
+{
+    return {leastWidth(*widget()) + verticalScrollBar()->sizeHint().width(), QScrollArea::minimumSizeHint().height()};
+}
+
+int SidePanel::wholeHeight(int width) const
+{
+    const QLayout* layout = widget()->layout();
+    return (layout && layout->hasHeightForWidth() ? layout->totalHeightForWidth(width) : widget()->sizeHint().height()) + 2 * frameWidth();
+}
+
+bool SidePanel::eventFilter(QObject* object, QEvent* event)
+{
+    if (object == widget() && event->type() == QEvent::LayoutRequest)
+        updateGeometry();
+    return QScrollArea::eventFilter(object, event);
+}
+
+SideBySide::SideBySide(QWidget* parent) : QSplitter(Qt::Horizontal, parent) { setChildrenCollapsible(false); }
+
+int SideBySide::widthBeside() const
+{
+    int width = -handleWidth();
+    for (int i = 0; i < count(); ++i)
+        if (!widget(i)->isHidden())
+            width += leastWidth(*widget(i)) + handleWidth();
+    return width;
+}
+
+QSize SideBySide::minimumSizeHint() const
+{
+    int width = 0;
+    for (int i = 0; i < count(); ++i)
+        if (!widget(i)->isHidden())
+            width = std::max(width, leastWidth(*widget(i)));
+    return {width, QSplitter::minimumSizeHint().height()};
+}
+
+bool SideBySide::event(QEvent* event)
+{
+    const bool done = QSplitter::event(event);
+    if (event->type() == QEvent::LayoutRequest)
+        turn();
+    return done;
+}
+
+void SideBySide::resizeEvent(QResizeEvent* event)
+{
+    turn();
+    QSplitter::resizeEvent(event);
+}
+
+void SideBySide::turn()
+{
+    if (m_turning)
+        return;
+    m_turning = true;
+    const bool above = width() < widthBeside(), was = orientation() == Qt::Vertical;
+    if (above && !was) {
+        m_beside = sizes();
+        m_heights.clear();
+        for (int i = 0; i < count(); ++i)
+            m_heights += widget(i)->minimumHeight();
+    }
+    if (above)
+        for (int i = 0; i < count(); ++i) {
+            const auto* panel = dynamic_cast<const SidePanel*>(widget(i));
+            widget(i)->setMinimumHeight(panel ? panel->wholeHeight(width()) : kLeastHeight);
+        }
+    if (above != was) {
+        if (!above)
+            for (int i = 0; i < count(); ++i)
+                widget(i)->setMinimumHeight(m_heights.value(i));
+        setOrientation(above ? Qt::Vertical : Qt::Horizontal);
+        if (!above && m_beside.size() == count())
+            setSizes(m_beside);
+        updateGeometry();
+    }
+    m_turning = false;
+}
+
+} // namespace lubberline::ui

@@ -1,0 +1,39 @@
+#pragma once
+/// The two columns of a page: what is asked at the left, what comes of it at the right.
+
+#include <QScrollArea>
+#include <QSplitter>
+
+namespace lubberline::ui {
+
+/// A column of fields: as wide as it must be for their words, scrolled where it is too high, never sideways.
+class SidePanel final : public QScrollArea {
+public:
+    explicit SidePanel(QWidget* content, QWidget* parent = nullptr);
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+    [[nodiscard]] int wholeHeight(int width) const; ///< that nothing of it is scrolled
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+};
+
+/// Beside each other, parted by a handle; one above the other where the page is narrower than both.
+class SideBySide final : public QSplitter {
+public:
+    explicit SideBySide(QWidget* parent = nullptr);
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    [[nodiscard]] int widthBeside() const;
+    void turn();
+
+    bool m_turning = false;
+    QList<int> m_beside, m_heights; ///< their widths, and least heights, before they were put above each other
+};
+
+} // namespace lubberline::ui
