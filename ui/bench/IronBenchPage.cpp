@@ -17,6 +17,8 @@
 #include "ui/bench/BenchResults.h"
 #include "ui/bench/BenchRows.h"
 #include "ui/bench/BenchTables.h"
+#include "ui/kit/FlowLayout.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -58,7 +60,7 @@ void IronBenchPage::build()
     m_drawing = new BenchDrawing;
     m_drawing->setObjectName(QStringLiteral("benchDrawing"));
     m_results = new BenchResults(m_stores.clock());
-    auto* across = new QSplitter;
+    auto* across = new SideBySide;
     across->addWidget(m_drawing);
     across->addWidget(m_results);
     across->setSizes({480, 540});
@@ -72,13 +74,10 @@ void IronBenchPage::build()
 QWidget* IronBenchPage::buildTools()
 {
     auto* box = new QWidget;
-    auto* tools = new QHBoxLayout(box);
-    tools->setContentsMargins(0, 0, 0, 0);
+    auto* tools = new FlowLayout(box);
     m_stateBoxes = new QWidget;
-    m_stateBoxes->setLayout(new QHBoxLayout);
-    m_stateBoxes->layout()->setContentsMargins(0, 0, 0, 0);
+    m_stateBoxes->setLayout(new FlowLayout);
     tools->addWidget(m_stateBoxes);
-    tools->addStretch(1);
     m_load = new QPushButton(tr("Load…"));
     m_load->setObjectName(QStringLiteral("benchLoad"));
     connect(m_load, &QPushButton::clicked, this, &IronBenchPage::load);
@@ -153,7 +152,6 @@ void IronBenchPage::showStates()
 {
     qDeleteAll(m_stateBoxes->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
     for (const auto& [group, states] : groupsOf(m_bench)) {
-        m_stateBoxes->layout()->addWidget(new QLabel(toText(group) + ':'));
         auto* box = new QComboBox;
         box->setObjectName(QStringLiteral("benchState_") + toText(group));
         for (const auto& state : states)
@@ -166,7 +164,7 @@ void IronBenchPage::showStates()
             m_settle = m_editor->editable();
             recompute();
         });
-        m_stateBoxes->layout()->addWidget(box);
+        m_stateBoxes->layout()->addWidget(labelled(toText(group) + ':', box));
     }
 }
 

@@ -9,9 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSettings>
-#include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -20,8 +18,10 @@
 #include "core/calibration/ModelHeader.h"
 #include "core/format/exchange/ModelJson.h"
 #include "ui/calibration/CoverageSphere.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/series/SeriesPlot.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -106,8 +106,6 @@ QWidget* CalibrationPage::buildForm()
     for (const auto& [key, title] : columns) {
         auto* box = new QComboBox;
         box->setObjectName(QStringLiteral("calibrationColumn_") + QString::fromLatin1(key));
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(10);
         m_columns.emplace_back(key, box);
         form->addRow(title, box);
         connect(box, &QComboBox::activated, this, [this] { start(true); });
@@ -169,21 +167,14 @@ void CalibrationPage::build()
     column->addWidget(buildForm());
     column->addWidget(m_words);
     column->addStretch();
-    auto* scroll = new QScrollArea; // there can be much to say
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(left->minimumSizeHint().width() + 20);
-    scroll->setWidget(left);
     m_tabs->addTab(m_logPlot, m_logPlot->name());
     m_tabs->addTab(m_sphere, tr("Directions"));
     m_tabs->addTab(m_beforeAfter, m_beforeAfter->name());
-    auto* splitter = new QSplitter;
-    splitter->addWidget(scroll);
+    auto* splitter = new SideBySide;
+    splitter->addWidget(new SidePanel(left)); // there can be much to say
     splitter->addWidget(m_tabs);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({kMostFormWidth, 2 * kMostFormWidth});
-    splitter->setChildrenCollapsible(false);
     setTitle(tr("Calibration of a magnetometer from its log"));
     body().addWidget(splitter, 1);
     setFocusProxy(m_open);
@@ -344,7 +335,7 @@ void CalibrationPage::take(Result<CalibrationRun> run)
 
 void CalibrationPage::showRun()
 {
-    m_words->setText(wordsOf(*m_run));
+    m_words->setText(inAngleStyle(wordsOf(*m_run)));
     m_save->setEnabled(m_run->model.has_value());
     m_store->setEnabled(m_run->model && m_compass.valid() && m_run->part->unit != FieldUnit::Counts);
     if (m_log != m_run->log) {

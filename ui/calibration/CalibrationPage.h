@@ -36,6 +36,7 @@ public:
     static PageDescription description(PageContext& context);
     /// A compass whose sensor models take the calibration; any other record: none.
     Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] Shown shown() const override { return {{}, m_compass}; }
     [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
     [[nodiscard]] Plot* plot() const override;
 

@@ -5,8 +5,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QSplitter>
 #include <QTableWidget>
 #include <QUndoStack>
 #include <QVBoxLayout>
@@ -19,11 +17,13 @@
 #include "core/swing/SwingResult.h"
 #include "ui/earth/FieldText.h"
 #include "ui/electrical/ElectricalSteps.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
+#include "ui/text/AngleWords.h"
 #include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
@@ -119,7 +119,7 @@ void ElectricalPage::build()
     auto* column = new QVBoxLayout(right);
     column->addWidget(m_headings, 3);
     column->addWidget(m_plot, 2);
-    auto* splitter = new QSplitter;
+    auto* splitter = new SideBySide;
     splitter->addWidget(buildSheet());
     splitter->addWidget(right);
     splitter->setSizes({480, 520});
@@ -198,11 +198,7 @@ QWidget* ElectricalPage::buildSheet()
     column->addWidget(m_turn);
     column->addWidget(m_verdict);
     column->addStretch();
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(sheet);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    return scroll;
+    return new SidePanel(sheet);
 }
 
 Result<void> ElectricalPage::showCompass(CompassId compass)
@@ -245,6 +241,8 @@ void ElectricalPage::showSwing()
     const bool there = m_current >= 0, editable = there && !m_stores.readOnly();
     m_fields.show(there ? current() : ElectricalSwing(), editable);
     m_write->setEnabled(there);
+    m_chooser->setEnabled(there);
+    say(there ? QString() : tr("No electrical swing of this compass is on record: “New electrical swing” begins one."));
     m_add->setEnabled(!m_stores.readOnly());
     for (QTableWidget* table : {m_fourPoints, m_headings})
         table->setEnabled(editable);
@@ -289,8 +287,8 @@ void ElectricalPage::showHeadings()
     record.compass.resolution_deg = divisionOf_deg(record.swing); // the calibrator's figures are finer than the compass's
     auto made = resultOf(record);
     const QString why = made ? QString() : toText(made.error().message);
-    m_plot->setPicture(pictureOf(
-        record, made ? std::make_shared<const Analysis>(std::move(made.value())) : nullptr, why, nullptr, {}, AngleStyle::DecimalDegrees));
+    m_plot->setPicture(
+        pictureOf(record, made ? std::make_shared<const Analysis>(std::move(made.value())) : nullptr, why, nullptr, {}, shownAngles()));
     m_make->setEnabled(!record.swing.readings.empty() && !m_stores.readOnly());
 }
 
@@ -319,7 +317,7 @@ void ElectricalPage::showVerdict()
     if (m_current >= 0)
         for (const auto& point : openPoints(swing))
             lines += tr("open: %1").arg(toText(point));
-    m_verdict->setText(lines.join('\n'));
+    m_verdict->setText(inAngleStyle(lines.join('\n')));
 }
 
 /// On disk when the cell is left.

@@ -29,6 +29,7 @@ public:
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] Shown shown() const override { return {m_compass.aircraft, m_compass.id}; }
     [[nodiscard]] Plot* plot() const override;
 
 signals:
@@ -40,6 +41,7 @@ private:
     void build();
     QWidget* buildSheet();
     void reload();
+    void anglesChanged() override { showSwing(); }
     void showSwing();
     void showFourPoints();
     void showHeadings();

@@ -20,6 +20,7 @@
 #include "ui/kit/Badge.h"
 #include "ui/kit/DueBadge.h"
 #include "ui/kit/OpenSwings.h"
+#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/HistoryPlot.h"
 
@@ -187,8 +188,6 @@ QWidget* AircraftPage::buildCompassForm()
             return {};
         });
     addText(m_compass, *form, tr("Location:"), QStringLiteral("compassLocation"), &CompassSystem::location);
-    for (QComboBox* box : page->findChildren<QComboBox*>())
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     return page;
 }
 
@@ -211,6 +210,7 @@ QWidget* AircraftPage::buildSwings()
         [this](int row) { emit swingChosen(m_listed.at(static_cast<std::size_t>(row))); });
     m_compassTable->setObjectName(QStringLiteral("compassTable"));
     m_compassTable->setAccessibleName(tr("Compasses of this aircraft"));
+    wrapHeadings(*m_compassTable);
     m_compassTable->setHorizontalHeaderLabels({tr("Compass"), tr("Swings"), tr("State"), tr("Due")});
     m_compassTable->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_compassTable->horizontalHeader()->setStretchLastSection(true);
@@ -313,9 +313,7 @@ void AircraftPage::listCompasses()
     }
     constexpr int kMostRows = 4;
     const int rows = std::clamp(m_compassTable->rowCount(), 1, kMostRows);
-    m_compassTable->setFixedHeight(rows * m_compassTable->verticalHeader()->defaultSectionSize()
-        + m_compassTable->horizontalHeader()->sizeHint().height() + 2 * m_compassTable->frameWidth()
-        + m_compassTable->horizontalScrollBar()->sizeHint().height());
+    m_compassTable->setFixedHeight(heightOfRows(*m_compassTable, rows) + m_compassTable->horizontalScrollBar()->sizeHint().height());
 }
 
 CompassId AircraftPage::worst() const

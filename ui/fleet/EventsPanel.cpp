@@ -56,7 +56,6 @@ EventsPanel::EventsPanel(EditContext& context, QUndoStack& stack, QWidget* paren
     m_cause->setObjectName(QStringLiteral("eventCause"));
     m_cause->addItems(choiceWords<DueCause>());
     m_cause->setItemText(0, tr("no"));
-    m_cause->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_note->setObjectName(QStringLiteral("eventNote"));
     m_add->setObjectName(QStringLiteral("addEvent"));
     m_message->setWordWrap(true);

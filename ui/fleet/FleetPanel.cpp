@@ -114,7 +114,10 @@ void FleetPanel::buildSearch()
     m_hits->setObjectName(QStringLiteral("searchHits"));
     m_hits->setAccessibleName(tr("Found"));
     m_hits->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_hits->setTextElideMode(Qt::ElideRight);
+    m_hits->setTextElideMode(Qt::ElideNone);
+    m_hits->setWordWrap(true); // what tells one swing from the next stands at the end
+    m_hits->setResizeMode(QListView::Adjust);
+    m_hits->setAlternatingRowColors(true);
     m_hits->installEventFilter(this);
     m_stack->addWidget(m_hits);
     m_searchSoon->setSingleShot(true);

@@ -12,6 +12,7 @@
 
 #include "ui/fleet/PaintedPlot.h"
 #include "ui/kit/Words.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -42,7 +43,6 @@ HistoryPanel::HistoryPanel(QWidget* parent)
 void HistoryPanel::build()
 {
     m_choice->setObjectName(QStringLiteral("populationHistory"));
-    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_film->setObjectName(QStringLiteral("historyFilm"));
     m_film->setToolTip(tr("The swings one after the other"));
     m_play->setObjectName(QStringLiteral("historyPlay"));
@@ -168,7 +168,7 @@ void HistoryPanel::showCompass(std::int32_t compass)
     if (lines.isEmpty())
         lines += tr("No jump and no drift of it is told.");
     lines += tr("Filled: as found; open or dashed: as left. Bars: 95 % by the readings.");
-    m_words->setText(lines.join('\n'));
+    m_words->setText(inAngleStyle(lines.join('\n')));
     for (auto* plot : {m_coefficients, m_curves, m_dates})
         plot->update();
 }

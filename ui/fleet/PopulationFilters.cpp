@@ -1,27 +1,23 @@
 #include "ui/fleet/PopulationFilters.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "ui/kit/FlowLayout.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 
 namespace {
 
-constexpr int kShortestChoice = 9; ///< letters: a long name must not widen the window
-
 QComboBox* filterBox(const char* name, const QString& tip, const QStringList& words = {})
 {
     auto* box = new QComboBox;
     box->setObjectName(QString::fromLatin1(name));
     box->setToolTip(tip);
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(kShortestChoice);
     box->addItems(words);
     return box;
 }
@@ -33,7 +29,7 @@ QLineEdit* dayField(const char* name, const QString& tip, const QString& empty)
     line->setToolTip(tip);
     line->setPlaceholderText(empty);
     line->setClearButtonEnabled(true);
-    line->setMinimumWidth(70);
+    line->setFixedWidth(line->fontMetrics().horizontalAdvance(QStringLiteral("2026-11-23")) + 40);
     return line;
 }
 
@@ -76,16 +72,10 @@ PopulationFilters::PopulationFilters(db::Stores& stores, QWidget* parent)
     m_grid->setRange(3, 360);
     m_grid->setValue(8);
     m_grid->setSuffix(tr(" headings"));
-    auto* rows = new QVBoxLayout(this);
-    rows->setContentsMargins(0, 0, 0, 0);
-    const auto addRow = [rows](std::initializer_list<QWidget*> parts) {
-        auto* row = new QHBoxLayout;
-        for (QWidget* part : parts)
-            row->addWidget(part, 1);
-        rows->addLayout(row);
-    };
-    addRow({m_type, m_compass, m_site, m_base, m_stage, m_radio});
-    addRow({m_vote, m_grid, new QLabel(tr("Period:")), m_from, m_to, new QLabel(tr("Training:")), m_training});
+    auto* line = new FlowLayout(this);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_type, m_compass, m_site, m_base, m_stage, m_radio, m_vote, m_grid,
+             labelled(tr("Period:"), m_from), m_to, labelled(tr("Training:"), m_training)})
+        line->addWidget(part);
 }
 
 void PopulationFilters::load(const FleetSwings* fleet)

@@ -18,6 +18,7 @@
 #include "ui/fleet/HistoryPanel.h"
 #include "ui/fleet/PaintedPlot.h"
 #include "ui/fleet/PopulationFilters.h"
+#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
 #include "ui/report/fleet/FleetDocument.h"
 #include "ui/report/fleet/FleetTables.h"
@@ -330,6 +331,7 @@ void PopulationPage::fillTables()
         auto* widget = new QTableWidget;
         makePlain(*widget, "populationTable");
         setTable(*widget, table);
+        fitColumns(*widget);
         m_tables->addTab(widget, QStringLiteral("%1 (%2)").arg(name).arg(table.rows.size()));
     }
     m_tables->setCurrentIndex(std::clamp(shown, 0, m_tables->count() - 1));

@@ -11,6 +11,7 @@
 
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
+#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -34,6 +35,7 @@ GuidedPrepare::GuidedPrepare(GuidedJob& job, QWidget* parent)
 {
     m_load->setObjectName(QStringLiteral("interferenceLoad"));
     m_table->setObjectName(QStringLiteral("interference"));
+    wrapHeadings(*m_table);
     m_table->setHorizontalHeaderLabels({tr("compass, off"), tr("compass, on"), tr("change")});
     QStringList rows;
     for (const double heading : kHeadings_deg)
@@ -42,7 +44,7 @@ GuidedPrepare::GuidedPrepare(GuidedJob& job, QWidget* parent)
     m_table->setFont(bigFont(font(), kList_px));
     m_table->verticalHeader()->setDefaultSectionSize(kRowHeight_px);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_table->setFixedHeight(kRowHeight_px * 5 + 4);
+    m_table->setFixedHeight(heightOfRows(*m_table, m_table->rowCount()));
     m_table->setTabKeyNavigation(true);
     auto* title = bigLabel("interferenceTitle", kTitle_px, true);
     title->setText(tr("Interference check, with"));

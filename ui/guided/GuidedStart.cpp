@@ -77,7 +77,6 @@ QComboBox* GuidedStart::addBox(QFormLayout& form, const QString& title, const ch
     auto* box = new QComboBox;
     box->setObjectName(QString::fromLatin1(name));
     box->addItems(words);
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a long name makes no page wider
     form.addRow(title, box);
     return box;
 }

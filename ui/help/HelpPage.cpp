@@ -28,6 +28,9 @@ HelpPage::HelpPage(PageContext& context, std::shared_ptr<QString> wanted, QWidge
     setTitle(tr("Help"));
     m_list->setObjectName(QStringLiteral("helpTopics"));
     m_list->setAccessibleName(tr("Topics"));
+    m_list->setWordWrap(true);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_text->setObjectName(QStringLiteral("helpText"));
     m_text->setAccessibleName(tr("Text of the topic"));
     m_text->setOpenExternalLinks(true);

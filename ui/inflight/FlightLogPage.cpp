@@ -11,12 +11,15 @@
 #include "core/angle/AngleText.h"
 #include "core/inflight/InflightSwing.h"
 #include "core/swing/SwingResult.h"
+#include "ui/kit/ControlFit.h"
+#include "ui/kit/FlowLayout.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/drawn/DrawnPlot.h"
 #include "ui/plots/inflight/InflightDrawing.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
 #include "ui/report/forms/InflightSheets.h"
+#include "ui/text/AngleWords.h"
 #include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
@@ -98,15 +101,11 @@ void FlightLogPage::build()
     m_make->setEnabled(false);
     m_cancel->hide();
     for (QLineEdit* line : {m_variation, m_noise})
-        line->setFixedWidth(fontMetrics().averageCharWidth() * 30);
-    // Beside the title they would cut it, and in one row be wider than a small screen.
-    for (const auto& widgets : {std::vector<QWidget*>{m_open, m_cancel, m_make}, std::vector<QWidget*>{m_variation, m_noise}}) {
-        auto* row = new QHBoxLayout;
-        for (QWidget* one : widgets)
-            row->addWidget(one);
-        row->addStretch(1);
-        body().addLayout(row);
-    }
+        showHint(*line);
+    auto* row = new FlowLayout; // beside the title they would cut it
+    for (QWidget* one : std::initializer_list<QWidget*>{m_open, m_cancel, m_make, m_variation, m_noise})
+        row->addWidget(one);
+    body().addLayout(row);
     messageLine().setWordWrap(true);
     m_tabs->addTab(m_plot, tr("Deviation"));
     m_tabs->addTab(m_told, tr("What is told"));
@@ -257,7 +256,7 @@ void FlightLogPage::take(Result<FlightLog> read)
     if (!why.isEmpty())
         lines += why;
     say(lines.join('\n'));
-    SwingPicture picture = pictureOf(record, analysis, why, nullptr, {}, AngleStyle::DecimalDegrees);
+    SwingPicture picture = pictureOf(record, analysis, why, nullptr, {}, shownAngles());
     picture.readingsTitle = tr("means of legs");
     m_plot->setPicture(picture);
     m_make->setEnabled(!m_swing.readings.empty() && m_compass.id.valid() && !m_stores.readOnly());

@@ -34,6 +34,7 @@ public:
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] Shown shown() const override { return {m_compass.aircraft, m_compass.id}; }
     [[nodiscard]] Plot* plot() const override;
     void readLog(const QString& path);
     void writeReport(); ///< asks where to: PDF

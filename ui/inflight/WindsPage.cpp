@@ -10,6 +10,8 @@
 
 #include "core/base/OutputFile.h"
 #include "core/format/results/WindsJson.h"
+#include "ui/kit/ControlFit.h"
+#include "ui/kit/FlowLayout.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/drawn/DrawnPlot.h"
 #include "ui/plots/inflight/InflightDrawing.h"
@@ -72,14 +74,11 @@ void WindsPage::build()
     m_control->setToolTip(
         tr("Aircraft whose headings are held to be right, as by laser gyros: a name of the column group, or of an aircraft. "
            "What they have in common is the error of the reference wind."));
-    // Beside the title they would cut it, and in one row be wider than a small screen.
-    for (const auto& widgets : {std::vector<QWidget*>{m_open, m_cancel, m_factor, m_control}, std::vector<QWidget*>{m_sense, m_unit}}) {
-        auto* row = new QHBoxLayout;
-        for (QWidget* one : widgets)
-            row->addWidget(one);
-        row->addStretch(1);
-        body().addLayout(row);
-    }
+    showHint(*m_control);
+    auto* row = new FlowLayout; // beside the title they would cut it
+    for (QWidget* one : std::initializer_list<QWidget*>{m_open, m_cancel, m_factor, m_sense, m_unit, m_control})
+        row->addWidget(one);
+    body().addLayout(row);
     m_scatter->setObjectName(QStringLiteral("windsScatter"));
     m_rose->setObjectName(QStringLiteral("windsRose"));
     DrawnPicture nothing;

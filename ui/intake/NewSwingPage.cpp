@@ -77,7 +77,6 @@ void NewSwingPage::build()
     m_stage->setObjectName(QStringLiteral("newStage"));
     m_stage->addItems(choiceWords<SwingStage>());
     m_limits->setObjectName(QStringLiteral("newLimits"));
-    m_limits->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_limits->setToolTip(tr("What a new compass is held against. A known compass keeps its own: see the aircraft's page"));
     m_date->setObjectName(QStringLiteral("newDate"));
     messageLine().setObjectName(QStringLiteral("newComplaint"));

@@ -6,8 +6,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include <array>
@@ -19,9 +17,12 @@
 #include "core/nmea/NmeaDoubts.h"
 #include "core/swing/Analysis.h"
 #include "core/swing/SwingResult.h"
+#include "ui/kit/FlowLayout.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/plots/swing/SwingPlot.h"
+#include "ui/text/AngleWords.h"
 #include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
@@ -150,25 +151,18 @@ void NmeaImportPage::build()
     form->addRow(tr("Compass &talker:"), m_talker);
     form->addRow(tr("&Date of the log:"), m_date);
     form->addRow(tr("&Kind of swing:"), m_kind);
-    auto* buttons = new QHBoxLayout;
+    auto* buttons = new FlowLayout;
     buttons->addWidget(m_read);
     buttons->addWidget(m_cancel);
     buttons->addWidget(m_make);
-    buttons->addStretch();
     auto* left = new QWidget;
     auto* column = new QVBoxLayout(left);
     column->addLayout(form);
     column->addLayout(buttons);
     column->addWidget(m_summary);
     column->addStretch();
-    auto* splitter = new QSplitter;
-    auto* scroll = new QScrollArea; // a log can have much against it
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(left->minimumSizeHint().width());
-    scroll->setWidget(left);
-    splitter->addWidget(scroll);
+    auto* splitter = new SideBySide;
+    splitter->addWidget(new SidePanel(left)); // a log can have much against it
     splitter->addWidget(m_plot);
     splitter->setStretchFactor(1, 1);
     body().addWidget(splitter, 1);
@@ -311,8 +305,8 @@ void NmeaImportPage::showAnswer()
     }
     if (!why.isEmpty())
         lines += why;
-    m_summary->setText(lines.join('\n'));
-    m_plot->setPicture(pictureOf(record, analysis, why, nullptr, {}, AngleStyle::DecimalDegrees));
+    m_summary->setText(inAngleStyle(lines.join('\n')));
+    m_plot->setPicture(pictureOf(record, analysis, why, nullptr, {}, shownAngles()));
     m_make->setEnabled(read.used > 0 && !m_stores.readOnly());
 }
 

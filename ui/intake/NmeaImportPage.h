@@ -30,6 +30,7 @@ public:
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
+    [[nodiscard]] Shown shown() const override { return {m_compass.aircraft, m_compass.id}; }
     [[nodiscard]] Plot* plot() const override;
 
 signals:

@@ -15,6 +15,8 @@
 #include <map>
 
 #include "core/record/RecordWords.h"
+#include "ui/kit/FlowLayout.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -118,18 +120,15 @@ void YearsImportPage::build()
     plainTable(*m_swings, "yearsSwings",
         {tr("Line"), tr("Type"), tr("Aircraft"), tr("Compass"), tr("Date"), tr("Stage"), tr("Readings"), tr("A (°)"), tr("B (°)"),
             tr("C (°)"), tr("D (°)"), tr("E (°)"), tr("Largest (°)")});
-    auto* top = new QHBoxLayout;
-    for (QWidget* part : std::initializer_list<QWidget*>{m_open, m_file})
+    auto* top = new FlowLayout;
+    for (QWidget* part : std::initializer_list<QWidget*>{m_open, m_file, m_progress, m_cancel, m_undo, m_store})
         top->addWidget(part);
-    top->addStretch(1);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_progress, m_cancel, m_undo, m_store})
-        top->addWidget(part);
-    auto* upper = new QSplitter(Qt::Horizontal);
+    auto* upper = new SideBySide;
     upper->addWidget(m_columns);
-    upper->addWidget(buildWhole());
+    upper->addWidget(new SidePanel(buildWhole()));
     upper->setStretchFactor(0, 3);
     upper->setStretchFactor(1, 2);
-    auto* lower = new QSplitter(Qt::Horizontal);
+    auto* lower = new SideBySide;
     lower->addWidget(m_swings);
     lower->addWidget(m_findings);
     lower->setStretchFactor(0, 3);
@@ -369,6 +368,8 @@ void YearsImportPage::enable()
     m_store->setEnabled(idle && m_looked && !m_stores.readOnly());
     m_undo->setEnabled(idle && m_made.has_value());
     m_cancel->setEnabled(!idle);
+    m_cancel->setVisible(!idle);
+    m_progress->setVisible(!idle);
     for (QWidget* part : std::initializer_list<QWidget*>{m_open, m_columns})
         part->setEnabled(m_doing != Doing::Storing && m_doing != Doing::Undoing);
 }

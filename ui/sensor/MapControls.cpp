@@ -1,13 +1,13 @@
 #include "ui/sensor/MapControls.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 
 #include <array>
 
+#include "ui/kit/FlowLayout.h"
 #include "ui/kit/Words.h"
 #include "ui/sensor/ParameterCell.h"
 #include "ui/sensor/SensorEditor.h"
@@ -46,21 +46,16 @@ MapControls::MapControls(const SensorEditor& editor, QWidget* parent)
     m_axes->addItems({tr("heading × pitch, roll held"), tr("heading × roll, pitch held"), tr("pitch × roll, heading held")});
     m_other->setObjectName(QStringLiteral("mapOther"));
     m_other->setAccessibleName(tr("Compare with"));
-    m_other->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_other->setMinimumContentsLength(12);
     m_compared->setObjectName(QStringLiteral("mapCompared"));
     m_compared->setAccessibleName(tr("Which of the two is shown"));
     m_compared->addItems({tr("difference"), tr("this model"), tr("the other")});
     auto* exporting = new QPushButton(tr("E&xport…"));
     exporting->setObjectName(QStringLiteral("mapExport"));
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
+    m_held->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    auto* layout = new FlowLayout(this);
     layout->addWidget(m_axes);
-    layout->addWidget(m_held, 1);
-    auto* compare = new QLabel(tr("&compare with"));
-    compare->setBuddy(m_other);
-    layout->addWidget(compare);
-    layout->addWidget(m_other, 1);
+    layout->addWidget(m_held);
+    layout->addWidget(labelled(tr("&compare with"), m_other));
     layout->addWidget(m_compared);
     layout->addWidget(exporting);
     chooseAxes();

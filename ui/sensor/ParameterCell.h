@@ -2,12 +2,13 @@
 /// One figure with its unit and a slider beside it: dragging plays, letting go settles.
 
 #include <QDoubleSpinBox>
-#include <QSlider>
 #include <QWidget>
 
 class QLabel;
 
 namespace lubberline::ui {
+
+class PlaySlider;
 
 /// Figures as everywhere in the window: decimal point (a comma is taken as one), and the wheel scrolls the page.
 class NumberSpin : public QDoubleSpinBox {
@@ -24,33 +25,6 @@ protected:
     [[nodiscard]] QString textFromValue(double value) const override;
     QValidator::State validate(QString& text, int& position) const override;
     void wheelEvent(QWheelEvent* event) override;
-};
-
-/// Says when it is let go, by mouse, key or because it is left. Arrow keys, and dragging with Shift, go in fine steps, the page keys in
-/// coarse ones; a double click resets.
-class PlaySlider : public QSlider {
-    Q_OBJECT
-
-public:
-    using QSlider::QSlider;
-
-signals:
-    void letGo();
-    void stepped(int steps, bool coarse);
-    void resetWanted();
-
-protected:
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void keyReleaseEvent(QKeyEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
-
-private:
-    int m_fineFrom_px = 0; ///< where the last fine step was made
 };
 
 struct ParameterSpec {

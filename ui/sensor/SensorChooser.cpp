@@ -23,7 +23,6 @@ SensorChooser::SensorChooser(SensorEditor& editor, QWidget* parent)
 {
     m_choice->setObjectName(QStringLiteral("sensorChoice"));
     m_choice->setAccessibleName(tr("Sensor models of this compass"));
-    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     auto* head = new QHBoxLayout(m_buttons);
     head->setContentsMargins(0, 0, 0, 0);
     head->setSpacing(3);

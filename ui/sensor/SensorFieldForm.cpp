@@ -38,7 +38,6 @@ SensorFieldForm::SensorFieldForm(const Clock& clock, QWidget* parent)
 {
     m_choice->setObjectName(QStringLiteral("fieldSite"));
     m_choice->setAccessibleName(tr("Site of the field"));
-    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_choice->addItem(tr("typed"));
     m_date->setObjectName(QStringLiteral("fieldDate"));
     m_date->setAccessibleName(tr("Date of the field"));

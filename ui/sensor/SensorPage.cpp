@@ -2,13 +2,12 @@
 
 #include <QGroupBox>
 #include <QLabel>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/base/Plot.h"
 #include "ui/sensor/MapControls.h"
@@ -40,12 +39,11 @@ SensorPage::SensorPage(EditContext& context, QUndoStack& stack, FileQuestions fi
     , m_smith(new SmithTermsPanel)
 {
     setTitle(tr("Sensor model"));
-    auto* splitter = new QSplitter(Qt::Horizontal);
+    auto* splitter = new SideBySide;
     splitter->setObjectName(QStringLiteral("sensorSplitter"));
     splitter->addWidget(buildFigures(std::move(files)));
     splitter->addWidget(buildViews());
     splitter->setStretchFactor(1, 1);
-    splitter->setChildrenCollapsible(false);
     body().addWidget(splitter, 1);
     m_soon.setSingleShot(true);
     m_soon.setInterval(kFrame_ms);
@@ -68,15 +66,9 @@ QWidget* SensorPage::buildFigures(FileQuestions files)
     layout->addWidget(field);
     layout->addWidget(m_form);
     layout->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setObjectName(QStringLiteral("sensorFigures"));
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(figures);
-    // The circuits, whose rows come later, are the widest part: room for their frames, too.
-    scroll->setMinimumWidth(figures->minimumSizeHint().width() + 2 * scroll->verticalScrollBar()->sizeHint().width() + 16);
-    return scroll;
+    auto* panel = new SidePanel(figures);
+    panel->setObjectName(QStringLiteral("sensorFigures"));
+    return panel;
 }
 
 QWidget* SensorPage::buildViews()

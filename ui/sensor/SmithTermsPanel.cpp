@@ -12,6 +12,7 @@
 #include "core/angle/Angle.h"
 #include "core/swing/IronSeparation.h"
 #include "ui/kit/Words.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -113,8 +114,7 @@ void SmithTermsPanel::showRows(const PoissonSmith& smith)
         const int row = static_cast<int>(i);
         m_table->item(row, Letter)->setText(QString(QLatin1Char(letterOf(coefficient))));
         m_table->item(row, Exact)->setText(signedNumber(exact[i], 5));
-        m_table->item(row, Approximate)
-            ->setText(smith.approximate ? signedNumber(toDegrees(approximate_rad[i]), 2) + QStringLiteral("°") : QStringLiteral("—"));
+        m_table->item(row, Approximate)->setText(smith.approximate ? shownAngle(toDegrees(approximate_rad[i]), 2) : QStringLiteral("—"));
         m_table->item(row, Terms)->setText(termsOf(smith, coefficient, true));
         m_table->item(row, Terms)->setToolTip(termsOf(smith, coefficient, false));
     }

@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QSplitter>
 #include <QUndoStack>
 #include <QVBoxLayout>
 
@@ -13,6 +12,7 @@
 #include "core/procedure/SunDatum.h"
 #include "core/record/DefaultNames.h"
 #include "ui/earth/FieldText.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
 
@@ -141,9 +141,9 @@ void InstrumentsPage::build()
     list->addWidget(m_list);
     list->addWidget(m_add);
     list->addWidget(m_remove);
-    auto* splitter = new QSplitter;
+    auto* splitter = new SideBySide;
     splitter->addWidget(left);
-    splitter->addWidget(right);
+    splitter->addWidget(new SidePanel(right));
     splitter->setSizes({220, 700});
     setTitle(tr("Datum instruments"));
     body().addWidget(splitter, 1);

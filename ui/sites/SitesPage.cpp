@@ -4,8 +4,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QSplitter>
 #include <QTableWidget>
 #include <QUndoStack>
 #include <QVBoxLayout>
@@ -17,10 +15,12 @@
 #include "core/swing/SwingField.h"
 #include "ui/earth/FieldText.h"
 #include "ui/kit/PlaceText.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
 #include "ui/sites/PasteTable.h"
 #include "ui/sites/SurveyDrawing.h"
+#include "ui/text/AngleWords.h"
 #include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
@@ -107,10 +107,6 @@ void SitesPage::build()
     left->addWidget(m_fitness);
     left->addWidget(m_lines);
     left->addStretch();
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(particulars);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
     auto* survey = new QWidget;
     auto* right = new QVBoxLayout(survey);
     right->addWidget(m_table, 1);
@@ -121,9 +117,9 @@ void SitesPage::build()
     list->addWidget(m_list);
     list->addWidget(m_add);
     list->addWidget(m_remove);
-    auto* splitter = new QSplitter;
+    auto* splitter = new SideBySide;
     splitter->addWidget(chooser);
-    splitter->addWidget(scroll);
+    splitter->addWidget(new SidePanel(particulars));
     splitter->addWidget(survey);
     splitter->setSizes({160, 380, 460});
     setTitle(tr("Compass bases"));
@@ -180,7 +176,6 @@ void SitesPage::buildForm(QFormLayout& form)
     auto* siteClass = m_fields.addChoice(
         form, tr("Class:"), QStringLiteral("siteClass"), classes, [](const Site& site) { return static_cast<int>(site.siteClass); },
         [](Site& site, int choice) { site.siteClass = static_cast<SiteClass>(choice); });
-    siteClass->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     text(tr("Certificate:"), "siteCertificate", &Site::certificate);
     m_fields.addLine(
         form, tr("Valid to:"), QStringLiteral("siteExpiry"), [](const Site& site) { return toText(site.certificateExpiry); },
@@ -258,7 +253,7 @@ void SitesPage::showFitness()
     today.date = m_today();
     if (const Message doubt = variationDisagreement(site, stampFor(today, site)); !doubt.empty())
         lines += (lines.isEmpty() ? QString() : QStringLiteral("\n")) + QStringLiteral("▲ ") + toText(doubt);
-    m_lines->setText(lines);
+    m_lines->setText(inAngleStyle(lines));
 }
 
 namespace {

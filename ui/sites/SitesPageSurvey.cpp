@@ -16,6 +16,7 @@
 #include "ui/sites/PasteTable.h"
 #include "ui/sites/SitesPage.h"
 #include "ui/sites/SurveyDrawing.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -106,7 +107,7 @@ void SitesPage::showSurvey()
     } else if (!site.survey.empty()) {
         lines += messageOf(summary.error());
     }
-    m_summary->setText(lines.join(QStringLiteral(" ")));
+    m_summary->setText(inAngleStyle(lines.join(QStringLiteral(" "))));
 }
 
 /// The survey as the table says it; rows that are empty are left out.

@@ -21,11 +21,12 @@
 #include "ui/fleet/FleetPanel.h"
 #include "ui/fleet/RecordEdits.h"
 #include "ui/intake/ImportPanels.h"
-#include "ui/kit/ControlNames.h"
+#include "ui/kit/ControlFit.h"
 #include "ui/kit/MessagePanel.h"
 #include "ui/kit/Mnemonics.h"
 #include "ui/kit/Theme.h"
 #include "ui/kit/Words.h"
+#include "ui/text/AngleWords.h"
 #include "ui/window/PageStack.h"
 #include "ui/window/Pages.h"
 
@@ -135,6 +136,7 @@ void MainWindow::buildParts()
     auto* dock = new QDockWidget(tr("Fleet"), this);
     dock->setObjectName(QStringLiteral("fleetDock"));
     dock->setWidget(m_fleet);
+    finishControls(*m_fleet);
     dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     addDockWidget(Qt::LeftDockWidgetArea, dock);
     resizeDocks({dock}, {296}, Qt::Horizontal);
@@ -171,7 +173,7 @@ void MainWindow::buildCentre()
     layout->addWidget(m_naming);
     layout->addWidget(m_pages, 1);
     setCentralWidget(central);
-    nameControls(*m_naming);
+    finishControls(*m_naming);
 }
 
 void MainWindow::buildStatusBar()
@@ -180,7 +182,7 @@ void MainWindow::buildStatusBar()
     m_saved->setObjectName(QStringLiteral("savedLabel"));
     m_readOut = new QLabel;
     m_readOut->setObjectName(QStringLiteral("readOut"));
-    connect(m_pages, &PageStack::readOut, m_readOut, &QLabel::setText);
+    connect(m_pages, &PageStack::readOut, this, [this](const QString& text) { m_readOut->setText(inAngleStyle(text)); });
     m_saved->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long name makes no window wider; the tip has all of it
     statusBar()->addWidget(m_saved, 1);
     statusBar()->addPermanentWidget(m_readOut);

@@ -1,10 +1,15 @@
-// No page makes the window larger than a small screen, and on it no words of a label, a button or a group are clipped and nothing is outside,
-// at any scale and with words a third longer. The scale and the screen are those of a process: each is looked at in one of its own, this program once more.
+// No page makes the window larger than a small screen or scrolls sideways, and on it no words of a label, a button, a group, a heading or a choice
+// are clipped and nothing is outside, at any scale and with words a third longer. The scale and the screen are those of a process: each is looked at in
+// one of its own, this program once more.
 
 #include <QComboBox>
 #include <QGroupBox>
+#include <QHeaderView>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTranslator>
 
@@ -74,6 +79,46 @@ QString misfit(const QWidget& widget, const QWidget& window)
     return {};
 }
 
+/// What scrolls in a form or a page does so downwards.
+QString sideways(const QWidget& widget)
+{
+    const auto* area = qobject_cast<const QScrollArea*>(&widget);
+    if (!area || !area->widget())
+        return {};
+    const int wanted = area->widget()->minimumSizeHint().width(), has = area->viewport()->width();
+    return area->horizontalScrollBar()->maximum() > 0 || wanted > has
+        ? QStringLiteral("scrolls sideways: wants %1 px, has %2").arg(wanted).arg(has)
+        : QString();
+}
+
+QString cutHeading(const QWidget& widget)
+{
+    const auto* header = qobject_cast<const QHeaderView*>(&widget);
+    if (!header || header->orientation() != Qt::Horizontal)
+        return {};
+    if (header->sizeHint().height() > header->height() + 1)
+        return QStringLiteral("headings want %1 px of height, have %2").arg(header->sizeHint().height()).arg(header->height());
+    for (int section = 0; section < header->count(); ++section)
+        if (!header->isSectionHidden(section) && header->sectionSizeHint(section) > header->sectionSize(section))
+            return QStringLiteral("the heading “%1” wants %2 px, has %3")
+                .arg(header->model()->headerData(section, Qt::Horizontal).toString())
+                .arg(header->sectionSizeHint(section))
+                .arg(header->sectionSize(section));
+    return {};
+}
+
+QString cutChoice(const QWidget& widget)
+{
+    const auto* box = qobject_cast<const QComboBox*>(&widget);
+    if (!box)
+        return {};
+    QStyleOptionComboBox option;
+    option.initFrom(box);
+    const int has = box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box).width();
+    const int wants = box->fontMetrics().horizontalAdvance(box->currentText());
+    return wants > has ? QStringLiteral("“%1” wants %2 px, has %3").arg(box->currentText()).arg(wants).arg(has) : QString();
+}
+
 QStringList misfitsOf(MainWindow& window)
 {
     QStringList found;
@@ -83,8 +128,14 @@ QStringList misfitsOf(MainWindow& window)
     if (window.width() > screen.width() || window.height() > screen.height())
         found += QStringLiteral("the window has grown to %1×%2").arg(window.width()).arg(window.height());
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
-        if (!widget->isVisible() || widget->objectName().startsWith(QStringLiteral("qt_")) || inside<QAbstractItemView>(*widget)
-            || inside<QComboBox>(*widget) || inside<QTabBar>(*widget) || inside<Plot>(*widget) || inside<QAbstractButton>(*widget))
+        if (!widget->isVisible())
+            continue;
+        for (const QString& what : {sideways(*widget), cutHeading(*widget), cutChoice(*widget)})
+            if (!what.isEmpty() && qEnvironmentVariableIsSet("LUBBERLINE_FIT_ALL"))
+                found
+                    += nameOf(*(qobject_cast<const QHeaderView*>(widget) ? widget->parentWidget() : widget)) + QStringLiteral(": ") + what;
+        if (widget->objectName().startsWith(QStringLiteral("qt_")) || inside<QAbstractItemView>(*widget) || inside<QComboBox>(*widget)
+            || inside<QTabBar>(*widget) || inside<Plot>(*widget) || inside<QAbstractButton>(*widget))
             continue;
         if (const QString what = misfit(*widget, window); !what.isEmpty())
             found += nameOf(*widget) + QStringLiteral(": ") + what;
