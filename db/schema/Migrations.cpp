@@ -230,12 +230,31 @@ const Migration kEighth{8,
     },
     beginTrail};
 
-/// Part of the record, so that it goes wherever its database goes and never to another one; a step that is stored takes it away.
-const Migration kNinth{9, "a guided swing keeps what is typed and not stored as a step yet",
+/// SQLite gives the number of the newest row again when that is removed. A window that still shows it, or could undo something of it, would
+/// then act on another record.
+Result<void> giveNoNumberTwice(const Database& database)
+{
+    for (const char* table : {"aircraft_type", "aircraft", "compass", "event", "swing", "reading", "site", "limits_profile"})
+        if (auto done = execute(database,
+                QStringLiteral(
+                    "CREATE TRIGGER %1_number_is_used AFTER DELETE ON %1 WHEN OLD.id > COALESCE((SELECT MAX(id) FROM %1), 0) BEGIN"
+                    " INSERT INTO used_number (name, last) VALUES ('%1', OLD.id)"
+                    " ON CONFLICT (name) DO UPDATE SET last = MAX(last, excluded.last); END")
+                    .arg(QString::fromLatin1(table)));
+            !done)
+            return done;
+    return {};
+}
+
+const Migration kNinth{9, "a guided swing keeps what is typed and not stored as a step yet; no number of a record is given twice",
     {
+        // Part of the record, so that it goes wherever its database goes and never to another one; a step that is stored takes it away.
         "CREATE TABLE job_typed (id INTEGER PRIMARY KEY, job_id INTEGER NOT NULL REFERENCES swing_job(id) ON DELETE CASCADE,"
         " field TEXT NOT NULL CHECK (field <> ''), typed TEXT NOT NULL CHECK (typed <> ''), UNIQUE (job_id, field))",
-    }};
+        // last: the greatest number of a row that was removed
+        "CREATE TABLE used_number (id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, last INTEGER NOT NULL CHECK (typeof(last) = 'integer'))",
+    },
+    giveNoNumberTwice};
 
 } // namespace
 

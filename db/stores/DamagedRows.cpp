@@ -50,6 +50,11 @@ std::vector<Rows> otherRows()
                 (void)row.name(2);
                 (void)row.text(3);
             }},
+        {"SELECT id, name, last FROM used_number",
+            [](const Statement& row) {
+                (void)row.name(1);
+                (void)row.integer(2, {1, 1e15});
+            }},
         {"SELECT id, time_utc, what, record, link, file_link, detail FROM audit_entry",
             [](const Statement& row) {
                 for (int column = 1; column <= 5; ++column)

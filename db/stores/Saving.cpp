@@ -39,10 +39,17 @@ std::string changesBetween(const Table& table, const StoredRow& before, const St
     return text;
 }
 
+QString nextNumber(const QString& table)
+{
+    return QStringLiteral(
+        "(SELECT 1 + MAX(COALESCE((SELECT MAX(id) FROM %1), 0), COALESCE((SELECT last FROM used_number WHERE name = '%1'), 0)))")
+        .arg(table);
+}
+
 QString insertInto(const Table& table)
 {
-    return "INSERT INTO " + table.name + " (record, " + table.fields.join(", ") + ") VALUES (" + placeholders(table.fields.size() + 1)
-        + ")";
+    return "INSERT INTO " + table.name + " (id, record, " + table.fields.join(", ") + ") VALUES (" + nextNumber(table.name) + ", "
+        + placeholders(table.fields.size() + 1) + ")";
 }
 
 QString sameAs(const Table& table)

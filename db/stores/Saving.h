@@ -36,6 +36,8 @@ Result<StoredRow> writtenRow(Database& database, const Table& table, std::int64_
 /// "name: before -> after; …" of the fields that differ; without the arrow where there was nothing before.
 [[nodiscard]] std::string changesBetween(const Table& table, const StoredRow& before, const StoredRow& after);
 
+/// The number of a new row, as an expression: the next that no row has or ever had.
+[[nodiscard]] QString nextNumber(const QString& table);
 [[nodiscard]] QString insertInto(const Table& table); ///< parameters: record id, fields
 [[nodiscard]] QString sameAs(const Table& table);     ///< parameters: fields, id; a row where all of them are so
 [[nodiscard]] QString updateOf(const Table& table);   ///< parameters: fields, id

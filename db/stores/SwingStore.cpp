@@ -55,8 +55,8 @@ Result<void> checkTexts(const Reading& reading)
 /// Readings one after the other from `position` on, with one prepared statement. @return the id of the last.
 Result<ReadingId> insertRows(Database& database, SwingId swing, int position, std::span<const Reading> readings)
 {
-    static const QString kInsert = "INSERT INTO reading (swing_id, position, " + readingFields().join(", ") + ") VALUES ("
-        + placeholders(readingFields().size() + 2) + ")";
+    static const QString kInsert = "INSERT INTO reading (id, swing_id, position, " + readingFields().join(", ") + ") VALUES ("
+        + nextNumber("reading") + ", " + placeholders(readingFields().size() + 2) + ")";
     Statement statement(database, kInsert);
     for (const auto& reading : readings) {
         if (const auto checked = checkTexts(reading); !checked)

@@ -40,12 +40,12 @@ QString insertOfSwing()
 {
     const QStringList fields = QStringList{"record"} + swingFields()
         + QStringList{"reading_count", "max_abs_deviation_deg", "a_deg", "b_deg", "c_deg", "d_deg", "e_deg", "status"};
-    return "INSERT INTO swing (" + fields.join(", ") + ") VALUES (" + placeholders(fields.size()) + ")";
+    return "INSERT INTO swing (id, " + fields.join(", ") + ") VALUES (" + nextNumber("swing") + ", " + placeholders(fields.size()) + ")";
 }
 
 QString insertOfReading()
 {
-    return "INSERT INTO reading (swing_id, position, " + readingFields().join(", ") + ") VALUES ("
+    return "INSERT INTO reading (id, swing_id, position, " + readingFields().join(", ") + ") VALUES (" + nextNumber("reading") + ", "
         + placeholders(readingFields().size() + 2) + ")";
 }
 

@@ -59,6 +59,8 @@ protected:
         ElectricalSwing electrical;
         electrical.date = "2026-11-20";
         EXPECT_TRUE(save(db::ElectricalStore(m_database), m_stored.compass, electrical));
+        EXPECT_TRUE(db::execute(m_database, "INSERT INTO job_typed (job_id, field, typed) VALUES (1, 'guidedDatum', '44')"));
+        EXPECT_TRUE(m_swings.remove(draft())); // its number is used
         // Another program holds itself to none of our rules.
         for (const char* sql : {"PRAGMA foreign_keys = OFF", "PRAGMA ignore_check_constraints = ON"})
             EXPECT_TRUE(db::execute(m_database, sql));
@@ -132,6 +134,7 @@ protected:
         if (const auto swings = m_swings.swingsOf(id); tell(swings))
             for (const auto& swing : *swings) {
                 tell(m_swings.previous(swing.id));
+                tell(m_jobs.typed(swing.id));
                 tell(m_signing.hold(swing.id));
                 if (const auto named = m_swings.recordOf(swing.id); tell(named))
                     tell(m_signing.auditOf(*named));

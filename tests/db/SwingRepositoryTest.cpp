@@ -6,6 +6,7 @@
 #include "db/engine/Changes.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
+#include "db/transfer/Maintenance.h"
 #include "tests/db/TestFleet.h"
 
 namespace lubberline::test {
@@ -350,6 +351,21 @@ TEST_F(Swings, twoRecordsOfOneNameAreAConflict)
         save(m_fleet, compass).error().message.english(), "there is a compass of this name on this aircraft already; expected another");
     EXPECT_EQ(save(m_fleet, AircraftType{AircraftTypeId{99}, {}, "An-2", "", ""}).error().code, ErrorCode::NotFound);
     EXPECT_EQ(save(m_fleet, AircraftType{}).error().code, ErrorCode::InvalidInput);
+}
+
+/// What still shows a removed record, or can undo something of it, must not meet another one under its number.
+TEST_F(Swings, getNoNumberThatWasGivenBefore)
+{
+    const SwingId first = *save(m_swings, swingOf(m_stored)), second = *save(m_swings, swingOf(m_stored));
+    const ReadingId last = m_swings.swing(second)->readings.back().id;
+    ASSERT_TRUE(m_swings.remove(second));
+    ASSERT_TRUE(m_swings.remove(first));
+    const SwingId third = *save(m_swings, swingOf(m_stored));
+    EXPECT_EQ(third.value, second.value + 1);
+    EXPECT_EQ(m_swings.swing(third)->readings.front().id.value, last.value + 1);
+    ASSERT_TRUE(m_swings.replaceReadings(third, swingOf(m_stored).readings));
+    EXPECT_GT(m_swings.swing(third)->readings.front().id.value, last.value + 8);
+    EXPECT_THAT(db::verify(m_database, {})->findings, testing::IsEmpty());
 }
 
 } // namespace lubberline::test
