@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/OutputFile.h"
 #include "ui/due/DueRulesTable.h"
@@ -215,11 +216,8 @@ void DuePage::fill()
     m_table->setCurrentItem(nullptr);
     if (!m_shown.empty())
         m_table->selectRow(chosen == m_shown.end() ? 0 : static_cast<int>(chosen - m_shown.begin()));
-    const RecordId before = m_chosenEvent;
     showFlags();
     keepChoice();
-    if (m_chosenEvent != before)
-        m_reason->clear(); // it was meant for another
 }
 
 void DuePage::keepChoice()
@@ -227,7 +225,9 @@ void DuePage::keepChoice()
     const DueLine* line = current();
     const DueFlag* flag = currentFlag();
     m_chosen = line ? line->compass.compass : CompassId();
-    m_chosenEvent = flag ? flag->event : RecordId();
+    const RecordId event = flag ? flag->event : RecordId();
+    if (event != std::exchange(m_chosenEvent, event))
+        m_reason->clear(); // it was meant for another
 }
 
 const DueLine* DuePage::current() const

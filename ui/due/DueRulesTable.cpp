@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/due/DueList.h"
+#include "ui/kit/OpenCell.h"
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
 
@@ -65,6 +66,8 @@ DueRulesTable::DueRulesTable(EditContext& context, QUndoStack& undo, QWidget* pa
 
 void DueRulesTable::reload()
 {
+    if (waitsForCell(*m_table, this, &DueRulesTable::reload))
+        return;
     auto rules = m_stores.due.rules();
     const auto compasses = m_stores.due.compasses();
     if (!rules || !compasses) {

@@ -15,6 +15,7 @@
 #include "ui/earth/FieldText.h"
 #include "ui/fleet/RecordEdits.h"
 #include "ui/kit/DueBadge.h"
+#include "ui/kit/OpenCell.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -91,6 +92,8 @@ void EventsPanel::showAircraft(AircraftId aircraft)
 
 void EventsPanel::showEvents()
 {
+    if (waitsForCell(*m_table, this, &EventsPanel::showEvents))
+        return;
     auto events = m_context.stores.fleet.eventsOf(m_aircraft);
     if (!events)
         m_message->setText(messageOf(events.error()));

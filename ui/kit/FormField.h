@@ -13,6 +13,16 @@
 
 namespace lubberline::ui {
 
+/// Whether two states are of one record; what has no record id is always one.
+template <class Record>
+[[nodiscard]] bool isSameRecord(const Record& one, const Record& other)
+{
+    if constexpr (requires { one.record; })
+        return one.record == other.record;
+    else
+        return true;
+}
+
 /// Lines and choices of a form, each with a way to show a record and a way to take over what was typed. A line whose text is
 /// refused keeps it, with the reason as its tooltip and a red text, and changes nothing.
 template <class Record>
@@ -111,11 +121,12 @@ QComboBox* FormFields<Record>::addChoice(QFormLayout& form, const QString& title
 template <class Record>
 void FormFields<Record>::show(const Record& record, bool editable)
 {
+    const bool same = isSameRecord(m_record, record);
     m_record = record;
     for (const Line& line : m_lines) {
         line.edit->setReadOnly(!editable);
-        if (line.edit->isModified() && line.edit->hasFocus())
-            continue; // somebody is typing here
+        if (same && line.edit->isModified())
+            continue; // somebody is typing here, or it was refused; never of one record in the form of another
         line.edit->setText(line.show(record));
         line.edit->setCursorPosition(0);
         markRefused(*line.edit, {});

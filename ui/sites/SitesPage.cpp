@@ -14,6 +14,7 @@
 #include "core/site/SiteSurvey.h"
 #include "core/swing/SwingField.h"
 #include "ui/earth/FieldText.h"
+#include "ui/kit/OpenCell.h"
 #include "ui/kit/PlaceText.h"
 #include "ui/kit/SideBySide.h"
 #include "ui/kit/StoredEdit.h"
@@ -125,7 +126,7 @@ void SitesPage::build()
     setTitle(tr("Compass bases"));
     body().addWidget(splitter, 1);
     setFocusProxy(m_list);
-    connect(m_list, &QListWidget::currentRowChanged, this, &SitesPage::showSite);
+    connect(m_list, &QListWidget::currentRowChanged, this, &SitesPage::choose);
     connect(m_add, &QPushButton::clicked, this, &SitesPage::addSite);
     connect(m_remove, &QPushButton::clicked, this, &SitesPage::removeSite);
     connect(m_model, &QPushButton::clicked, this, &SitesPage::takeModelVariation);
@@ -211,8 +212,23 @@ void SitesPage::reload()
         if (m_sites[i].record == kept)
             row = static_cast<int>(i);
     }
+    if (m_sites.empty() || m_sites[static_cast<std::size_t>(row)].record != kept)
+        closeCell(*m_table); // what is typed there is of a base that is gone
     m_list->setCurrentRow(row);
     m_add->setEnabled(!m_context.stores.readOnly());
+    showSite();
+}
+
+/// What was typed last into the survey is of the base that is left, and stored with that.
+void SitesPage::choose(int row)
+{
+    const RecordId wanted = row >= 0 && row < static_cast<int>(m_sites.size()) ? m_sites[static_cast<std::size_t>(row)].record : RecordId();
+    takeSurvey();
+    for (std::size_t i = 0; i < m_sites.size(); ++i)
+        if (m_sites[i].record == wanted) {
+            const QSignalBlocker quiet(m_list);
+            m_list->setCurrentRow(static_cast<int>(i));
+        }
     showSite();
 }
 

@@ -37,6 +37,7 @@ public:
 private:
     void build();
     void buildForm(QFormLayout& form);
+    void choose(int row);
     void showSite();
     void showFitness();
     void addSite();

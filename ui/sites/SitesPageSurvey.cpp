@@ -11,6 +11,7 @@
 #include "core/site/SiteSurvey.h"
 #include "core/swing/SwingField.h"
 #include "ui/kit/ClipboardRows.h"
+#include "ui/kit/OpenCell.h"
 #include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
 #include "ui/sites/PasteTable.h"
@@ -65,6 +66,8 @@ void SitesPage::buildSurvey()
 
 void SitesPage::showSurvey()
 {
+    if (waitsForCell(*m_table, this, &SitesPage::showSurvey))
+        return;
     const Site& site = m_fields.record();
     const QSignalBlocker quiet(m_table);
     m_table->setRowCount(static_cast<int>(site.survey.size()) + 1);
