@@ -284,13 +284,38 @@ bool SigningPanel::done(const Result<void>& result)
     return result.ok();
 }
 
+/// Nobody answers for what he has not seen: where another window or program has stored something a moment ago, it is shown, and nothing done.
+Result<void> SigningPanel::asSeen(const std::function<Result<void>()>& act)
+{
+    const auto look = [&]() -> Result<void> {
+        auto transaction = m_context.stores.begin();
+        if (!transaction)
+            return transaction.error();
+        const auto stored = m_context.stores.swings.record(record().swing.id);
+        if (!stored)
+            return stored.error();
+        if (!(*stored == record()))
+            return Error{ErrorCode::Conflict,
+                said(tr(
+                    "this swing has been changed in another window or by another program since it was shown here; nothing was done, look at it again"))};
+        if (auto acted = act(); !acted)
+            return acted;
+        return transaction->commit();
+    };
+    auto looked = look();
+    if (!looked && (looked.error().code == ErrorCode::Conflict || looked.error().code == ErrorCode::NotFound))
+        m_context.stores.changes().announceFleet();
+    return looked;
+}
+
 void SigningPanel::changeState()
 {
     const SwingId id = record().swing.id;
-    if (record().swing.state == SwingState::Draft)
-        done(m_context.stores.signing.complete(id));
-    else
-        done(m_context.stores.signing.reopen(id, m_reason->text().trimmed().toStdString()));
+    done(asSeen([&]() -> Result<void> {
+        if (record().swing.state == SwingState::Draft)
+            return m_context.stores.signing.complete(id);
+        return m_context.stores.signing.reopen(id, m_reason->text().trimmed().toStdString());
+    }));
 }
 
 void SigningPanel::sign()
@@ -306,7 +331,7 @@ void SigningPanel::sign()
         signWithKey(std::move(signature));
         return;
     }
-    if (done(m_context.stores.signing.sign(record().swing.id, std::move(signature)))) {
+    if (done(asSeen([&] { return m_context.stores.signing.sign(record().swing.id, signature); }))) {
         m_name->clear();
         m_licence->clear();
         m_name->setFocus();
@@ -315,14 +340,20 @@ void SigningPanel::sign()
 
 void SigningPanel::amend()
 {
-    const auto made = m_context.stores.signing.amend(record().swing.id, m_reason->text().trimmed().toStdString());
-    if (!made) {
-        emit failed(messageOf(made.error()));
+    SwingId made;
+    const auto amended = asSeen([&]() -> Result<void> {
+        const auto id = m_context.stores.signing.amend(record().swing.id, m_reason->text().trimmed().toStdString());
+        if (id)
+            made = *id;
+        return id ? Result<void>() : id.error();
+    });
+    if (!amended) {
+        emit failed(messageOf(amended.error()));
         m_reason->setFocus();
         return;
     }
     m_reason->clear();
-    emit openSwing(*made);
+    emit openSwing(made);
 }
 
 void SigningPanel::askReason() { m_reason->setFocus(Qt::OtherFocusReason); }

@@ -10,6 +10,8 @@ class QPushButton;
 class QTableWidget;
 class QToolButton;
 
+#include <functional>
+
 #include "db/openpgp/Gpg.h"
 #include "ui/kit/EditContext.h"
 #include "ui/kit/Worker.h"
@@ -46,6 +48,7 @@ private:
     void amend();
     [[nodiscard]] static QString standsFor(const Signature& one, const SignatureState& state);
     bool done(const Result<void>& result);
+    Result<void> asSeen(const std::function<Result<void>()>& act);
 
     // SigningPanelKeys.cpp: what gpg is asked for, on workers
     void checkKeys();

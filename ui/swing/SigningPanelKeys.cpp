@@ -56,6 +56,10 @@ void SigningPanel::signWithKey(Signature signature)
 {
     auto& signing = m_context.stores.signing;
     const SwingId id = record().swing.id;
+    if (const auto seen = asSeen([]() -> Result<void> { return {}; }); !seen) {
+        emit failed(messageOf(seen.error()));
+        return;
+    }
     const auto prepared = signing.prepare(id, std::move(signature));
     const auto content = prepared ? signing.contentOf(id, *prepared) : Result<std::string>(prepared.error());
     if (!content) {

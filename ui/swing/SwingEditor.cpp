@@ -199,6 +199,12 @@ int SwingEditor::analysedIndex(int row) const
     return same ? index : -1;
 }
 
+int SwingEditor::rowOf(ReadingId reading) const
+{
+    const auto found = std::find_if(readings().begin(), readings().end(), [reading](const Reading& one) { return one.id == reading; });
+    return found == readings().end() ? -1 : static_cast<int>(found - readings().begin());
+}
+
 const AnalysedReading* SwingEditor::analysed(int row) const
 {
     const int index = analysedIndex(row);

@@ -37,6 +37,7 @@ public:
     /// Waits until the results are those of the readings.
     void settle();
     [[nodiscard]] const QString& whyNoAnalysis() const { return m_whyNoAnalysis; }
+    [[nodiscard]] int rowOf(ReadingId reading) const; ///< −1: it is none of this swing
     /// The results of one row; null when it is not used, or without analysis.
     [[nodiscard]] const AnalysedReading* analysed(int row) const;
     /// The place of a row among the analysed readings, or −1; likewise where it was another reading when they were computed.

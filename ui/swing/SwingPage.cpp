@@ -170,8 +170,14 @@ void SwingPage::connectParts()
     connect(m_plots, &PlotTabs::readOut, this, &SwingPage::readOut);
     connect(m_plots, &PlotTabs::leaves, m_editor, &SwingEditor::settle);
     connect(m_plots, &PlotTabs::failed, this, &SwingPage::failed);
-    connect(
-        m_exclusion, &ExclusionPanel::reasonGiven, m_editor, [this](int row, const QString& reason) { m_editor->exclude(row, reason); });
+    connect(m_exclusion, &ExclusionPanel::reasonGiven, m_editor, [this](ReadingId reading, const QString& reason) {
+        if (const int row = m_editor->rowOf(reading); row >= 0)
+            m_editor->exclude(row, reason);
+    });
+    connect(m_editor, &SwingEditor::changed, m_exclusion, [this] {
+        if (m_exclusion->isVisibleTo(this) && (m_editor->rowOf(m_exclusion->reading()) < 0 || !m_editor->editable()))
+            m_exclusion->hide(); // it is gone
+    });
     connect(m_exclusion, &ExclusionPanel::closed, m_table, qOverload<>(&QWidget::setFocus));
     connect(m_coefficients, &CoefficientsPanel::derivationWanted, this, &SwingPage::showDerivation);
     connect(m_complete, &QPushButton::clicked, this, &SwingPage::toggleComplete);
@@ -357,7 +363,7 @@ void SwingPage::toggleExcluded()
     if (reading.exclusion)
         m_editor->exclude(row, {});
     else
-        m_exclusion->ask(row,
+        m_exclusion->ask(reading.id,
             reading.magnetic ? toText(formatHeading(reading.magnetic->degrees(), AngleStyle::DecimalDegrees, 0))
                              : tr("row %1").arg(row + 1));
 }

@@ -32,16 +32,16 @@ ExclusionPanel::ExclusionPanel(QWidget* parent)
     connect(m_reason, &QLineEdit::textChanged, this, [this](const QString& text) { m_exclude->setEnabled(!text.trimmed().isEmpty()); });
     connect(m_reason, &QLineEdit::returnPressed, m_exclude, &QPushButton::click);
     connect(m_exclude, &QPushButton::clicked, this, [this] {
-        emit reasonGiven(m_row, m_reason->text().trimmed());
+        emit reasonGiven(m_reading, m_reason->text().trimmed());
         finish();
     });
     connect(cancel, &QPushButton::clicked, this, &ExclusionPanel::finish);
     hide();
 }
 
-void ExclusionPanel::ask(int row, const QString& place)
+void ExclusionPanel::ask(ReadingId reading, const QString& place)
 {
-    m_row = row;
+    m_reading = reading;
     m_question->setText(tr("Why is the reading on %1 left out?").arg(place));
     m_reason->clear();
     show();

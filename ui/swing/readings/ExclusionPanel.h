@@ -2,6 +2,8 @@
 
 #include <QFrame>
 
+#include "core/record/Id.h"
+
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -14,11 +16,12 @@ class ExclusionPanel : public QFrame {
 
 public:
     explicit ExclusionPanel(QWidget* parent = nullptr);
-    /// Opens for a row; `place` is its heading in words.
-    void ask(int row, const QString& place);
+    /// Opens for a reading, wherever it will stand by the time that a reason is given; `place` is its heading in words.
+    void ask(ReadingId reading, const QString& place);
+    [[nodiscard]] ReadingId reading() const { return m_reading; }
 
 signals:
-    void reasonGiven(int row, const QString& reason);
+    void reasonGiven(lubberline::ReadingId reading, const QString& reason);
     void closed();
 
 protected:
@@ -26,7 +29,7 @@ protected:
 
 private:
     void finish();
-    int m_row = -1;
+    ReadingId m_reading;
     QLabel* m_question;
     QLineEdit* m_reason;
     QPushButton* m_exclude;
