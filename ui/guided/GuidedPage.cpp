@@ -2,9 +2,11 @@
 
 #include <QMenu>
 #include <QResizeEvent>
+#include <QScopedValueRollback>
 #include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "core/swing/Observations.h"
@@ -20,6 +22,7 @@
 #include "ui/guided/StationStrip.h"
 #include "ui/guided/TypedFigures.h"
 #include "ui/intake/LivePanel.h"
+#include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/SwingPlot.h"
 
@@ -50,6 +53,7 @@ GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, 
     GuidedServices services;
     services.nowUtc = m_nowUtc;
     services.store = [this](const SwingJob& job, const JobEvent& event) {
+        const QScopedValueRollback storing(m_storing, true);
         auto stored = m_stores.jobs.append(m_swing, job.events.size(), event);
         if (!stored && stored.error().code != ErrorCode::Conflict && stored.error().code != ErrorCode::Frozen)
             emit notStored(m_swing, job.events.size(), event);
@@ -64,6 +68,11 @@ GuidedPage::GuidedPage(db::Stores& stores, std::function<std::string()> nowUtc, 
     build();
     m_typed = new TypedFigures(stores, *m_steps, this);
     connect(m_typed, &TypedFigures::failed, this, &GuidedPage::failed);
+    connect(&stores.changes(), &db::Changes::swingChanged, this, [this](SwingId id) {
+        if (id == m_swing)
+            lookAgain();
+    });
+    connect(&stores.changes(), &db::Changes::fleetChanged, this, &GuidedPage::lookAgain);
 }
 
 GuidedPage::~GuidedPage() { m_typed->settle(); }
@@ -171,6 +180,8 @@ Result<void> GuidedPage::takeUp(SwingId swing)
         return found.error();
     if (!*found || (*found)->swing != swing)
         return Error{ErrorCode::NotFound, said(tr("this swing is not a guided one"))};
+    if (!isOpenJob(m_stores, swing))
+        return Error{ErrorCode::Frozen, said(tr("this guided swing is finished; nothing is added to it"))};
     const auto record = m_stores.swings.record(swing);
     if (!record)
         return record.error();
@@ -242,6 +253,7 @@ void GuidedPage::reportFault()
 /// That it was given up is a step of the job by now; the swing stays as a draft.
 void GuidedPage::abandon()
 {
+    const QScopedValueRollback storing(m_storing, true);
     if (const auto done = m_stores.jobs.abandon(m_swing); !done) {
         emit failed(messageOf(done.error()));
         return;
@@ -306,6 +318,7 @@ void GuidedPage::finish()
     Swing main = asLeftSwing(job, state);
     main.startUtc = job.events.empty() ? std::string() : job.events.front().timeUtc;
     main.endUtc = job.events.empty() ? std::string() : job.events.back().timeUtc;
+    const QScopedValueRollback storing(m_storing, true);
     if (const auto done = m_stores.jobs.finish(m_swing, main, furtherSwings(job, state, main, m_stores.clock().today())); !done) {
         emit failed(messageOf(done.error()));
         return;
@@ -363,6 +376,7 @@ void GuidedPage::resizeEvent(QResizeEvent* event)
 void GuidedPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    QTimer::singleShot(0, this, &GuidedPage::lookAgain); // when it is in front
     if (m_pages->currentWidget() == m_work && m_job->isOpen())
         refresh();
     else if (m_pages->currentWidget() == m_start)

@@ -69,6 +69,7 @@ protected:
 private:
     void build();
     void refresh();
+    void lookAgain();
     void finish();
     void reportFault();
     void abandon();
@@ -94,6 +95,7 @@ private:
     QLabel* m_instrument;
     QMenu* m_instruments;
     TypedFigures* m_typed;
+    bool m_storing = false; ///< what changes is what this page stores
     StationStrip* m_strip;
     SwingPlot* m_plot;
     LivePanel* m_live;

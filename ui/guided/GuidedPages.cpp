@@ -3,13 +3,14 @@
 #include <QSettings>
 #include <QStackedWidget>
 
-#include <algorithm>
-
 #include "ui/guided/GuidedPage.h"
 #include "ui/guided/GuidedStart.h"
+#include "ui/guided/TypedFigures.h"
 #include "ui/intake/LivePanel.h"
+#include "ui/kit/OpenSwings.h"
 #include "ui/kit/PageDescription.h"
 #include "ui/kit/Preferences.h"
+#include "ui/kit/Words.h"
 #include "ui/plots/swing/SwingPlot.h"
 
 namespace lubberline::ui {
@@ -19,10 +20,7 @@ namespace {
 bool guidedOpen(db::Stores& stores, const FleetItem& record)
 {
     const auto* id = std::get_if<SwingId>(&record);
-    if (!id)
-        return false;
-    const auto jobs = stores.jobs.open();
-    return jobs && std::any_of(jobs->begin(), jobs->end(), [id](const JobRow& job) { return job.swing == *id; });
+    return id && isOpenJob(stores, *id);
 }
 
 /// Goes on with the one that is chosen, or begins one for the compass that is.
@@ -92,6 +90,33 @@ Result<void> GuidedPage::open(const FleetItem& record)
         return takeUp(*swing);
     const auto* compass = std::get_if<CompassId>(&record);
     return begin(compass ? *compass : CompassId());
+}
+
+/// Another window or program may have gone on with it: the next figure is of the step at which it stands now.
+void GuidedPage::lookAgain()
+{
+    if (m_storing || !inWork() || !isVisible())
+        return;
+    const auto found = m_stores.jobs.jobOf(m_swing);
+    if (!found || !*found || (*found)->swing != m_swing)
+        return; // removed: the window leaves it
+    if (!isOpenJob(m_stores, m_swing)) {
+        m_typed->forget();
+        m_job->close();
+        emit readOut(tr("This guided swing has been ended in another window."));
+        emit finished(m_swing);
+        return;
+    }
+    if ((*found)->job.events == m_job->job().events)
+        return;
+    const QStringList unstored = m_typed->figures();
+    if (const auto taken = takeUp(m_swing); !taken)
+        emit failed(messageOf(taken.error()));
+    else if (unstored.isEmpty())
+        emit failed(tr("This swing has gone on in another window: it is shown as it stands there."));
+    else
+        emit failed(tr("This swing has gone on in another window: it is shown as it stands there. What was typed here was not stored: %1.")
+                        .arg(unstored.join(QStringLiteral(", "))));
 }
 
 bool GuidedPage::inWork() const { return m_job->isOpen(); }

@@ -106,7 +106,17 @@ std::vector<TypedText> TypedFigures::typed() const
     return all;
 }
 
-/// What another program's writing holds up is tried again; where the swing has gone on elsewhere, or cannot be written, nothing is to be kept.
+QStringList TypedFigures::figures() const
+{
+    QStringList all;
+    for (const char* name : {"guidedDatum", "guidedAstern", "guidedCompass", "guidedAfter"})
+        if (const auto* line = m_form.findChild<QLineEdit*>(QString::fromLatin1(name)); line && !line->text().isEmpty())
+            all += line->text();
+    return all;
+}
+
+/// What another program's writing or a full drive holds up is tried again, and the step itself tells of it; where the swing has gone on
+/// elsewhere there is nothing to be kept.
 void TypedFigures::keep()
 {
     if (!m_swing.valid() || m_stores.readOnly())
@@ -114,13 +124,10 @@ void TypedFigures::keep()
     const std::vector<TypedText> now = typed();
     if (now == m_kept)
         return;
-    const auto kept = m_stores.jobs.keepTyped(m_swing, m_step, now);
-    if (kept)
+    if (const auto kept = m_stores.jobs.keepTyped(m_swing, m_step, now); kept)
         m_kept = now;
-    else if (kept.error().code == ErrorCode::Locked)
+    else if (const auto code = kept.error().code; code == ErrorCode::Locked || code == ErrorCode::Full || code == ErrorCode::Io)
         m_soon->start(kTryAgain_ms);
-    else if (const auto code = kept.error().code; code != ErrorCode::Conflict && code != ErrorCode::Frozen && code != ErrorCode::NotFound)
-        emit failed(messageOf(kept.error()));
 }
 
 void TypedFigures::settle()

@@ -3,6 +3,7 @@
 /// figure shows it again, on this machine or with a copy of the database on another. The step that is stored takes it away.
 
 #include <QObject>
+#include <QStringList>
 
 #include <vector>
 
@@ -21,8 +22,9 @@ public:
 
     /// From now on of this swing at this step; what was kept of another swing than the one before is put back into the form.
     void follow(SwingId swing, std::size_t step);
-    void settle(); ///< what was typed since the last key is kept now: the form goes
-    void forget(); ///< the swing has ended, which takes it away
+    [[nodiscard]] QStringList figures() const; ///< that stand in the fields of a reading and are not stored
+    void settle();                             ///< what was typed since the last key is kept now: the form goes
+    void forget();                             ///< the swing has ended, which takes it away
 
 signals:
     void failed(const QString& message);

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 #include "core/procedure/JobState.h"
 #include "ui/kit/Words.h"
 
@@ -49,6 +51,12 @@ Result<std::vector<OpenSwing>> openSwings(db::Stores& stores)
         all.push_back(std::move(one));
     }
     return all;
+}
+
+bool isOpenJob(db::Stores& stores, SwingId swing)
+{
+    const auto jobs = stores.jobs.open();
+    return jobs && std::any_of(jobs->begin(), jobs->end(), [swing](const JobRow& job) { return job.swing == swing; });
 }
 
 QString abandonedWords(db::Stores& stores, SwingId swing)

@@ -20,6 +20,9 @@ struct OpenSwing {
 /// Newest first. Errors: those of the store; one that does not read is offered all the same: its page says what is wrong.
 Result<std::vector<OpenSwing>> openSwings(db::Stores& stores);
 
+/// Whether it is one of them.
+[[nodiscard]] bool isOpenJob(db::Stores& stores, SwingId swing);
+
 /// "step 8 of 12", "its preparation"; of an abandoned one with the reason.
 [[nodiscard]] QString standingWords(const SwingJob& job);
 
