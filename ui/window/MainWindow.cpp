@@ -35,7 +35,6 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kDueDelay_ms = 300;                      // many changes at once are looked at once
-constexpr int kElsewhere_ms = 1000;                    // a page does not show for long what another window has changed
 constexpr int kPatience_ms = 250, kTryAgain_ms = 1000; // typing goes on meanwhile
 
 } // namespace
@@ -303,6 +302,7 @@ void MainWindow::goBack(const QString& page)
         navigate({});
     else
         m_trail.visit({page, m_pages->current().shown().item()});
+    leaveRemoved();
     showPlace();
 }
 
@@ -341,21 +341,6 @@ void MainWindow::watchDue()
     connect(m_dueWatch, &DueWatch::ready, this, [this] { m_fleet->showDue(m_dueWatch->news()->lines, m_dueWatch->news()->due()); });
     connect(m_fleet, &FleetPanel::dueWanted, this, [this] { navigate({"due"}); });
     soon->start();
-}
-
-void MainWindow::watchElsewhere()
-{
-    auto* now_and_then = new QTimer(this);
-    now_and_then->setInterval(kElsewhere_ms);
-    connect(now_and_then, &QTimer::timeout, this, &MainWindow::lookElsewhere);
-    now_and_then->start();
-    lookElsewhere();
-}
-
-void MainWindow::lookElsewhere()
-{
-    if (const auto changed = m_stores.changedElsewhere(); changed && *changed)
-        m_stores.changes().announceAll();
 }
 
 void MainWindow::makeSwing(Swing swing)

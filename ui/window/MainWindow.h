@@ -91,10 +91,13 @@ private:
     void leaveField(); ///< what is being typed is stored before something else happens
     void showSaved(bool saved);
     void watchDue();
-    void watchElsewhere();
-    void lookElsewhere();        ///< what another window or a command has stored is shown
     void makeSwing(Swing swing); ///< of readings that a page has made
     [[nodiscard]] Shown shown() const;
+
+    // MainWindowElsewhere.cpp: what another window or a command stores
+    void watchElsewhere();
+    void lookElsewhere(); ///< it is shown
+    void leaveRemoved();
 
     // MainWindowActions.cpp: menus, toolbar, undo
     void buildActions();

@@ -205,10 +205,9 @@ void MainWindow::print()
     if (const PageDescription* front = m_pages->description(); front && front->print)
         front->print(m_pages->current());
     else
-        m_services.dialogs.printPreview(this, [this](QPrinter& printer) {
-            const QWidget& page = m_pages->current();
+        m_services.dialogs.printPreview(this, [&page = m_pages->current()](QPrinter& printer) { // as long as it is asked, of this one
             printer.setPageOrientation(page.width() > page.height() ? QPageLayout::Landscape : QPageLayout::Portrait);
-            printPage(m_pages->current(), printer);
+            printPage(page, printer);
         });
 }
 

@@ -1,5 +1,7 @@
 #include "ui/window/PageStack.h"
 
+#include <QApplication>
+
 #include <algorithm>
 
 #include "core/base/Contract.h"
@@ -75,14 +77,18 @@ Result<void> PageStack::show(const Destination& destination)
     return {};
 }
 
-/// The old one may be in the middle of telling us something, so it goes when it has done.
+/// The old one may be in the middle of telling us something, so it goes when it has done; and a dialog that was opened from it (where a
+/// report is to be written) comes back to it, while an import that ended beneath has shown another.
 void PageStack::retire(Page* page)
 {
     removeWidget(page);
     page->setParent(nullptr);
     page->disconnect(this);
     page->disconnect(&m_context.window);
-    page->deleteLater();
+    if (QWidget* asking = QApplication::activeModalWidget())
+        connect(asking, &QObject::destroyed, page, &QObject::deleteLater);
+    else
+        page->deleteLater();
 }
 
 bool PageStack::showAsLeft(const QString& id)
@@ -92,6 +98,16 @@ bool PageStack::showAsLeft(const QString& id)
         return false;
     turnTo(*made->second);
     return true;
+}
+
+void PageStack::drop(const QString& id)
+{
+    const auto made = m_made.find(id);
+    if (made == m_made.end() || made->second == currentWidget())
+        return;
+    Page* page = made->second;
+    m_made.erase(made);
+    retire(page);
 }
 
 void PageStack::turnTo(Page& page)

@@ -30,6 +30,8 @@ public:
     using QStackedWidget::show;
     /// Puts a page in front as it was left. @return false: it was not opened, or its record is no more
     bool showAsLeft(const QString& id);
+    /// One whose record is no more goes, unless it is in front.
+    void drop(const QString& id);
     void setAngleStyle(AngleStyle style);
 
 signals:

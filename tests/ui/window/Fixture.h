@@ -25,9 +25,12 @@ public:
     std::function<void(const std::function<void(QPrinter&)>&)> onPreview;
     QString openFile(QWidget*, const QString&, const QString&) override { return answer; }
     QString suggested;
+    std::function<void()> meanwhile; ///< what happens while a name is asked for
     QString saveFile(QWidget*, const QString&, const QString& suggestion, const QString&) override
     {
         suggested = suggestion;
+        if (meanwhile)
+            meanwhile();
         return answer;
     }
     QString chooseFolder(QWidget*, const QString&, const QString&) override { return answer; }

@@ -10,8 +10,8 @@
 #include <QSpinBox>
 #include <QTreeView>
 
-#include "core/format/exchange/Exchange.h"
 #include "tests/ui/window/EveryPage.h"
+#include "tests/ui/window/TwoAircraft.h"
 #include "ui/fleet/FleetModel.h"
 #include "ui/intake/NmeaImportPage.h"
 
@@ -21,39 +21,6 @@ using namespace lubberline::ui;
 namespace {
 
 const QString kTyped = QStringLiteral("typed for the first");
-
-/// Two aircraft of a type, each with a compass, a complete swing and a draft.
-struct TwoAircraft {
-    SmallFleet fleet;
-    AircraftId other;
-    CompassId otherCompass;
-    SwingId complete, draft, otherComplete, otherDraft;
-
-    TwoAircraft()
-    {
-        Aircraft aircraft;
-        aircraft.type = fleet.type;
-        aircraft.registration = "3802";
-        other = *fleet.stores.save(aircraft);
-        CompassSystem compass;
-        compass.aircraft = other;
-        compass.name = "standby compass";
-        otherCompass = *fleet.stores.save(compass);
-        complete = fleet.addSwing("2026-11-18", eightPoints());
-        draft = fleet.addSwing("2026-11-19", eightPoints());
-        const CompassId first = std::exchange(fleet.compass, otherCompass);
-        otherComplete = fleet.addSwing("2026-11-20", eightPoints());
-        otherDraft = fleet.addSwing("2026-11-21", eightPoints());
-        fleet.compass = first;
-        for (const SwingId id : {complete, otherComplete})
-            if (!fleet.stores.signing.complete(id))
-                qFatal("the swing is not complete");
-    }
-    QString all(AircraftId aircraft)
-    {
-        return QString::fromStdString(writeExchange(db::exportFleet(fleet.stores.database(), {aircraft}, {}).value()));
-    }
-};
 
 /// Everything that can be typed into is, on the page and in each panel and tab of it.
 void typeEverywhere(Page& page)
