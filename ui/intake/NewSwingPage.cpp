@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -115,10 +116,23 @@ void NewSwingPage::build()
     connect(m_compass, &QComboBox::currentTextChanged, this, &NewSwingPage::updateLimits);
     for (QLineEdit* line : {m_type->lineEdit(), m_aircraft->lineEdit(), m_compass->lineEdit(), m_site->lineEdit(), m_date})
         connect(line, &QLineEdit::returnPressed, this, [this] { focusNextChild(); }); // Enter goes on, as in the table
+    for (QComboBox* box : {m_limits, m_kind, m_stage})                                // on these, too
+        box->installEventFilter(this);
     connect(m_create, &QPushButton::clicked, this, &NewSwingPage::create);
     connect(cancel, &QPushButton::clicked, this, &NewSwingPage::cancelled);
 }
 
+bool NewSwingPage::eventFilter(QObject* object, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress)
+        if (const int key = static_cast<QKeyEvent*>(event)->key(); key == Qt::Key_Return || key == Qt::Key_Enter) {
+            focusNextChild();
+            return true;
+        }
+    return Page::eventFilter(object, event);
+}
+
+/// Where the compass is known already, Enter starts: the rest stands in the form and is changed only where it is otherwise.
 void NewSwingPage::begin(AircraftId aircraft, CompassId compass)
 {
     say({});
@@ -132,6 +146,7 @@ void NewSwingPage::begin(AircraftId aircraft, CompassId compass)
             m_site->setCurrentText(toText(site.name));
     loadLimits();
     preselect(aircraft, compass);
+    setFocusProxy(typed(*m_compass).isEmpty() ? static_cast<QWidget*>(m_type) : m_create);
 }
 
 void NewSwingPage::loadLimits()
@@ -145,7 +160,20 @@ void NewSwingPage::loadLimits()
     updateLimits();
 }
 
-void NewSwingPage::updateLimits() { m_limits->setEnabled(!named(m_compasses, typed(*m_compass), &CompassRow::name)); }
+/// A known compass keeps its own, and shows them.
+void NewSwingPage::updateLimits()
+{
+    const CompassRow* known = named(m_compasses, typed(*m_compass), &CompassRow::name);
+    const bool ofAnother = known || !m_limits->isEnabled();
+    m_limits->setEnabled(!known);
+    const auto compass = known ? m_context.stores.fleet.compass(known->id) : Result<CompassSystem>(CompassSystem());
+    int shown = 0;
+    for (std::size_t i = 0; compass && i < m_profiles.size(); ++i)
+        if (compass->limits.valid() && m_profiles[i].id == compass->limits)
+            shown = static_cast<int>(i) + 1;
+    if (ofAnother)
+        m_limits->setCurrentIndex(shown);
+}
 
 void NewSwingPage::preselect(AircraftId aircraft, CompassId compass)
 {
