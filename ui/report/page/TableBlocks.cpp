@@ -91,8 +91,11 @@ void paintCell(QPainter& painter, const Setting& setting, std::size_t column, co
         // what is too long for its column is set smaller, and never into the next
         paintLine(painter, smaller(font, room / needed), {left + setting.width[column] / 2, baseline}, Qt::AlignHCenter, text);
     } else if (isFigure(text)) {
+        // The points stand one beneath the other, unless "2e-42" and "0.0011" would need more than the column for that.
         const double whole = QFontMetricsF(font).horizontalAdvance(text.left(pointOf(text)));
-        paintLine(painter, font, {row.left() + setting.point[column] - whole, baseline}, Qt::AlignLeft, text);
+        const double most = left + setting.width[column] - kPadding / 2 - needed;
+        const double x = std::max(left + kPadding / 2, std::min(row.left() + setting.point[column] - whole, most));
+        paintLine(painter, font, {x, baseline}, Qt::AlignLeft, text);
     } else {
         paintLine(painter, font, {left + setting.width[column] / 2, baseline}, Qt::AlignHCenter, text);
     }

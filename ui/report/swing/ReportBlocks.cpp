@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "ui/plots/swing/PlotRendering.h"
 #include "ui/report/page/DocumentFont.h"
@@ -190,7 +191,8 @@ std::size_t fitting(const std::vector<Block>& methods, double room)
 
 /// What the tables leave of their last page is used before another page is begun: for all of the rest, else for the methods, else for the
 /// polar plot, else for as much of the methods as fits. The plots have what the words leave of their page.
-void appendPlots(std::vector<Block>& blocks, const ReportContent& content, const QString& family, QSizeF body)
+/// @param field what is said of the Earth's field: it comes last, unless the page before the plots has room for all of it; then it is taken
+void appendPlots(std::vector<Block>& blocks, const ReportContent& content, const QString& family, QSizeF body, std::vector<Block>& field)
 {
     std::vector<Block> methods = methodBlocks(content, family, body.width());
     std::vector<Block> signatures{gap(kGap), signatureBlock(content, family, body.width())};
@@ -210,7 +212,13 @@ void appendPlots(std::vector<Block>& blocks, const ReportContent& content, const
         const auto here = static_cast<std::ptrdiff_t>(fitting(methods, below));
         std::vector<Block> rest(methods.begin() + here, methods.end());
         methods.erase(methods.begin() + here, methods.end());
+        const double left = below - heightOf(methods) - kGap;
         append(blocks, std::move(methods));
+        if (here > 0 && rest.empty() && !field.empty() && heightOf(field) <= left) {
+            field.front().newPage = false;
+            blocks.push_back(gap(kGap));
+            append(blocks, std::exchange(field, {}));
+        }
         const bool begun = here > 0 && !rest.empty(); // the methods go on at the top of the page of the plots
         std::vector<Block> plots = plotBlocks(content, family, whole - heightOf(rest) - heightOf(signatures));
         (begun ? rest : plots).front().newPage = true;
@@ -229,14 +237,14 @@ void appendPlots(std::vector<Block>& blocks, const ReportContent& content, const
 std::vector<Block> reportBlocks(const ReportContent& content, const QString& family, QSizeF body)
 {
     std::vector<Block> blocks = recordBlocks(content, family, body);
-    appendPlots(blocks, content, family, body);
+    std::vector<Block> field = content.field ? fieldBlocks(*content.field, family, body) : std::vector<Block>();
+    appendPlots(blocks, content, family, body, field);
     for (std::size_t i = 0; i < content.job.size(); ++i) {
         auto table = tableBlocks(content.job[i], body.width(), family, kDenseTableRow);
         table.front().newPage = i == 0;
         append(blocks, std::move(table));
     }
-    if (content.field)
-        append(blocks, fieldBlocks(*content.field, family, body));
+    append(blocks, std::move(field));
     return blocks;
 }
 
