@@ -174,7 +174,7 @@ void SitesPage::buildForm(QFormLayout& form)
     for (const ClassRule& rule : classRules())
         classes
             += tr("class %1: within %2° (%3)").arg(static_cast<int>(rule.siteClass)).arg(rule.permissible_deg).arg(toText(rule.document));
-    auto* siteClass = m_fields.addChoice(
+    m_fields.addChoice(
         form, tr("Class:"), QStringLiteral("siteClass"), classes, [](const Site& site) { return static_cast<int>(site.siteClass); },
         [](Site& site, int choice) { site.siteClass = static_cast<SiteClass>(choice); });
     text(tr("Certificate:"), "siteCertificate", &Site::certificate);

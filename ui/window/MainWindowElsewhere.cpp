@@ -40,7 +40,7 @@ bool isThere(db::Stores& stores, const FleetItem& item)
 }
 
 /// From the type down to the record that a page is of; none: it is of no record.
-std::vector<FleetItem> placeOf(const Page& page)
+std::vector<FleetItem> pathOf(const Page& page)
 {
     auto path = page.path();
     return path.empty() ? std::vector{page.shown().item()} : path;
@@ -56,7 +56,7 @@ void MainWindow::lookElsewhere()
     if (!changed || !*changed)
         return;
     const QString title = m_pages->current().title();
-    const FleetItem shown = placeOf(m_pages->current()).back();
+    const FleetItem shown = pathOf(m_pages->current()).back();
     m_stores.changes().announceAll();
     if (isThere(m_stores, shown))
         return;
@@ -70,7 +70,7 @@ void MainWindow::leaveRemoved()
     const PageDescription* front = m_pages->description();
     if (!front)
         return;
-    std::vector<FleetItem> path = placeOf(m_pages->current());
+    std::vector<FleetItem> path = pathOf(m_pages->current());
     if (isThere(m_stores, path.back()))
         return;
     while (!path.empty() && !isThere(m_stores, path.back()))
