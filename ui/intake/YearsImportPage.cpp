@@ -207,6 +207,7 @@ void YearsImportPage::fillColumns(const YearsColumnsShown& shown)
         m_columns->setItem(row, ExamplesColumn, new QTableWidgetItem(shown.examples[place].join(QStringLiteral(" · "))));
         auto* meaning = new QComboBox;
         meaning->setObjectName(QStringLiteral("yearsMeaning%1").arg(row));
+        meaning->setAccessibleName(tr("What the column %1 is").arg(toText(name)));
         const auto heading = headingOfColumn(name);
         meaning->addItem(heading ? tr("heading %1°").arg(numberText(*heading)) : tr("nothing known: kept as a note"), QString());
         for (const auto& key : keys)

@@ -84,7 +84,7 @@ ParameterCell::ParameterCell(const ParameterSpec& spec, QWidget* parent)
     layout->addWidget(m_slider, 0, 1);
     layout->addWidget(m_spin, 1, 0, 1, 2);
     layout->setColumnStretch(1, 1);
-    setTabOrder(m_spin, m_slider);
+    setTabOrder(m_slider, m_spin); // as they stand
     setFocusProxy(m_spin);
     setValue(0);
     connect(m_spin, &QDoubleSpinBox::valueChanged, this, &ParameterCell::playTyped);

@@ -1,7 +1,11 @@
 // What a screen reader and a keyboard find on every page: each control has a name and a role, Tab reaches each in reading order, the one
 // that has the focus is seen, and what a colour says is said by a word or a shape besides.
 
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
 #include <QAccessible>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLineEdit>
@@ -102,7 +106,11 @@ QStringList jumpsIn(QWidget& page)
             break;
         const bool field
             = qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QComboBox*>(widget) || qobject_cast<const QPushButton*>(widget);
-        if (!field || !page.isAncestorOf(widget) || !acceptsTab(*widget) || widget->focusProxy())
+        const bool another = qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget)
+            || qobject_cast<const QAbstractItemView*>(widget) || qobject_cast<const QCheckBox*>(widget)
+            || qobject_cast<const QToolButton*>(widget);
+        if (!(field || (another && qEnvironmentVariableIsSet("LUBBERLINE_TAB_ALL"))) || widget->objectName().startsWith("qt_")
+            || !page.isAncestorOf(widget) || !acceptsTab(*widget) || widget->focusProxy())
             continue;
         if (before && before->parentWidget() == widget->parentWidget()) { // of one form
             const QPoint from = before->mapTo(&page, QPoint()), to = widget->mapTo(&page, QPoint());
@@ -162,7 +170,9 @@ void AccessibilityTest::theFocusIsSeen()
         auto& page = open.window.findChild<PageStack*>()->current();
         for (auto* widget : page.findChildren<QWidget*>()) {
             const bool control = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QLineEdit*>(widget)
-                || qobject_cast<QComboBox*>(widget) || widget->objectName() == "stationStrip";
+                || qobject_cast<QComboBox*>(widget) || widget->objectName() == "stationStrip"
+                || (qEnvironmentVariableIsSet("LUBBERLINE_TAB_ALL")
+                    && (qobject_cast<QAbstractSlider*>(widget) || qobject_cast<QAbstractSpinBox*>(widget)));
             if (!control || !acceptsTab(*widget) || widget->focusProxy() || widget->objectName().startsWith("qt_")
                 || widget->visibleRegion().isEmpty())
                 continue;

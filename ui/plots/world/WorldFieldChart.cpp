@@ -5,6 +5,7 @@
 #include <qwt_text.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/Contract.h"
 #include "ui/plots/base/CartesianPlot.h"
@@ -16,15 +17,35 @@ namespace lubberline::ui {
 
 namespace {
 
+constexpr int kMostSteps = 8; ///< of 45° over the world
+
+/// Where they would collide, only every second or third tick has its label; the equator and Greenwich always have.
 class PlaceScaleDraw : public QwtScaleDraw {
 public:
     using Text = QString (*)(double value_deg, int decimals);
     explicit PlaceScaleDraw(Text text) : m_text(text) {}
-    [[nodiscard]] QwtText label(double value_deg) const override { return m_text(value_deg, 0); }
+    void setEvery(int every)
+    {
+        m_every = every;
+        invalidateCache();
+    }
+    [[nodiscard]] QwtText label(double value_deg) const override
+    {
+        const QList<double> ticks = scaleDiv().ticks(QwtScaleDiv::MajorTick);
+        const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
+        return std::lround(value_deg / step) % m_every == 0 ? QwtText(m_text(value_deg, 0)) : QwtText();
+    }
 
 private:
     Text m_text;
+    int m_every = 1;
 };
+
+void thin(QwtPlot& plot, int axis, double length, double labelNeeds)
+{
+    if (auto* scale = dynamic_cast<PlaceScaleDraw*>(plot.axisScaleDraw(axis)))
+        scale->setEvery(std::max(1, static_cast<int>(std::ceil(labelNeeds * kMostSteps / std::max(1.0, length)))));
+}
 
 } // namespace
 
@@ -114,7 +135,12 @@ void WorldFieldChart::layoutPlots(const QRect& rect)
 {
     m_plot->setGeometry(rect);
     m_plot->updateLayout(); // its axes say how much they need
-    m_plot->setGeometry(inShape(rect, 1).toRect());
+    const QRect shaped = inShape(rect, 1).toRect();
+    const QFontMetrics metrics(m_plot->axisFont(QwtAxis::XBottom));
+    const int aside = m_plot->width() - m_plot->canvas()->width();
+    thin(*m_plot, QwtAxis::XBottom, shaped.width() - aside, metrics.horizontalAdvance(longitudeText(-135, 0)) + 8);
+    thin(*m_plot, QwtAxis::YLeft, shaped.width() - aside, 2.0 * metrics.height()); // its degrees are as long as those of longitude
+    m_plot->setGeometry(shaped);
 }
 
 void WorldFieldChart::paintPlots(QPainter& painter, const QRectF& device)

@@ -122,6 +122,17 @@ private slots:
         QCOMPARE(m_plot->chart()->plot().axisScaleDraw(QwtAxis::YLeft)->label(0).text(), QString("0°"));
     }
 
+    void labelsOfASmallMapDoNotCollide()
+    {
+        const auto longitude = [this](double at) { return m_plot->chart()->plot().axisScaleDraw(QwtAxis::XBottom)->label(at).text(); };
+        QCOMPARE(longitude(-135), QString("135° W"));
+        m_plot->resize(300, 200);
+        QApplication::processEvents();
+        QCOMPARE(longitude(-135), QString());
+        QCOMPARE(longitude(-90), QString("90° W"));
+        QCOMPARE(longitude(0), QString("0°"));
+    }
+
     void coastsAreDrawn()
     {
         // Between 50° S and 60° S, away from America, there is only sea; between 50° N and 60° N there is much land.
