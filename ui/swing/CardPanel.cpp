@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "core/swing/CardRemarks.h"
+#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
 #include "ui/report/card/CardWords.h"
 
@@ -73,9 +74,6 @@ void CardPanel::build()
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(kCardRow_px);
-    // A figure that is cut may have lost its sign: the choices give way before the rows do.
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setMinimumWidth(m_table->fontMetrics().horizontalAdvance(QString(36, QChar('0'))));
     m_table->setTabKeyNavigation(false);
     m_write->setObjectName(QStringLiteral("writeThisCard"));
@@ -96,7 +94,9 @@ void CardPanel::build()
     form->addRow(tr("Without:"), removed);
     form->addRow(tr("Between rows:"), m_at);
     form->addRow(m_between);
-    auto* left = new QVBoxLayout;
+    auto* choices = new QWidget;
+    auto* left = new QVBoxLayout(choices);
+    left->setContentsMargins(0, 0, 0, 0);
     left->addLayout(form);
     left->addStretch();
     left->addWidget(m_write);
@@ -106,7 +106,7 @@ void CardPanel::build()
     scroll->setFrameShape(QFrame::NoFrame);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
-    layout->addLayout(left, 2);
+    layout->addWidget(new SidePanel(choices));
     auto* middle = new QVBoxLayout;
     middle->addWidget(m_banner);
     middle->addWidget(m_table, 1);

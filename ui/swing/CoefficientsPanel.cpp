@@ -40,8 +40,6 @@ CoefficientsPanel::CoefficientsPanel(QWidget* parent)
         m_table->horizontalHeaderItem(column)->setToolTip(tips[column]);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setTabKeyNavigation(false);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
     m_table->verticalHeader()->setDefaultAlignment(Qt::AlignCenter);
