@@ -17,6 +17,14 @@ FleetItem Shown::item() const
 
 namespace {
 
+/// Not by a style sheet: with one, a label keeps the colours of the theme that it was given in.
+void setBold(QWidget& widget, bool bold)
+{
+    QFont font; // all else is that of the page
+    font.setBold(bold);
+    widget.setFont(font);
+}
+
 /// Is scrolled when its window is smaller than its parts at their smallest, and not before: left to itself, Qt reckons with the heights that
 /// they wish, as soon as one of them wraps its words.
 class PageBody final : public QWidget {
@@ -83,7 +91,7 @@ void Page::say(const QString& message)
 {
     m_said = message;
     m_message->setText(breakable(inAngleStyle(message)));
-    m_message->setStyleSheet({});
+    setBold(*m_message, false);
     m_message->setVisible(!message.isEmpty());
 }
 
@@ -100,7 +108,7 @@ void Page::restyle()
 void Page::refuse(const QString& message)
 {
     say(QStringLiteral("✗ ") + message);
-    m_message->setStyleSheet(QStringLiteral("font-weight: bold"));
+    setBold(*m_message, true);
 }
 
 void Page::follow(Plot& plot)

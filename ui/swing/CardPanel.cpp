@@ -63,7 +63,9 @@ void CardPanel::build()
     m_banner->setObjectName(QStringLiteral("cardBanner"));
     m_banner->setWordWrap(true);
     m_banner->setAlignment(Qt::AlignCenter);
-    m_banner->setStyleSheet(QStringLiteral("font-weight: bold"));
+    QFont bold; // no style sheet: with one it would keep the colours of the theme of now
+    bold.setBold(true);
+    m_banner->setFont(bold);
     m_banner->hide();
     m_remarks->setObjectName(QStringLiteral("cardRemarks"));
     m_remarks->setWordWrap(true);
