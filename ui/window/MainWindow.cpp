@@ -34,6 +34,7 @@ namespace lubberline::ui {
 
 namespace {
 
+constexpr int kLeastTree_px = 200;
 constexpr int kDueDelay_ms = 300;                      // many changes at once are looked at once
 constexpr int kPatience_ms = 250, kTryAgain_ms = 1000; // typing goes on meanwhile
 
@@ -94,6 +95,15 @@ void MainWindow::restorePlacement()
         resize(bounded);
     const QPoint last = room.bottomRight() - QPoint(width(), height());
     move(std::clamp(x(), room.left(), std::max(room.left(), last.x())), std::clamp(y(), room.top(), std::max(room.top(), last.y())));
+}
+
+/// A tree that was drawn wide on a large screen leaves the pages their room on a small one.
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    auto* dock = m_fleet ? qobject_cast<QDockWidget*>(m_fleet->parentWidget()) : nullptr;
+    if (dock && dock->isVisible() && !dock->isFloating() && dock->width() > std::max(kLeastTree_px, width() * 2 / 5))
+        resizeDocks({dock}, {std::max(kLeastTree_px, width() * 3 / 10)}, Qt::Horizontal);
 }
 
 /// Pages go while what they are made of is still there.

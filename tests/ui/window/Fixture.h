@@ -103,9 +103,10 @@ struct OpenWindow {
     MainWindow window;
 
     /// @param databases with what leads to other databases.
-    explicit OpenWindow(db::Stores& stores, bool databases = false)
+    /// @param kept settings of a window before; none: of a new user
+    explicit OpenWindow(db::Stores& stores, bool databases = false, const QSettings* kept = nullptr)
         : settings(folder.filePath("settings.ini"), QSettings::IniFormat)
-        , window(stores, services(databases))
+        , window(stores, services(databases, kept))
     {
         window.resize(1366, 720);
         window.show();
@@ -123,8 +124,10 @@ struct OpenWindow {
             qFatal("the test's backup cannot be written");
         return {};
     }
-    WindowServices services(bool databases)
+    WindowServices services(bool databases, const QSettings* kept)
     {
+        for (const QString& key : kept ? kept->allKeys() : QStringList())
+            settings.setValue(key, kept->value(key));
         WindowServices made{dialogs, settings, [this] { ++demonstrations; }, [this](const QString& path) { return backup(path); }};
         if (!databases)
             return made;

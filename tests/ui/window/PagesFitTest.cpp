@@ -3,6 +3,7 @@
 // one of its own, this program once more.
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QProcess>
@@ -149,7 +150,12 @@ int lookAtAll(int argc, char** argv)
     LongerWords words;
     QApplication::installTranslator(&words);
     SmallFleet fleet;
-    OpenWindow open(fleet.stores);
+    OpenWindow large(fleet.stores); // as it was left on a large screen
+    large.window.resize(2500, 1400);
+    large.window.resizeDocks({&large.find<QDockWidget>("fleetDock")}, {1500}, Qt::Horizontal);
+    every::settle();
+    large.window.close();
+    OpenWindow open(fleet.stores, false, &large.settings);
     open.window.resize(kSmallScreen);
     if (open.window.screen()->size() != kSmallScreen) {
         std::printf("the screen is %d x %d\n", open.window.screen()->size().width(), open.window.screen()->size().height());
