@@ -15,6 +15,7 @@
 #include "ui/earth/FieldText.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
+#include "ui/kit/EnterGoesOn.h"
 #include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
 
@@ -78,6 +79,7 @@ QComboBox* GuidedStart::addBox(QFormLayout& form, const QString& title, const ch
     box->setObjectName(QString::fromLatin1(name));
     box->addItems(words);
     form.addRow(title, box);
+    new EnterGoesOn(*box);
     return box;
 }
 
@@ -118,8 +120,6 @@ void GuidedStart::build()
     auto* column = new QVBoxLayout(inner);
     column->addLayout(m_open);
     column->addLayout(form);
-    column->addWidget(m_complaint);
-    column->addLayout(buttons);
     column->addStretch();
     auto* scroll = new QScrollArea;
     scroll->setWidget(inner);
@@ -127,7 +127,9 @@ void GuidedStart::build()
     scroll->setFrameShape(QFrame::NoFrame);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(scroll);
+    layout->addWidget(scroll, 1);
+    layout->addWidget(m_complaint); // what begins it is seen however small the window is
+    layout->addLayout(buttons);
     setFocusProxy(m_procedure);
 
     connect(m_procedure, &QComboBox::currentIndexChanged, this,

@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QFormLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -13,6 +12,7 @@
 
 #include "ui/earth/FieldText.h"
 #include "ui/fleet/RecordEdits.h"
+#include "ui/kit/EnterGoesOn.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -117,19 +117,9 @@ void NewSwingPage::build()
     for (QLineEdit* line : {m_type->lineEdit(), m_aircraft->lineEdit(), m_compass->lineEdit(), m_site->lineEdit(), m_date})
         connect(line, &QLineEdit::returnPressed, this, [this] { focusNextChild(); }); // Enter goes on, as in the table
     for (QComboBox* box : {m_limits, m_kind, m_stage})                                // on these, too
-        box->installEventFilter(this);
+        new EnterGoesOn(*box);
     connect(m_create, &QPushButton::clicked, this, &NewSwingPage::create);
     connect(cancel, &QPushButton::clicked, this, &NewSwingPage::cancelled);
-}
-
-bool NewSwingPage::eventFilter(QObject* object, QEvent* event)
-{
-    if (event->type() == QEvent::KeyPress)
-        if (const int key = static_cast<QKeyEvent*>(event)->key(); key == Qt::Key_Return || key == Qt::Key_Enter) {
-            focusNextChild();
-            return true;
-        }
-    return Page::eventFilter(object, event);
 }
 
 /// Where the compass is known already, Enter starts: the rest stands in the form and is changed only where it is otherwise.

@@ -25,6 +25,7 @@ class MainWindowTest : public QObject {
 private slots:
     void emptyDatabaseOffersThreeChoices();
     void newSwingFromNothing();
+    void newSwingOfAKnownCompassStartsWithEnter();
     void droppedCsvIsImported();
     void badFileIsOneMessageThatStays();
     void unnamedCsvIsNamed();
@@ -105,6 +106,26 @@ void MainWindowTest::newSwingFromNothing()
     QCOMPARE(stores.whole().aircraft.size(), 1u);
     open.trigger("undo");
     QCOMPARE(stores.whole().swings.size(), 1u);
+}
+
+void MainWindowTest::newSwingOfAKnownCompassStartsWithEnter()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.stores);
+    open.window.go(fleet.compass);
+    open.trigger("newSwing");
+    QCOMPARE(open.find<QComboBox>("newLimits").currentText(), QStringLiteral("25.1327")); // those that it has, which are not chosen here
+    QVERIFY(!open.find<QComboBox>("newLimits").isEnabled());
+    auto& kind = open.find<QComboBox>("newKind");
+    const QWidget* first = QApplication::focusWidget();
+    kind.setFocus();
+    QTest::keyClick(&kind, Qt::Key_Return);
+    QCOMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("newStage"));
+    QVERIFY(first);
+    QCOMPARE(first->objectName(), QStringLiteral("createSwing"));
+    QTest::keyClick(&open.find<QPushButton>("createSwing"), Qt::Key_Return);
+    QCOMPARE(fleet.stores.whole().swings.size(), std::size_t{2});
+    QVERIFY2(open.label("swingTitle").startsWith("Su-22 · 3713 · standby compass"), qPrintable(open.label("swingTitle")));
 }
 
 void MainWindowTest::droppedCsvIsImported()
