@@ -110,6 +110,24 @@ private slots:
         QVERIFY(!page.grab().isNull());
     }
 
+    void slidersGoFineAndCoarseAndReset()
+    {
+        ReferencePage page(files());
+        page.resize(1000, 650);
+        page.show();
+        auto& slider = find<QSlider>(page, "referenceDip");
+        const int before = slider.value();
+        const double dip_deg = page.scenario().dip_deg;
+        slider.setFocus();
+        QTest::keyClick(&slider, Qt::Key_Right);
+        QCOMPARE(slider.value(), before + 1);
+        QVERIFY(std::abs(page.scenario().dip_deg - dip_deg) < 0.3);
+        QTest::keyClick(&slider, Qt::Key_PageDown);
+        QCOMPARE(slider.value(), before + 1 - 50);
+        QTest::mouseDClick(&slider, Qt::LeftButton);
+        QCOMPARE(slider.value(), before);
+    }
+
     void manoeuvresAreDrawnByHandAndByKeys()
     {
         ReferencePage page(files());

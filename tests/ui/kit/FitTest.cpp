@@ -1,0 +1,168 @@
+// Parts of a page in the room that there is: lines that go on beneath, columns that stand above each other, headings in lines, texts in tips.
+
+#include <QtTest>
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+#include "ui/kit/ControlFit.h"
+#include "ui/kit/FlowLayout.h"
+#include "ui/kit/SideBySide.h"
+#include "ui/kit/TableFit.h"
+
+using namespace lubberline::ui;
+
+class FitTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aLineGoesOnBeneath();
+    void whatExpandsTakesTheRest();
+    void columnsStandAboveEachOtherWhereTheyMust();
+    void headingsStandInLines();
+    void theRoomIsSharedAndTextsGiveWay();
+    void aChoiceSaysItsWholeTextAsATip();
+};
+
+namespace {
+
+QPushButton* buttonOf(QLayout& layout, int width)
+{
+    auto* button = new QPushButton;
+    button->setFixedSize(width, 20);
+    layout.addWidget(button);
+    return button;
+}
+
+} // namespace
+
+void FitTest::aLineGoesOnBeneath()
+{
+    QWidget widget;
+    auto* line = new FlowLayout(&widget);
+    const auto* first = buttonOf(*line, 100);
+    const auto* second = buttonOf(*line, 100);
+    auto* hidden = buttonOf(*line, 500);
+    hidden->hide();
+    const auto* third = buttonOf(*line, 100);
+    widget.resize(320, 100);
+    widget.show();
+    QCOMPARE(line->minimumSize(), QSize(100, 20));
+    QCOMPARE(third->y(), first->y());
+    QVERIFY(second->x() > first->geometry().right() && third->x() > second->geometry().right());
+    widget.resize(220, 100);
+    QCOMPARE(second->y(), first->y());
+    QVERIFY(third->y() > first->geometry().bottom());
+    QCOMPARE(third->x(), first->x());
+    QVERIFY(line->heightForWidth(220) > line->heightForWidth(320));
+    QCOMPARE(line->heightForWidth(320), 20);
+}
+
+void FitTest::whatExpandsTakesTheRest()
+{
+    QWidget widget;
+    auto* line = new FlowLayout(&widget);
+    const auto* first = buttonOf(*line, 100);
+    auto* edit = new QLineEdit;
+    line->addWidget(edit);
+    widget.resize(500, 60);
+    widget.show();
+    QCOMPARE(first->width(), 100);
+    QCOMPARE(edit->geometry().right(), 499);
+}
+
+void FitTest::columnsStandAboveEachOtherWhereTheyMust()
+{
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    for (int i = 0; i < 8; ++i)
+        form->addRow("A label", new QLineEdit);
+    auto* plot = new QWidget;
+    plot->setMinimumWidth(300);
+    QWidget page;
+    auto* layout = new QVBoxLayout(&page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto& both = *new SideBySide;
+    layout->addWidget(&both);
+    auto* panel = new SidePanel(fields);
+    both.addWidget(panel);
+    both.addWidget(plot);
+    page.resize(900, 600);
+    page.show();
+    QCoreApplication::processEvents();
+    QCOMPARE(both.orientation(), Qt::Horizontal);
+    QVERIFY(both.minimumSizeHint().width() <= 300);
+    page.resize(340, 900);
+    QCoreApplication::processEvents();
+    QCOMPARE(both.orientation(), Qt::Vertical);
+    QVERIFY(plot->y() > panel->geometry().bottom());
+    QVERIFY(panel->height() >= fields->minimumSizeHint().height());
+    QVERIFY(plot->height() >= 260);
+    page.resize(900, 600);
+    QCoreApplication::processEvents();
+    QCOMPARE(both.orientation(), Qt::Horizontal);
+    QCOMPARE(plot->minimumHeight(), 0);
+}
+
+void FitTest::headingsStandInLines()
+{
+    QTableWidget table(2, 2);
+    table.setHorizontalHeaderLabels({"N", "one standard deviation of it (°)"});
+    const int before = table.horizontalHeader()->sectionSizeHint(1), height = table.horizontalHeader()->sizeHint().height();
+    table.setColumnHidden(0, true);
+    wrapHeadings(table);
+    QVERIFY(table.isColumnHidden(0));
+    QVERIFY(2 * table.horizontalHeader()->sectionSizeHint(1) < before + 60);
+    QVERIFY(table.horizontalHeader()->sizeHint().height() > 1.7 * height);
+    QCOMPARE(table.horizontalHeaderItem(1)->text(), QString("one standard deviation of it (°)")); // its words are as they were
+}
+
+void FitTest::theRoomIsSharedAndTextsGiveWay()
+{
+    QTableWidget table(1, 3);
+    table.setHorizontalHeaderLabels({"a", "b", "c"});
+    table.verticalHeader()->hide();
+    table.setItem(0, 0, new QTableWidgetItem("−12.25"));
+    table.setItem(0, 1, new QTableWidgetItem(QString(80, 'w')));
+    table.setItem(0, 2, new QTableWidgetItem("1"));
+    fitColumns(table);
+    table.resize(400, 120);
+    table.show();
+    const auto wants = [&table](int column) { return static_cast<QAbstractItemView&>(table).sizeHintForColumn(column); };
+    const auto sum = [&table] { return table.columnWidth(0) + table.columnWidth(1) + table.columnWidth(2); };
+    QCOMPARE(sum(), table.viewport()->width());
+    QVERIFY(table.columnWidth(0) > wants(0) && table.columnWidth(2) > wants(2));
+    QVERIFY(table.columnWidth(1) < wants(1));
+    table.resize(2000, 120);
+    QCOMPARE(sum(), table.viewport()->width());
+    QVERIFY(table.columnWidth(1) > wants(1));
+    table.item(0, 2)->setText("a word that comes later");
+    QTRY_VERIFY(table.columnWidth(2) > wants(2));
+}
+
+void FitTest::aChoiceSaysItsWholeTextAsATip()
+{
+    QWidget page;
+    auto* form = new QFormLayout(&page);
+    auto* box = new QComboBox;
+    box->addItem(QString(60, 'w'));
+    box->setToolTip("what it is for");
+    form->addRow("Choice:", box);
+    fitControls(page);
+    QCOMPARE(form->rowWrapPolicy(), QFormLayout::WrapLongRows);
+    page.resize(260, 60);
+    page.show();
+    QVERIFY(page.minimumSizeHint().width() < 260);
+    QHelpEvent help(QEvent::ToolTip, {5, 5}, box->mapToGlobal(QPoint(5, 5)));
+    QCoreApplication::sendEvent(box, &help);
+    QCOMPARE(QToolTip::text(), QString(60, 'w') + "\nwhat it is for");
+}
+
+QTEST_MAIN(FitTest)
+#include "FitTest.moc"
