@@ -16,6 +16,7 @@
 #include "ui/due/DueRulesTable.h"
 #include "ui/kit/DueBadge.h"
 #include "ui/kit/Words.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -26,8 +27,8 @@ enum Filter { DueNow, DueOrSoon, Everything };
 
 QTableWidgetItem* cell(const QString& text)
 {
-    auto* item = new QTableWidgetItem(text);
-    item->setToolTip(text);
+    auto* item = new QTableWidgetItem(inAngleStyle(text));
+    item->setToolTip(item->text());
     return item;
 }
 

@@ -37,6 +37,9 @@ signals:
     void openCompass(lubberline::AircraftId aircraft, lubberline::CompassId compass);
     void done(const QString& message); ///< the calendar is written
 
+protected:
+    void anglesChanged() override { fill(); }
+
 private:
     void build();
     QWidget* buildList();

@@ -23,10 +23,18 @@
 #include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/HistoryPlot.h"
+#include "ui/text/AngleWords.h"
+#include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
 
 namespace {
+
+/// Under a heading that names the unit.
+QString sizeFigure(double size_deg)
+{
+    return shownAngles() == AngleStyle::DegreesMinutes ? shownSize(size_deg, 2) : plainNumber(size_deg, 2);
+}
 
 enum CompassColumn { CompassName, CompassSwings, CompassState, CompassDue, kCompassColumns };
 enum SwingColumn { SwungOn, Kind, Stage, State, Readings, Largest, CoefficientA, Standing = CoefficientA + 5, kSwingColumns };
@@ -69,7 +77,7 @@ void addText(FormFields<Record>& fields, QFormLayout& form, const QString& title
         form, title, name, [member](const Record& record) { return toText(record.*member); }, takeText(member));
 }
 
-QString deviationText(std::optional<double> angle_deg) { return angle_deg ? signedNumber(*angle_deg, 2) : QStringLiteral("—"); }
+QString deviationText(std::optional<double> angle_deg) { return angle_deg ? shownFigure(*angle_deg, 2) : QStringLiteral("—"); }
 
 } // namespace
 
@@ -451,7 +459,7 @@ void AircraftPage::showSwings(const std::vector<SwingRow>& swings, const Compass
         set(Stage, statedWord(swing.stage), false);
         set(State, wordFor(swing.state), false);
         set(Readings, QString::number(swing.readings), true);
-        set(Largest, swing.maxAbsDeviation_deg ? QString::number(*swing.maxAbsDeviation_deg, 'f', 2) : QStringLiteral("—"), true);
+        set(Largest, swing.maxAbsDeviation_deg ? sizeFigure(*swing.maxAbsDeviation_deg) : QStringLiteral("—"), true);
         for (const Coefficient coefficient : kCoefficients)
             set(CoefficientA + static_cast<int>(indexOf(coefficient)), deviationText(swing.coefficient_deg[indexOf(coefficient)]), true);
         set(Standing, badgeWord(swing.status), false);

@@ -47,6 +47,9 @@ public:
 signals:
     void swingChosen(lubberline::SwingId id);
 
+protected:
+    void anglesChanged() override { refresh(); }
+
 private:
     QWidget* buildAircraftForm();
     QWidget* buildCompassForm();

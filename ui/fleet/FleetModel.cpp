@@ -7,6 +7,7 @@
 #include "ui/kit/DueBadge.h"
 #include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -42,7 +43,7 @@ QString swingDetail(const SwingRow& row)
     const QString what = FleetModel::tr("%1 · readings: %2").arg(stated.join(QStringLiteral(", "))).arg(row.readings);
     if (!row.maxAbsDeviation_deg)
         return what;
-    return what + FleetModel::tr(" · largest deviation %1°").arg(*row.maxAbsDeviation_deg, 0, 'f', 1);
+    return what + inAngleStyle(FleetModel::tr(" · largest deviation %1°").arg(*row.maxAbsDeviation_deg, 0, 'f', 1));
 }
 
 /// "in limits · □ due": what is not due needs no word.

@@ -15,6 +15,7 @@
 #include "ui/kit/OpenSwings.h"
 #include "ui/kit/Theme.h"
 #include "ui/kit/Words.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -33,7 +34,7 @@ QLabel* largeLabel(const QString& name, double scale)
 
 QTableWidgetItem* fixedItem(const QString& text)
 {
-    auto* item = new QTableWidgetItem(text);
+    auto* item = new QTableWidgetItem(inAngleStyle(text));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     return item;
 }

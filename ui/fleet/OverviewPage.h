@@ -37,6 +37,9 @@ signals:
     void newSwingWanted();
     void importWanted();
 
+protected:
+    void anglesChanged() override { refresh(); }
+
 private:
     /// A line of what needs a hand, and where it goes; none: to the list of what is due.
     void addToday(const QString& what, const QIcon& icon, const QString& which, const QString& why, const FleetItem& place);

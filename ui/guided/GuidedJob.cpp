@@ -13,6 +13,7 @@
 #include "ui/guided/GuidedWords.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/PictureOf.h"
+#include "ui/text/AngleWords.h"
 #include "ui/text/Translated.h"
 
 namespace lubberline::ui {
@@ -245,7 +246,7 @@ SwingPicture GuidedJob::picture() const
         analysis = std::make_shared<const Analysis>(std::move(made.value()));
     } else
         why = translated(made.error().message);
-    return pictureOf(record, std::move(analysis), why, m_previous, m_previousLabel, AngleStyle::DecimalDegrees);
+    return pictureOf(record, std::move(analysis), why, m_previous, m_previousLabel, shownAngles());
 }
 
 } // namespace lubberline::ui

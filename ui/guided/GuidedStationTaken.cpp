@@ -9,6 +9,7 @@
 #include "ui/guided/GuidedWords.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/SlipWords.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -73,7 +74,7 @@ void GuidedStation::takeReading()
         Reading reading;
         reading.magnetic = MagneticHeading::fromDegrees(prepared->reading.magnetic_deg);
         reading.compass = CompassHeading::fromDegrees(prepared->reading.compass_deg);
-        doubts += slipSentence(prepared->judgement, reading, AngleStyle::DecimalDegrees);
+        doubts += slipSentence(prepared->judgement, reading, shownAngles());
     }
     if (!prepared->note.empty())
         doubts += toText(prepared->note);

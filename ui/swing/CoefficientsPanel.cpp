@@ -150,7 +150,7 @@ void CoefficientsPanel::show(const std::shared_ptr<const Analysis>& analysis, co
     if (std::isfinite(analysis->approximate.conditionNumber))
         parts += tr("condition %1").arg(analysis->approximate.conditionNumber, 0, 'f', 1);
     m_summary->setText(inAngleStyle(parts.join(QStringLiteral(" · "))));
-    m_limitations->setText(limitations);
+    m_limitations->setText(inAngleStyle(limitations));
     m_limitations->setVisible(!limitations.isEmpty());
 }
 
