@@ -1,6 +1,8 @@
 #include "ui/fleet/RecordEdits.h"
 
 #include "core/base/Contract.h"
+#include "core/procedure/JobState.h"
+#include "ui/kit/OpenSwings.h"
 
 namespace lubberline::ui {
 
@@ -46,6 +48,8 @@ Result<void> MakeSwing::make()
     if (!stored)
         return stored.error();
     m_exists = true;
+    if (auto made = makeGuided(*stored); !made)
+        return made;
     const auto record = stores().swings.record(*stored);
     if (!record)
         return record.error();
@@ -57,6 +61,34 @@ Result<void> MakeSwing::make()
     return {};
 }
 
+Result<std::optional<MakeSwing::Guided>> MakeSwing::guided(SwingId id) const
+{
+    auto found = stores().jobs.jobOf(id);
+    if (!found)
+        return found.error();
+    if (!*found || (*found)->swing != id)
+        return std::optional<Guided>();
+    auto typed = stores().jobs.typed(id);
+    if (!typed)
+        return typed.error();
+    const auto state = stateOf((*found)->job);
+    return std::optional(
+        Guided{std::move((*found)->job), isOpenJob(stores(), id), state && state->phase == JobPhase::Abandoned, std::move(typed.value())});
+}
+
+Result<void> MakeSwing::makeGuided(SwingId id) const
+{
+    if (!m_guided)
+        return {};
+    auto& jobs = stores().jobs;
+    const bool finished = !m_guided->open && !m_guided->abandoned;
+    if (const auto added = jobs.add(id, m_guided->job, finished); !added)
+        return added.error();
+    if (!m_guided->open && m_guided->abandoned)
+        return jobs.abandon(id);
+    return m_guided->open ? jobs.keepTyped(id, m_guided->job.events.size(), m_guided->typed) : Result<void>();
+}
+
 Result<void> MakeSwing::remove()
 {
     const SwingId id = swing();
@@ -64,9 +96,13 @@ Result<void> MakeSwing::remove()
     const auto record = stores().swings.record(id);
     if (!record)
         return record.error();
+    auto job = guided(id);
+    if (!job)
+        return job.error();
     if (auto removed = stores().swings.remove(id); !removed)
         return removed;
     m_swing = record->swing;
+    m_guided = std::move(job.value());
     m_exists = false;
     return {};
 }

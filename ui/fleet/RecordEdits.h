@@ -1,7 +1,9 @@
 #pragma once
 /// Undoable edits of particulars: an aircraft, a compass, an event, a swing; and a whole draft swing, made or removed.
 
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "ui/kit/Edit.h"
 
@@ -73,9 +75,18 @@ protected:
     Result<void> revert() override { return m_direction == Direction::Make ? remove() : make(); }
 
 private:
+    /// The guided swing that a draft was begun with goes with it, and comes back with it.
+    struct Guided {
+        SwingJob job;
+        bool open = false, abandoned = false;
+        std::vector<TypedText> typed;
+    };
     Result<void> make();
     Result<void> remove();
+    [[nodiscard]] Result<std::optional<Guided>> guided(SwingId id) const;
+    Result<void> makeGuided(SwingId id) const;
     Swing m_swing;
+    std::optional<Guided> m_guided;
     Direction m_direction;
     bool m_exists;
 };

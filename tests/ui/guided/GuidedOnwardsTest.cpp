@@ -213,6 +213,19 @@ private slots:
         crew.open->window.go(swing);
         QVERIFY2(crew.open->label("readOnlyReason").contains("Guided swing abandoned: thunderstorm"),
             qPrintable(crew.open->label("readOnlyReason")));
+        // Removed with its swing it comes back with it: its figures are on record.
+        const auto events = crew.fleet.stores.jobs.jobOf(swing)->value().job.events;
+        crew.open->trigger("removeSwing");
+        QVERIFY(!crew.fleet.stores.swings.swing(swing));
+        crew.open->trigger("undo");
+        const SwingId again = crew.open->window.findChild<SwingPage*>()->editor().id();
+        const auto job = crew.fleet.stores.jobs.jobOf(again);
+        QVERIFY(job && *job);
+        QCOMPARE((*job)->job.events.size(), events.size());
+        QVERIFY((*job)->job.events == events);
+        QVERIFY(crew.fleet.stores.jobs.open()->empty());
+        QVERIFY2(crew.open->label("readOnlyReason").contains("Guided swing abandoned: thunderstorm"),
+            qPrintable(crew.open->label("readOnlyReason")));
     }
 
     void theInstrumentIsNamedWithWhatItShouldShowAndCanBeChanged()
