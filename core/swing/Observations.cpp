@@ -4,12 +4,17 @@
 
 namespace lubberline {
 
+Observation observationOf(std::optional<double> indexRemoved_deg, MagneticHeading magnetic, CompassHeading compass)
+{
+    if (!indexRemoved_deg)
+        return {magnetic, compass};
+    return {magnetic, CompassHeading::fromDegrees(wrap360(compass.degrees() + *indexRemoved_deg))};
+}
+
 Observation observationOf(const Swing& swing, const Reading& reading)
 {
     LUBBERLINE_EXPECT(reading.complete(), "a reading of two headings is asked for");
-    if (!swing.indexRemoved_deg)
-        return {*reading.magnetic, *reading.compass};
-    return {*reading.magnetic, CompassHeading::fromDegrees(wrap360(reading.compass->degrees() + *swing.indexRemoved_deg))};
+    return observationOf(swing.indexRemoved_deg, *reading.magnetic, *reading.compass);
 }
 
 std::vector<Observation> observationsOf(const Swing& swing)

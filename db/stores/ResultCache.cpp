@@ -1,11 +1,12 @@
 #include "db/stores/ResultCache.h"
 
-#include "core/swing/Observations.h"
+#include <algorithm>
 
+#include "core/record/Ranges.h"
 #include "core/swing/Analysis.h"
+#include "core/swing/Observations.h"
 #include "db/engine/Statement.h"
 #include "db/stores/SiteStore.h"
-#include "db/stores/SwingStore.h"
 
 namespace lubberline::db {
 
@@ -48,14 +49,12 @@ Status statusOf(Verdict verdict)
     return Status::NotKnown;
 }
 
-} // namespace
-
-CachedResult resultOf(const Swing& swing, const std::optional<LimitsProfile>& limits)
+/// @param complete how many readings have both headings. @param used those that are not left out.
+CachedResult resultOf(int complete, const std::vector<Observation>& used, const std::optional<LimitsProfile>& limits)
 {
     CachedResult result;
-    for (const auto& reading : swing.readings)
-        result.readings += reading.complete() ? 1 : 0;
-    const auto outline = outlineOf(observationsOf(swing));
+    result.readings = complete;
+    const auto outline = outlineOf(used);
     if (!outline)
         return result;
     result.maxAbsDeviation_deg = toDegrees(outline->summary.maxAbsDeviation_rad);
@@ -66,12 +65,64 @@ CachedResult resultOf(const Swing& swing, const std::optional<LimitsProfile>& li
     return result;
 }
 
+/// What results need of a stored swing: a log has many readings, and a keystroke in it does not wait for their other columns.
+struct StoredHeadings {
+    CompassId compass;
+    std::optional<double> indexRemoved_deg;
+    int complete = 0;
+    std::vector<Observation> used = {};
+};
+
+Result<StoredHeadings> headingsOf(Database& database, SwingId id)
+{
+    Statement swing(database, "SELECT compass_id, index_removed_deg FROM swing WHERE id = ?");
+    swing << id;
+    auto headings = oneOf<StoredHeadings>(swing, database, MARKED("db", "swing"), [](Statement& row) {
+        return StoredHeadings{row.id<CompassId>(0), row.optionalReal(1, kSignedAngleRange)};
+    });
+    if (!headings)
+        return headings;
+    Statement readings(database,
+        "SELECT magnetic_heading_deg, compass_heading_deg, COALESCE(exclusion_reason, '') <> '' FROM reading WHERE swing_id = ?"
+        " AND magnetic_heading_deg IS NOT NULL AND compass_heading_deg IS NOT NULL ORDER BY position, id");
+    readings << id;
+    if (const auto done = readings.run(); !done)
+        return done.error();
+    for (; readings.next(); ++headings->complete)
+        if (!readings.flag(2))
+            headings->used.push_back(
+                observationOf(headings->indexRemoved_deg, MagneticHeading::fromDegrees(readings.real(0, kHeadingRange)),
+                    CompassHeading::fromDegrees(readings.real(1, kHeadingRange))));
+    if (const auto whole = readings.finished(); !whole)
+        return whole.error();
+    return headings;
+}
+
+Result<void> keep(Database& database, SwingId swing, CompassId compass, const CachedResult& result)
+{
+    if (const auto written = write(database, swing, result); !written)
+        return written;
+    return refreshCompass(database, compass);
+}
+
+} // namespace
+
+CachedResult resultOf(const Swing& swing, const std::optional<LimitsProfile>& limits)
+{
+    const auto& readings = swing.readings;
+    const auto complete = std::count_if(readings.begin(), readings.end(), [](const Reading& one) { return one.complete(); });
+    return resultOf(static_cast<int>(complete), observationsOf(swing), limits);
+}
+
 Result<void> refreshSwing(Database& database, SwingId id)
 {
-    const auto swing = SwingStore(database).swing(id, ReadingParts::Headings);
-    if (!swing)
-        return swing.error();
-    return storeResult(database, *swing);
+    const auto headings = headingsOf(database, id);
+    if (!headings)
+        return headings.error();
+    const auto limits = SiteStore(database).limitsOf(headings->compass);
+    if (!limits)
+        return limits.error();
+    return keep(database, id, headings->compass, resultOf(headings->complete, headings->used, *limits));
 }
 
 Result<void> storeResult(Database& database, const Swing& swing)
@@ -79,9 +130,7 @@ Result<void> storeResult(Database& database, const Swing& swing)
     const auto limits = SiteStore(database).limitsOf(swing.compass);
     if (!limits)
         return limits.error();
-    if (const auto written = write(database, swing.id, resultOf(swing, *limits)); !written)
-        return written;
-    return refreshCompass(database, swing.compass);
+    return keep(database, swing.id, swing.compass, resultOf(swing, *limits));
 }
 
 QString statusOfLatest(const QString& compass)

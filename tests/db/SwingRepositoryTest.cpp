@@ -6,6 +6,7 @@
 #include "db/engine/Changes.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
+#include "db/stores/ResultCache.h"
 #include "db/transfer/Maintenance.h"
 #include "tests/db/TestFleet.h"
 
@@ -86,6 +87,29 @@ TEST_F(Swings, keepTheirResultsBesideThem)
     swing->readings[0].exclusion = Exclusion{"misread"};
     ASSERT_TRUE(m_swings.changeReading(*id, before, swing->readings[0]));
     EXPECT_EQ(compassStatus(), Status::InLimits);
+}
+
+TEST_F(Swings, resultsOfAChangedReadingAreThoseOfTheWholeSwing)
+{
+    Swing swing = swingOf(m_stored);
+    swing.indexRemoved_deg = 1.5;
+    swing.readings[1].exclusion = Exclusion{"misread"};
+    swing.readings[2].compass.reset();
+    swing.readings.push_back({}); // being entered
+    const auto id = save(m_swings, swing);
+    ASSERT_TRUE(id);
+    auto known = m_swings.swing(*id)->readings[0];
+    Reading turned = known;
+    turned.magnetic = MagneticHeading::fromDegrees(20);
+    turned.compass = CompassHeading::fromDegrees(10); // 10° of deviation when it was read, 8.5° since the compass was turned
+    ASSERT_TRUE(m_swings.changeReading(*id, known, turned));
+    const auto row = m_swings.swingsOf(m_stored.compass)->front();
+    EXPECT_EQ(row.readings, 7);
+    EXPECT_NEAR(*row.maxAbsDeviation_deg, 8.5, 1e-9);
+    const auto whole = db::resultOf(*m_swings.swing(*id), db::SiteStore(m_database).limitsOf(m_stored.compass).value());
+    EXPECT_EQ(row.coefficient_deg, whole.coefficient_deg);
+    EXPECT_EQ(row.maxAbsDeviation_deg, whole.maxAbsDeviation_deg);
+    EXPECT_EQ(row.status, whole.status);
 }
 
 TEST_F(Swings, theLatestWithAResultDecidesTheStatus)
