@@ -67,7 +67,13 @@ Likelihood likelihoodOf(const FilterRows& rows, Eigen::Index p, double rho, doub
 /// The slow part's memory in readings, −1/ln ρ, as its logarithm.
 double rhoOf(double step) { return std::exp(-std::exp(-step)); }
 
-/// Looks for the likeliest memory and white share: over a grid, or from a place of it downhill; then in halved steps about the best.
+/// A point of the grid.
+struct SerialPlace {
+    int memory = 0; ///< steps of the slow part's memory
+    int white = 0;  ///< steps of the white share
+};
+
+/// Looks for the likeliest memory and white share: over a grid, then in halved steps about the best.
 class SerialSearch {
 public:
     SerialSearch(const FilterRows& rows, Eigen::Index columns, const Progress& progress)
@@ -89,20 +95,6 @@ public:
             for (at.white = 0; at.white < static_cast<int>(kWhite.size()); ++at.white)
                 if (on(at).twiceLog > on(best).twiceLog)
                     best = at;
-        return best;
-    }
-
-    [[nodiscard]] SerialPlace likeliestNear(SerialPlace place)
-    {
-        SerialPlace best{std::min(place.memory, m_memories - 1), place.white};
-        do {
-            place = best;
-            for (int memory = std::max(0, place.memory - 1); memory <= std::min(m_memories - 1, place.memory + 1); ++memory)
-                for (int white = std::max(0, place.white - 1); white <= std::min(static_cast<int>(kWhite.size()) - 1, place.white + 1);
-                     ++white)
-                    if (on({memory, white}).twiceLog > on(best).twiceLog)
-                        best = {memory, white};
-        } while (best.memory != place.memory || best.white != place.white);
         return best;
     }
 
@@ -163,8 +155,7 @@ private:
 
 } // namespace
 
-std::optional<SerialCorrelation> serialCorrelation(
-    const Eigen::MatrixXd& design, const Eigen::VectorXd& observed, std::optional<SerialPlace>& place, const Progress& progress)
+std::optional<SerialCorrelation> serialCorrelation(const Eigen::MatrixXd& design, const Eigen::VectorXd& observed, const Progress& progress)
 {
     if (design.rows() < kLeastForSerialCorrelation)
         return std::nullopt;
@@ -172,8 +163,7 @@ std::optional<SerialCorrelation> serialCorrelation(
     const FilterRows rows = filterRowsOf(design, observed);
     const Likelihood independent = likelihoodOf(rows, design.cols(), 0.0, 1.0);
     SerialSearch search(rows, design.cols(), progress);
-    place = place ? search.likeliestNear(*place) : search.likeliestOfAll();
-    const auto [twiceLog, errors] = search.refined(*place);
+    const auto [twiceLog, errors] = search.refined(search.likeliestOfAll());
     return search.stopped() || twiceLog - independent.twiceLog < kTwiceLogRatio ? std::nullopt : std::optional(errors);
 }
 

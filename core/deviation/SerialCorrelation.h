@@ -19,20 +19,13 @@ struct SerialCorrelation {
     [[nodiscard]] double lagOne() const { return (1.0 - whiteShare) * rho; }
 };
 
-/// Where a search for the likeliest ρ and w passed by: another fit of the same readings is not far, and its search begins there.
-struct SerialPlace {
-    int memory = 0; ///< steps of the slow part's memory
-    int white = 0;  ///< steps of w
-};
-
 /// Below this many readings a correlation cannot be told from chance (and people read slowly).
 inline constexpr int kLeastForSerialCorrelation = 30;
 
-/// @param design N×p and `observed` in the order of reading. @param place of another fit of these readings, or none; what this
-/// search passes by is put there. @param progress told false, the search ends, and what it gives is nothing. None when fewer than kLeastForSerialCorrelation readings, or when
-/// independent errors explain the residuals nearly as well (likelihood ratio below the 0.5 % point of χ² with two degrees of freedom).
+/// @param design N×p and `observed` in the order of reading. @param progress told false, the search ends, and what it gives is nothing.
+/// None when fewer than kLeastForSerialCorrelation readings, or when independent errors explain the residuals nearly as well (likelihood ratio below the 0.5 % point of χ² with two degrees of freedom).
 [[nodiscard]] std::optional<SerialCorrelation> serialCorrelation(
-    const Eigen::MatrixXd& design, const Eigen::VectorXd& observed, std::optional<SerialPlace>& place, const Progress& progress = {});
+    const Eigen::MatrixXd& design, const Eigen::VectorXd& observed, const Progress& progress = {});
 
 /// Covariance of the ordinary least-squares solution under such errors: (XᵀX)⁻¹ XᵀΓX (XᵀX)⁻¹.
 [[nodiscard]] Eigen::MatrixXd covarianceUnder(

@@ -115,8 +115,8 @@ struct SerialErrors {
     Design design; ///< in the order of reading
 };
 
-std::optional<SerialErrors> serialErrorsOf(const Design& columns, const Eigen::VectorXd& observed, const std::vector<std::size_t>& order,
-    std::optional<SerialPlace>& place, const Progress& progress)
+std::optional<SerialErrors> serialErrorsOf(
+    const Design& columns, const Eigen::VectorXd& observed, const std::vector<std::size_t>& order, const Progress& progress)
 {
     if (columns.rows() < kLeastForSerialCorrelation)
         return std::nullopt;
@@ -126,7 +126,7 @@ std::optional<SerialErrors> serialErrorsOf(const Design& columns, const Eigen::V
         inOrder.row(static_cast<Eigen::Index>(order[i])) = columns.row(static_cast<Eigen::Index>(i));
         observedInOrder(static_cast<Eigen::Index>(order[i])) = observed(static_cast<Eigen::Index>(i));
     }
-    const auto errors = serialCorrelation(inOrder, observedInOrder, place, progress);
+    const auto errors = serialCorrelation(inOrder, observedInOrder, progress);
     if (!errors)
         return std::nullopt;
     return SerialErrors{*errors, std::move(inOrder)};
@@ -173,8 +173,7 @@ Result<Fit> fit(std::span<const Observation> readings, const FitWishes& wishes, 
     report.unitCovariance = overAllFive(solved.inverseNormal, told.columns);
     if (!report.sigma_rad || !wishes.uncertainty)
         return report;
-    report.serialPlace = wishes.serialPlace;
-    if (const auto serial = serialErrorsOf(columns, observed, order, report.serialPlace, wishes.progress)) {
+    if (const auto serial = serialErrorsOf(columns, observed, order, wishes.progress)) {
         report.lagOneCorrelation = serial->errors.lagOne();
         const double freedom = independentReadings(serial->errors, static_cast<int>(n)) - report.parameters;
         fillUncertainty(

@@ -28,13 +28,12 @@ struct SmithFitReport {
     std::optional<double> intervalFactor;
     /// Of neighbouring readings, where it is more than chance: the covariance counts it (SerialCorrelation.h).
     std::optional<double> lagOneCorrelation;
-    std::optional<SerialPlace> serialPlace; ///< where its search passed by
-    double index_rad = 0;                   ///< largeIndex_deg(), taken out before the exact fit; in A of the approximate one
-    int parameters = 0;                     ///< 5; 4 (without D or E), 3 (A, B, C) or 0
-    int rank = 0;                           ///< numerical rank of the five-column design matrix
-    int degreesOfFreedom = 0;               ///< readings − parameters
-    double conditionNumber = 0;             ///< of the design matrix of the parameters that were fitted (of five columns if none was)
-    double rms_rad = 0;                     ///< √(Σ residual² / N) over the readings
+    double index_rad = 0;       ///< largeIndex_deg(), taken out before the exact fit; in A of the approximate one
+    int parameters = 0;         ///< 5; 4 (without D or E), 3 (A, B, C) or 0
+    int rank = 0;               ///< numerical rank of the five-column design matrix
+    int degreesOfFreedom = 0;   ///< readings − parameters
+    double conditionNumber = 0; ///< of the design matrix of the parameters that were fitted (of five columns if none was)
+    double rms_rad = 0;         ///< √(Σ residual² / N) over the readings
     double maxAbsResidual_rad = 0;
     std::optional<double> sigma_rad;  ///< √(Σ residual² / degrees of freedom)
     std::vector<double> residual_rad; ///< deviation read − deviation fitted, one for each reading; empty without fit
@@ -67,9 +66,8 @@ void widenTo(SmithFitReport& fit, double error_rad);
 
 /// What a fit is asked for besides its coefficients and residuals.
 struct FitWishes {
-    bool uncertainty = true;                     ///< false: no errors, intervals or correlation, which cost most of the time of a log
-    std::optional<SerialPlace> serialPlace = {}; ///< of another fit of the same readings
-    Progress progress = {};                      ///< told false, the fit ends without errors: it is to be thrown away
+    bool uncertainty = true; ///< false: no errors, intervals or correlation, which cost most of the time of a log
+    Progress progress = {};  ///< told false, the fit ends without errors: it is to be thrown away
 };
 
 /// Fits [P 4] on compass headings by linear least squares.

@@ -71,19 +71,6 @@ TEST(Log, aGapLeavesFewerOrdersHoweverTheyAreFound)
     EXPECT_NEAR(bySums->orders[1].sin_rad, 0.1, 1e-12);
 }
 
-TEST(Log, aSearchThatBeginsWhereItEndedEndsThere)
-{
-    for (const double rho : {0.0, 0.9, 0.98}) {
-        const auto readings = logOf(1200, rho);
-        const auto alone = fitExact(readings);
-        ASSERT_TRUE(alone && alone->serialPlace);
-        const auto again = fitExact(readings, {.serialPlace = alone->serialPlace});
-        ASSERT_TRUE(again);
-        EXPECT_EQ(alone->lagOneCorrelation, again->lagOneCorrelation) << rho;
-        EXPECT_EQ(alone->standardError, again->standardError) << rho;
-    }
-}
-
 TEST(Log, withoutErrorsTheFitIsTheSame)
 {
     const auto readings = logOf(1200, 0.9);
