@@ -27,9 +27,8 @@ PageFrame fleetFrame(const FleetDocument& document)
     frame.title = Words::tr("Fleet report");
     frame.subject = wordsFor(document.selection, document.report.options);
     frame.convention = Words::tr("Deviation = magnetic heading − compass heading; easterly is positive.");
-    frame.recordId = Words::tr("%1 swings").arg(document.report.counts.used);
     frame.hash = hashOfText(toJson(document.report, document.fleet));
-    frame.made = document.madeAtUtc.isEmpty() ? QString() : Words::tr("made %1").arg(document.madeAtUtc);
+    frame.made = madeWords(document.madeAtUtc);
     return frame;
 }
 

@@ -61,7 +61,7 @@ Result<void> writeReferenceSheet(const ReferenceSheet& sheet, const QString& pat
     frame.subject = sheet.subject;
     frame.convention = Words::tr("Deviation = magnetic − compass, easterly positive; indication error = read − magnetic is its negative.");
     frame.hash = hashOfText(sheet.text.join(u'\n').toStdString());
-    frame.made = sheet.madeAtUtc;
+    frame.made = madeWords(sheet.madeAtUtc);
     return writeSheet(
         frame, [&sheet](const QString& family, QSizeF room) { return referenceBlocks(sheet, family, room.width()); }, path);
 }

@@ -149,7 +149,7 @@ Result<void> writeWindSheet(const WindSheet& sheet, const QString& path)
     frame.convention = Words::tr(
         "Indication error = read − true heading; corrections and deviation (magnetic − compass, easterly positive) are its negative.");
     frame.hash = hashOfText(toJson(sheet.result, sheet.factor));
-    frame.made = sheet.madeAtUtc;
+    frame.made = madeWords(sheet.madeAtUtc);
     return writeSheet(
         frame,
         [&sheet](const QString& family, QSizeF room) {

@@ -22,13 +22,6 @@ constexpr double kFooterHeight = mm(13);
 constexpr double kBottom = mm(9);
 constexpr double kFooterLine = mm(3.2);
 
-QString madeWords(const QString& madeAtUtc)
-{
-    const QString version = QCoreApplication::applicationVersion();
-    const QString program = version.isEmpty() ? QStringLiteral("Lubberline") : QStringLiteral("Lubberline %1").arg(version);
-    return madeAtUtc.isEmpty() ? Words::tr("made by %1").arg(program) : Words::tr("made %1 by %2").arg(madeAtUtc, program);
-}
-
 void paintHeader(QPainter& painter, const PageFrame& frame, const QString& family, QSizeF sheet)
 {
     const double left = kSide, right = sheet.width() - kSide, baseline = kTop + mm(5);
@@ -64,7 +57,8 @@ void paintFooter(QPainter& painter, const PageFrame& frame, const QString& famil
     paintLine(painter, font, {left, y}, Qt::AlignLeft, frame.convention);
     paintLine(painter, documentFont(family, 8, true), {right, y}, Qt::AlignRight, Words::tr("page %1 of %2").arg(page + 1).arg(pages));
     y += kFooterLine;
-    paintLine(painter, font, {left, y}, Qt::AlignLeft, Words::tr("Record %1").arg(frame.recordId));
+    if (!frame.recordId.isEmpty()) // of what is no record of a database there is none
+        paintLine(painter, font, {left, y}, Qt::AlignLeft, Words::tr("Record %1").arg(frame.recordId));
     paintLine(painter, font, {right, y}, Qt::AlignRight, frame.made);
     y += kFooterLine;
     paintLine(painter, font, {left, y}, Qt::AlignLeft, Words::tr("Data SHA-256 %1").arg(frame.hash));
@@ -73,6 +67,13 @@ void paintFooter(QPainter& painter, const PageFrame& frame, const QString& famil
 }
 
 } // namespace
+
+QString madeWords(const QString& madeAtUtc)
+{
+    const QString version = QCoreApplication::applicationVersion();
+    const QString program = version.isEmpty() ? QStringLiteral("Lubberline") : QStringLiteral("Lubberline %1").arg(version);
+    return madeAtUtc.isEmpty() ? Words::tr("made by %1").arg(program) : Words::tr("made %1 by %2").arg(madeAtUtc, program);
+}
 
 PageFrame frameFor(const SwingRecord& record, const QString& title, const QString& madeAtUtc)
 {

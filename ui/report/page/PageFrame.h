@@ -15,10 +15,13 @@ struct PageFrame {
     QString subject;    ///< "SP-XYZ · standby compass · 2026-11-20"
     QString banner;     ///< demonstration data, draft: large; may be empty
     QString convention; ///< of signs
-    QString recordId, hash, made;
+    QString recordId;   ///< may be empty
+    QString hash, made;
     QString credit; ///< small on the last page; may be empty
 };
 
+/// "made 2026-11-27T07:58:12Z by Lubberline 0.1.0"; without a time, by what.
+[[nodiscard]] QString madeWords(const QString& madeAtUtc);
 [[nodiscard]] PageFrame frameFor(const SwingRecord& record, const QString& title, const QString& madeAtUtc);
 
 /// The room between header and footer. [units of the page]
