@@ -1,5 +1,7 @@
 #include "ui/kit/Page.h"
 
+#include <QAction>
+#include <QLineEdit>
 #include <QScrollArea>
 
 #include "ui/kit/LongWords.h"
@@ -120,6 +122,15 @@ void Page::follow(Plot& plot)
 Result<void> Page::open(const FleetItem&) { return {}; }
 
 bool Page::isOf(const FleetItem&) const { return false; }
+
+QStringList Page::unstored() const
+{
+    QStringList texts;
+    for (const QAction* sign : findChildren<QAction*>(QStringLiteral("refusedSign")))
+        if (const auto* line = qobject_cast<const QLineEdit*>(sign->parent()))
+            texts += line->text();
+    return texts;
+}
 
 void Page::takeLook(const Page&) {}
 

@@ -54,6 +54,8 @@ public:
     [[nodiscard]] virtual Shown shown() const { return {}; }
     /// Its place in the tree from the type down; empty: it has none, and the tree stays.
     [[nodiscard]] virtual std::vector<FleetItem> path() const { return {}; }
+    /// What was typed on it and refused: it goes with the page, and is told then.
+    [[nodiscard]] virtual QStringList unstored() const;
     /// Takes over how people have set out the page before.
     virtual void takeLook(const Page& before);
     /// Angles are shown in another style now: what is said is said anew.

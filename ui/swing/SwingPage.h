@@ -61,6 +61,7 @@ public:
     [[nodiscard]] Shown shown() const override;
     [[nodiscard]] Plot* plot() const override;
     [[nodiscard]] std::vector<FleetItem> path() const override;
+    [[nodiscard]] QStringList unstored() const override;
     void takeLook(const Page& before) override;
 
 public slots:

@@ -9,6 +9,7 @@
 #include "ui/swing/SwingEditor.h"
 #include "ui/swing/SwingFiles.h"
 #include "ui/swing/SwingPage.h"
+#include "ui/swing/readings/ReadingsModel.h"
 
 namespace lubberline::ui {
 
@@ -167,6 +168,8 @@ std::vector<FleetItem> SwingPage::path() const
     const SwingRecord& record = m_editor->record();
     return {record.type.id, record.aircraft.id, record.compass.id, record.swing.id};
 }
+
+QStringList SwingPage::unstored() const { return Page::unstored() + m_model->rejectedTexts(); }
 
 void SwingPage::takeLook(const Page& before)
 {

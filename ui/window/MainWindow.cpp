@@ -172,6 +172,11 @@ void MainWindow::buildCentre()
         showPlace();
     });
     connect(m_pages, &PageStack::titled, this, &MainWindow::showPlace);
+    connect(m_pages, &PageStack::leftBehind, this, [this](const QString& title, const QStringList& texts) {
+        m_messages->add(MessagePanel::Kind::Failure,
+            tr("%1: what was typed there was refused and is not stored: %2.").arg(title, texts.join(QStringLiteral(", "))), {},
+            MessagePanel::Stay::UntilClosed);
+    });
     connect(m_pages, &PageStack::stateChanged, this, &MainWindow::showPlace);
     auto* central = new QWidget;
     auto* layout = new QVBoxLayout(central);

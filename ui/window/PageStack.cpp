@@ -70,6 +70,8 @@ Result<void> PageStack::show(const Destination& destination)
     turnTo(*page);
     if (before && page != before) {
         page->takeLook(*before);
+        if (const QStringList texts = before->unstored(); !texts.isEmpty())
+            emit leftBehind(before->title(), texts);
         retire(before);
     }
     if (destination.focus || description.focus)

@@ -38,8 +38,9 @@ signals:
     void readOut(const QString& text);
     void failed(const QString& message);
     void stateChanged();
-    void turned(); ///< another page, or another record on it
-    void titled(); ///< the page in front has another title
+    void turned();                                                   ///< another page, or another record on it
+    void leftBehind(const QString& title, const QStringList& texts); ///< what was refused on a page that goes
+    void titled();                                                   ///< the page in front has another title
 
 private:
     [[nodiscard]] const PageDescription& descriptionOf(const Destination& destination) const;

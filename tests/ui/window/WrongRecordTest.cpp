@@ -113,6 +113,8 @@ class WrongRecordTest : public QObject {
 private slots:
     void whatIsTypedStaysWithItsRecord_data();
     void whatIsTypedStaysWithItsRecord();
+    void aHalfTypedCellIsStoredWithItsSwing_data();
+    void aHalfTypedCellIsStoredWithItsSwing();
     void whatAnotherProgramChangesIsShown();
     void whatAnotherProgramRemovesIsGone();
     void backAndForwardGoAlongWhatWasShown();
@@ -159,6 +161,40 @@ void WrongRecordTest::whatIsTypedStaysWithItsRecord()
         QVERIFY2(!two.all(two.other).contains(kTyped), from);
         QVERIFY2(two.fleet.stores.swings.swing(two.complete)->signatures.empty(), from);
         QVERIFY2(two.fleet.stores.swings.swing(two.otherComplete)->signatures.empty(), from);
+    }
+}
+
+void WrongRecordTest::aHalfTypedCellIsStoredWithItsSwing_data()
+{
+    QTest::addColumn<QString>("action");
+    for (const char* action : {"back", "forward", "overview", "showDue", "newSwing", "openDatabase", "print", "backup"})
+        QTest::newRow(action) << QString::fromLatin1(action);
+}
+
+/// A figure without Enter, left by a command of the window: it is where it was typed, or it was refused and is nowhere.
+void WrongRecordTest::aHalfTypedCellIsStoredWithItsSwing()
+{
+    QFETCH(QString, action);
+    for (const bool figure : {true, false}) {
+        TwoAircraft two;
+        OpenWindow open(two.fleet.stores, true);
+        open.dialogs.answer = open.folder.filePath("other.lubberline");
+        open.window.go(two.otherDraft);
+        open.window.go(two.draft);
+        open.window.go(two.otherDraft);
+        open.trigger("back");
+        const QString others = two.all(two.other);
+        const auto before = two.fleet.stores.swings.swing(two.draft)->readings;
+        open.table().setFocus();
+        open.table().goTo(2, ReadingColumn::Compass);
+        open.type(figure ? "88.5" : "8x");
+        open.trigger(action.toLatin1().constData());
+        every::settle();
+        const auto after = two.fleet.stores.swings.swing(two.draft)->readings;
+        QCOMPARE(after[2].compass->degrees(), figure ? 88.5 : before[2].compass->degrees());
+        QCOMPARE(two.all(two.other), others);
+        if (!figure)
+            QVERIFY2(open.window.messages().shown().contains("8x") || open.cell(2, ReadingColumn::Compass) == "8x", qPrintable(action));
     }
 }
 

@@ -336,6 +336,14 @@ bool ReadingsModel::restoreStored(const QModelIndex& index)
     return true;
 }
 
+QStringList ReadingsModel::rejectedTexts() const
+{
+    QStringList texts;
+    for (const auto& [cell, rejected] : m_rejected)
+        texts += rejected.text;
+    return texts;
+}
+
 QModelIndex ReadingsModel::firstRejected() const
 {
     if (m_rejected.empty()) // nearly always, and a log has many rows

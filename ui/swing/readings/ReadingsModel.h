@@ -48,6 +48,7 @@ public:
     [[nodiscard]] QString rejection(const QModelIndex& index) const;
     /// What was refused in a cell goes; the stored value is seen again. @return false: nothing was refused there
     bool restoreStored(const QModelIndex& index);
+    [[nodiscard]] QStringList rejectedTexts() const;
     /// The first cell with text that was not stored, or an invalid index.
     [[nodiscard]] QModelIndex firstRejected() const;
     /// The row's studentised residual in words: "t = 15.0"; empty if there is none.
