@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "core/base/Number.h"
-#include "core/deviation/SmithFit.h"
+#include "core/procedure/StationCoefficients.h"
 
 namespace lubberline {
 
 namespace {
-
-double deviation_deg(const Observation& reading) { return deviationOf(reading.magnetic, reading.compass).degrees(); }
 
 /// Adds up the events of a job, one after the other.
 class Fold {
@@ -40,9 +38,6 @@ private:
     Fault checkStation(int station) const;
     Fault takeUpSkipped(StationState& station);
     void voidCheckSwing(Control control);
-    std::optional<double> cardinal_deg(double nominal_deg) const;
-    std::optional<double> coefficient_deg(Control control) const;
-    std::optional<double> checkIndex_deg() const;
     void findPhase();
     void findTurn();
     [[nodiscard]] bool checkComplete() const;
@@ -71,7 +66,8 @@ Result<JobState> Fold::run()
             return Error{
                 ErrorCode::InvalidInput, {MARKED("core", "step %1 of the guided swing cannot have happened there: %2"), i + 1, *fault}};
     }
-    m_state.index_deg = checkIndex_deg();
+    if (checkComplete())
+        m_state.index_deg = checkIndex_deg(m_state.stations);
     findPhase();
     findTurn();
     return std::move(m_state);
@@ -298,49 +294,6 @@ Fold::Fault Fold::take(const job::DatumChanged& event)
     return {};
 }
 
-/// The deviation that was read on a cardinal before its controls were turned.
-std::optional<double> Fold::cardinal_deg(double nominal_deg) const
-{
-    for (const auto& station : m_state.stations)
-        if (station.station.phase == StationPhase::AsFound && station.station.nominal_deg == nominal_deg && station.reading)
-            return deviation_deg(*station.reading);
-    return {};
-}
-
-/// C = (N − S)/2, B = (E − W)/2, A = (N + E + S + W)/4 of the correction swing; none where a cardinal was skipped.
-std::optional<double> Fold::coefficient_deg(Control control) const
-{
-    const auto north = cardinal_deg(0), east = cardinal_deg(90), south = cardinal_deg(180), west = cardinal_deg(270);
-    if (control == Control::NorthSouth)
-        return north && south ? std::optional((*north - *south) / 2.0) : std::nullopt;
-    if (control == Control::EastWest)
-        return east && west ? std::optional((*east - *west) / 2.0) : std::nullopt;
-    return north && east && south && west ? std::optional((*north + *east + *south + *west) / 4.0) : std::nullopt;
-}
-
-/// A of the check swing: the mean of its cardinals, as the worksheet has it; of the fit where a cardinal could not be reached.
-std::optional<double> Fold::checkIndex_deg() const
-{
-    if (!checkComplete())
-        return {};
-    std::vector<Observation> readings;
-    double cardinals = 0.0;
-    int count = 0;
-    for (const auto& station : m_state.stations) {
-        if (station.station.phase != StationPhase::Check || !station.reading)
-            continue;
-        readings.push_back(*station.reading);
-        if (std::fmod(station.station.nominal_deg, 90.0) == 0.0)
-            cardinals += deviation_deg(*station.reading), ++count;
-    }
-    if (count == 4)
-        return cardinals / 4.0;
-    const auto fit = fitApproximate(readings);
-    if (!fit || !fit->of(Coefficient::A))
-        return {};
-    return toDegrees(*fit->of(Coefficient::A));
-}
-
 void Fold::findPhase()
 {
     m_state.current = -1;
@@ -385,11 +338,12 @@ void Fold::findTurn()
     const Turn& turn = here.station.corrections[here.correctionsDone];
     const double reads = m_compassNow_deg[m_state.current];
     if (turn.removal != HowMuch::CoefficientPart) {
-        const double part = deviation_deg(*here.reading) * (turn.removal == HowMuch::Half ? 0.5 : 1.0);
+        const double part
+            = deviationOf(here.reading->magnetic, here.reading->compass).degrees() * (turn.removal == HowMuch::Half ? 0.5 : 1.0);
         m_state.turn = MakeCompassRead{turn.control, turn.removal, part, reads, wrap360(reads + part)};
         return;
     }
-    const auto coefficient = coefficient_deg(turn.control);
+    const auto coefficient = classicalCoefficient_deg(m_state.stations, turn.control);
     if (!coefficient) {
         m_state.whyNoTurn = MARKED("core", "a cardinal heading was skipped, so that the coefficient cannot be told by the classical rule");
         return;
