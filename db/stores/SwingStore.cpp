@@ -1,7 +1,6 @@
 #include "db/stores/SwingStore.h"
 
 #include <algorithm>
-#include <span>
 
 #include "core/record/Ranges.h"
 #include "core/swing/SwingField.h"
@@ -11,12 +10,11 @@
 #include "db/stores/Saving.h"
 #include "db/stores/Signatures.h"
 #include "db/stores/SiteStore.h"
+#include "db/stores/SwingReadings.h"
 #include "db/stores/SwingRows.h"
 #include "db/stores/Tables.h"
 
 namespace lubberline::db {
-
-namespace {
 
 Error isSigned(const Database& database)
 {
@@ -24,64 +22,20 @@ Error isSigned(const Database& database)
         database.path().toStdString()};
 }
 
-Result<Swing> particulars(Database& database, SwingId id)
+Result<Swing> particularsOf(Database& database, SwingId id)
 {
     Statement statement(database, "SELECT " + swingColumns() + " FROM swing s WHERE s.id = ?");
     statement << id;
     return oneOf<Swing>(statement, database, MARKED("db", "swing"), [](Statement& row) { return swingFrom(row, 0); });
 }
 
-/// The particulars of a swing whose readings may be changed. Errors: NotFound, Frozen.
 Result<Swing> openSwing(Database& database, SwingId id)
 {
-    auto swing = particulars(database, id);
+    auto swing = particularsOf(database, id);
     if (swing && swing->state == SwingState::Signed)
         return isSigned(database);
     return swing;
 }
-
-/// What could not be read again must not be stored; the rest the columns hold themselves.
-Result<void> checkTexts(const Reading& reading)
-{
-    std::size_t longest = std::max(reading.note.size(), reading.timeUtc.size());
-    if (reading.exclusion)
-        longest = std::max(longest, reading.exclusion->reason.size());
-    if (longest > kLongestText)
-        return Error{
-            ErrorCode::InvalidInput, {MARKED("db", "a text of a reading has %1 bytes; expected at most %2"), longest, kLongestText}};
-    return {};
-}
-
-/// Readings one after the other from `position` on, with one prepared statement. @return the id of the last.
-Result<ReadingId> insertRows(Database& database, SwingId swing, int position, std::span<const Reading> readings)
-{
-    static const QString kInsert = "INSERT INTO reading (id, swing_id, position, " + readingFields().join(", ") + ") VALUES ("
-        + nextNumber("reading") + ", " + placeholders(readingFields().size() + 2) + ")";
-    Statement statement(database, kInsert);
-    for (const auto& reading : readings) {
-        if (const auto checked = checkTexts(reading); !checked)
-            return checked.error();
-        statement << swing << position++;
-        bindReading(statement, reading);
-        if (const auto done = statement.run(); !done)
-            return done.error();
-    }
-    return ReadingId{statement.insertedId()};
-}
-
-/// After a change of readings: cached results, audit entry, commit. @param only the reading whose figures are all that changed.
-Result<void> finish(Database& database, Transaction& transaction, const Swing& swing, const std::string& what, const std::string& detail,
-    ReadingId only = {})
-{
-    if (const auto refreshed = refreshSwing(database, swing.id); !refreshed)
-        return refreshed;
-    if (const auto kept = audit(database, what, swing.record, detail); !kept)
-        return kept;
-    database.changes().note(change::OfSwing{swing.id, only});
-    return transaction.commit();
-}
-
-} // namespace
 
 const Table& swingTable()
 {
@@ -114,7 +68,7 @@ Result<Swing> SwingStore::swing(SwingId id, ReadingParts parts)
     const auto snapshot = Transaction::beginReading(m_database);
     if (!snapshot)
         return snapshot.error();
-    auto swing = particulars(m_database, id);
+    auto swing = particularsOf(m_database, id);
     if (!swing)
         return swing;
     const bool all = parts == ReadingParts::All;
@@ -162,13 +116,6 @@ Result<SwingRecord> SwingStore::record(SwingId id, ReadingParts parts)
     if (!limits)
         return limits.error();
     return SwingRecord{std::move(*found), *compass, *aircraft, *type, *site, *limits};
-}
-
-Result<Reading> SwingStore::reading(SwingId swing, ReadingId id)
-{
-    Statement statement(m_database, "SELECT " + readingColumns() + " FROM reading r WHERE r.id = ? AND r.swing_id = ?");
-    statement << id << swing;
-    return oneOf<Reading>(statement, m_database, MARKED("db", "reading of the swing"), [](Statement& row) { return readingFrom(row, 0); });
 }
 
 Result<std::optional<SwingRow>> SwingStore::previousRow(SwingId id)
@@ -281,7 +228,7 @@ Result<SwingId> SwingStore::insert(Swing swing)
     const auto id = addRecord<SwingId>(m_database, swingTable(), swing, bindParticulars);
     if (!id)
         return id;
-    if (const auto inserted = insertRows(m_database, *id, 0, swing.readings); !inserted)
+    if (const auto inserted = insertReadings(m_database, *id, 0, swing.readings); !inserted)
         return inserted.error();
     swing.id = *id;
     if (!swing.signatures.empty()) { // the record id may have been made just now
@@ -331,26 +278,6 @@ Result<void> SwingStore::replace(const Swing& known, const Swing& swing)
     });
 }
 
-Result<void> SwingStore::replaceReadings(SwingId id, const std::vector<Reading>& readings)
-{
-    auto transaction = Transaction::begin(m_database);
-    if (!transaction)
-        return transaction.error();
-    const auto open = openSwing(m_database, id);
-    if (!open)
-        return open.error();
-    Statement statement(m_database, "DELETE FROM reading WHERE swing_id = ?");
-    statement << id;
-    if (const auto done = statement.run(); !done)
-        return done;
-    if (const auto inserted = insertRows(m_database, id, 0, readings); !inserted)
-        return inserted.error();
-    std::string detail;
-    for (const auto& reading : readings)
-        detail += (detail.empty() ? "reading: " : "; reading: ") + auditText(reading);
-    return finish(m_database, *transaction, *open, "set readings", detail);
-}
-
 Result<void> SwingStore::remove(SwingId id)
 {
     auto transaction = Transaction::begin(m_database);
@@ -383,78 +310,6 @@ Result<void> SwingStore::remove(SwingId id)
         return kept;
     m_database.changes().note(change::Fleet{});
     return transaction->commit();
-}
-
-Result<ReadingId> SwingStore::insertReading(SwingId swing, int position, const Reading& reading)
-{
-    LUBBERLINE_EXPECT(position >= 0, "a reading's position counts from 0");
-    auto transaction = Transaction::begin(m_database);
-    if (!transaction)
-        return transaction.error();
-    const auto open = openSwing(m_database, swing);
-    if (!open)
-        return open.error();
-    Statement shift(m_database, "UPDATE reading SET position = position + 1 WHERE swing_id = ? AND position >= ?");
-    shift << swing << position;
-    if (const auto done = shift.run(); !done)
-        return done.error();
-    const auto id = insertRows(m_database, swing, position, {&reading, 1});
-    if (!id)
-        return id.error();
-    if (const auto done = finish(m_database, *transaction, *open, "added reading", auditText(reading)); !done)
-        return done.error();
-    return *id;
-}
-
-Result<void> SwingStore::changeReading(SwingId swing, const Reading& known, const Reading& reading)
-{
-    auto transaction = Transaction::begin(m_database);
-    if (!transaction)
-        return transaction.error();
-    const auto open = openSwing(m_database, swing);
-    if (!open)
-        return open.error();
-    const auto before = this->reading(swing, reading.id);
-    if (!before)
-        return before.error();
-    if (*before == reading)
-        return transaction->commit();
-    if (*before != known)
-        return Error{ErrorCode::Conflict,
-            {MARKED("db", "this reading has been changed elsewhere to: %1; nothing was overwritten, look at it again"), auditText(*before)},
-            m_database.path().toStdString()};
-    if (const auto checked = checkTexts(reading); !checked)
-        return checked;
-    static const QString kUpdate = "UPDATE reading SET " + readingFields().join(" = ?, ") + " = ? WHERE id = ?";
-    Statement statement(m_database, kUpdate);
-    bindReading(statement, reading);
-    statement << reading.id;
-    if (const auto done = statement.run(); !done)
-        return done;
-    return finish(m_database, *transaction, *open, "changed reading", auditText(*before) + " -> " + auditText(reading), reading.id);
-}
-
-Result<void> SwingStore::removeReading(SwingId swing, ReadingId reading)
-{
-    auto transaction = Transaction::begin(m_database);
-    if (!transaction)
-        return transaction.error();
-    const auto open = openSwing(m_database, swing);
-    if (!open)
-        return open.error();
-    const auto before = this->reading(swing, reading);
-    if (!before)
-        return before.error();
-    Statement close(m_database,
-        "UPDATE reading SET position = position - 1 WHERE swing_id = ? AND position > (SELECT position FROM reading WHERE id = ?)");
-    close << swing << reading;
-    if (const auto done = close.run(); !done)
-        return done;
-    Statement statement(m_database, "DELETE FROM reading WHERE id = ?");
-    statement << reading;
-    if (const auto done = statement.run(); !done)
-        return done;
-    return finish(m_database, *transaction, *open, "removed reading", auditText(*before));
 }
 
 } // namespace lubberline::db

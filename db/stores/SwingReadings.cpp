@@ -1,0 +1,160 @@
+#include "db/stores/SwingReadings.h"
+
+#include <algorithm>
+
+#include "core/base/Contract.h"
+#include "core/record/Ranges.h"
+#include "db/engine/Changes.h"
+#include "db/engine/Transaction.h"
+#include "db/stores/Audit.h"
+#include "db/stores/ResultCache.h"
+#include "db/stores/Saving.h"
+#include "db/stores/SwingRows.h"
+#include "db/stores/SwingStore.h"
+
+namespace lubberline::db {
+
+namespace {
+
+/// What could not be read again must not be stored; the rest the columns hold themselves.
+Result<void> checkTexts(const Reading& reading)
+{
+    std::size_t longest = std::max(reading.note.size(), reading.timeUtc.size());
+    if (reading.exclusion)
+        longest = std::max(longest, reading.exclusion->reason.size());
+    if (longest > kLongestText)
+        return Error{
+            ErrorCode::InvalidInput, {MARKED("db", "a text of a reading has %1 bytes; expected at most %2"), longest, kLongestText}};
+    return {};
+}
+
+/// After a change of readings: cached results, audit entry, commit. @param only the reading whose figures are all that changed.
+Result<void> finish(Database& database, Transaction& transaction, const Swing& swing, const std::string& what, const std::string& detail,
+    ReadingId only = {})
+{
+    if (const auto refreshed = refreshSwing(database, swing.id); !refreshed)
+        return refreshed;
+    if (const auto kept = audit(database, what, swing.record, detail); !kept)
+        return kept;
+    database.changes().note(change::OfSwing{swing.id, only});
+    return transaction.commit();
+}
+
+} // namespace
+
+Result<ReadingId> insertReadings(Database& database, SwingId swing, int position, std::span<const Reading> readings)
+{
+    static const QString kInsert = "INSERT INTO reading (id, swing_id, position, " + readingFields().join(", ") + ") VALUES ("
+        + nextNumber("reading") + ", " + placeholders(readingFields().size() + 2) + ")";
+    Statement statement(database, kInsert);
+    for (const auto& reading : readings) {
+        if (const auto checked = checkTexts(reading); !checked)
+            return checked.error();
+        statement << swing << position++;
+        bindReading(statement, reading);
+        if (const auto done = statement.run(); !done)
+            return done.error();
+    }
+    return ReadingId{statement.insertedId()};
+}
+
+Result<Reading> SwingStore::reading(SwingId swing, ReadingId id)
+{
+    Statement statement(m_database, "SELECT " + readingColumns() + " FROM reading r WHERE r.id = ? AND r.swing_id = ?");
+    statement << id << swing;
+    return oneOf<Reading>(statement, m_database, MARKED("db", "reading of the swing"), [](Statement& row) { return readingFrom(row, 0); });
+}
+
+Result<void> SwingStore::replaceReadings(SwingId id, const std::vector<Reading>& readings)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto open = openSwing(m_database, id);
+    if (!open)
+        return open.error();
+    Statement statement(m_database, "DELETE FROM reading WHERE swing_id = ?");
+    statement << id;
+    if (const auto done = statement.run(); !done)
+        return done;
+    if (const auto inserted = insertReadings(m_database, id, 0, readings); !inserted)
+        return inserted.error();
+    std::string detail;
+    for (const auto& reading : readings)
+        detail += (detail.empty() ? "reading: " : "; reading: ") + auditText(reading);
+    return finish(m_database, *transaction, *open, "set readings", detail);
+}
+
+Result<ReadingId> SwingStore::insertReading(SwingId swing, int position, const Reading& reading)
+{
+    LUBBERLINE_EXPECT(position >= 0, "a reading's position counts from 0");
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto open = openSwing(m_database, swing);
+    if (!open)
+        return open.error();
+    Statement shift(m_database, "UPDATE reading SET position = position + 1 WHERE swing_id = ? AND position >= ?");
+    shift << swing << position;
+    if (const auto done = shift.run(); !done)
+        return done.error();
+    const auto id = insertReadings(m_database, swing, position, {&reading, 1});
+    if (!id)
+        return id.error();
+    if (const auto done = finish(m_database, *transaction, *open, "added reading", auditText(reading)); !done)
+        return done.error();
+    return *id;
+}
+
+Result<void> SwingStore::changeReading(SwingId swing, const Reading& known, const Reading& reading)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto open = openSwing(m_database, swing);
+    if (!open)
+        return open.error();
+    const auto before = this->reading(swing, reading.id);
+    if (!before)
+        return before.error();
+    if (*before == reading)
+        return transaction->commit();
+    if (*before != known)
+        return Error{ErrorCode::Conflict,
+            {MARKED("db", "this reading has been changed elsewhere to: %1; nothing was overwritten, look at it again"), auditText(*before)},
+            m_database.path().toStdString()};
+    if (const auto checked = checkTexts(reading); !checked)
+        return checked;
+    static const QString kUpdate = "UPDATE reading SET " + readingFields().join(" = ?, ") + " = ? WHERE id = ?";
+    Statement statement(m_database, kUpdate);
+    bindReading(statement, reading);
+    statement << reading.id;
+    if (const auto done = statement.run(); !done)
+        return done;
+    return finish(m_database, *transaction, *open, "changed reading", auditText(*before) + " -> " + auditText(reading), reading.id);
+}
+
+Result<void> SwingStore::removeReading(SwingId swing, ReadingId reading)
+{
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto open = openSwing(m_database, swing);
+    if (!open)
+        return open.error();
+    const auto before = this->reading(swing, reading);
+    if (!before)
+        return before.error();
+    Statement close(m_database,
+        "UPDATE reading SET position = position - 1 WHERE swing_id = ? AND position > (SELECT position FROM reading WHERE id = ?)");
+    close << swing << reading;
+    if (const auto done = close.run(); !done)
+        return done;
+    Statement statement(m_database, "DELETE FROM reading WHERE id = ?");
+    statement << reading;
+    if (const auto done = statement.run(); !done)
+        return done;
+    return finish(m_database, *transaction, *open, "removed reading", auditText(*before));
+}
+
+} // namespace lubberline::db
