@@ -239,7 +239,7 @@ void SwingPage::showResults()
         m_derivation->refresh(analysis);
     if (m_card && m_showCard->isChecked())
         showCardFigures();
-    m_meaning->setText(meaning());
+    m_meaning->setText(inAngleStyle(meaning()));
     showMessageLine();
 }
 
