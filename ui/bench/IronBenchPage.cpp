@@ -17,9 +17,9 @@
 #include "ui/bench/BenchResults.h"
 #include "ui/bench/BenchRows.h"
 #include "ui/bench/BenchTables.h"
-#include "ui/kit/FlowLayout.h"
-#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/FlowLayout.h"
+#include "ui/kit/fit/SideBySide.h"
 
 namespace lubberline::ui {
 

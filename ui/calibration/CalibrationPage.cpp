@@ -18,8 +18,8 @@
 #include "core/calibration/ModelHeader.h"
 #include "core/format/exchange/ModelJson.h"
 #include "ui/calibration/CoverageSphere.h"
-#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/SideBySide.h"
 #include "ui/plots/series/SeriesPlot.h"
 #include "ui/text/AngleWords.h"
 

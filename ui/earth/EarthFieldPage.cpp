@@ -14,8 +14,8 @@
 #include "ui/earth/FieldValues.h"
 #include "ui/kit/FormField.h"
 #include "ui/kit/PlaceText.h"
-#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/SideBySide.h"
 #include "ui/plots/world/WorldFieldPlot.h"
 #include "ui/plots/world/WorldFieldText.h"
 

@@ -3,8 +3,8 @@
 #include <QHeaderView>
 
 #include "core/earth/FieldModel.h"
-#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/TableFit.h"
 
 namespace lubberline::ui {
 

@@ -13,8 +13,8 @@
 #include "core/swing/SwingPlaces.h"
 #include "ui/earth/AssumedIronForm.h"
 #include "ui/kit/PlaceText.h"
-#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/SideBySide.h"
 #include "ui/plots/swing/PredictionPlot.h"
 #include "ui/text/AngleWords.h"
 

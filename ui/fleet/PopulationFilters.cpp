@@ -6,8 +6,8 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "ui/kit/FlowLayout.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/FlowLayout.h"
 
 namespace lubberline::ui {
 

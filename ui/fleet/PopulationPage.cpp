@@ -18,8 +18,8 @@
 #include "ui/fleet/HistoryPanel.h"
 #include "ui/fleet/PaintedPlot.h"
 #include "ui/fleet/PopulationFilters.h"
-#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/TableFit.h"
 #include "ui/report/fleet/FleetDocument.h"
 #include "ui/report/fleet/FleetTables.h"
 

@@ -11,8 +11,8 @@
 
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
-#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/TableFit.h"
 
 namespace lubberline::ui {
 

@@ -15,9 +15,9 @@
 #include "ui/earth/FieldText.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
-#include "ui/kit/EnterGoesOn.h"
 #include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/keys/EnterGoesOn.h"
 
 namespace lubberline::ui {
 

@@ -10,9 +10,9 @@
 
 #include "core/base/OutputFile.h"
 #include "core/format/results/WindsJson.h"
-#include "ui/kit/ControlFit.h"
-#include "ui/kit/FlowLayout.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/ControlFit.h"
+#include "ui/kit/fit/FlowLayout.h"
 #include "ui/plots/drawn/DrawnPlot.h"
 #include "ui/plots/inflight/InflightDrawing.h"
 #include "ui/report/forms/WindSheet.h"

@@ -7,8 +7,8 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "ui/kit/LongWords.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/LongWords.h"
 
 namespace lubberline::ui {
 

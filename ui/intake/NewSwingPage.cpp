@@ -12,8 +12,8 @@
 
 #include "ui/earth/FieldText.h"
 #include "ui/fleet/RecordEdits.h"
-#include "ui/kit/EnterGoesOn.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/keys/EnterGoesOn.h"
 
 namespace lubberline::ui {
 

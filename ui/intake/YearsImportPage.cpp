@@ -15,9 +15,9 @@
 #include <map>
 
 #include "core/record/RecordWords.h"
-#include "ui/kit/FlowLayout.h"
-#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/FlowLayout.h"
+#include "ui/kit/fit/SideBySide.h"
 
 namespace lubberline::ui {
 

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "ui/kit/LongWords.h"
+#include "ui/kit/fit/LongWords.h"
 
 namespace lubberline::ui {
 

@@ -4,7 +4,7 @@
 #include <QLineEdit>
 #include <QScrollArea>
 
-#include "ui/kit/LongWords.h"
+#include "ui/kit/fit/LongWords.h"
 #include "ui/plots/base/Plot.h"
 #include "ui/text/AngleWords.h"
 

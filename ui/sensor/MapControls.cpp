@@ -7,8 +7,8 @@
 
 #include <array>
 
-#include "ui/kit/FlowLayout.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/FlowLayout.h"
 #include "ui/sensor/ParameterCell.h"
 #include "ui/sensor/SensorEditor.h"
 

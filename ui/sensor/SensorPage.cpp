@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/SideBySide.h"
 #include "ui/plots/base/Plot.h"
 #include "ui/sensor/MapControls.h"
 #include "ui/sensor/SensorActions.h"

@@ -12,9 +12,9 @@
 #include "core/procedure/SunDatum.h"
 #include "core/record/DefaultNames.h"
 #include "ui/earth/FieldText.h"
-#include "ui/kit/SideBySide.h"
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/SideBySide.h"
 
 namespace lubberline::ui {
 

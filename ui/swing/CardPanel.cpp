@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 
 #include "core/swing/CardRemarks.h"
-#include "ui/kit/SideBySide.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/SideBySide.h"
 #include "ui/report/card/CardWords.h"
 
 namespace lubberline::ui {

@@ -9,8 +9,8 @@
 
 #include <cmath>
 
-#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/TableFit.h"
 #include "ui/swing/SwingWords.h"
 #include "ui/text/AngleWords.h"
 

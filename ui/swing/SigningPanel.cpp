@@ -13,8 +13,8 @@
 
 #include "core/record/SwingDifferences.h"
 #include "ui/audit/AuditWords.h"
-#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/TableFit.h"
 #include "ui/swing/SwingEditor.h"
 
 namespace lubberline::ui {

@@ -6,8 +6,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/kit/ControlFit.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/ControlFit.h"
 #include "ui/swing/CardPanel.h"
 #include "ui/swing/DerivationPanel.h"
 #include "ui/swing/RecordDocuments.h"

@@ -12,8 +12,8 @@
 
 #include "ui/fleet/FleetPanel.h"
 #include "ui/kit/Edit.h"
-#include "ui/kit/Mnemonics.h"
 #include "ui/kit/Theme.h"
+#include "ui/kit/keys/Mnemonics.h"
 #include "ui/plots/base/Plot.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PageStack.h"

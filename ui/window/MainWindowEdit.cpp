@@ -4,8 +4,8 @@
 #include <QMenu>
 
 #include "ui/fleet/FleetPanel.h"
-#include "ui/kit/FocusEdit.h"
 #include "ui/kit/Theme.h"
+#include "ui/kit/keys/FocusEdit.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PageStack.h"
 

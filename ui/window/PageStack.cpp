@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/Contract.h"
-#include "ui/kit/ControlFit.h"
+#include "ui/kit/fit/ControlFit.h"
 #include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {

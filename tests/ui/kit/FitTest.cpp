@@ -11,10 +11,10 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
-#include "ui/kit/ControlFit.h"
-#include "ui/kit/FlowLayout.h"
-#include "ui/kit/SideBySide.h"
-#include "ui/kit/TableFit.h"
+#include "ui/kit/fit/ControlFit.h"
+#include "ui/kit/fit/FlowLayout.h"
+#include "ui/kit/fit/SideBySide.h"
+#include "ui/kit/fit/TableFit.h"
 
 using namespace lubberline::ui;
 

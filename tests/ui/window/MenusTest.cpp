@@ -12,8 +12,8 @@
 #include <QTextBrowser>
 
 #include "tests/ui/window/Fixture.h"
-#include "ui/kit/Mnemonics.h"
 #include "ui/kit/Preferences.h"
+#include "ui/kit/keys/Mnemonics.h"
 #include "ui/text/Language.h"
 #include "ui/window/PageStack.h"
 

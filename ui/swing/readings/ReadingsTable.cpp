@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "ui/kit/TableFit.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/TableFit.h"
 #include "ui/swing/readings/ReadingDelegate.h"
 #include "ui/swing/readings/ReadingsModel.h"
 

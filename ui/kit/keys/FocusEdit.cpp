@@ -1,4 +1,4 @@
-#include "ui/kit/FocusEdit.h"
+#include "ui/kit/keys/FocusEdit.h"
 
 #include <QAbstractItemView>
 #include <QClipboard>

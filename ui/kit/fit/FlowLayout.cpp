@@ -1,4 +1,4 @@
-#include "ui/kit/FlowLayout.h"
+#include "ui/kit/fit/FlowLayout.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

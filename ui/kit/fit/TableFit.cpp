@@ -1,4 +1,4 @@
-#include "ui/kit/TableFit.h"
+#include "ui/kit/fit/TableFit.h"
 
 #include <QEvent>
 #include <QHeaderView>

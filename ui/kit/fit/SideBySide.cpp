@@ -1,4 +1,4 @@
-#include "ui/kit/SideBySide.h"
+#include "ui/kit/fit/SideBySide.h"
 
 #include <QEvent>
 #include <QLayout>

@@ -1,4 +1,4 @@
-#include "ui/kit/Mnemonics.h"
+#include "ui/kit/keys/Mnemonics.h"
 
 #include <QAbstractButton>
 #include <QGroupBox>

@@ -1,4 +1,4 @@
-#include "ui/kit/ControlNames.h"
+#include "ui/kit/keys/ControlNames.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

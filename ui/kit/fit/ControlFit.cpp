@@ -1,4 +1,4 @@
-#include "ui/kit/ControlFit.h"
+#include "ui/kit/fit/ControlFit.h"
 
 #include <QAbstractItemView>
 #include <QApplication>
@@ -14,8 +14,8 @@
 
 #include <algorithm>
 
-#include "ui/kit/ControlNames.h"
-#include "ui/kit/TableFit.h"
+#include "ui/kit/fit/TableFit.h"
+#include "ui/kit/keys/ControlNames.h"
 
 namespace lubberline::ui {
 
