@@ -9,7 +9,6 @@
 #include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/results/NmeaJson.h"
-#include "core/nmea/NmeaDoubts.h"
 #include "core/nmea/NmeaSwing.h"
 #include "core/swing/SwingResult.h"
 
@@ -74,7 +73,6 @@ int nmeaCommand(const NmeaArguments& options)
     record.compass.resolution_deg = divisionOf_deg(record.swing);
     if (auto analysed = resultOf(record)) {
         analysis = std::move(analysed.value());
-        widenByDoubts(*analysis, *swing);
         warnings.insert(warnings.end(), analysis->warnings.begin(), analysis->warnings.end());
     } else {
         warnings.push_back(analysed.error().message);

@@ -238,6 +238,17 @@ void widenTo(SmithFitReport& fit, double error_rad)
             fit.standardError[i] = std::sqrt(fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
 }
 
+void addShared(SmithFitReport& fit, const std::array<double, kCoefficientCount>& errors_rad)
+{
+    for (std::size_t i = 0; i < kCoefficientCount; ++i) {
+        if (!fit.standardError[i])
+            continue;
+        const auto place = static_cast<Eigen::Index>(i);
+        fit.covariance(place, place) += errors_rad[i] * errors_rad[i];
+        fit.standardError[i] = std::sqrt(fit.covariance(place, place));
+    }
+}
+
 Result<ApproximateFit> fitApproximate(std::span<const Observation> readings, const FitWishes& wishes)
 {
     return fit<ApproximateFit>(readings, wishes, approximateRow,

@@ -63,6 +63,8 @@ struct ExactFit : SmithFitReport {
 /// lie on a curve), or where there are no more of them than coefficients, covariance and standard errors are those of readings with that
 /// error, and intervals are not shorter than its normal ones. The scatter itself (sigma_rad) and the residuals stay as they were found.
 void widenTo(SmithFitReport& fit, double error_rad);
+/// Adds standard errors of A to E that all readings share, and that no scatter shows [rad]. A fit that knows no errors stays so.
+void addShared(SmithFitReport& fit, const std::array<double, kCoefficientCount>& errors_rad);
 
 /// What a fit is asked for besides its coefficients and residuals.
 struct FitWishes {

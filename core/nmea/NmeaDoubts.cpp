@@ -5,37 +5,42 @@
 
 #include <cmath>
 
+#include "core/deviation/ToldCoefficients.h"
+
 namespace lubberline {
 
 namespace {
 
-void widenFit(SmithFitReport& fit, const Eigen::MatrixXd& shifts_rad)
-{
-    const auto p = static_cast<Eigen::Index>(fit.parameters);
-    if (p == 0)
-        return;
-    fit.covariance.topLeftCorner(p, p) += shifts_rad * shifts_rad.transpose();
-    for (Eigen::Index i = 0; i < p; ++i)
-        fit.standardError[static_cast<std::size_t>(i)] = std::sqrt(fit.covariance(i, i));
-}
+/// A record says no more figures than the doubt has.
+double rounded(double error_deg) { return std::round(error_deg * 1e4) / 1e4; }
 
 } // namespace
 
-void widenByDoubts(Analysis& analysis, const NmeaSwing& swing)
+SharedErrors sharedErrorsOf(const NmeaSwing& swing)
 {
-    const auto readings = static_cast<Eigen::Index>(analysis.readings.size());
-    Eigen::MatrixXd design(readings, 5), turned(readings, static_cast<Eigen::Index>(swing.doubts.size()));
-    if (turned.cols() == 0 || static_cast<std::size_t>(readings) != swing.used)
-        return;
-    for (Eigen::Index i = 0; i < readings; ++i) {
-        const double heading = analysis.readings[static_cast<std::size_t>(i)].compass.radians();
-        design.row(i) << 1.0, std::sin(heading), std::cos(heading), std::sin(2.0 * heading), std::cos(2.0 * heading);
-        for (Eigen::Index doubt = 0; doubt < turned.cols(); ++doubt)
-            turned(i, doubt) = toRadians(swing.doubts[static_cast<std::size_t>(doubt)][static_cast<std::size_t>(i)]);
+    const auto readings = static_cast<Eigen::Index>(swing.used), doubts = static_cast<Eigen::Index>(swing.doubts.size());
+    SharedErrors shared;
+    if (readings < 3 || doubts == 0)
+        return shared;
+    Eigen::MatrixXd design(readings, 5), turned(readings, doubts);
+    Eigen::Index row = 0;
+    for (const auto& pair : swing.pairs) {
+        if (!pair.used)
+            continue;
+        const double heading = pair.compass.radians();
+        design.row(row) << 1.0, std::sin(heading), std::cos(heading), std::sin(2.0 * heading), std::cos(2.0 * heading);
+        for (Eigen::Index doubt = 0; doubt < doubts; ++doubt)
+            turned(row, doubt) = swing.doubts[static_cast<std::size_t>(doubt)][static_cast<std::size_t>(row)];
+        ++row;
     }
+    const ToldCoefficients told = toldBy(design, static_cast<int>(readings));
+    if (told.columns.empty())
+        return shared;
     // The exact coefficients are the approximate ones to the first order, and a doubt is no better known than that.
-    for (SmithFitReport* fit : {static_cast<SmithFitReport*>(&analysis.approximate), static_cast<SmithFitReport*>(&analysis.exact)})
-        widenFit(*fit, design.leftCols(fit->parameters).colPivHouseholderQr().solve(turned));
+    const Eigen::MatrixXd shifts = design(Eigen::all, told.columns).colPivHouseholderQr().solve(turned);
+    for (std::size_t i = 0; i < told.columns.size(); ++i)
+        shared.of_deg[static_cast<std::size_t>(told.columns[i])] = rounded(shifts.row(static_cast<Eigen::Index>(i)).norm());
+    return shared;
 }
 
 } // namespace lubberline

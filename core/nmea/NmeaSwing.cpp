@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/WholeFile.h"
+#include "core/nmea/NmeaDoubts.h"
 #include "core/nmea/NmeaLines.h"
 #include "core/nmea/SwingOfLog.h"
 
@@ -79,6 +80,7 @@ Swing toSwing(const NmeaSwing& nmea)
     swing.datum.instrument = "NMEA 0183 log";
     if (nmea.variation)
         swing.variation_deg = nmea.variation->degrees();
+    swing.sharedErrors = sharedErrorsOf(nmea);
     swing.note = together(nmea.limits).english();
     for (const auto& pair : nmea.pairs) {
         if (!pair.used)

@@ -261,7 +261,7 @@ void SwingOfLog::tellDelay()
     if (!m_times->told())
         tellLimit(MARKED("core", "the log tells no time: its turn is taken as one of 1°/s"));
     if (delay.told == DelayTold::OneWay && std::abs(delay.A_degPerSecond) >= 0.05)
-        tell(
+        tellLimit(
             {MARKED("core",
                  "the turn goes one way at about one rate: A and a delay between heading and reference cannot be told apart, each second of "
                  "delay is %1° of A; A is sure to ± %2° only (a turn the other way would tell)"),

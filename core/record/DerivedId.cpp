@@ -85,6 +85,8 @@ RecordId recordIdOfSwing(const Swing& swing, std::string_view registration, std:
             << swing.note;
     if (swing.indexRemoved_deg) // what is not stated leaves the identities as they were before it could be
         content << "index removed" << swing.indexRemoved_deg;
+    if (swing.sharedErrors.any())
+        content << "shared errors" << textOf(swing.sharedErrors);
     if (swing.field)
         add(content, *swing.field);
     for (const auto& reading : swing.readings)

@@ -17,6 +17,7 @@ inline constexpr NumberRange kRollRange{-180, 180};
 inline constexpr NumberRange kElevationRange{-1e5, 1e5}; ///< [m]
 inline constexpr NumberRange kHeightRange{-1e5, 1e6};    ///< [m] of a field
 inline constexpr NumberRange kFieldRange{-1e6, 1e6};     ///< [nT] ten times the field anywhere on Earth
+inline constexpr NumberRange kSharedErrorRange{0, 180};  ///< a standard error [deg]
 inline constexpr NumberRange kYearRange{1, 9999};
 inline constexpr NumberRange kPositiveRange{std::numeric_limits<double>::min(), 1e9};
 inline constexpr NumberRange kInstrumentResolutionRange{1e-6, 90}; ///< [deg]

@@ -11,6 +11,7 @@
 #include "core/earth/FieldStamp.h"
 #include "core/record/Id.h"
 #include "core/record/RawFigures.h"
+#include "core/record/SharedErrors.h"
 #include "core/record/Signature.h"
 
 namespace lubberline {
@@ -89,6 +90,7 @@ struct Swing {
     People people;
     std::optional<double> variation_deg;    ///< used to make magnetic of true headings; east positive
     std::optional<double> indexRemoved_deg; ///< A taken out by turning the compass in its mount after these readings; east positive
+    SharedErrors sharedErrors;              ///< of datum, variation, delay and wind
     std::string procedure;
     std::string startUtc, endUtc; ///< ISO 8601; empty: not stated
     std::string siteOverride;     ///< why it was swung there although the site or the datum was out of date; empty: it was not

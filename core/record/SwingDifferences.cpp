@@ -73,6 +73,7 @@ void compareParticulars(Differences& all, const Swing& before, const Swing& afte
     all.add(MARKED("core", "inspector"), before.people.inspector, after.people.inspector);
     all.add(MARKED("core", "variation"), number(before.variation_deg), number(after.variation_deg));
     all.add(MARKED("core", "index removed"), number(before.indexRemoved_deg), number(after.indexRemoved_deg));
+    all.add(MARKED("core", "errors that readings share"), textOf(before.sharedErrors), textOf(after.sharedErrors));
     all.add(MARKED("core", "procedure"), before.procedure, after.procedure);
     all.add(MARKED("core", "start"), before.startUtc, after.startUtc);
     all.add(MARKED("core", "end"), before.endUtc, after.endUtc);

@@ -129,6 +129,22 @@ void addResiduals(Analysis& analysis)
     }
 }
 
+void takeShared(Analysis& analysis, const SharedErrors& shared)
+{
+    if (!shared.any())
+        return;
+    std::array<double, kCoefficientCount> errors_rad{};
+    std::transform(shared.of_deg.begin(), shared.of_deg.end(), errors_rad.begin(), toRadians);
+    addShared(analysis.approximate, errors_rad);
+    addShared(analysis.exact, errors_rad);
+    std::string named;
+    for (const Coefficient coefficient : kCoefficients)
+        if (const double error_deg = shared.of_deg[indexOf(coefficient)]; error_deg != 0.0)
+            named += (named.empty() ? "" : ", ") + std::string(1, letterOf(coefficient)) + " " + figureText(error_deg, 2) + "°";
+    analysis.warnings.push_back(
+        {MARKED("core", "what all readings share (datum, variation, delay, wind) is in the standard errors: %1"), named});
+}
+
 } // namespace
 
 bool isOf(const AnalysedReading& analysed, const Observation& reading)
@@ -177,6 +193,7 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     addResiduals(analysis);
     widenTo(analysis.approximate, options.readingError_rad);
     widenTo(analysis.exact, options.readingError_rad);
+    takeShared(analysis, options.shared);
     if (const auto words = indexWords(toDegrees(analysis.approximate.index_rad)))
         analysis.warnings.push_back(*words);
     if (options.findSlips && analysis.approximate.fitted()) {

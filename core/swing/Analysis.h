@@ -12,6 +12,7 @@
 #include "core/deviation/PointRules.h"
 #include "core/deviation/SmithFit.h"
 #include "core/deviation/SwingSlips.h"
+#include "core/record/SharedErrors.h"
 #include "core/record/Site.h"
 
 namespace lubberline {
@@ -53,6 +54,7 @@ struct AnalysisOptions {
     int maxOrder = -1;                         ///< highest harmonic wanted; negative: all that the headings resolve
     double resolution_deg = 1.0;               ///< smallest division of the compass
     double readingError_rad = 0;               ///< of one deviation (core/swing/ReadingError.h): what a fit cannot be surer than
+    SharedErrors shared = {};                  ///< what no scatter of the readings shows
     bool findSlips = true;                     ///< whether misread figures are looked for
     std::optional<ExpectedCurve> history = {}; ///< of the compass by its last swing: what misread figures are told by besides
 };

@@ -72,17 +72,19 @@ std::optional<double> surveyed_deg(const Site& site)
     return count > 0 ? std::optional(wrap180(first_deg + sum_deg / count)) : std::nullopt;
 }
 
-} // namespace
+/// What one source says of the variation.
+struct SaidVariation {
+    Pattern who;
+    double deg = 0;
+};
 
-Message variationDisagreement(const std::optional<Site>& site, const std::optional<FieldStamp>& model, std::optional<double> swing_deg)
+/// What base, survey and model say.
+std::vector<SaidVariation> saidOf(const std::optional<Site>& site, const std::optional<FieldStamp>& model)
 {
-    std::vector<double> said_deg;
-    std::vector<Message> words;
+    std::vector<SaidVariation> said;
     const auto add = [&](const Pattern& who, std::optional<double> deg) {
-        if (!deg || !std::isfinite(*deg))
-            return;
-        said_deg.push_back(*deg);
-        words.push_back({who, signedFigureText(*deg, 2) + "°"});
+        if (deg && std::isfinite(*deg))
+            said.push_back({who, *deg});
     };
     if (site) {
         add(MARKED("core", "the base states %1"), site->variation_deg);
@@ -90,14 +92,41 @@ Message variationDisagreement(const std::optional<Site>& site, const std::option
     }
     if (model)
         add(MARKED("core", "the model has %1"), model->field.variation().degrees());
-    add(MARKED("core", "the swing states %1"), swing_deg);
+    return said;
+}
+
+constexpr double kRoundingOfVariation_deg = 1e-9;
+bool doubtful(double apart_deg) { return apart_deg >= kDoubtfulVariation_deg - kRoundingOfVariation_deg; }
+
+} // namespace
+
+Message variationDisagreement(const std::optional<Site>& site, const std::optional<FieldStamp>& model, std::optional<double> swing_deg)
+{
+    auto said = saidOf(site, model);
+    if (swing_deg && std::isfinite(*swing_deg))
+        said.push_back({MARKED("core", "the swing states %1"), *swing_deg});
     double apart_deg = 0;
-    for (std::size_t i = 0; i < said_deg.size(); ++i)
+    std::vector<Message> words;
+    for (std::size_t i = 0; i < said.size(); ++i) {
+        words.push_back({said[i].who, signedFigureText(said[i].deg, 2) + "°"});
         for (std::size_t j = 0; j < i; ++j)
-            apart_deg = std::max(apart_deg, std::abs(wrap180(said_deg[i] - said_deg[j])));
-    if (apart_deg < kDoubtfulVariation_deg - 1e-9)
+            apart_deg = std::max(apart_deg, std::abs(wrap180(said[i].deg - said[j].deg)));
+    }
+    if (!doubtful(apart_deg))
         return {};
     return {MARKED("core", "VARIATION in doubt, by %1: %2"), figureText(apart_deg, 1) + "°", together(std::move(words))};
+}
+
+double variationDoubt_deg(const Swing& swing, const std::optional<Site>& site)
+{
+    const bool ofTrue
+        = std::any_of(swing.readings.begin(), swing.readings.end(), [](const Reading& one) { return one.trueHeading && one.used(); });
+    if (!swing.variation_deg || !ofTrue)
+        return 0.0;
+    double apart_deg = 0;
+    for (const auto& one : saidOf(site, swing.field ? swing.field : stampFor(swing, site)))
+        apart_deg = std::max(apart_deg, std::abs(wrap180(one.deg - *swing.variation_deg)));
+    return doubtful(apart_deg) ? apart_deg : 0.0;
 }
 
 std::optional<double> variationBeyondStamp_deg(const Swing& swing)

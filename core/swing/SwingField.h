@@ -40,4 +40,8 @@ inline constexpr double kDoubtfulVariation_deg = 1.0;
 [[nodiscard]] Message variationDisagreement(
     const std::optional<Site>& site, const std::optional<FieldStamp>& model, std::optional<double> swing_deg = {});
 
+/// The same as a standard error of A [deg]: how far what was applied is from the others, where magnetic headings were made of true ones
+/// and that is a degree or more; else 0.
+[[nodiscard]] double variationDoubt_deg(const Swing& swing, const std::optional<Site>& site);
+
 } // namespace lubberline

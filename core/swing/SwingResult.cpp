@@ -6,6 +6,7 @@
 #include "core/swing/Gaps.h"
 #include "core/swing/Observations.h"
 #include "core/swing/ReadingError.h"
+#include "core/swing/SwingField.h"
 
 namespace lubberline {
 
@@ -43,6 +44,9 @@ SwingQuestion questionOf(const SwingRecord& record, const SwingJob* job, const A
     SwingQuestion question{observationsOf(record.swing), options};
     question.options.resolution_deg = record.compass.resolution_deg;
     question.options.readingError_rad = readingError_rad(record.compass.resolution_deg, job ? datumDivision_deg(*job) : 0.0);
+    question.options.shared = record.swing.sharedErrors;
+    double& ofA_deg = question.options.shared.of_deg[indexOf(Coefficient::A)];
+    ofA_deg = std::hypot(ofA_deg, variationDoubt_deg(record.swing, record.site));
     return question;
 }
 

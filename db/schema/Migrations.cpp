@@ -246,13 +246,18 @@ Result<void> giveNoNumberTwice(const Database& database)
     return {};
 }
 
-const Migration kNinth{9, "a guided swing keeps what is typed and not stored as a step yet; no number of a record is given twice",
+const Migration kNinth{9,
+    "a guided swing keeps what is typed and not stored as a step yet; no number of a record is given twice; a swing has the errors that its readings share",
     {
         // Part of the record, so that it goes wherever its database goes and never to another one; a step that is stored takes it away.
         "CREATE TABLE job_typed (id INTEGER PRIMARY KEY, job_id INTEGER NOT NULL REFERENCES swing_job(id) ON DELETE CASCADE,"
         " field TEXT NOT NULL CHECK (field <> ''), typed TEXT NOT NULL CHECK (typed <> ''), UNIQUE (job_id, field))",
         // last: the greatest number of a row that was removed
         "CREATE TABLE used_number (id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, last INTEGER NOT NULL CHECK (typeof(last) = 'integer'))",
+        // As in a Swing CSV: A 0.6 B 0.2.
+        "ALTER TABLE swing ADD COLUMN shared_error_deg TEXT NOT NULL DEFAULT ''",
+        "CREATE TRIGGER signed_swing_shared_error_is_frozen BEFORE UPDATE OF shared_error_deg ON swing WHEN OLD.state = 2"
+        " BEGIN SELECT RAISE(ABORT, 'the swing is signed'); END",
     },
     giveNoNumberTwice};
 

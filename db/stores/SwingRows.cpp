@@ -72,7 +72,7 @@ QStringList swingFields()
         "variation_deg", "procedure_name", "work_order", "reason", "note", "field_model", "field_latitude_deg", "field_longitude_deg",
         "field_height_m", "field_date", "field_north_nT", "field_east_nT", "field_down_nT", "index_removed_deg", "datum_read_out",
         "start_utc", "end_utc", "site_override", "weather", "job_record", "supersedes", "amendment", "revision", "kind_stated",
-        "stage_stated"};
+        "stage_stated", "shared_error_deg"};
 }
 
 QString swingColumns() { return "s.id, s.record, s." + swingFields().join(", s."); }
@@ -118,8 +118,9 @@ Swing swingFrom(const Statement& row, int first)
     swing.revision = row.integer(column++, kRevisionRange);
     if (!row.flag(column++))
         swing.kind = SwingKind::NotStated;
-    if (!row.flag(column))
+    if (!row.flag(column++))
         swing.stage = SwingStage::NotStated;
+    swing.sharedErrors = partOf(row, column, readSharedErrors);
     return swing;
 }
 
@@ -152,7 +153,8 @@ void bindParticulars(Statement& statement, const Swing& swing)
               << swing.variation_deg << swing.procedure << swing.workOrder << swing.reason << swing.note;
     bindStamp(statement, swing.field);
     statement << swing.indexRemoved_deg << swing.datum.readOut << swing.startUtc << swing.endUtc << swing.siteOverride << swing.weather
-              << swing.job << swing.supersedes << swing.amendment << swing.revision << kindStated << stageStated;
+              << swing.job << swing.supersedes << swing.amendment << swing.revision << kindStated << stageStated
+              << textOf(swing.sharedErrors);
 }
 
 Reading readingFrom(const Statement& row, int first)

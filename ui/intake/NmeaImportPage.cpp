@@ -14,7 +14,6 @@
 #include "core/angle/AngleText.h"
 #include "core/base/FileText.h"
 #include "core/nmea/NmeaBase.h"
-#include "core/nmea/NmeaDoubts.h"
 #include "core/swing/Analysis.h"
 #include "core/swing/SwingResult.h"
 #include "ui/kit/Words.h"
@@ -298,7 +297,6 @@ void NmeaImportPage::showAnswer()
     std::shared_ptr<const Analysis> analysis;
     QString why;
     if (auto made = resultOf(record)) {
-        widenByDoubts(*made, read);
         analysis = std::make_shared<const Analysis>(std::move(made.value()));
     } else {
         why = toText(made.error().message);

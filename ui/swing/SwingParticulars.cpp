@@ -51,6 +51,15 @@ Result<void> takeVariation(Swing& swing, const QString& text)
     return {};
 }
 
+Result<void> takeSharedErrors(Swing& swing, const QString& text)
+{
+    const auto errors = readSharedErrors(text.toStdString());
+    if (!errors)
+        return errors.error();
+    swing.sharedErrors = *errors;
+    return {};
+}
+
 Result<void> takeCalibrationDue(Swing& swing, const QString& text)
 {
     auto date = parseDate(text, true);
@@ -111,6 +120,13 @@ void SwingParticulars::buildOccasion(QFormLayout& form)
         [this](Swing& swing, int choice) { swing.site = choice > 0 ? m_sites[static_cast<std::size_t>(choice) - 1].id : SiteId(); });
     m_fields.addLine(form, tr("Variation:"), QStringLiteral("swingVariation"), variationText, takeVariation)
         ->setPlaceholderText(tr("3.5E"));
+    QLineEdit* shared = m_fields.addLine(
+        form, tr("Shared error:"), QStringLiteral("swingSharedError"),
+        [](const Swing& swing) { return toText(textOf(swing.sharedErrors)); }, takeSharedErrors);
+    shared->setPlaceholderText(tr("0.5"));
+    shared->setToolTip(
+        tr("Standard errors that all readings share and no scatter shows, in degrees: of the datum, the variation, a log's delay and wind. "
+           "One figure is A's; else letters, as in A 0.6 B 0.2. They widen what is said of the coefficients"));
 }
 
 void SwingParticulars::buildConfiguration(QFormLayout& form)

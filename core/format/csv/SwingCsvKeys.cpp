@@ -85,6 +85,15 @@ Result<void> takeVariation(const KeyLine& line, std::optional<double>& into)
     return {};
 }
 
+Result<void> takeSharedErrors(const KeyLine& line, SharedErrors& into)
+{
+    const auto errors = readSharedErrors(line.value);
+    if (!errors)
+        return wrongAngle(line, errors.error());
+    into = *errors;
+    return {};
+}
+
 Result<void> takeLatitude(const KeyLine& line, std::optional<double>& into)
 {
     const auto latitude_deg = parseLatitude_deg(line.value);
@@ -129,6 +138,7 @@ constexpr std::array kValueKeys{
     ValueKey{"radio", [](SwingFile& file, const KeyLine& line) { return takeChoice(line, file.swing.configuration.radio); }},
     ValueKey{"datum_calibration_due", [](SwingFile& file, const KeyLine& line) { return takeDate(line, file.swing.datum.calibrationDue); }},
     ValueKey{"variation_deg", [](SwingFile& file, const KeyLine& line) { return takeVariation(line, file.swing.variation_deg); }},
+    ValueKey{"shared_error_deg", [](SwingFile& file, const KeyLine& line) { return takeSharedErrors(line, file.swing.sharedErrors); }},
     ValueKey{"latitude_deg", [](SwingFile& file, const KeyLine& line) { return takeLatitude(line, file.latitude_deg); }},
     ValueKey{"longitude_deg", [](SwingFile& file, const KeyLine& line) { return takeLongitude(line, file.longitude_deg); }},
     ValueKey{"height_m",
@@ -291,6 +301,7 @@ std::string keyLinesOf(const SwingRecord& record)
     write(text, "datum_calibration_due", file.swing.datum.calibrationDue.text());
     if (file.swing.variation_deg)
         write(text, "variation_deg", shortestNumber(*file.swing.variation_deg));
+    write(text, "shared_error_deg", textOf(file.swing.sharedErrors));
     if (file.swing.field)
         writePlace(text, file.swing.field->place);
     write(text, "note", file.swing.note);

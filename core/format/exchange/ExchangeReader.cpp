@@ -285,6 +285,8 @@ void FleetReader::readSwing(const Json& value, const JsonPath& path, CompassId c
         swing.indexRemoved_deg = object.number("index_removed_deg", kSignedAngleRange);
         object.object("field", [&](JsonObject& field) { swing.field = exchange::readStamp(field); });
     }
+    if (m_version >= 6)
+        object.numbers("shared_error_deg", swing.sharedErrors.of_deg, kSharedErrorRange);
     swing.procedure = object.text("procedure");
     swing.workOrder = object.text("work_order");
     swing.reason = object.text("reason");

@@ -250,6 +250,8 @@ void FleetWriter::write(const Swing& swing)
     textIfAny(m_json, "inspector", swing.people.inspector);
     numberIfAny(m_json, "variation_deg", swing.variation_deg);
     numberIfAny(m_json, "index_removed_deg", swing.indexRemoved_deg);
+    if (swing.sharedErrors.any())
+        m_json.numbers("shared_error_deg", swing.sharedErrors.of_deg); // A … E
     if (swing.field)
         exchange::writeStamp(m_json, "field", *swing.field);
     textIfAny(m_json, "procedure", swing.procedure);
@@ -290,7 +292,8 @@ int exchangeVersionOf(const Fleet& fleet)
         return any(fleet.swings,
             [&](const Swing& swing) { return any(swing.signatures, [&](const Signature& one) { return one.contents >= contents; }); });
     };
-    return signedBy(3) ? 5 : signedBy(2) ? 4 : third ? 3 : second ? 2 : 1;
+    const bool sixth = any(fleet.swings, [](const Swing& swing) { return swing.sharedErrors.any(); });
+    return sixth ? 6 : signedBy(3) ? 5 : signedBy(2) ? 4 : third ? 3 : second ? 2 : 1;
 }
 
 std::string writeExchange(const Fleet& fleet) { return FleetWriter(fleet).write(); }

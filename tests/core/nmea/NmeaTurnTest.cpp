@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "core/nmea/NmeaBase.h"
-#include "core/nmea/NmeaDoubts.h"
 #include "core/nmea/NmeaSwing.h"
 #include "core/swing/Analysis.h"
 #include "core/swing/Observations.h"
@@ -108,9 +107,9 @@ Answer answerOf(const std::string& log, NmeaOptions options = {})
     std::istringstream stream(log);
     auto swing = readNmeaSwing(stream, "turn.nmea", options);
     EXPECT_TRUE(swing) << (swing ? "" : swing.error().message.english());
-    auto analysis = analyse(observationsOf(toSwing(*swing)));
+    const Swing record = toSwing(*swing);
+    auto analysis = analyse(observationsOf(record), {.shared = record.sharedErrors});
     EXPECT_TRUE(analysis);
-    widenByDoubts(*analysis, *swing);
     return {std::move(swing.value()), std::move(analysis.value())};
 }
 
@@ -352,10 +351,9 @@ TEST(NmeaTurn, aBaseWhoseSurveyIsNotTheModelsWidensA)
     base.latitude_deg = 47.61;
     holdAgainstBases(answer.swing, model, {&base, 1});
     EXPECT_TRUE(answer.says("the survey of rose has the declination +17.0°"));
-    NmeaSwing only = answer.swing;
-    only.doubts = {answer.swing.doubts.back()};
-    widenByDoubts(answer.analysis, only);
-    EXPECT_NEAR(answer.errorOf(Coefficient::A), std::hypot(before, 2.03), 0.01); // WMM2025 says 14.97° there
+    const auto widened = analyse(observationsOf(toSwing(answer.swing)), {.shared = toSwing(answer.swing).sharedErrors});
+    EXPECT_NEAR(toDegrees(*widened->approximate.standardError[indexOf(Coefficient::A)]), std::hypot(before, 2.03),
+        0.01); // WMM2025 says 14.97° there
 }
 
 TEST(NmeaTurn, aTooShortArcInTheWindIsAsUnsureAsTheWind)
