@@ -21,6 +21,8 @@ std::vector<std::string> inputsBeside(const CLI::App& command, const CLI::Option
     for (const CLI::Option* option : command.get_options())
         if (option != &output)
             inputs.insert(inputs.end(), option->results().begin(), option->results().end());
+    if (std::any_of(inputs.begin(), inputs.end(), isStandardStream))
+        inputs.emplace_back("/dev/stdin"); // "- < FILE": the file behind it
     if (command.get_option_no_throw("--db"))
         if (const auto path = databasePath(database))
             for (auto& file : db::filesOf(*path))

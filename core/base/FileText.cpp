@@ -190,6 +190,8 @@ Message otherEncoding(std::string_view beginning)
     const auto begins = [&](std::string_view mark) { return beginning.starts_with(mark); };
     if (begins(std::string_view("\xFF\xFE\0\0", 4)) || begins(std::string_view("\0\0\xFE\xFF", 4)))
         return {kAdvice, std::string("UTF-32")};
+    if (begins("PK\x03\x04") || begins("\xD0\xCF\x11\xE0"))
+        return {kAdvice, Message{MARKED("core", "a workbook of a spreadsheet program")}};
     if (begins("\xFF\xFE") || begins("\xFE\xFF"))
         return {kAdvice, std::string("UTF-16")};
     // Without its mark: figures and Latin letters have a zero in every second byte, and in no other.

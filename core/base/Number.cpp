@@ -11,7 +11,7 @@ namespace lubberline {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kMinusSigns{"-", "\u2212", "\u2013", "\u2010", "\u2011"};
+constexpr std::array<std::string_view, 6> kMinusSigns{"-", "\u2212", "\u2013", "\u2010", "\u2011", "\u2012"};
 constexpr std::array<std::string_view, 3> kGroupSpaces{"\u00A0", "\u202F", "\u2009"};
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }

@@ -15,7 +15,7 @@ struct FileNumber {
 };
 
 /// Reads all of `text`: sign, digits, one decimal point (or comma where `decimalComma`: where no comma can be a separator),
-/// exponent. Minus is the hyphen, U+2212, the en dash U+2013, or the hyphens U+2010 and U+2011. The thousands may be parted by
+/// exponent. Minus is the hyphen, U+2212, the en dash U+2013, the figure dash U+2012, or the hyphens U+2010 and U+2011. The thousands may be parted by
 /// no-break spaces U+00A0 and U+202F or the thin space U+2009, one kind and every three digits; anywhere else they are an error.
 /// "nan", "inf" and hexadecimal are not numbers; what no double can hold (1e400, 1e-400) is OutOfRange.
 [[nodiscard]] FileNumber readNumber(std::string_view text, bool decimalComma = false);

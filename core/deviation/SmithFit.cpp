@@ -268,7 +268,8 @@ std::optional<double> bandHalfWidth_rad(const ApproximateFit& fit, CompassHeadin
     const SmithRow row = approximateRow({MagneticHeading{}, compass}, 0.0);
     const auto x = Eigen::Map<const Eigen::Matrix<double, 5, 1>>(row.x.data());
     const double variance = x.dot(fit.covariance * x); // rows without a value are zero
-    return *fit.intervalFactor * std::sqrt(std::max(0.0, variance));
+    const double width_rad = *fit.intervalFactor * std::sqrt(std::max(0.0, variance));
+    return width_rad < kPi ? std::optional(width_rad) : std::nullopt; // half a turn either way is every heading
 }
 
 std::vector<std::optional<double>> studentisedResiduals(const SmithFitReport& fit)

@@ -83,7 +83,7 @@ Result<ApproximateFit> fitApproximate(std::span<const Observation> readings, con
 Result<ExactFit> fitExact(std::span<const Observation> readings, const FitWishes& wishes = {});
 
 /// Half width of the 95 % confidence band of the fitted curve at a compass heading [rad] (covariance and intervalFactor of the fit);
-/// none without degrees of freedom.
+/// none without degrees of freedom, or where it would be half a turn or more.
 [[nodiscard]] std::optional<double> bandHalfWidth_rad(const ApproximateFit& fit, CompassHeading compass);
 
 /// Externally studentised residuals, none for a reading where two degrees of freedom are missing.

@@ -13,10 +13,11 @@ namespace lubberline {
 
 namespace {
 
-/// D (3) or E (4) when the worst told direction is its own; −1 otherwise. A quarter of it may leak into the others.
+/// D (3) or E (4) when the worst told direction is its own; −1 otherwise. Two fifths of it may leak into the others: compasses that deviate by 8°
+/// read so far off the cardinals.
 int ownDirection(const Eigen::MatrixXd& design)
 {
-    constexpr double kOwn = 0.97; // cosine of the angle between the direction and the coefficient's axis
+    constexpr double kOwn = 0.92; // cosine of the angle between the direction and the coefficient's axis
     const Eigen::MatrixXd small = design.rows() > 5
         ? Eigen::MatrixXd(Eigen::HouseholderQR<Eigen::MatrixXd>(design).matrixQR().topRows(5).triangularView<Eigen::Upper>())
         : design;

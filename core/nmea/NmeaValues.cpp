@@ -163,7 +163,7 @@ NmeaValue recommendedMinimum(const NmeaSentence& sentence)
 
 constexpr double kKilometresPerKnot = 1.852; // the nautical mile, by definition
 
-/// Each figure with its letter behind it (T, M, N, K); in the oldest form the four figures alone.
+/// Each figure with its letter behind it (T, M, N, K), or with that place left empty; in the oldest form the four figures alone.
 NmeaValue trackMadeGood(const NmeaSentence& sentence)
 {
     if (sentence.field(8) == "N")
@@ -180,10 +180,11 @@ NmeaValue trackMadeGood(const NmeaSentence& sentence)
         else if (letter == "K")
             kilometres = number(sentence.field(i));
     }
-    if (!letters) {
+    if (!letters) { // each where its letter would stand behind it, or one after the other
+        const bool places = sentence.fields.size() >= 7;
         track_deg = headingOf(sentence.field(0));
-        knots = number(sentence.field(2));
-        kilometres = number(sentence.field(3));
+        knots = number(sentence.field(places ? 4 : 2));
+        kilometres = number(sentence.field(places ? 6 : 3));
     }
     if (!knots && kilometres)
         knots = *kilometres / kKilometresPerKnot;

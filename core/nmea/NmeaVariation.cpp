@@ -178,6 +178,11 @@ Result<ChosenVariation> chooseVariation(const NmeaLog& log, const NmeaVariation&
     }
     if (answer)
         holdAgainstModel(chosen, *answer, date.date);
+    else if (chosen.source == "log") {
+        chosen.standardError_deg = kUnstatedError_deg;
+        chosen.warnings.push_back({MARKED("core", "the variation of the log, %1° (east +), is held against no model: %2"),
+            signedFigureText(chosen.variation.degrees(), 1), whyNoModel(log, date.date).message});
+    }
     chosen.standardError_deg = std::hypot(chosen.standardError_deg, stated_deg);
     return chosen;
 }

@@ -51,6 +51,7 @@ private:
     void bringToTrue();
     void makePairs(double delay_s);
     [[nodiscard]] bool withinLimits(const NmeaPair& pair) const;
+    void tellUnused();
     void findDelay();
     void tellDelay();
     void compareDirections();
@@ -236,6 +237,23 @@ void SwingOfLog::makePairs(double delay_s)
     }
 }
 
+/// Why nothing is left.
+void SwingOfLog::tellUnused()
+{
+    if (m_swing.used > 0 || m_swing.pairs.empty())
+        return;
+    double fastest_kt = 0.0;
+    for (const auto& pair : m_swing.pairs)
+        fastest_kt = std::max(fastest_kt, pair.speed_kt.value_or(0.0));
+    if (m_options.reference == NmeaReference::Track && fastest_kt < m_options.minSpeed_kt)
+        tell({MARKED("core",
+                  "the log never moves faster than %1 kt, and a track counts from %2 kt on: below, it is the noise of the receiver"),
+            figureText(fastest_kt, 1), figureText(m_options.minSpeed_kt, 1)});
+    else
+        tell({MARKED("core", "all of the turn is faster than %1°/s, and slower ones count only: a compass lags"),
+            figureText(m_options.maxTurnRate_deg_s, 1)});
+}
+
 std::vector<TimedHeading> SwingOfLog::usedHeadings() const
 {
     std::vector<TimedHeading> used;
@@ -266,7 +284,7 @@ void SwingOfLog::tellDelay()
                  "the turn goes one way at about one rate: A and a delay between heading and reference cannot be told apart, each second of "
                  "delay is %1° of A; A is sure to ± %2° only (a turn the other way would tell)"),
                 degrees, figureText(std::abs(delay.A_degPerSecond) * delay.standardError_s, 1)});
-    else if (delay.told == DelayTold::TooNoisy)
+    else if (delay.told == DelayTold::TooNoisy && std::abs(delay.A_degPerSecond) >= 0.05)
         tellLimit(
             {MARKED("core", "the headings are too uneven to tell the delay between heading and reference: each second of it is %1° of A"),
                 degrees});
@@ -359,6 +377,7 @@ Result<NmeaSwing> SwingOfLog::make()
     findWind();
     bringToTrue();
     makePairs(0.0);
+    tellUnused();
     if (m_swing.pairs.empty())
         return Error{ErrorCode::InvalidInput,
             {MARKED("core", "no compass heading of %1 has a reference (%2) near its time"), nameOf(m_sources.compass->source),

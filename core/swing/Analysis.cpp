@@ -33,15 +33,32 @@ Message gapText(std::span<const Observation> readings)
         formatHeading(gap.to_deg, AngleStyle::DecimalDegrees, 0)};
 }
 
+/// How many headings the readings are on: those within a few degrees of each other are one. None: an arc without steps.
+std::optional<std::size_t> headingsReadOn(std::span<const Observation> readings)
+{
+    constexpr double kApart_deg = 12.0, kWidest_deg = 24.0;
+    std::vector<double> headings_deg = compassHeadings_deg(readings);
+    const double start_deg = widestEmptyArc(headings_deg).to_deg;
+    for (double& heading_deg : headings_deg)
+        heading_deg = wrap360(heading_deg - start_deg);
+    std::sort(headings_deg.begin(), headings_deg.end());
+    std::size_t count = 1;
+    for (std::size_t i = 1, first = 0; i < headings_deg.size(); ++i) {
+        if (headings_deg[i] - headings_deg[i - 1] >= kApart_deg) {
+            ++count;
+            first = i;
+        } else if (headings_deg[i] - headings_deg[first] > kWidest_deg) {
+            return std::nullopt;
+        }
+    }
+    return count;
+}
+
 /// Why D and E, or more, cannot be told: too few headings, or headings on one side.
 Message whyUntold(std::span<const Observation> readings)
 {
-    std::vector<double> headings_deg = compassHeadings_deg(readings);
-    std::sort(headings_deg.begin(), headings_deg.end());
-    const auto distinct
-        = std::unique(headings_deg.begin(), headings_deg.end(), [](double a, double b) { return b - a < 0.5; }) - headings_deg.begin();
-    if (distinct < 5)
-        return {MARKED_N("core", "there are readings on %n heading(s), and five coefficients need five"), distinct};
+    if (const auto count = headingsReadOn(readings); count && *count < 5)
+        return {MARKED_N("core", "there are readings on %n heading(s), and five coefficients need five"), *count};
     return {MARKED("core", "the headings stand on one side: %1"), gapText(readings)};
 }
 
@@ -129,8 +146,22 @@ void addResiduals(Analysis& analysis)
     }
 }
 
+/// A compass that deviates by more than any that is expected, whose readings go with its own exact curve all the same: a search that
+/// holds such deviations for slips would blame what is right.
+bool largeButPlain(const Analysis& analysis)
+{
+    constexpr double kLarge_deg = 45.0, kPlain_deg = 1.0;
+    const auto& exact = analysis.exact;
+    const double half_deg = toDegrees(analysis.summary.spread_rad()) / 2.0;
+    return half_deg > kLarge_deg && exact.fitted() && exact.degreesOfFreedom >= 3 && toDegrees(*exact.sigma_rad) < kPlain_deg;
+}
+
+/// One reading of many may have slipped, rather not than so: a bump of the curve looks like that.
+bool isVague(const SlipSearch& search) { return search.slips.size() > 2 && search.slips.front().probability < 0.5; }
+
 void takeShared(Analysis& analysis, const SharedErrors& shared)
 {
+    analysis.shared = shared;
     if (!shared.any())
         return;
     std::array<double, kCoefficientCount> errors_rad{};
@@ -174,6 +205,8 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
         return exact.error();
     if (!goesOn(kExact))
         return cancelled;
+    if (auto fault = faultOf(*approximate, *exact))
+        return *std::move(fault);
 
     Analysis analysis;
     std::vector<HarmonicSample> samples;
@@ -196,17 +229,19 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     takeShared(analysis, options.shared);
     if (const auto words = indexWords(toDegrees(analysis.approximate.index_rad)))
         analysis.warnings.push_back(*words);
-    if (options.findSlips && analysis.approximate.fitted()) {
+    const auto unfit = lackOfFit(readings, analysis.approximate, analysis.exact, options.readingError_rad);
+    if (options.findSlips && analysis.approximate.fitted() && !largeButPlain(analysis)) {
         analysis.slips = findSlips(readings, options.resolution_deg, options.history, within(kSpectrum, 1.0));
         if (!goesOn(1.0))
             return cancelled;
+        if (unfit && unfit->anotherShape && isVague(analysis.slips))
+            analysis.slips.slips.clear();
         for (const auto& slip : analysis.slips.slips)
             analysis.readings[slip.reading].suspect = true;
         warnOfSlips(analysis.warnings, analysis.slips, readings.size());
     }
-    if (analysis.slips.slips.empty())
-        if (const auto words = lackOfFit(readings, analysis.approximate, options.readingError_rad))
-            analysis.warnings.push_back(*words);
+    if (unfit && analysis.slips.slips.empty())
+        analysis.warnings.push_back(unfit->words);
     warnOfFit(analysis.warnings, analysis.approximate, MARKED("core", "approximate"), readings);
     warnOfFit(analysis.warnings, analysis.exact, MARKED("core", "exact"), readings);
     return analysis;

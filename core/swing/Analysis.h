@@ -47,6 +47,7 @@ struct Analysis {
     Harmonics harmonics;
     Summary summary;
     SlipSearch slips;              ///< which readings were probably misread; the rest of Analysis takes them as they were read
+    SharedErrors shared;           ///< what is in the standard errors besides the scatter
     std::vector<Message> warnings; ///< what the readings cannot tell, in words
 };
 

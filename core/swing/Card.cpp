@@ -262,6 +262,8 @@ void judgeRows(Card& card, const CardWork& work)
         for (int heading_deg = 0; known && heading_deg < 360; ++heading_deg)
             if (const auto band = work.bandOfCurve_rad(MagneticHeading::fromDegrees(heading_deg)))
                 card.widestBand_rad = std::max(*card.widestBand_rad, *band);
+            else
+                known = false;
     if (!known)
         card.widestBand_rad.reset();
 }

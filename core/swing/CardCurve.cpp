@@ -12,7 +12,7 @@ namespace {
 constexpr int kCurveSteps = 1440;
 constexpr double kCurveStep_deg = 360.0 / kCurveSteps;
 
-std::string curveHeading(double heading_deg) { return formatHeading(heading_deg, AngleStyle::DecimalDegrees, 0); }
+std::string curveHeading(double heading_deg, int decimals) { return formatHeading(heading_deg, AngleStyle::DecimalDegrees, decimals); }
 
 } // namespace
 
@@ -51,13 +51,22 @@ Result<void> CardCurve::checkOneWay() const
     if (longest == 0 && std::abs(turned_deg - 360.0) < 1e-6)
         return {};
     const double first_deg = from * kCurveStep_deg, last_deg = (from + longest) * kCurveStep_deg;
-    const auto reads
-        = [this](double magnetic_deg) { return curveHeading(compassAt(MagneticHeading::fromDegrees(magnetic_deg)).degrees()); };
+    constexpr double kNarrow_deg = 2.0; // told to tenths, as its two ends would be one heading
+    const int decimals = longest * kCurveStep_deg < kNarrow_deg ? 1 : 0;
+    const auto reads = [this, decimals](double magnetic_deg) {
+        return curveHeading(compassAt(MagneticHeading::fromDegrees(magnetic_deg)).degrees(), decimals);
+    };
+    if (longest >= kCurveSteps)
+        return Error{ErrorCode::Numeric,
+            {MARKED("core",
+                 "no card: by the curve of these readings the compass runs backwards all the way around (it reads %1 on %2 and %3 on %4, "
+                 "magnetic); expected a compass that rises all the way around"),
+                reads(0.0), curveHeading(0.0, 0), reads(90.0), curveHeading(90.0, 0)}};
     return Error{ErrorCode::Numeric,
         {MARKED("core",
              "no card: while the aircraft turns from %1 to %2 (magnetic) the compass goes back from %3 to %4, so that one reading stands "
              "for more than one heading; expected a compass that rises all the way around"),
-            curveHeading(first_deg), curveHeading(last_deg), reads(first_deg), reads(last_deg)}};
+            curveHeading(first_deg, decimals), curveHeading(last_deg, decimals), reads(first_deg), reads(last_deg)}};
 }
 
 MagneticHeading CardCurve::magneticAt(CompassHeading compass) const

@@ -4,15 +4,37 @@
 #include <vector>
 
 #include "core/angle/Circle.h"
+#include "core/base/Number.h"
 
 namespace lubberline {
 
 namespace {
 
 constexpr double kSpan_deg = 45.0; ///< within which a card may stand still or swing back for many reasons
+/// A card that keeps within so much while the aircraft turns by half a turn or more is held: iron of twice the Earth's field leaves it more.
+constexpr double kHeld_deg = 45.0, kTurned_deg = 180.0;
 
 /// The arc that holds all headings.
 double spanOf_deg(const std::vector<double>& headings_deg) { return 360.0 - widestEmptyArc(headings_deg).width_deg(); }
+
+std::string threeDigits(double heading_deg)
+{
+    const std::string digits = std::to_string(static_cast<int>(std::lround(heading_deg)) % 360);
+    return std::string(3 - digits.size(), '0') + digits;
+}
+
+Error heldWithin(const std::vector<double>& compass, double turned_deg)
+{
+    const EmptyArc empty = widestEmptyArc(compass);
+    return {ErrorCode::InvalidInput,
+        {MARKED("core",
+             "the compass keeps between %1 and %2 while the aircraft turns through %3°: it sticks, or a field stronger than the Earth's holds "
+             "it; no deviation can be told"),
+            threeDigits(empty.to_deg), threeDigits(empty.from_deg), static_cast<int>(std::lround(turned_deg))}};
+}
+
+/// As much as no compass deviates by, and a scatter that is none of a reading.
+constexpr double kNoOneCycle_deg = 90.0, kNoTwoCycles_deg = 60.0, kNoScatter_deg = 30.0, kTellsWithin_deg = 10.0;
 
 } // namespace
 
@@ -27,15 +49,13 @@ std::optional<Error> faultOf(std::span<const Observation> readings)
     }
     if (spanOf_deg(magnetic) < kSpan_deg)
         return std::nullopt;
-    if (spanOf_deg(compass) <= 2.0) {
-        const auto shown = static_cast<int>(std::lround(compass.front())) % 360;
-        std::string digits = std::to_string(shown);
-        digits.insert(0, 3 - digits.size(), '0');
+    if (spanOf_deg(compass) <= 2.0)
         return Error{ErrorCode::InvalidInput,
             {MARKED("core",
                  "the compass reads %1 on all headings: it is stuck, or one figure was written down for all; no deviation can be told"),
-                digits}};
-    }
+                threeDigits(compass.front())}};
+    if (const double turned_deg = spanOf_deg(magnetic); turned_deg >= kTurned_deg && spanOf_deg(compass) <= kHeld_deg)
+        return heldWithin(compass, turned_deg);
     std::vector<double> differences, sums;
     for (const auto& reading : readings) {
         differences.push_back(reading.magnetic.degrees() - reading.compass.degrees());
@@ -49,6 +69,30 @@ std::optional<Error> faultOf(std::span<const Observation> readings)
                 "the compass runs backwards: it reads less as the aircraft turns right (a mirrored card, or headings and readings of "
                 "opposite senses); no deviation can be told")};
     return std::nullopt;
+}
+
+std::optional<Error> faultOf(const ApproximateFit& approximate, const ExactFit& exact)
+{
+    const bool told = exact.fitted() && exact.degreesOfFreedom > 0 && toDegrees(exact.rms_rad) <= kTellsWithin_deg;
+    if (told || !approximate.fitted())
+        return std::nullopt;
+    Coefficient largest = Coefficient::B;
+    double worst = 0; // as a part of what no compass deviates by
+    for (const Coefficient one : {Coefficient::B, Coefficient::C, Coefficient::D, Coefficient::E}) {
+        const double most_deg = one == Coefficient::B || one == Coefficient::C ? kNoOneCycle_deg : kNoTwoCycles_deg;
+        if (const double part = std::abs(toDegrees(approximate.of(one).value_or(0.0))) / most_deg; part > worst) {
+            worst = part;
+            largest = one;
+        }
+    }
+    if (worst <= 1.0 && toDegrees(approximate.rms_rad) <= kNoScatter_deg)
+        return std::nullopt;
+    return Error{ErrorCode::InvalidInput,
+        {MARKED("core",
+             "the compass does not follow the headings: the coefficients that come nearest have %1 %2° and leave a scatter of %3°; no "
+             "deviation can be told; expected the readings of one compass beside the headings on which they were made"),
+            letterOf(largest), signedFigureText(toDegrees(approximate.of(largest).value_or(0.0)), 0),
+            figureText(toDegrees(approximate.rms_rad), 0)}};
 }
 
 std::optional<Message> indexWords(double index_deg)

@@ -4,13 +4,17 @@
 #include <optional>
 #include <span>
 
-#include "core/deviation/Smith.h"
+#include "core/deviation/SmithFit.h"
 
 namespace lubberline {
 
-/// An error that names it when the compass reads the same on headings all round (stuck, or one figure copied down), or falls as the
-/// aircraft turns right (a mirrored card, figures of the other scale). Fewer than three readings, or readings within 45°, tell neither.
+/// An error that names it when the compass reads the same on headings all round (stuck, or one figure copied down), keeps within 45° all
+/// the while, or falls as the aircraft turns right (a mirrored card, figures of the other scale). Fewer than three readings, or readings within 45°, tell neither.
 [[nodiscard]] std::optional<Error> faultOf(std::span<const Observation> readings);
+
+/// Likewise by what the fits make of it: coefficients that no compass has, or a scatter that no reading explains, unless the exact ones leave
+/// next to nothing (a compass that folds is none of these).
+[[nodiscard]] std::optional<Error> faultOf(const ApproximateFit& approximate, const ExactFit& exact);
 
 /// The words for an index that is no deviation any more (largeIndex_deg of SmithFit.h), none for 0.
 [[nodiscard]] std::optional<Message> indexWords(double index_deg);

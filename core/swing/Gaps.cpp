@@ -21,9 +21,12 @@ std::optional<double> widestBand_rad(const ApproximateFit& fit, CompassHeading f
     if (fit.parameters < static_cast<int>(kCoefficientCount)) // D and E may be anything, and are largest between the readings
         return widest;
     const int steps = static_cast<int>(std::ceil(width_deg));
-    for (int i = 0; i <= steps; ++i)
-        if (const auto band = bandHalfWidth_rad(fit, CompassHeading::fromDegrees(from.degrees() + width_deg * i / steps)))
-            widest = std::max(widest.value_or(0.0), *band);
+    for (int i = 0; i <= steps; ++i) {
+        const auto band = bandHalfWidth_rad(fit, CompassHeading::fromDegrees(from.degrees() + width_deg * i / steps));
+        if (!band)
+            return std::nullopt;
+        widest = std::max(widest.value_or(0.0), *band);
+    }
     return widest;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 
 #include "core/base/Number.h"
@@ -19,8 +20,8 @@ constexpr std::size_t kLog = 200;    ///< readings of a log are not independent:
 
 std::string tenths(double angle_rad) { return figureText(toDegrees(angle_rad), 1); }
 
-/// Amplitude of the third harmonic [rad] where the orders beyond the second are more than chance.
-std::optional<double> higherHarmonics_rad(std::span<const Observation> readings)
+/// Amplitude of the third harmonic [rad] in what a fit leaves, where the orders beyond the second are more than chance.
+std::optional<double> higherHarmonics_rad(std::span<const Observation> readings, const std::vector<double>& residual_rad)
 {
     const auto n = static_cast<Eigen::Index>(readings.size());
     const Eigen::Index orders = n >= 12 ? 4 : 3, columns = 2 * orders + 1;
@@ -33,7 +34,7 @@ std::optional<double> higherHarmonics_rad(std::span<const Observation> readings)
             design(i, 2 * k - 1) = std::sin(static_cast<double>(k) * reading.compass.radians());
             design(i, 2 * k) = std::cos(static_cast<double>(k) * reading.compass.radians());
         }
-        observed(i) = deviationOf(reading.magnetic, reading.compass).radians();
+        observed(i) = residual_rad[static_cast<std::size_t>(i)];
     }
     if (conditionNumber(singularValues(design)) > kConditionLimit)
         return std::nullopt;
@@ -51,25 +52,42 @@ std::optional<double> higherHarmonics_rad(std::span<const Observation> readings)
     return chance || toDegrees(amplitude) < kLeast_deg ? std::nullopt : std::optional(amplitude);
 }
 
+/// Whether readings of that error leave such a scatter in one swing of twenty or more.
+bool explained(const SmithFitReport& fit, double readingError_rad)
+{
+    if (fit.degreesOfFreedom < 1 || readingError_rad <= 0.0)
+        return false;
+    const double squares = *fit.sigma_rad * *fit.sigma_rad * fit.degreesOfFreedom / (readingError_rad * readingError_rad);
+    return squares <= boost::math::quantile(boost::math::chi_squared(fit.degreesOfFreedom), 0.95);
+}
+
 } // namespace
 
-std::optional<Message> lackOfFit(std::span<const Observation> readings, const ApproximateFit& fit, double readingError_rad)
+std::optional<LackOfFit> lackOfFit(
+    std::span<const Observation> readings, const ApproximateFit& approximate, const ExactFit& exact, double readingError_rad)
 {
-    if (fit.parameters != static_cast<int>(kCoefficientCount) || !fit.sigma_rad || fit.index_rad != 0.0)
+    if (approximate.parameters != static_cast<int>(kCoefficientCount) || !approximate.sigma_rad || approximate.index_rad != 0.0)
+        return std::nullopt;
+    const bool byExact
+        = exact.parameters == static_cast<int>(kCoefficientCount) && exact.sigma_rad && *exact.sigma_rad < *approximate.sigma_rad;
+    const SmithFitReport& fit = byExact ? static_cast<const SmithFitReport&>(exact) : approximate;
+    if (explained(fit, readingError_rad))
         return std::nullopt;
     if (readings.size() >= 10 && readings.size() < kLog)
-        if (const auto third_rad = higherHarmonics_rad(readings))
-            return Message{
-                MARKED("core",
-                    "five coefficients do not describe this curve: a third harmonic of %1° is in the readings, more than chance, "
-                    "and the card leaves it out (largest residual %2°)"),
-                tenths(*third_rad), tenths(fit.maxAbsResidual_rad)};
+        if (const auto third_rad = higherHarmonics_rad(readings, fit.residual_rad))
+            return LackOfFit{
+                {MARKED("core",
+                     "five coefficients do not describe this curve: a third harmonic of %1° is in the readings, more than chance, "
+                     "and the card leaves it out (largest residual %2°)"),
+                    tenths(*third_rad), tenths(fit.maxAbsResidual_rad)},
+                true};
     if (fit.degreesOfFreedom >= 3 && *fit.sigma_rad > std::max(3.0 * readingError_rad, toRadians(kScatter_deg)))
-        return Message{
-            MARKED("core",
-                "five coefficients leave a scatter of %1° where reading the compass explains %2°: the readings are poor, or more "
-                "than five coefficients are in them"),
-            tenths(*fit.sigma_rad), tenths(readingError_rad)};
+        return LackOfFit{
+            {MARKED("core",
+                 "five coefficients leave a scatter of %1° where reading the compass explains %2°: the readings are poor, or more "
+                 "than five coefficients are in them"),
+                tenths(*fit.sigma_rad), tenths(readingError_rad)},
+            false};
     return std::nullopt;
 }
 

@@ -37,6 +37,7 @@ TEST_F(Swings, comeBackAsTheyWereStored)
     swing.datum = {"sighting compass", "B-16", "2027-01-31"};
     swing.people = {"Ann", "Bob", "Cid", "Dora"};
     swing.variation_deg = 6.25;
+    swing.sharedErrors.of_deg = {0.6, 0.125, 0, 0, 0};
     swing.procedure = "worksheet";
     swing.workOrder = "WO 7";
     swing.reason = "yearly";

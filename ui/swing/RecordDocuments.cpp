@@ -330,9 +330,17 @@ Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString
     sheet.verified = areVerified(*states);
     sheet.superseded = *superseded;
     sheet.madeAtUtc = madeAtUtc;
-    if (const auto analysis = stores.jobs.resultOf(sheet.record))
-        if (const auto card = makeCard(*analysis, {45, CardSource::Readings, {}}))
-            sheet.remarks = remarksOn(*card, sheet.record);
+    constexpr std::size_t kLeastOfACurve = 3;
+    if (usedReadings(sheet.record.swing).size() >= kLeastOfACurve) { // a compass that has no card has none of this form, either
+        const auto analysis = stores.jobs.resultOf(sheet.record);
+        if (!analysis)
+            return analysis.error();
+        const auto card = makeCard(*analysis, {45, CardSource::Readings, {}});
+        if (!card)
+            return card.error();
+        sheet.remarks = remarksOn(*card, sheet.record);
+        sheet.gaps = card->gaps;
+    }
     if (*job && (*job)->swing == id && (*job)->job.plan.kind != ProcedureKind::CheckOnly)
         if (const auto state = stateOf((*job)->job))
             sheet.asFound = asFoundSwing((*job)->job, *state);

@@ -204,9 +204,13 @@ std::string keyTextOf(std::string_view line, char separator)
     while (text.ends_with(separator))
         text = trimmed(text.substr(0, text.size() - 1));
     std::string key(text);
-    // "# aircraft:,SP-XYZ": likewise.
-    if (const auto colon = key.find(':'); colon != std::string::npos && key.find(separator) == colon + 1)
-        key[colon + 1] = ' ';
+    // "# aircraft:,SP-XYZ": likewise; and without the colon, where a cell holds the name of a key and nothing else.
+    const auto colon = key.find(':'), cell = key.find(separator);
+    if (colon != std::string::npos && cell == colon + 1)
+        key[cell] = ' ';
+    else if (cell < colon && cell + 1 < key.size() && key[cell + 1] != ' '
+        && isKey(inSmallLetters(trimmed(std::string_view(key).substr(0, cell).substr(std::min(key.find_first_not_of('#'), cell))))))
+        key.replace(cell, 1, ": ");
     return key;
 }
 

@@ -158,10 +158,11 @@ Result<void> SwingReader::takeLine()
     if (content.empty())
         return {};
     if (!std::exchange(m_started, true))
-        if (const auto told = toldSeparator(content)) {
-            m_told = *told;
-            return {};
-        }
+        for (const std::string_view line : {content, std::string_view(m_line)}) // "sep=" and a tab ends where it was trimmed
+            if (const auto told = toldSeparator(line)) {
+                m_told = *told;
+                return {};
+            }
     if (isKeyLine(content)) {
         if (const auto whole = gatherQuotedKey(); !whole)
             return whole;

@@ -36,7 +36,7 @@ TEST(Number, refusesWhatIsNone)
 
 TEST(Number, takesEveryMinusThatIsTyped)
 {
-    for (const char* text : {"-3.5", "\u22123.5", "\u20133.5", "\u20103.5", "\u20113.5"})
+    for (const char* text : {"-3.5", "\u22123.5", "\u20133.5", "\u20103.5", "\u20113.5", "\u20123.5"})
         EXPECT_EQ(readNumber(text).value, -3.5) << text;
     for (const char* text : {"\u2212-3", "-\u22123", "\u20143", "1e\u22122"}) // U+2014 is a dash between words
         EXPECT_EQ(readNumber(text).fault, NumberFault::NotANumber) << text;
@@ -133,6 +133,8 @@ TEST(Encoding, isToldFromTheBeginningOfAFile)
         EXPECT_THAT(otherEncoding(utf16).english(), testing::AllOf(testing::HasSubstr("UTF-16 without"), testing::HasSubstr("CSV UTF-8")));
     EXPECT_THAT(otherEncoding("\xFF\xFE" + little).english(), testing::StartsWith("is UTF-16; expected UTF-8"));
     EXPECT_THAT(otherEncoding("\xFE\xFF" + big).english(), testing::StartsWith("is UTF-16; expected UTF-8"));
+    EXPECT_THAT(otherEncoding("PK\x03\x04 and more").english(), testing::StartsWith("is a workbook"));
+    EXPECT_THAT(otherEncoding("\xD0\xCF\x11\xE0 and more").english(), testing::StartsWith("is a workbook"));
     EXPECT_THAT(otherEncoding(std::string("\xFF\xFE\0\0m\0\0\0", 8)).english(), testing::StartsWith("is UTF-32"));
 }
 

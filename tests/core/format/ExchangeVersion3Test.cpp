@@ -94,6 +94,19 @@ TEST(ExchangeVersion3, readsBackEqualAndIsWrittenTheSame)
     EXPECT_EQ(writeExchange(*again), text);
 }
 
+TEST(ExchangeVersion3, errorsThatReadingsShareAreOfVersionSix)
+{
+    Fleet fleet = fullFleet();
+    fleet.swings.front().sharedErrors.of_deg = {0.6, 0, 0.125, 0, 0};
+    EXPECT_EQ(exchangeVersionOf(fleet), 6);
+    const std::string text = writeExchange(fleet);
+    EXPECT_THAT(text, testing::HasSubstr("\"shared_error_deg\": [0.6, 0, 0.125, 0, 0]"));
+    EXPECT_EQ(*readExchange(text, "ramp.json"), fleet);
+    std::string wrong = text;
+    wrong.replace(wrong.find("[0.6,"), 5, "[-1, ");
+    EXPECT_FALSE(readExchange(wrong, "ramp.json"));
+}
+
 TEST(ExchangeVersion3, aFleetWithoutItStaysInTheOlderVersion)
 {
     Fleet fleet = fullFleet();

@@ -40,6 +40,7 @@ std::string padded(const std::string& by) { return replaced(kPlain, "\n", by + "
 
 const std::vector<Spelling> kSpellings = {
     {"sepLine", "sep=;\n" + replaced(kPlain, ",", ";")},
+    {"sepLineOfATab", "sep=\t\n" + replaced(kPlain, ",", "\t")},
     {"sepLineInQuotes", "\"sep=;\"\r\n" + replaced(replaced(kPlain, ",", ";"), "\n", "\r\n")},
     {"sepLineSavedAgainWithCommas", "sep=;,\n" + kPlain},
     {"sepLineOfABar", utf8Mark() + "SEP=|\n" + replaced(kPlain, ",", "|")},
@@ -123,6 +124,17 @@ TEST(SpreadsheetCsv, keysComeBackFromTheirCells)
     EXPECT_EQ(file->swing.note, "the \"old\" compass");
     EXPECT_EQ(file->compass, "a, b");
     EXPECT_EQ(file->swing.variation_deg, 3.5);
+}
+
+TEST(SpreadsheetCsv, aKeyInACellOfItsOwnNeedsNoColon)
+{
+    const auto file
+        = readCsv("# aircraft;SP-XYZ;\n# site;Ramp;1\n# weather;rain\n# note, as always\nmagnetic_heading_deg;compass_heading_deg\n0;1\n");
+    ASSERT_TRUE(file) << describe(file.error());
+    EXPECT_EQ(file->aircraft, "SP-XYZ");
+    EXPECT_EQ(file->site, "Ramp;1");
+    EXPECT_TRUE(file->otherKeys.empty()); // what is no key is a comment
+    EXPECT_EQ(file->swing.note, "");
 }
 
 TEST(SpreadsheetCsv, onlyTheFilesOwnSeparatorIsTakenOffAKey)

@@ -9,7 +9,9 @@ using testing::HasSubstr;
 
 TEST(SwingCsvWriter, everyParticularAndReadingComesBack)
 {
-    const SwingRecord record = wholeRecord();
+    SwingRecord record = wholeRecord();
+    record.swing.sharedErrors.of_deg = {0.6, 0, 0.125, 0, 0};
+    EXPECT_THAT(writeSwingCsv(record), HasSubstr("\n# shared_error_deg: A 0.6 C 0.125\n"));
     const auto file = readCsv(writeSwingCsv(record));
     ASSERT_TRUE(file) << describe(file.error()) << writeSwingCsv(record);
     EXPECT_EQ(file->aircraft, "SP-TST");

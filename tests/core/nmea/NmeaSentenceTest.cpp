@@ -139,7 +139,8 @@ TEST(NmeaValues, otherSentencesOfHeadingAndTime)
 TEST(NmeaValues, everyFormOfVtg)
 {
     for (const char* line : {"$GPVTG,232.7,T,234.9,M,10.8,N,20.0,K,A", "$GPVTG,232.7,T,,M,10.8,N,,K", "$GPVTG,232.7,T,,M,,,20.0016,K,A",
-             "$GPVTG,232.7,T,,,,,20.0016,K", "$GPVTG,232.7,234.9,10.8,20.0", "$GPVTG,232.7,,,20.0016", "$GPVTG,232.7,T,,,10.8,N,,,D"}) {
+             "$GPVTG,232.7,T,,,,,20.0016,K", "$GPVTG,232.7,234.9,10.8,20.0", "$GPVTG,232.7,,,20.0016", "$GPVTG,232.7,,234.9,,10.8,,20.0,,",
+             "$GPVTG,232.7,T,,,10.8,N,,,D"}) {
         const auto track = read<NmeaTrack>(line);
         ASSERT_TRUE(track.track && track.speed_kt) << line;
         EXPECT_DOUBLE_EQ(track.track->degrees(), 232.7) << line;

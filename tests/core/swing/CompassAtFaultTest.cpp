@@ -33,6 +33,37 @@ TEST(CompassAtFault, aStuckCompassIsNamedWithItsFigure)
     EXPECT_FALSE(analyse(around(12, [](double psi) { return 359.5 + (psi > 180 ? 1.0 : 0.0); }))); // about north, to and fro by a degree
 }
 
+TEST(CompassAtFault, aCompassThatIsHeldIsNamedWithItsBounds)
+{
+    for (const double swing : {4.0, 15.0, 20.0})
+        for (const int count : {6, 12, 36}) {
+            const auto held = analyse(around(count, [swing](double psi) { return 200 + swing * std::sin(toRadians(psi)); }));
+            ASSERT_FALSE(held) << swing;
+            EXPECT_THAT(held.error().message.english(), HasSubstr("keeps between")) << swing;
+        }
+    // Half as much iron again as the Earth has field: it folds, which is told by its own name.
+    EXPECT_TRUE(analyse(around(24, [](double psi) {
+        return psi - deviationAt(ExactSmith{0, 1.5, 0, 0, 0}, MagneticHeading::fromDegrees(psi)).degrees();
+    })));
+}
+
+TEST(CompassAtFault, readingsThatHaveNothingToDoWithTheHeadingsAreToldSo)
+{
+    for (const int count : {12, 24}) {
+        const auto twice = analyse(around(count, [](double psi) { return 2 * psi + 10; }));
+        ASSERT_FALSE(twice);
+        EXPECT_THAT(twice.error().message.english(), HasSubstr("does not follow the headings"));
+        const auto any = analyse(around(count, [](double psi) { return 43758.5453 * std::sin(12.9898 * psi); }));
+        ASSERT_FALSE(any);
+        EXPECT_THAT(any.error().message.english(), HasSubstr("does not follow the headings"));
+    }
+    // As many coefficients as readings fit anything: their size tells.
+    const auto three = analyse(std::vector<Observation>{{MagneticHeading::fromDegrees(0), CompassHeading::fromDegrees(200)},
+        {MagneticHeading::fromDegrees(120), CompassHeading::fromDegrees(80)},
+        {MagneticHeading::fromDegrees(240), CompassHeading::fromDegrees(60)}});
+    EXPECT_FALSE(three);
+}
+
 TEST(CompassAtFault, aMirroredCompassIsNamed)
 {
     for (const double zero : {0.0, 90.0, 200.0}) {
@@ -92,6 +123,46 @@ TEST(LackOfFit, readingsThatScatterAsTheyShouldAreLeftAlone)
 {
     const auto rounded = around(12, [](double psi) { return std::round(psi - 4 * std::sin(toRadians(psi)) + 0.4 * std::sin(17 * psi)); });
     EXPECT_THAT(inEnglish(analyse(rounded)->warnings), Not(Contains(HasSubstr("five coefficients"))));
+}
+
+/// 𝔅 = 0.45 deviates by 27°: the approximate formula is out by degrees, the exact one is right, and so is the card.
+TEST(LackOfFit, aLargeDeviationThatTheExactFormulaDescribesFits)
+{
+    const auto large = around(24, [](double psi) {
+        return std::round(10 * (psi - deviationAt(ExactSmith{0, 0.45, 0.1, 0.15, 0}, MagneticHeading::fromDegrees(psi)).degrees())) / 10;
+    });
+    const auto analysis = analyse(large, {.readingError_rad = toRadians(0.03)});
+    ASSERT_TRUE(analysis);
+    EXPECT_GT(toDegrees(*analysis->approximate.sigma_rad), 0.5);
+    EXPECT_LT(toDegrees(*analysis->exact.sigma_rad), 0.1);
+    EXPECT_THAT(inEnglish(analysis->warnings), Not(Contains(HasSubstr("five coefficients"))));
+}
+
+/// Field case e06 (36 deviations of a boat, a bump of −19° about 270): no eleven readings slipped, the curve has another shape.
+TEST(LackOfFit, aBumpIsNoRowOfSlips)
+{
+    const auto bump = analyse(around(36,
+                                  [](double psi) {
+                                      return std::round(psi + 4 * std::sin(toRadians(psi)) + 19 * std::exp(-std::pow((psi - 262) / 24, 2))
+                                          + 1.4 * std::sin(2.7 * psi));
+                                  }),
+        {.readingError_rad = toRadians(0.29)});
+    ASSERT_TRUE(bump);
+    EXPECT_LE(bump->slips.slips.size(), 2u);
+    EXPECT_THAT(inEnglish(bump->warnings), Contains(HasSubstr("five coefficients do not describe")));
+}
+
+/// A compass far out of any limits, whose own exact curve goes through every reading: nobody misread it.
+TEST(LackOfFit, aLargeButPlainDeviationBlamesNobody)
+{
+    const auto plain = analyse(
+        around(12,
+            [](double psi) {
+                return std::round(10 * (psi - deviationAt(ExactSmith{0, 0, 0, 0.8, 0}, MagneticHeading::fromDegrees(psi)).degrees())) / 10;
+            }),
+        {.readingError_rad = toRadians(0.03)});
+    ASSERT_TRUE(plain);
+    EXPECT_TRUE(plain->slips.slips.empty());
 }
 
 } // namespace

@@ -86,6 +86,28 @@ TEST(Knowledge, whyAHeadingIsMissingIsTheTrueReason)
     EXPECT_THAT(inEnglish(analysis.warnings), testing::Not(testing::Contains(testing::HasSubstr("need five"))));
 }
 
+/// Set on the cardinals by the datum, a compass that deviates reads beside them: the approximate formula tells what the exact one does.
+TEST(Knowledge, cardinalsOfTheDatumTellEWhereTheCompassReadsBesideThem)
+{
+    std::vector<Observation> cardinals;
+    for (const auto& [magnetic, deviation] : {std::pair{0.0, 5.0}, {90.0, -5.0}, {180.0, -3.0}, {270.0, 7.0}})
+        cardinals.push_back(at(magnetic, deviation));
+    const auto analysis = *analyse(cardinals);
+    for (const SmithFitReport* fit :
+        {static_cast<const SmithFitReport*>(&analysis.approximate), static_cast<const SmithFitReport*>(&analysis.exact)}) {
+        EXPECT_FALSE(fit->of(Coefficient::D));
+        EXPECT_TRUE(fit->of(Coefficient::E));
+    }
+}
+
+TEST(Knowledge, readingsOnTwoOppositeHeadingsStandOnNoSide)
+{
+    std::vector<Observation> line;
+    for (const double heading : {0.0, 180.0, 1.0, 181.0, 359.0, 179.0})
+        line.push_back(at(heading, 2));
+    EXPECT_THAT(inEnglish(analyse(line)->warnings), testing::Contains(testing::HasSubstr("there are readings on 2 headings")));
+}
+
 TEST(Knowledge, headingsOnOneSideTellLessOrNothing)
 {
     std::vector<Observation> quarter, narrow;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/swing/Analysis.h"
@@ -60,6 +61,28 @@ TEST(ReadingError, anIntervalIsStudentsAndNeverShorterThanTheReadingLeaves)
     widenTo(analysis.approximate, readingError_rad(1));
     EXPECT_NEAR(*analysis.approximate.interval95(Coefficient::A) / *analysis.approximate.standardError[0], 1.959964, 1e-6);
     EXPECT_GT(*analysis.approximate.interval95(Coefficient::A), byScatter);
+}
+
+/// Half a degree of the datum is in A whatever the readings say, and in no other coefficient; the band of the curve has it everywhere.
+TEST(ReadingError, whatAllReadingsShareIsInNoScatter)
+{
+    const Analysis before = worksheet();
+    std::vector<Observation> readings;
+    for (const auto& one : before.readings)
+        readings.push_back({one.magnetic, one.compass});
+    AnalysisOptions options;
+    options.shared.of_deg = {0.5, 0, 0.25, 0, 0};
+    const Analysis after = analyse(readings, options).value();
+    const auto widened = [&](std::size_t i, double by_deg) { return std::hypot(toDegrees(*before.approximate.standardError[i]), by_deg); };
+    EXPECT_NEAR(toDegrees(*after.approximate.standardError[0]), widened(0, 0.5), 1e-12);
+    EXPECT_NEAR(toDegrees(*after.approximate.standardError[2]), widened(2, 0.25), 1e-12);
+    EXPECT_EQ(after.approximate.standardError[1], before.approximate.standardError[1]);
+    EXPECT_NEAR(std::sqrt(after.exact.covariance(0, 0)), *after.exact.standardError[0], 1e-12);
+    EXPECT_EQ(after.approximate.value, before.approximate.value);
+    for (const double heading : {0.0, 90.0})
+        EXPECT_GT(toDegrees(*bandHalfWidth_rad(after.approximate, CompassHeading::fromDegrees(heading))), 1.0);
+    const auto told = inEnglish(after.warnings);
+    EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const auto& one) { return one.find("A 0.50°, C 0.25°") != std::string::npos; }));
 }
 
 } // namespace

@@ -75,7 +75,16 @@ std::optional<CardRow> steerRow(const StyleSheet1613& sheet, std::size_t eighth)
     row.magnetic = magnetic;
     row.residual = deviation;
     row.steer = toCompass(magnetic, deviation);
+    row.unread = std::any_of(sheet.gaps.begin(), sheet.gaps.end(), [magnetic](const ReadingGap& gap) { return gap.holds(magnetic); });
     return row;
+}
+
+bool hasUnread(const StyleSheet1613& sheet)
+{
+    for (std::size_t eighth = 0; eighth < kNames.size(); ++eighth)
+        if (const auto row = steerRow(sheet, eighth); row && row->unread)
+            return true;
+    return false;
 }
 
 /// TO FLY and STEER for the pilot, to be cut off.
@@ -85,7 +94,7 @@ std::vector<QStringList> tearOff(const StyleSheet1613& sheet)
     for (std::size_t eighth = 0; eighth < kNames.size(); ++eighth) {
         const auto row = steerRow(sheet, eighth);
         fly += threeDigits(static_cast<int>(kStep_deg) * static_cast<int>(eighth));
-        steer += row ? threeDigits(row->steerRounded_deg()) : dash();
+        steer += row ? threeDigits(row->steerRounded_deg()) + (row->unread ? QStringLiteral("*") : QString()) : dash();
     }
     fly.prepend(Words::tr("TO FLY (M)"));
     steer.prepend(Words::tr("STEER (C)"));
@@ -212,6 +221,7 @@ std::vector<Block> blocksOf(const StyleSheet1613& sheet, const QString& family, 
     append(blocks,
         formGrid(joined({printable(sheet.record.compass.name), labelled(Words::tr("S/N"), printable(sheet.record.compass.serialNumber)),
                      Words::tr("swung %1").arg(printable(sheet.record.swing.date)), Words::tr("by the nearest reading"),
+                     hasUnread(sheet) ? Words::tr("* nobody read near") : QString(),
                      stateWords(sheet.isSigned(), sheet.verified, sheet.record.swing)}),
             columns, tearOff(sheet), width, family, mm(7)));
     return blocks;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/record/Fleet.h"
+#include "core/swing/Gaps.h"
 #include "ui/report/page/Table.h"
 
 class QPagedPaintDevice;
@@ -24,6 +25,7 @@ struct StyleSheet1613 {
     std::optional<SwingRecord> compensating; ///< the record that asFound is of; none: it is of the guided swing of `record`
     bool compensatingHolds = false;
     std::vector<Message> remarks; ///< on the residual swing (core/swing/CardRemarks.h)
+    std::vector<ReadingGap> gaps; ///< arcs of it where nobody read: STEER in them is marked
 
     [[nodiscard]] bool isSigned() const { return record.swing.state == SwingState::Signed && holds; }
 };

@@ -40,6 +40,10 @@ QString errorWords(const Analysis& analysis)
                "standard errors are of the scatter about the fit, and never less than the smallest division leaves. 95 % ± is the half "
                "width of the interval that holds the true value 95 times in 100: %1 standard errors (Student).")
                .arg(figure(*fit.intervalFactor, 2))
+        + ' '
+        + (analysis.shared.any()
+                ? Words::tr("Errors that all readings share are in them (%1, in degrees).").arg(printable(textOf(analysis.shared)))
+                : Words::tr("Errors that all readings share (datum, variation) are not stated and not in them."))
         + ' ' + looked;
 }
 

@@ -1,0 +1,76 @@
+// Logs that tell little or nothing: the true reason is said, and what cannot be told is not.
+
+#include <gmock/gmock.h>
+
+#include <cstdio>
+#include <sstream>
+
+#include "core/nmea/NmeaSentence.h"
+#include "core/nmea/NmeaSwing.h"
+
+namespace lubberline {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+struct Turn {
+    double compassRate_deg_s = 1.0, trackRate_deg_s = 1.0, speed_kt = 6.0;
+    const char* date = "201125";
+};
+
+Result<NmeaSwing> swingOf(const Turn& turn)
+{
+    std::string log;
+    char text[160];
+    for (int second = 0; second < 300; ++second) {
+        std::snprintf(text, sizeof text, "HCHDG,%.2f,,,,", 0.1 + turn.compassRate_deg_s * second);
+        log += makeNmea(text) + "\r\n";
+        std::snprintf(text, sizeof text, "GPRMC,09%02d%02d.00,A,4736.0,N,12218.0,W,%.1f,%.1f,%s,15.2,E,A", second / 60, second % 60,
+            turn.speed_kt, turn.trackRate_deg_s * second, turn.date);
+        log += makeNmea(text) + "\r\n";
+    }
+    std::istringstream stream(log);
+    return readNmeaSwing(stream, "turn.nmea", {});
+}
+
+/// A sensor in radians, a card that sticks: no coefficient, and nothing of what its readings share.
+TEST(NmeaReasons, aCompassThatKeepsWithinAFewDegreesTellsNothing)
+{
+    const auto swing = swingOf({.compassRate_deg_s = 0.02});
+    ASSERT_TRUE(swing);
+    EXPECT_FALSE(toSwing(*swing).sharedErrors.any());
+}
+
+TEST(NmeaReasons, whyNothingIsLeftIsSaid)
+{
+    const auto slow = swingOf({.speed_kt = 0.4});
+    ASSERT_TRUE(slow);
+    EXPECT_EQ(slow->used, 0u);
+    EXPECT_THAT(inEnglish(slow->warnings), Contains(HasSubstr("never moves faster than 0.4 kt")));
+    EXPECT_THAT(inEnglish(slow->warnings), Not(Contains(HasSubstr("too uneven"))));
+    EXPECT_THAT(inEnglish(swingOf({})->warnings), Not(Contains(HasSubstr("never moves"))));
+}
+
+TEST(NmeaReasons, aVariationThatNoModelCanCheckIsSaid)
+{
+    const auto undated = swingOf({.date = "320125"}); // no day of any month
+    ASSERT_TRUE(undated);
+    EXPECT_THAT(inEnglish(undated->warnings), Contains(HasSubstr("held against no model")));
+    EXPECT_TRUE(toSwing(*undated).sharedErrors.of_deg[0] >= 0.5);
+    EXPECT_THAT(inEnglish(swingOf({})->warnings), Not(Contains(HasSubstr("held against no model"))));
+}
+
+/// What the log says of its own certainty is what the swing that was made of it says.
+TEST(NmeaReasons, aTurnOneWayLeavesAUnsureInTheRecord)
+{
+    const auto swing = swingOf({});
+    ASSERT_TRUE(swing);
+    const Swing record = toSwing(*swing);
+    EXPECT_GE(record.sharedErrors.of_deg[0], swing->delay.standardError_s * 0.9);
+    EXPECT_THAT(record.note, HasSubstr("cannot be told apart"));
+}
+
+} // namespace
+} // namespace lubberline
