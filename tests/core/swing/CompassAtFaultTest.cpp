@@ -141,14 +141,15 @@ TEST(LackOfFit, aLargeDeviationThatTheExactFormulaDescribesFits)
 /// Field case e06 (36 deviations of a boat, a bump of −19° about 270): no eleven readings slipped, the curve has another shape.
 TEST(LackOfFit, aBumpIsNoRowOfSlips)
 {
-    const auto bump = analyse(around(36,
-                                  [](double psi) {
-                                      return std::round(psi + 4 * std::sin(toRadians(psi)) + 19 * std::exp(-std::pow((psi - 262) / 24, 2))
-                                          + 1.4 * std::sin(2.7 * psi));
-                                  }),
-        {.readingError_rad = toRadians(0.29)});
+    std::vector<Observation> readings;
+    for (const double deviation : {-2.5, -0.5, 1.6, 4.4, -1.7, 0, 1, 0.3, -0.9, 0.5, -1.2, 0.8, -0.3, 1.7, -2.1, 0.4, -0.6, 1.2, -1.3, 0,
+             0.9, -1.1, 1.5, -0.7, -13.2, -15.7, -17.9, -19.2, -18.1, 1.8, -0.4, 0.7, -0.2, 1.4, -4.4, -2.9}) {
+        const auto compass = CompassHeading::fromDegrees(10.0 * static_cast<double>(readings.size()));
+        readings.push_back({toMagnetic(compass, Deviation::fromDegrees(deviation)), compass});
+    }
+    const auto bump = analyse(readings, {.readingError_rad = toRadians(0.29)});
     ASSERT_TRUE(bump);
-    EXPECT_LE(bump->slips.slips.size(), 2u);
+    EXPECT_TRUE(bump->slips.slips.empty());
     EXPECT_THAT(inEnglish(bump->warnings), Contains(HasSubstr("five coefficients do not describe")));
 }
 

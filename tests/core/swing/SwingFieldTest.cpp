@@ -124,4 +124,23 @@ TEST(SwingField, baseSurveyModelAndSwingAreHeldAgainstEachOther)
     EXPECT_TRUE(variationDisagreement(base(179.9, {-179.8}), {}).empty());
 }
 
+/// What made magnetic headings of true ones turns A by its own error; where the headings are magnetic it does nothing.
+TEST(SwingField, aVariationThatIsContradictedMakesAUnsure)
+{
+    Site base;
+    base.variation_deg = 4.0;
+    Swing swing;
+    swing.variation_deg = 6.5;
+    Reading reading;
+    reading.magnetic = MagneticHeading::fromDegrees(90);
+    reading.compass = CompassHeading::fromDegrees(91);
+    swing.readings = {reading};
+    EXPECT_EQ(variationDoubt_deg(swing, base), 0.0);
+    swing.readings[0].trueHeading = TrueHeading::fromDegrees(96.5);
+    EXPECT_DOUBLE_EQ(variationDoubt_deg(swing, base), 2.5);
+    EXPECT_EQ(variationDoubt_deg(swing, {}), 0.0);
+    base.variation_deg = 6.0;
+    EXPECT_EQ(variationDoubt_deg(swing, base), 0.0);
+}
+
 } // namespace lubberline::test
