@@ -36,7 +36,7 @@ Message gapText(std::span<const Observation> readings)
 /// How many headings the readings are on: those within a few degrees of each other are one. None: an arc without steps.
 std::optional<std::size_t> headingsReadOn(std::span<const Observation> readings)
 {
-    constexpr double kApart_deg = 12.0, kWidest_deg = 24.0;
+    constexpr double kApart_deg = 5.0, kWidest_deg = 12.0;
     std::vector<double> headings_deg = compassHeadings_deg(readings);
     const double start_deg = widestEmptyArc(headings_deg).to_deg;
     for (double& heading_deg : headings_deg)

@@ -30,7 +30,7 @@ const std::vector<Damage> kDamages = {
     {"noVersion", "\"version\": 1,", "", kFormat, {"version: is missing"}},
     {"versionZero", "\"version\": 1", "\"version\": 0", kInvalid, {"version", "0"}},
     {"versionInWords", "\"version\": 1", "\"version\": \"one\"", kFormat, {"version", "wrong kind"}},
-    {"newerVersion", "\"version\": 1", "\"version\": 6", ErrorCode::NewerSchema, {"version 6", "versions up to 5"}},
+    {"newerVersion", "\"version\": 1", "\"version\": 7", ErrorCode::NewerSchema, {"version 7", "versions up to 6"}},
     {"newerKeyInAnOldFile", "\"variation_deg\": 7.25,\n              \"procedure\"", "\"index_removed_deg\": 1, \"procedure\"", kFormat,
         {"swings[0].index_removed_deg: is not known"}},
     {"unknownTopKey", "\"sites\": [", "\"places\": [], \"sites\": [", kFormat, {"places: is not known"}},
