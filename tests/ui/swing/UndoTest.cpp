@@ -212,6 +212,14 @@ void UndoTest::variationMovesTrueReadings()
     open.trigger("undo");
     QCOMPARE(swingAt(fleet, id).readings[0].magnetic->degrees(), 45.0);
     QCOMPARE(*swingAt(fleet, id).variation_deg, 5.0);
+    auto& shared = open.find<QLineEdit>("swingSharedError");
+    shared.setFocus();
+    QTest::keyClicks(&shared, "A 0.6 C 0.2");
+    QTest::keyClick(&shared, Qt::Key_Return);
+    QCOMPARE(swingAt(fleet, id).sharedErrors.of_deg[0], 0.6);
+    QCOMPARE(swingAt(fleet, id).sharedErrors.of_deg[2], 0.2);
+    open.trigger("undo");
+    QVERIFY(!swingAt(fleet, id).sharedErrors.any());
 }
 
 QTEST_MAIN(UndoTest)
