@@ -29,6 +29,8 @@ struct Signature {
     std::string key = {};         ///< OpenPGP fingerprint, capital hexadecimal digits; empty: a name that nobody has verified
     std::string publicKey = {};   ///< that key, in ASCII armour
     std::string openPgp = {};     ///< detached signature over the signed content, in ASCII armour
+    /// Whether there is something for OpenPGP to verify.
+    [[nodiscard]] bool hasKey() const { return !key.empty() || !openPgp.empty(); }
     friend bool operator==(const Signature&, const Signature&) = default;
 };
 

@@ -71,7 +71,7 @@ Result<Ran> run(const QStringList& arguments, const std::string& input, const Pr
             continue;
         gpg.kill();
         gpg.waitForFinished();
-        return cancelled ? Error{ErrorCode::Cancelled, MARKED("db", "cancelled; nothing was signed")}
+        return cancelled ? Error{ErrorCode::Cancelled, MARKED("db", "cancelled: gpg had not answered yet")}
                          : Error{ErrorCode::Locked,
                              {MARKED("db", "gpg did not answer within %1 s; expected a pass phrase, or a card that is there"),
                                  options.timeout_ms / 1000}};
@@ -187,6 +187,8 @@ Result<std::string> signDetached(
     const auto ran
         = run({"--status-fd", "2", "--armor", "--local-user", QString::fromStdString(fingerprint), "--detach-sign", "--output", "-"}, text,
             progress, options);
+    if (!ran && ran.error().code == ErrorCode::Cancelled)
+        return Error{ErrorCode::Cancelled, MARKED("db", "cancelled; nothing was signed")};
     if (!ran)
         return ran.error();
     if (ran->status != 0 || ran->output.isEmpty())

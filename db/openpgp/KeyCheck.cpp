@@ -55,7 +55,7 @@ Result<Signature> signedBy(Signature prepared, const std::string& content, const
 KeyVerdict verdictOn(const Signature& signature, const std::string& content, const std::vector<StationKey>& station,
     const Progress& progress, const GpgOptions& options)
 {
-    if (signature.key.empty() && signature.openPgp.empty())
+    if (!signature.hasKey())
         return {KeyState::NameOnly, MARKED("db", "name not verified")};
     if (signature.openPgp.empty())
         return {KeyState::Bad, {MARKED("db", "it names the key %1 and carries no signature by it"), shortKey(signature.key)}};

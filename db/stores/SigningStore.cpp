@@ -230,10 +230,13 @@ Result<std::vector<KeyVerdict>> SigningStore::verdicts(SwingId id, const Progres
         return signatures ? station.error() : signatures.error();
     std::vector<KeyVerdict> verdicts;
     for (const Signature& one : *signatures) {
-        const auto content = one.key.empty() && one.openPgp.empty() ? Result<std::string>(std::string()) : contentOf(id, one);
+        const auto content = one.hasKey() ? contentOf(id, one) : Result<std::string>(std::string());
         if (!content)
             return content.error();
         verdicts.push_back(verdictOn(one, *content, *station, progress));
+        const double done = static_cast<double>(verdicts.size()) / static_cast<double>(signatures->size());
+        if (one.hasKey() && progress && !progress(done)) // "not checked" would be no answer to who asks again
+            return Error{ErrorCode::Cancelled, MARKED("db", "cancelled: the keys of the signatures were not checked")};
     }
     return verdicts;
 }

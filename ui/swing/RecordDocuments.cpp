@@ -109,13 +109,13 @@ bool areVerified(const std::vector<SignatureState>& states)
     return std::all_of(states.begin(), states.end(), [](const SignatureState& one) { return isVerified(one.key); });
 }
 
-Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const CardOptions& options)
+Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const CardOptions& options, const Progress& progress)
 {
     const auto analysis = stores.jobs.resultOf(record);
     auto card = analysis ? makeCard(*analysis, options) : Result<Card>(analysis.error());
     if (!card)
         return card.error();
-    const auto states = stores.signing.checkedStates(record.swing.id, {});
+    const auto states = stores.signing.checkedStates(record.swing.id, progress);
     const auto superseded = isSuperseded(stores, record);
     if (!states || !superseded)
         return states ? superseded.error() : states.error();
@@ -197,16 +197,18 @@ Result<std::optional<Swing>> withRecord(db::Stores& stores, CompassId compass, c
 
 } // namespace
 
-Result<SignedStanding> standingOf(db::Stores& stores, const SwingRecord& record)
+Result<SignedStanding> standingOf(db::Stores& stores, const SwingRecord& record, const std::vector<KeyVerdict>& verdicts)
 {
-    const auto states = stores.signing.checkedStates(record.swing.id, {});
+    auto states = stores.signing.states(record.swing.id);
     const auto superseded = isSuperseded(stores, record);
     if (!states || !superseded)
         return states ? superseded.error() : states.error();
+    for (std::size_t i = 0; i < states->size() && i < verdicts.size(); ++i)
+        (*states)[i].key = verdicts[i];
     return SignedStanding{signaturesHold(record.swing, *states), *superseded};
 }
 
-Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& madeAtUtc)
+Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& madeAtUtc, const Progress& progress)
 {
     auto record = stores.swings.record(id);
     if (!record)
@@ -220,7 +222,7 @@ Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& made
     auto superseded = withRecord(stores, record->compass.id, record->swing.supersedes);
     if (!previous || !sensors || !job || !superseded)
         return !previous ? previous.error() : !sensors ? sensors.error() : !job ? job.error() : superseded.error();
-    auto states = stores.signing.checkedStates(id, {});
+    auto states = stores.signing.checkedStates(id, progress);
     const auto head = stores.signing.trailHead();
     if (!states || !head)
         return states ? head.error() : states.error();
@@ -241,12 +243,13 @@ Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& made
     return input;
 }
 
-Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& options, const QString& madeAtUtc, bool again)
+Result<CardInput> cardOf(
+    db::Stores& stores, SwingId id, const CardOptions& options, const QString& madeAtUtc, bool again, const Progress& progress)
 {
     const auto record = stores.swings.record(id);
     if (!record)
         return record.error();
-    const auto column = columnOf(stores, *record, options);
+    const auto column = columnOf(stores, *record, options, progress);
     if (!column)
         return column.error();
     CardInput input{{*column}, madeAtUtc};
@@ -265,7 +268,7 @@ Result<CardInput> cardOf(db::Stores& stores, SwingId id, const CardOptions& opti
         return other.error();
     if (!*other)
         return input;
-    const auto second = columnOf(stores, **other, options);
+    const auto second = columnOf(stores, **other, options, progress);
     if (!second && (*other)->swing.state == SwingState::Draft)
         return input; // it is still being read: the card has one column
     if (!second) {
@@ -314,13 +317,13 @@ Result<JobCardInput> jobCardOf(db::Stores& stores, SwingId id, const QString& ma
     return input;
 }
 
-Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString& madeAtUtc)
+Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString& madeAtUtc, const Progress& progress)
 {
     auto record = stores.swings.record(id);
     auto job = stores.jobs.jobOf(id);
     if (!record || !job)
         return record ? job.error() : record.error();
-    const auto states = stores.signing.checkedStates(id, {});
+    const auto states = stores.signing.checkedStates(id, progress);
     const auto superseded = isSuperseded(stores, *record);
     if (!states || !superseded)
         return states ? superseded.error() : states.error();
@@ -351,7 +354,7 @@ Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString
         return compensating.error();
     if (!*compensating)
         return sheet;
-    const auto theirs = stores.signing.checkedStates((*compensating)->swing.id, {});
+    const auto theirs = stores.signing.checkedStates((*compensating)->swing.id, progress);
     if (!theirs)
         return theirs.error();
     sheet.asFound = (*compensating)->swing;

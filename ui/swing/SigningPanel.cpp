@@ -15,6 +15,7 @@
 #include "ui/audit/AuditWords.h"
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/TableFit.h"
+#include "ui/swing/KeyChecks.h"
 #include "ui/swing/SwingEditor.h"
 
 namespace lubberline::ui {
@@ -65,16 +66,17 @@ QString SigningPanel::standsFor(const Signature& one, const SignatureState& stat
                                           : tr("✗ no longer")};
     for (const SwingDifference& difference : state.since)
         words += tr("signed as %1: %2").arg(toText(difference.what), toText(difference.before));
-    words += one.key.empty() || state.key.state == KeyState::NameOnly ? tr("name not verified")
-        : state.key.words.empty()                                     ? tr("the key is being checked …")
-                                                                      : toText(state.key.words);
+    words += !one.hasKey() || state.key.state == KeyState::NameOnly ? tr("name not verified")
+        : state.key.words.empty()                                   ? tr("the key is being checked …")
+                                                                    : toText(state.key.words);
     return words.join(QStringLiteral(" · "));
 }
 
-SigningPanel::SigningPanel(EditContext& context, const SwingEditor& editor, QWidget* parent)
+SigningPanel::SigningPanel(EditContext& context, const SwingEditor& editor, KeyChecks& keys, QWidget* parent)
     : QFrame(parent)
     , m_context(context)
     , m_editor(editor)
+    , m_keys(keys)
     , m_strip(new QLabel)
     , m_statement(new QLabel)
     , m_signatures(readOnlyTable("signatures", {tr("role"), tr("name"), tr("licence"), tr("time (UTC)"), tr("stands for")}))
@@ -92,11 +94,7 @@ SigningPanel::SigningPanel(EditContext& context, const SwingEditor& editor, QWid
     , m_differences(readOnlyTable("differences", {tr("what"), tr("before"), tr("now")}))
     , m_showAudit(new QToolButton)
     , m_audit(readOnlyTable("auditTrail", {tr("time (UTC)"), tr("what was done"), tr("from"), tr("to"), tr("by")}))
-    , m_listing([this](const Result<std::vector<db::OpenPgpKey>>& keys) { showKeys(keys); })
-    , m_checking([this](const Result<std::vector<KeyVerdict>>& verdicts) {
-        if (verdicts)
-            fillSignatures(*verdicts);
-    })
+    , m_listing([this](const Result<std::vector<db::OpenPgpKey>>& found) { showKeys(found); })
     , m_byKey([this](const Result<Signature>& made) { finishSigning(made); })
 {
     build();
@@ -162,6 +160,10 @@ void SigningPanel::build()
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_byKey.cancel(); });
     connect(m_change, &QPushButton::clicked, this, &SigningPanel::changeState);
     connect(m_amend, &QPushButton::clicked, this, &SigningPanel::amend);
+    connect(&m_keys, &KeyChecks::checked, this, [this] {
+        if (isVisibleTo(parentWidget()))
+            fillSignatures();
+    });
     connect(m_showAudit, &QToolButton::toggled, this, &SigningPanel::showAudit);
 }
 
@@ -208,14 +210,14 @@ void SigningPanel::showState()
 
 void SigningPanel::showSignatures()
 {
-    fillSignatures({});
-    checkKeys();
+    m_keys.check(record());
+    fillSignatures();
     showTrail();
 }
 
-/// @param verdicts of their keys; none: not known yet
-void SigningPanel::fillSignatures(const std::vector<KeyVerdict>& verdicts)
+void SigningPanel::fillSignatures()
 {
+    const auto& verdicts = m_keys.verdicts();
     m_signatures->setRowCount(0);
     const auto states = m_context.stores.signing.states(record().swing.id);
     const auto& signatures = record().swing.signatures;

@@ -18,6 +18,7 @@ class QToolButton;
 
 namespace lubberline::ui {
 
+class KeyChecks;
 class SwingEditor;
 
 class SigningPanel : public QFrame {
@@ -25,7 +26,7 @@ class SigningPanel : public QFrame {
 
 public:
     /// Of the swing that the editor holds: the panel has no record of its own.
-    SigningPanel(EditContext& context, const SwingEditor& editor, QWidget* parent = nullptr);
+    SigningPanel(EditContext& context, const SwingEditor& editor, KeyChecks& keys, QWidget* parent = nullptr);
     /// @param meaning what the swing says, in words: what is being signed.
     void show(const QString& meaning);
     void focusField();
@@ -39,7 +40,7 @@ private:
     void build();
     void showState();
     void showSignatures();
-    void fillSignatures(const std::vector<KeyVerdict>& verdicts);
+    void fillSignatures();
     void showTrail();
     void showDifferences();
     void showAudit();
@@ -51,7 +52,6 @@ private:
     Result<void> asSeen(const std::function<Result<void>()>& act);
 
     // SigningPanelKeys.cpp: what gpg is asked for, on workers
-    void checkKeys();
     void listKeys();
     void showKeys(const Result<std::vector<db::OpenPgpKey>>& keys);
     void signWithKey(Signature signature);
@@ -65,6 +65,7 @@ protected:
 private:
     EditContext& m_context;
     const SwingEditor& m_editor;
+    KeyChecks& m_keys;
     QLabel* m_strip;
     QLabel* m_statement;
     QTableWidget* m_signatures;
@@ -85,7 +86,6 @@ private:
     bool m_listed = false;
     SwingId m_signing; ///< what is being signed by a key
     Worker<std::vector<db::OpenPgpKey>> m_listing;
-    Worker<std::vector<KeyVerdict>> m_checking;
     Worker<Signature> m_byKey;
 };
 

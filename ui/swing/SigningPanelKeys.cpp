@@ -6,24 +6,10 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include <algorithm>
-
 #include "db/openpgp/KeyCheck.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
-
-/// gpg is asked on a worker: a tenth of a second for each.
-void SigningPanel::checkKeys()
-{
-    const auto& signatures = record().swing.signatures;
-    if (std::none_of(signatures.begin(), signatures.end(), [](const Signature& one) { return !one.key.empty(); }))
-        return;
-    m_checking.start([&stores = m_context.stores, id = record().swing.id](const Progress& progress) -> Result<std::vector<KeyVerdict>> {
-        auto own = stores.openForWorker();
-        return own ? (*own)->signing.verdicts(id, progress) : own.error();
-    });
-}
 
 void SigningPanel::showEvent(QShowEvent* event)
 {

@@ -6,6 +6,7 @@
 #include "ui/kit/PageContext.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/Documents.h"
+#include "ui/swing/Gathering.h"
 #include "ui/swing/RecordDocuments.h"
 #include "ui/swing/SwingEditor.h"
 #include "ui/swing/SwingPage.h"
@@ -26,10 +27,34 @@ void tell(PageContext& context, const Result<void>& done, const QString& success
         context.fail(messageOf(done.error()));
 }
 
-Result<CardInput> cardShown(PageContext& context, SwingPage& page, const CardOptions& options)
+/// @param use  with the report of the swing as it is stored now
+void withReport(PageContext& context, SwingPage& page, const std::function<void(const ReportInput&)>& use)
 {
+    const QString now = toText(context.stores.clock().nowUtc());
+    page.gathering().start<ReportInput>(
+        [id = page.editor().id(), now](db::Stores& stores, const Progress& progress) { return reportOf(stores, id, now, progress); },
+        [&context, &page, use](Result<ReportInput> input) {
+            if (!input) {
+                context.fail(FileWords::tr("No report: %1").arg(messageOf(input.error())));
+                return;
+            }
+            input->angleStyle = page.angleStyle();
+            use(*input);
+        });
+}
+
+void withCard(PageContext& context, SwingPage& page, const CardOptions& options, const std::function<void(const CardInput&)>& use)
+{
+    const QString now = toText(context.stores.clock().nowUtc());
     const bool again = page.editor().record().swing.state == SwingState::Signed;
-    return cardOf(context.stores, page.editor().id(), options, toText(context.stores.clock().nowUtc()), again);
+    page.gathering().start<CardInput>([id = page.editor().id(), options, now, again](db::Stores& stores,
+                                          const Progress& progress) { return cardOf(stores, id, options, now, again, progress); },
+        [&context, use](const Result<CardInput>& input) {
+            if (input)
+                use(*input);
+            else
+                context.fail(FileWords::tr("No card: %1").arg(messageOf(input.error())));
+        });
 }
 
 /// A card that went out, as a file or on paper: the next one is a reprint.
@@ -45,65 +70,51 @@ void noteIssued(PageContext& context, const CardInput& card)
 
 void writeReportFile(PageContext& context, SwingPage& page)
 {
-    auto input = reportOf(context.stores, page.editor().id(), toText(context.stores.clock().nowUtc()));
-    if (!input) {
-        context.fail(FileWords::tr("No report: %1").arg(messageOf(input.error())));
-        return;
-    }
-    input->angleStyle = page.angleStyle();
-    const QString path = context.files.save(FileWords::tr("Write report"), fileStem(input->record) + ".pdf",
-        FileWords::tr("PDF with the data attached (*.pdf);;HTML (*.html);;Readings (*.csv);;Results (*.json)"));
-    if (!path.isEmpty())
-        tell(context, writeReport(*input, path), FileWords::tr("Report written: %1").arg(path));
+    withReport(context, page, [&context](const ReportInput& input) {
+        const QString path = context.files.save(FileWords::tr("Write report"), fileStem(input.record) + ".pdf",
+            FileWords::tr("PDF with the data attached (*.pdf);;HTML (*.html);;Readings (*.csv);;Results (*.json)"));
+        if (!path.isEmpty())
+            tell(context, writeReport(input, path), FileWords::tr("Report written: %1").arg(path));
+    });
 }
 
 void previewReport(PageContext& context, SwingPage& page)
 {
-    auto input = reportOf(context.stores, page.editor().id(), toText(context.stores.clock().nowUtc()));
-    if (!input) {
-        context.fail(FileWords::tr("No report: %1").arg(messageOf(input.error())));
-        return;
-    }
-    input->angleStyle = page.angleStyle();
-    context.dialogs.printPreview(&context.window, [&context, &input](QPrinter& printer) {
-        if (const auto printed = printReport(*input, printer); !printed)
-            context.fail(messageOf(printed.error()));
+    withReport(context, page, [&context](const ReportInput& input) {
+        context.dialogs.printPreview(&context.window, [&context, &input](QPrinter& printer) {
+            if (const auto printed = printReport(input, printer); !printed)
+                context.fail(messageOf(printed.error()));
+        });
     });
 }
 
 void writeCardFile(PageContext& context, SwingPage& page, const CardOptions& options)
 {
-    const auto input = cardShown(context, page, options);
-    if (!input) {
-        context.fail(FileWords::tr("No card: %1").arg(messageOf(input.error())));
-        return;
-    }
-    const QString path = context.files.save(
-        FileWords::tr("Write correction card"), fileStem(page.editor().record()) + " card.pdf", FileWords::tr("PDF (*.pdf)"));
-    if (path.isEmpty())
-        return;
-    const auto written = writeCard(*input, path);
-    tell(context, written, FileWords::tr("Card written: %1").arg(path));
-    if (written)
-        noteIssued(context, *input);
+    const QString name = fileStem(page.editor().record()) + " card.pdf";
+    withCard(context, page, options, [&context, name](const CardInput& input) {
+        const QString path = context.files.save(FileWords::tr("Write correction card"), name, FileWords::tr("PDF (*.pdf)"));
+        if (path.isEmpty())
+            return;
+        const auto written = writeCard(input, path);
+        tell(context, written, FileWords::tr("Card written: %1").arg(path));
+        if (written)
+            noteIssued(context, input);
+    });
 }
 
 void previewCard(PageContext& context, SwingPage& page)
 {
-    const auto input = cardShown(context, page, {});
-    if (!input) {
-        context.fail(FileWords::tr("No card: %1").arg(messageOf(input.error())));
-        return;
-    }
-    bool painted = true;
-    const bool printed = context.dialogs.printPreview(&context.window, [&](QPrinter& printer) {
-        const auto done = printCard(*input, printer);
-        painted = static_cast<bool>(done);
-        if (!done)
-            context.fail(messageOf(done.error()));
+    withCard(context, page, {}, [&context](const CardInput& input) {
+        bool painted = true;
+        const bool printed = context.dialogs.printPreview(&context.window, [&](QPrinter& printer) {
+            const auto done = printCard(input, printer);
+            painted = static_cast<bool>(done);
+            if (!done)
+                context.fail(messageOf(done.error()));
+        });
+        if (printed && painted)
+            noteIssued(context, input);
     });
-    if (printed && painted)
-        noteIssued(context, *input);
 }
 
 void writeJobCardFile(PageContext& context, SwingPage& page)
@@ -121,15 +132,19 @@ void writeJobCardFile(PageContext& context, SwingPage& page)
 
 void write1613File(PageContext& context, SwingPage& page)
 {
-    const auto sheet = sheet1613Of(context.stores, page.editor().id(), toText(context.stores.clock().nowUtc()));
-    if (!sheet) {
-        context.fail(messageOf(sheet.error()));
-        return;
-    }
-    const QString path = context.files.save(
-        FileWords::tr("Write a sheet in DD 1613 style"), fileStem(sheet->record) + " DD 1613.pdf", FileWords::tr("PDF (*.pdf)"));
-    if (!path.isEmpty())
-        tell(context, write1613(*sheet, path), FileWords::tr("Sheet written: %1").arg(path));
+    const QString now = toText(context.stores.clock().nowUtc());
+    page.gathering().start<StyleSheet1613>(
+        [id = page.editor().id(), now](db::Stores& stores, const Progress& progress) { return sheet1613Of(stores, id, now, progress); },
+        [&context](const Result<StyleSheet1613>& sheet) {
+            if (!sheet) {
+                context.fail(messageOf(sheet.error()));
+                return;
+            }
+            const QString path = context.files.save(
+                FileWords::tr("Write a sheet in DD 1613 style"), fileStem(sheet->record) + " DD 1613.pdf", FileWords::tr("PDF (*.pdf)"));
+            if (!path.isEmpty())
+                tell(context, write1613(*sheet, path), FileWords::tr("Sheet written: %1").arg(path));
+        });
 }
 
 } // namespace lubberline::ui

@@ -16,6 +16,8 @@
 #include "ui/swing/CoefficientsPanel.h"
 #include "ui/swing/DerivationPanel.h"
 #include "ui/swing/FieldStampPanel.h"
+#include "ui/swing/Gathering.h"
+#include "ui/swing/KeyChecks.h"
 #include "ui/swing/PlotTabs.h"
 #include "ui/swing/RecordDocuments.h"
 #include "ui/swing/SigningPanel.h"
@@ -38,6 +40,8 @@ SwingPage::SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
     , m_plots(new PlotTabs)
     , m_coefficients(new CoefficientsPanel)
     , m_exclusion(new ExclusionPanel)
+    , m_keys(new KeyChecks(context.stores, this))
+    , m_gathering(new Gathering(context.stores))
     , m_state(new QLabel)
     , m_computing(new QProgressBar)
     , m_meaning(new QLabel)
@@ -105,7 +109,8 @@ void SwingPage::buildHeader()
     m_computing->setMaximumWidth(fontMetrics().horizontalAdvance(m_computing->format()) * 2);
     m_computing->setAccessibleName(tr("Computing the results"));
     m_computing->hide();
-    for (QWidget* tool : std::initializer_list<QWidget*>{m_computing, m_state, m_showParticulars, m_showCard, m_complete, m_showSigning})
+    for (QWidget* tool :
+        std::initializer_list<QWidget*>{m_gathering, m_computing, m_state, m_showParticulars, m_showCard, m_complete, m_showSigning})
         head().addWidget(tool);
 }
 
@@ -177,6 +182,12 @@ void SwingPage::connectParts()
     connect(m_editor, &SwingEditor::changed, m_exclusion, [this] {
         if (m_exclusion->isVisibleTo(this) && (m_editor->rowOf(m_exclusion->reading()) < 0 || !m_editor->editable()))
             m_exclusion->hide(); // it is gone
+    });
+    connect(m_gathering, &Gathering::failed, this, &SwingPage::failed);
+    connect(m_gathering, &Gathering::cancelled, this, [this] { emit readOut(tr("Cancelled: nothing was written")); });
+    connect(m_keys, &KeyChecks::checked, this, [this] {
+        if (m_card && m_showCard->isChecked())
+            showCardFigures();
     });
     connect(m_exclusion, &ExclusionPanel::closed, m_table, qOverload<>(&QWidget::setFocus));
     connect(m_coefficients, &CoefficientsPanel::derivationWanted, this, &SwingPage::showDerivation);

@@ -20,6 +20,8 @@ namespace lubberline::ui {
 
 class CoefficientsPanel;
 class ExclusionPanel;
+class Gathering;
+class KeyChecks;
 class CardPanel;
 class DerivationPanel;
 class PlotTabs;
@@ -51,6 +53,7 @@ public:
 
     [[nodiscard]] SwingEditor& editor() { return *m_editor; }
     [[nodiscard]] PlotTabs& plots() { return *m_plots; }
+    [[nodiscard]] Gathering& gathering() { return *m_gathering; } ///< of what a document of it is made of
     [[nodiscard]] AngleStyle angleStyle() const { return m_style; }
     [[nodiscard]] bool rowSelected() const; ///< a reading, not the empty row
     void focusReadings();
@@ -111,6 +114,8 @@ private:
     PlotTabs* m_plots;
     CoefficientsPanel* m_coefficients;
     ExclusionPanel* m_exclusion;
+    KeyChecks* m_keys;
+    Gathering* m_gathering;
     SwingParticulars* m_particulars = nullptr; ///< made when first opened
     SigningPanel* m_signing = nullptr;         ///< likewise
     DerivationPanel* m_derivation = nullptr;   ///< likewise

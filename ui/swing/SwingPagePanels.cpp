@@ -10,6 +10,7 @@
 #include "ui/kit/fit/ControlFit.h"
 #include "ui/swing/CardPanel.h"
 #include "ui/swing/DerivationPanel.h"
+#include "ui/swing/KeyChecks.h"
 #include "ui/swing/RecordDocuments.h"
 #include "ui/swing/SigningPanel.h"
 #include "ui/swing/SwingEditor.h"
@@ -35,7 +36,7 @@ void SwingPage::showSigning(bool visible)
     m_table->leaveCell();
     m_showSigning->setArrowType(visible ? Qt::DownArrow : Qt::RightArrow);
     if (!m_signing) {
-        m_signing = new SigningPanel(m_context, *m_editor);
+        m_signing = new SigningPanel(m_context, *m_editor, *m_keys);
         finishControls(*m_signing);
         body().insertWidget(0, m_signing);
         setTabOrder(m_showSigning, m_signing);
@@ -64,7 +65,8 @@ void SwingPage::showCard(bool visible)
 
 void SwingPage::showCardFigures()
 {
-    const auto standing = standingOf(m_context.stores, m_editor->record());
+    m_keys->check(m_editor->record());
+    const auto standing = standingOf(m_context.stores, m_editor->record(), m_keys->verdicts());
     if (!standing)
         emit failed(messageOf(standing.error()));
     const bool computing = m_editor->computing();

@@ -8,6 +8,7 @@
 
 #include "tests/ui/window/Fixture.h"
 #include "tests/ui/window/Typing.h"
+#include "ui/swing/KeyChecks.h"
 #include "ui/swing/SigningPanel.h"
 #include "ui/swing/SwingEditor.h"
 
@@ -24,7 +25,8 @@ private slots:
         EditContext context{fleet.stores, [](const Error&) {}};
         QUndoStack stack;
         SwingEditor editor(context, stack);
-        SigningPanel panel(context, editor);
+        KeyChecks keys(fleet.stores);
+        SigningPanel panel(context, editor, keys);
         panel.QWidget::show();
         QSignalSpy failed(&panel, &SigningPanel::failed), opened(&panel, &SigningPanel::openSwing);
         const auto refresh = [&](SwingId swing) {
@@ -77,7 +79,8 @@ private slots:
         QUndoStack stack;
         SwingEditor editor(context, stack);
         QVERIFY(editor.open(id));
-        SigningPanel panel(context, editor);
+        KeyChecks keys(fleet.stores);
+        SigningPanel panel(context, editor, keys);
         panel.show({});
         QVERIFY(in<QTableWidget>(panel, "signatures").item(0, 4)->text().startsWith("✗"));
     }

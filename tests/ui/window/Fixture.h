@@ -10,6 +10,7 @@
 
 #include "tests/db/TestStores.h"
 #include "ui/kit/MessagePanel.h"
+#include "ui/swing/Gathering.h"
 #include "ui/swing/SwingEditor.h"
 #include "ui/swing/SwingPage.h"
 #include "ui/swing/readings/ReadingsModel.h"
@@ -153,7 +154,13 @@ struct OpenWindow {
         return *widget;
     }
     ReadingsTable& table() { return static_cast<ReadingsTable&>(find<QTableView>("readingsTable")); }
-    void trigger(const char* action) { find<QAction>(action).trigger(); }
+    /// With what it does on the side: a document is put together by a worker.
+    void trigger(const char* action)
+    {
+        find<QAction>(action).trigger();
+        for (auto* documents : window.findChildren<Gathering*>())
+            documents->finish();
+    }
     /// Keys as a person types them: into the editor when one is open.
     void type(const QString& text)
     {
