@@ -144,6 +144,7 @@ WindStudy::Flight& WindStudy::flightOf(Aircraft& aircraft, const WindReport& rep
             return extend(aircraft.flights[*place]);
     places.push_back(aircraft.flights.size());
     aircraft.flights.emplace_back().name = report.flight;
+    ++m_flights;
     return extend(aircraft.flights.back());
 }
 

@@ -164,6 +164,8 @@ public:
     void add(const WindReport& report);
     [[nodiscard]] WindResult finish() const;
     [[nodiscard]] std::int64_t observations() const { return m_observations; }
+    [[nodiscard]] std::size_t aircraft() const { return m_aircraft.size(); }
+    [[nodiscard]] std::size_t flights() const { return m_flights; } ///< of all aircraft
 
 private:
     struct Flight;
@@ -186,6 +188,7 @@ private:
     std::unordered_map<std::string, std::size_t> m_byName;
     Aircraft* m_last = nullptr;
     std::int64_t m_observations = 0;
+    std::size_t m_flights = 0;
     std::array<WindSquares, 16> m_bands{}; ///< of 1000 m
     struct Source;
     std::vector<Source> m_sources;

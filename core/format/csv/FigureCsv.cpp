@@ -11,7 +11,9 @@ namespace lubberline {
 
 namespace {
 
-constexpr std::size_t kMostComments = 1000; ///< above a header; of a file that has no other lines memory is not taken for all
+constexpr std::size_t kMostComments = 1000,
+                      kMostCommentBytes = std::size_t{4}
+    << 20; ///< above a header; of a file that has no other lines memory is not taken for all
 
 bool onlyAscii(std::string_view text)
 {
@@ -109,6 +111,7 @@ Result<void> FigureCsv::readHeader(std::span<const std::string_view> known)
     if (const Message other = otherEncoding(m_lines.beginning()); !other.empty())
         return wholeFile(other);
     char told = 0;
+    std::size_t commentBytes = 0;
     for (;;) {
         const auto more = nextLine();
         if (!more)
@@ -118,8 +121,10 @@ Result<void> FigureCsv::readHeader(std::span<const std::string_view> known)
                 {m_line == 0 ? MARKED("core", "is empty; expected %1") : MARKED("core", "has no header; expected %1"), m_expected});
         const std::string_view content = trimmed(m_text);
         if (content.starts_with('#') || content.starts_with("\"#")) {
-            if (m_comments.size() < kMostComments)
+            if (m_comments.size() < kMostComments && content.size() <= kMostCommentBytes - commentBytes) {
+                commentBytes += content.size();
                 m_comments.emplace_back(content);
+            }
             continue;
         }
         if (content.empty())
@@ -212,6 +217,11 @@ bool FigureCsv::takeOther(std::string_view text, double& value) const
     const FileNumber number = readNumber(text, true); // a comma that parts cells is not in one
     value = number.value;
     return number.fault == NumberFault::None;
+}
+
+Error FigureCsv::noName(std::size_t place) const
+{
+    return here({MARKED("core", "%1 has %2 bytes; expected at most %3"), m_columns[place], cell(place).size(), kLongestName});
 }
 
 Error FigureCsv::noFigure(std::size_t place) const

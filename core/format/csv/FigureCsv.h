@@ -30,6 +30,9 @@ struct FigureColumn {
     double factor = 1;
 };
 
+/// Of an aircraft, a flight or a leg: each is kept, however many rows there are.
+inline constexpr std::size_t kLongestName = 200;
+
 class FigureCsv {
 public:
     /// @param expected what the file should be, for messages
@@ -53,6 +56,8 @@ public:
         const std::string_view text = cell(place);
         return takePlain(text, value) || takeOther(text, value);
     }
+    [[nodiscard]] bool isName(std::size_t place) const { return cell(place).size() <= kLongestName; }
+    [[nodiscard]] Error noName(std::size_t place) const;   ///< of a cell that is none
     [[nodiscard]] Error noFigure(std::size_t place) const; ///< of a cell that figure() refused
     [[nodiscard]] Error here(const Message& message) const { return {ErrorCode::InvalidInput, message, m_name, m_line}; }
     [[nodiscard]] Error wholeFile(const Message& message) const { return {ErrorCode::Format, message, m_name}; }

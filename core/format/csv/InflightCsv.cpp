@@ -15,6 +15,7 @@ namespace lubberline {
 
 namespace {
 
+constexpr std::size_t kMostLegs = 10'000;
 constexpr std::array kLegSpeeds{UnitSuffix{"_kt", 1}, UnitSuffix{"_m_s", 3600.0 / 1852.0}, UnitSuffix{"_km_h", 1000.0 / 1852.0}};
 constexpr std::array<std::string_view, 5> kLegsKnown{"track_deg", "ground_speed", "compass_heading_deg", "leg", "variation_deg"};
 constexpr std::array<std::string_view, 6> kContinuousKnown{
@@ -92,9 +93,10 @@ Result<LegsFile> readLegsCsv(std::istream& input, const std::string& name, const
         const double compass_deg = row.figure(compass), variation_deg = row.figure(variation);
         if (row.error())
             return *row.error();
+        if (leg && !csv.isName(*leg))
+            return csv.noName(*leg);
         const std::string legName = leg ? std::string(csv.cell(*leg)) : std::to_string(sums.size() + 1);
         const auto [place, isNew] = places.try_emplace(legName, sums.size());
-        constexpr std::size_t kMostLegs = 10000;
         if (isNew && sums.size() == kMostLegs)
             return csv.here(
                 {MARKED("core", "there are more than %1 legs; expected a column leg that says which rows belong together"), kMostLegs});
@@ -166,6 +168,8 @@ Result<ContinuousFile> readContinuousCsv(std::istream& input, const std::string&
     ContinuousFile file;
     double last_s = -std::numeric_limits<double>::infinity();
     std::int64_t missing = 0, rows = 0;
+    std::size_t legs = 0;
+    std::string lastLeg;
     for (;;) {
         const auto more = csv.next();
         if (!more)
@@ -199,8 +203,15 @@ Result<ContinuousFile> readContinuousCsv(std::istream& input, const std::string&
         sample.deviation_deg = std::isfinite(deviation_deg) ? wrap180(deviation_deg) : wrap180(reference_deg - sample.compassHeading_deg);
         if (std::isfinite(error_deg))
             sample.referenceError_deg = error_deg;
+        if (leg && !csv.isName(*leg))
+            return csv.noName(*leg);
+        if (leg && (legs == 0 || lastLeg != csv.cell(*leg))) {
+            if (++legs > kMostLegs)
+                return csv.here({MARKED("core", "there are more than %1 legs; expected those of a flight, each of many rows"), kMostLegs});
+            lastLeg = csv.cell(*leg);
+        }
         if (leg)
-            sample.leg = std::string(csv.cell(*leg));
+            sample.leg = lastLeg;
         swing.add(sample);
     }
     if (rows == missing)

@@ -230,6 +230,9 @@ private:
                 if (!std::isfinite(report.time_s))
                     return m_csv.here({MARKED("core", "time_utc %1 is no time; expected YYYY-MM-DDTHH:MM:SSZ"), inQuotes(cell)});
             }
+        for (const auto& place : {m_aircraft, m_flight, m_source, m_group})
+            if (place && !m_csv.isName(*place))
+                return m_csv.noName(*place);
         const auto text = [&](const std::optional<std::size_t>& place) { return place ? m_csv.cell(*place) : std::string_view(); };
         report.aircraft = text(m_aircraft);
         report.flight = text(m_flight);
@@ -243,6 +246,14 @@ private:
             report.positionStep_deg = kSteps_deg[m_decimals];
         }
         m_study.add(report);
+        // What is kept of each takes memory; reports do not.
+        constexpr std::size_t kMostAircraft = 10'000, kMostFlights = 200'000;
+        if (m_study.aircraft() > kMostAircraft)
+            return m_csv.here({MARKED("core", "there are more than %1 aircraft; expected reports of fewer at a time"), kMostAircraft});
+        if (m_study.flights() > kMostFlights)
+            return m_csv.here(
+                {MARKED("core", "there are more than %1 flights; expected reports of fewer at a time, and those of a flight together"),
+                    kMostFlights});
         return {};
     }
 
