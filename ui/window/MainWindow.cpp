@@ -21,6 +21,7 @@
 #include "ui/fleet/FleetPanel.h"
 #include "ui/fleet/RecordEdits.h"
 #include "ui/intake/ImportPanels.h"
+#include "ui/kit/LengthLimits.h"
 #include "ui/kit/MessagePanel.h"
 #include "ui/kit/Theme.h"
 #include "ui/kit/Words.h"
@@ -35,8 +36,8 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kLeastTree_px = 200;
-constexpr int kDueDelay_ms = 300;                      // many changes at once are looked at once
-constexpr int kPatience_ms = 250, kTryAgain_ms = 1000; // typing goes on meanwhile
+constexpr int kDueDelay_ms = 300;                     // many changes at once are looked at once
+constexpr int kPatience_ms = 80, kTryAgain_ms = 1000; // typing goes on meanwhile
 
 } // namespace
 
@@ -70,6 +71,7 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     showPlace();
     restorePlacement();
     qApp->installEventFilter(this);
+    new LengthLimits([this](const QString& words) { m_messages->add(MessagePanel::Kind::Information, words); }, this);
     connect(&m_stack, &QUndoStack::indexChanged, this, [this] {
         m_messages->mended();
         showSaved(true);
