@@ -38,6 +38,8 @@ Result<void> checkFile(const QString& path, OpenMode mode)
     const std::string name = path.toStdString();
     if (file.isDir())
         return Error{ErrorCode::Io, MARKED("db", "this is a folder; expected a database file"), name};
+    if (file.exists() && !file.isFile())
+        return Error{ErrorCode::Io, MARKED("db", "this is a pipe or a device; expected a database file"), name};
     if (file.exists() && file.size() == 0 && mode == OpenMode::ReadOnly)
         return Error{ErrorCode::Format, MARKED("db", "the file is empty; expected a Lubberline database"), name};
     if (file.exists())

@@ -24,6 +24,7 @@
 #include "db/stores/SwingRows.h"
 #include "db/stores/SwingStore.h"
 #include "db/stores/Tables.h"
+#include "db/stores/TrailRecords.h"
 
 namespace lubberline::db {
 
@@ -130,6 +131,17 @@ Result<void> checkTrail(Database& database, VerifyReport& report, std::vector<No
         return head.error();
     report.head = head->head;
     report.entries = head->entries;
+    return {};
+}
+
+/// The records, against those that the trail tells of.
+Result<void> checkRecords(Database& database, VerifyReport& report)
+{
+    const auto faults = recordFaults(database);
+    if (!faults)
+        return faults.error();
+    for (const auto& fault : *faults)
+        report.findings.push_back({MARKED("db", "audit trail: %1"), fault});
     return {};
 }
 
@@ -328,7 +340,7 @@ Result<VerifyReport> verify(Database& database, const Progress& progress, const 
     const auto results = [&progress](Database& one, VerifyReport& into) { return checkResults(one, into, progress); };
     const auto trail = [&heads](Database& one, VerifyReport& into) { return checkTrail(one, into, heads); };
     for (const auto& check : std::vector<std::function<Result<void>(Database&, VerifyReport&)>>{
-             checkOriginal, checkStructure, checkRows, trail, results, checkBadges}) {
+             checkOriginal, checkStructure, checkRows, trail, checkRecords, results, checkBadges}) {
         const auto done = check(database, report);
         if (done)
             continue;

@@ -109,6 +109,28 @@ const Forgery kForgeries[] = {
     {"aReading", {"UPDATE reading SET compass_heading_deg = 315 WHERE position = 0"}, "is not what was signed", false},
     {"theDate", {"UPDATE swing SET date = '2026-11-21'"}, "does not hold", false},
     {"theState", {"UPDATE swing SET state = 0"}, "was signed by two people and is not frozen", true},
+    {"rolesChangePlaces", {"UPDATE signature SET role = 1 - role"}, "Ben (performer)", false},
+    {"signaturesChangePlaces",
+        {"UPDATE signature SET id = 98 WHERE name = 'Ada'", "UPDATE signature SET id = 1 WHERE name = 'Ben'",
+            "UPDATE signature SET id = 2 WHERE name = 'Ada'"},
+        "Ben (inspector)", false},
+    {"theRecordId", {"UPDATE swing SET record = '11111111-1111-4111-8111-111111111111'"}, "is not in the audit trail", false},
+    {"theContentsAreCalledOlder", {"UPDATE signature SET contents = 2"}, "Ada (performer)", false},
+    {"aNote", {"UPDATE reading SET note = 'looked at' WHERE position = 1"}, "is not what was signed", false},
+    {"readingsChangePlaces",
+        {"UPDATE reading SET position = 99 WHERE position = 0", "UPDATE reading SET position = 0 WHERE position = 1",
+            "UPDATE reading SET position = 1 WHERE position = 99"},
+        "is not what was signed", false},
+    {"theFilesIdentity", {"UPDATE audit_head SET file = '11111111-1111-4111-8111-111111111111'"}, "does not follow the one before it",
+        true},
+    {"aBaseIsTakenOut", {"UPDATE swing SET site_id = NULL", "DELETE FROM site"}, "is not there: it was taken out behind", false},
+    {"anotherAircraftIsPutIn",
+        {"INSERT INTO aircraft SELECT 77, '11111111-1111-4111-8111-111111111111', type_id, 'OTHER', '', '', NULL, '', 0, NULL FROM aircraft LIMIT 1"},
+        "aircraft, row 77: the audit trail does not know the record", true},
+    {"aKeyIsPutIn",
+        {"INSERT INTO signing_key (fingerprint, holder, added_utc, public_key) VALUES ('" + QString(40, 'A')
+            + "', 'Eve', '2026-11-20', 'x')"},
+        "of Eve is not what the audit trail says", true},
     {"anEntryIsChanged", {"UPDATE audit_entry SET detail = 'nothing' WHERE what = 'completed swing'"}, "completed swing, record", true},
     {"theTimeOfAnEntry", {"UPDATE audit_entry SET time_utc = '2020-01-01T00:00:00.000Z' WHERE id = 3"}, "entry 3 (2020-01-01", true},
     {"anEntryIsTakenOut", {"DELETE FROM audit_entry WHERE id = 4"}, "entry 4 is missing", true},
@@ -140,6 +162,24 @@ TEST_P(Forgeries, isNamed)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Forgeries, testing::ValuesIn(kForgeries), [](const auto& test) { return std::string(test.param.name); });
+
+TEST_F(SignedFile, aSignedSwingThatWasTakenOutIsMissed)
+{
+    forge({"DELETE FROM reading", "DELETE FROM signature", "DELETE FROM swing"});
+    EXPECT_THAT(found(), Contains(AllOf(HasSubstr("of which the audit trail says last \"froze swing\""), HasSubstr("is not there"))));
+}
+
+TEST_F(SignedFile, whatTheProgramRemovesIsNotMissed)
+{
+    auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+    db::SiteStore sites(*database);
+    ASSERT_TRUE(save(sites, Site{{}, {}, "Mielec", {}, {}, {}, {}, {}, {}}));
+    const auto all = *sites.sites();
+    const auto mielec = std::find_if(all.begin(), all.end(), [](const Site& one) { return one.name == "Mielec"; });
+    ASSERT_NE(mielec, all.end());
+    ASSERT_TRUE(sites.removeSite(mielec->record));
+    EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
+}
 
 TEST_F(SignedFile, ofTheTailOnlyAHeadElsewhereTells)
 {
