@@ -9,6 +9,7 @@
 #include <random>
 #include <thread>
 
+#include "db/engine/Transaction.h"
 #include "db/schema/Schema.h"
 #include "db/transfer/Maintenance.h"
 #include "tests/db/TestFleet.h"
@@ -81,6 +82,40 @@ TEST(WindowKill, losesAtMostTheCellBeingTyped)
     }
     EXPECT_EQ(killedInEntry, 12);
     EXPECT_GE(typed.magnetic.size(), 12u);
+}
+
+/// Somebody imports for long; the crew types on, the machine loses power, and what was typed is offered after the restart.
+TEST(WindowKill, losesNothingThatWaitsForAnotherWriter)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("a.lubberline");
+    SwingId swing;
+    auto importer = db::openDatabase(path, db::OpenMode::ReadWriteCreate);
+    swing = *db::SwingStore(*importer).add(swingOf(store(*importer)));
+    const auto before = db::SwingStore(*importer).swing(swing)->readings;
+    {
+        const auto importing = db::Transaction::begin(*importer);
+        ASSERT_TRUE(importing) << describe(importing.error());
+        QProcess window;
+        window.start(LUBBERLINE_WINDOW_TYPIST, {path, QString::number(swing.value), "over"});
+        QByteArray output;
+        while (output.count('\n') < static_cast<qsizetype>(before.size())) {
+            ASSERT_TRUE(window.waitForReadyRead(60000)) << "the window types nothing";
+            output += window.readAllStandardOutput();
+        }
+        window.kill();
+        window.waitForFinished();
+        EXPECT_EQ(db::SwingStore(*importer).swing(swing)->readings, before); // nothing came in behind the importer's back
+    }
+    QProcess window;
+    window.start(LUBBERLINE_WINDOW_TYPIST, {path, QString::number(swing.value), "put"});
+    ASSERT_TRUE(window.waitForFinished(60000));
+    EXPECT_EQ(window.exitCode(), 0) << "nothing is offered";
+    const auto readings = db::SwingStore(*importer).swing(swing)->readings;
+    ASSERT_EQ(readings.size(), before.size());
+    for (std::size_t row = 0; row < readings.size(); ++row)
+        EXPECT_EQ(readings[row].compass, CompassHeading::fromDegrees(45.0 * static_cast<double>(row) + 7)) << "row " << row;
+    EXPECT_FALSE(QFile::exists(path + ".recovery"));
 }
 
 } // namespace lubberline::test

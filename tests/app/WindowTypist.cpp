@@ -1,8 +1,10 @@
 // Types readings into the real window on a real database, as fast as it can, until it is killed. After each cell is left it
-// says on standard output what was typed: the row, the column and the figure. Run by WindowKillTest.
+// says on standard output what was typed: the row, the column and the figure. With `over` it types one compass reading over each row that is
+// there, and waits; with `put` it takes the offer to put in what was kept. Run by WindowKillTest.
 
 #include <QApplication>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSettings>
 #include <QTableView>
 #include <QTest>
@@ -10,6 +12,7 @@
 #include <cstdio>
 
 #include "app/OpenStores.h"
+#include "ui/swing/ReadingsModel.h"
 #include "ui/window/MainWindow.h"
 
 namespace {
@@ -40,6 +43,31 @@ void typeCell(QTableView& table, double figure)
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
 }
 
+void typeOver(QTableView& table)
+{
+    for (int row = 0; row < table.model()->rowCount() - 1; ++row) { // the last one is empty
+        table.setCurrentIndex(table.model()->index(row, static_cast<int>(ui::ReadingColumn::Compass)));
+        const double compass = row * 45 + 7;
+        typeCell(table, compass);
+        say("compass", row, compass);
+    }
+}
+
+int putIn(ui::MainWindow& window)
+{
+    QPushButton* answer = nullptr;
+    const auto offered = [&] {
+        for (auto* button : window.findChildren<QPushButton*>())
+            if (button->text() == ui::MainWindow::tr("Put them in"))
+                answer = button;
+        return answer != nullptr;
+    };
+    if (!QTest::qWaitFor(offered))
+        return 4;
+    answer->click();
+    return 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -50,7 +78,7 @@ int main(int argc, char** argv)
         return 1;
     NoDialogs dialogs;
     QSettings settings(QString(argv[1]) + ".ini", QSettings::IniFormat);
-    ui::MainWindow window(**stores, {dialogs, settings, {}, {}});
+    ui::MainWindow window(**stores, {dialogs, settings, {}, {}, {QString(argv[1]) + ".recovery"}});
     window.show();
     if (!QTest::qWaitForWindowActive(&window))
         return 2;
@@ -58,7 +86,14 @@ int main(int argc, char** argv)
     auto* table = window.findChild<QTableView*>("readingsTable");
     if (!table)
         return 3;
-    const int first = std::atoi(argv[3]); // rows that are there from earlier rounds
+    const QString how = argv[3];
+    if (how == "put")
+        return putIn(window);
+    if (how == "over") {
+        typeOver(*table);
+        return application.exec();
+    }
+    const int first = how.toInt(); // rows that are there from earlier rounds
     table->setFocus();
     for (int row = first; row < first + 10000; ++row) {
         table->setCurrentIndex(table->model()->index(row, 1));
