@@ -112,9 +112,13 @@ Result<void> checkOutputs(const CLI::App& app, const Invocation& invocation)
             if (isAmong(invocation.inputs, option))
                 read += std::count_if(results.begin(), results.end(), isStandardStream);
             if (isAmong(invocation.outputs, option))
-                for (const std::string& path : results)
+                for (const std::string& path : results) {
+                    if (!isUtf8(path))
+                        return Error{ErrorCode::InvalidInput,
+                            MARKED("app", "the name of the file to write is not UTF-8; expected one that is"), path};
                     if (auto allowed = checkOutput(path, inputsBeside(*command, *option, invocation.database)); !allowed)
                         return allowed;
+                }
         }
         if (read > 1)
             return Error{

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "core/base/Clock.h"
+#include "core/base/FileText.h"
 #include "core/base/WholeFile.h"
 #include "db/engine/Database.h"
 
@@ -43,6 +44,8 @@ Result<QString> named(const std::string& option)
         return Error{ErrorCode::Unsupported, MARKED("app", "PostgreSQL databases are not supported yet; expected an SQLite file"), option};
     if (isStandardStream(option))
         return Error{ErrorCode::Unsupported, MARKED("app", "a database is no stream; expected the name of an SQLite file"), option};
+    if (!isUtf8(option)) // Qt would make another name of it
+        return Error{ErrorCode::InvalidInput, MARKED("app", "the name of the database is not UTF-8; expected one that is"), option};
     return plainName(option);
 }
 
@@ -52,7 +55,7 @@ Result<QString> databasePath(const std::string& option)
 {
     if (!option.empty())
         return named(option);
-    if (const QString environment = qEnvironmentVariable("LUBBERLINE_DB"); !environment.isEmpty())
+    if (const QByteArray environment = qgetenv("LUBBERLINE_DB"); !environment.isEmpty())
         return named(environment.toStdString());
     return inDataFolder("fleet.lubberline");
 }

@@ -122,6 +122,25 @@ TEST_F(Hostile, theNameOfADatabaseIsTheNameOfAFile)
     }
 }
 
+TEST_F(Hostile, whatIsNoFileIsNoDatabase)
+{
+    ASSERT_EQ(::mkfifo(sandbox.path("pipe").c_str(), 0600), 0);
+    for (const std::string name : {"pipe", "/dev/null", "/dev/zero", "/dev/full"})
+        for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{"import", "swing.csv"}, {"swings"}}) {
+            std::vector<std::string> arguments = command;
+            arguments.push_back("--db=" + name);
+            const auto outcome = sandbox.run(arguments);
+            EXPECT_EQ(outcome.status, 1) << name;
+            EXPECT_THAT(outcome.err, HasSubstr(name + ": this is a pipe or a device")) << command[0];
+        }
+    const std::string other = "b\xff.db"; // one that Qt would change
+    const auto refused = sandbox.run({"import", "swing.csv", "--db=" + other});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.err, HasSubstr("is not UTF-8"));
+    EXPECT_EQ(sandbox.run({"report", "swing.csv", "-o", "b\xff.pdf"}).status, 1);
+    EXPECT_THAT(sandbox.files(), testing::Not(testing::Contains(testing::StartsWith("b"))));
+}
+
 TEST_F(Hostile, firstWritersOfOneNewDatabaseAllSucceed)
 {
     constexpr int kWriters = 4;
