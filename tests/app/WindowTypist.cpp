@@ -12,7 +12,7 @@
 #include <cstdio>
 
 #include "app/OpenStores.h"
-#include "ui/swing/ReadingsModel.h"
+#include "ui/swing/readings/ReadingsModel.h"
 #include "ui/window/MainWindow.h"
 
 namespace {
