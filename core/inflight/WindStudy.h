@@ -164,7 +164,7 @@ public:
     void add(const WindReport& report);
     [[nodiscard]] WindResult finish() const;
     [[nodiscard]] std::int64_t observations() const { return m_observations; }
-    [[nodiscard]] std::size_t aircraft() const { return m_aircraft.size(); }
+    [[nodiscard]] std::size_t aircraft() const { return m_byName.size(); }
     [[nodiscard]] std::size_t flights() const { return m_flights; } ///< of all aircraft
 
 private:

@@ -4,6 +4,7 @@
 #include "core/format/exchange/Exchange.h"
 #include "db/engine/Statement.h"
 #include "db/schema/Schema.h"
+#include "db/stores/SigningStore.h"
 #include "db/transfer/Maintenance.h"
 #include "db/transfer/Transfer.h"
 #include "tests/fuzz/Parsers.h"
@@ -30,6 +31,10 @@ SmallDatabase make()
     auto database = db::openDatabase(":memory:", db::OpenMode::ReadWriteCreate);
     LUBBERLINE_EXPECT(database.ok() && db::importFleet(*database, demoFleet(options), {}).ok(), "a small fleet is stored");
     SmallDatabase small{std::move(database.value()), {}};
+    db::SigningStore signing(small.database);
+    for (const SwingId id : {SwingId{1}, SwingId{2}, SwingId{3}}) // those that are complete: signatures have cells, too
+        for (const auto& [role, name] : {std::pair(SignatureRole::Performer, "Ada"), std::pair(SignatureRole::Inspector, "Ben")})
+            static_cast<void>(signing.sign(id, {role, name, "PL 12", "", ""}).ok());
     const auto texts = [&](const QString& sql) {
         db::Statement statement(small.database, sql);
         return *db::rowsOf<std::string>(statement, [](db::Statement& row) { return row.anything(0); });
