@@ -21,9 +21,10 @@ QStringList tables()
 /// Of each record the last entry. An import of years that was undone takes its rows out under one entry for all, and nothing that is signed.
 Result<void> findMissing(Database& database, std::int64_t before, std::vector<Message>& findings)
 {
-    QString sql = "SELECT MAX(id), time_utc, what, record FROM audit_entry WHERE record <> '' GROUP BY record"
-                  " HAVING what NOT LIKE 'removed %' AND what NOT LIKE '% guided swing' AND what NOT LIKE '% key' AND MAX(id) > ?"
-                  " AND (what = 'froze swing' OR MAX(id) > (SELECT IFNULL(MAX(id), 0) FROM audit_entry WHERE what = 'undone import'))";
+    QString sql
+        = "SELECT last, time_utc, what, record FROM (SELECT MAX(id) AS last, time_utc, what, record FROM audit_entry WHERE record <> ''"
+          " GROUP BY record) WHERE what NOT LIKE 'removed %' AND what NOT LIKE '% guided swing' AND what NOT LIKE '% key' AND last > ?"
+          " AND (what = 'froze swing' OR last > (SELECT IFNULL(MAX(id), 0) FROM audit_entry WHERE what = 'undone import'))";
     for (const QString& table : tables())
         sql += " AND record NOT IN (SELECT record FROM " + table + ")";
     Statement statement(database, sql);
@@ -45,7 +46,7 @@ Result<void> findPutIn(Database& database, std::vector<Message>& findings)
     for (const QString& table : tables()) {
         Statement statement(database,
             "SELECT id, record FROM " + table
-                + " WHERE record NOT IN (SELECT record FROM audit_entry) OR (SELECT what FROM audit_entry a WHERE" + " a.record = " + table
+                + " WHERE record NOT IN (SELECT record FROM audit_entry) OR (SELECT what FROM audit_entry a WHERE a.record = " + table
                 + ".record ORDER BY a.id DESC LIMIT 1) LIKE 'removed %'");
         const auto rows = rowsOf<Message>(statement, [&table](Statement& row) -> Message {
             return {MARKED("db", "%1, row %2: the audit trail does not know the record %3: it was put in behind the program's back"),
@@ -72,8 +73,8 @@ Result<void> findKeys(Database& database, std::vector<Message>& findings)
         return strange.error();
     findings.insert(findings.end(), strange->begin(), strange->end());
     Statement gone(database,
-        "SELECT MAX(id), record, detail FROM audit_entry WHERE what LIKE '% key' GROUP BY record"
-        " HAVING what <> 'removed key' AND record NOT IN (SELECT fingerprint FROM signing_key)");
+        "SELECT last, record, detail FROM (SELECT MAX(id) AS last, what, record, detail FROM audit_entry WHERE what LIKE '% key' GROUP BY record)"
+        " WHERE what <> 'removed key' AND record NOT IN (SELECT fingerprint FROM signing_key)");
     const auto missing = rowsOf<Message>(gone, [](Statement& row) -> Message {
         return {MARKED("db", "the key %1 (%2) is not there, and the audit trail does not say that it was removed"), row.anything(1),
             row.anything(2)};

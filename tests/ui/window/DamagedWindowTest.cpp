@@ -71,7 +71,8 @@ private:
     {
         test::RawDatabase raw(path);
         return raw.run({"PRAGMA ignore_check_constraints = ON", "PRAGMA foreign_keys = OFF",
-            QStringLiteral("UPDATE %1 SET %2 = %3 WHERE rowid = (SELECT MAX(rowid) FROM %1)").arg(cell.table, cell.column, value)});
+            QStringLiteral("UPDATE %1 SET %2 = %3 WHERE rowid = (SELECT MAX(rowid) FROM %1)")
+                .arg(QString(cell.table), QString(cell.column), QString(value))});
     }
 
 private slots:
@@ -82,7 +83,7 @@ private slots:
         for (const Cell& cell : kCells)
             for (int turn = 0; turn < 2; ++turn) {
                 const char* value = kBad[next++ * 7 % std::size(kBad)];
-                const QString name = QStringLiteral("%1.%2 = %3").arg(cell.table, cell.column, value);
+                const QString name = QStringLiteral("%1.%2 = %3").arg(QString(cell.table), QString(cell.column), QString(value));
                 SmallFleet fleet;
                 fill(fleet);
                 if (!damage(fleet.stores.location(), cell, value))
