@@ -3,7 +3,6 @@
 
 #include <QRegularExpression>
 
-#include "db/transfer/Maintenance.h"
 #include "tests/db/RawDatabase.h"
 #include "tests/ui/window/EveryPage.h"
 
@@ -34,7 +33,7 @@ void expectNoFigureThatIsNone(OpenWindow& open, const QString& damage)
         if (label->isVisible())
             QVERIFY2(!none.match(label->text()).hasMatch(), qPrintable(damage + ": " + label->text()));
     for (const auto* table : open.window.findChildren<QTableView*>())
-        for (int row = 0; table->isVisible() && row < std::min(table->model()->rowCount(), 20); ++row)
+        for (int row = 0; table->isVisible() && table->model() && row < std::min(table->model()->rowCount(), 20); ++row)
             for (int column = 0; column < table->model()->columnCount(); ++column) {
                 const QString text = table->model()->index(row, column).data().toString();
                 QVERIFY2(!none.match(text).hasMatch(), qPrintable(damage + ": " + text));
@@ -52,7 +51,6 @@ private:
     /// Another program holds itself to none of our rules.
     static void loosen(db::Stores& stores)
     {
-
         test::RawDatabase raw(stores.location());
         QVERIFY(raw.run({"PRAGMA writable_schema = ON", "DELETE FROM sqlite_master WHERE type = 'trigger'",
             "UPDATE sqlite_master SET sql = replace(sql, ' NOT NULL', '') WHERE type = 'table'", "PRAGMA writable_schema = OFF"}));
