@@ -55,7 +55,16 @@ Result<bool> Stores::changedElsewhere()
     if (!version)
         return version.error();
     const std::int64_t before = std::exchange(m_dataVersion, version->value_or(0));
-    return before != 0 && before != m_dataVersion;
+    if (before == m_dataVersion)
+        return false;
+    // All that is stored leaves an entry in the trail or is a step of a guided swing. What is typed there and no step yet is no news: every
+    // key of it would be.
+    Statement newest(m_database, "SELECT (SELECT COALESCE(MAX(id), 0) FROM audit_entry), (SELECT COALESCE(MAX(id), 0) FROM job_event)");
+    const auto stored = firstOf<Newest>(newest, [](Statement& row) { return Newest{row.integer(0), row.integer(1)}; });
+    if (!stored)
+        return stored.error();
+    const Newest known = std::exchange(m_newest, stored->value_or(Newest()));
+    return before != 0 && known != m_newest;
 }
 
 Result<std::unique_ptr<Stores>> Stores::openForWorker() const

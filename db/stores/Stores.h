@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "db/engine/Changes.h"
 #include "db/engine/Database.h"
@@ -35,7 +36,8 @@ public:
     [[nodiscard]] const Clock& clock() const { return m_database.clock(); } ///< for all who work with these stores
     [[nodiscard]] Result<Transaction> begin() { return Transaction::begin(m_database); }
 
-    /// Whether another connection (another window, a command) has stored something since this was asked last.
+    /// Whether another connection (another window, a command) has stored something since this was asked last; figures that are being typed
+    /// over there are not.
     Result<bool> changedElsewhere();
 
     /// A connection of its own to the same database, to be made, used and destroyed on one worker thread. Nobody is told of what it
@@ -44,7 +46,9 @@ public:
 
 private:
     Database m_database;
-    std::int64_t m_dataVersion = 0; ///< when it was asked last; 0: never
+    using Newest = std::pair<std::int64_t, std::int64_t>; ///< entry of the trail, step of a guided swing
+    std::int64_t m_dataVersion = 0;                       ///< when it was asked last; 0: never
+    Newest m_newest;
 
 public:
     FleetStore fleet;

@@ -25,11 +25,11 @@ SensorEditor::SensorEditor(EditContext& context, QUndoStack& stack, QObject* par
 {
     connect(&context.stores.changes(), &db::Changes::sensorsChanged, this, [this](CompassId compass) {
         if (compass == m_compass)
-            follow();
+            followStored();
     });
     connect(&context.stores.changes(), &db::Changes::fleetChanged, this, [this] {
         if (m_compass.valid())
-            follow(); // an import may have brought models
+            followStored(); // an import may have brought models
     });
 }
 
@@ -57,6 +57,14 @@ Result<void> SensorEditor::reload()
     m_chosen = record() ? record()->record : RecordId();
     m_model = record() ? record()->model : SensorModel();
     return {};
+}
+
+/// Where nothing of them has changed, what is being played stays.
+void SensorEditor::followStored()
+{
+    const auto records = m_context.stores.sensors.of(m_compass);
+    if (!records || *records != m_records)
+        follow();
 }
 
 void SensorEditor::follow()

@@ -48,6 +48,7 @@ signals:
 private:
     Result<void> reload();
     void follow();
+    void followStored();
     [[nodiscard]] std::string freeName(const std::string& wanted) const;
 
     EditContext& m_context;

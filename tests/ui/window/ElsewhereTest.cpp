@@ -38,6 +38,7 @@ class ElsewhereTest : public QObject {
 
 private slots:
     void aGuidedSwingGoesOnAsItStandsThere();
+    void figuresThatAreTypedElsewhereAreNoNews();
     void aSwingIsSignedAsItWasSeen();
     void anExclusionIsOfItsReading();
     void aCellOfTheEventsStaysWithItsEvent();
@@ -79,6 +80,28 @@ void ElsewhereTest::aGuidedSwingGoesOnAsItStandsThere()
     QVERIFY(program->jobs.abandon(swing));
     QTRY_COMPARE(front(open), QStringLiteral("swing"));
     QCOMPARE(open.window.findChild<SwingPage*>()->editor().id(), swing);
+}
+
+void ElsewhereTest::figuresThatAreTypedElsewhereAreNoNews()
+{
+    TwoAircraft two;
+    auto& stores = two.fleet.stores;
+    Swing particulars;
+    particulars.compass = two.fleet.compass;
+    particulars.date = "2026-11-23";
+    SwingJob job;
+    job.datum.name = "B-16";
+    const auto swing = stores.jobs.start(particulars, job);
+    QVERIFY(swing);
+    const auto program = stores.another();
+    QVERIFY(!*stores.changedElsewhere());
+    QVERIFY(program->jobs.keepTyped(*swing, 0, {{"guidedDatum", "4"}}));
+    QVERIFY(!*stores.changedElsewhere());
+    QVERIFY(program->jobs.append(*swing, 0, {"2026-11-23T09:00:00Z", job::Prepared{}}));
+    QVERIFY(*stores.changedElsewhere());
+    QVERIFY(!*stores.changedElsewhere());
+    QVERIFY(program->jobs.abandon(*swing));
+    QVERIFY(*stores.changedElsewhere());
 }
 
 void ElsewhereTest::aSwingIsSignedAsItWasSeen()
