@@ -74,7 +74,9 @@ int main()
         },
         9);
     bool kept = bench::report("one hour at 50 Hz, all sources", flown, "sines and arctangents", 8);
+    kept = bench::report("one hour at 50 Hz, all sources", {flown.ours_s, 0.05}, "50 ms", 1.0) && kept;
     kept = bench::report("three headings after ten swings", chosen, "inversions", 40) && kept;
+    kept = bench::report("three headings after ten swings", {chosen.ours_s, 0.1}, "100 ms", 1.0) && kept;
     std::printf("(%g)\n", sum);
     return kept ? 0 : 1;
 }

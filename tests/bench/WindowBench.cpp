@@ -1,22 +1,26 @@
 // Start to first painted window against a bare Qt main window with two docks and tables, in the same process and harness: with
 // the demonstration fleet (limit 1.6) and with BENCH_SWINGS (100,000) swings in the database (not slower). The keystroke that
 // ends a figure in a 32-point swing, to stored, computed and repainted (limit: 16 ms median), a swing of 20,000 readings from a log to
-// its painted page (200 ms) and a keystroke in it (50 ms): here the reference is that number itself.
+// its painted page (200 ms) and a keystroke in it (50 ms), a click on a type in a tree of 20,000 aircraft (50 ms) and a screen further in it
+// (16 ms): here the reference is that number itself.
 
 #include <QApplication>
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QProcess>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeView>
 
 #include <cstdlib>
 
 #include "app/OpenStores.h"
 #include "core/demo/DemoFleet.h"
+#include "db/engine/Transaction.h"
 #include "db/transfer/Transfer.h"
 #include "tests/bench/BenchFleet.h"
 #include "tests/bench/Ratio.h"
@@ -171,6 +175,49 @@ bool benchLog(const QString& folder)
     return bench::report("keystroke in a swing of 20,000 readings", {keystroke_s(opened.window, 12), 0.05}, "50 ms", 1.0) && opens;
 }
 
+/// A click on a type in a tree of 20,000 aircraft: opened, its page shown, painted; then a screen of its 1,000 aircraft further.
+bool benchTree(const QString& folder)
+{
+    const QString database = folder + "/tree.lubberline";
+    {
+        auto stores = app::openStores(database.toStdString(), db::OpenMode::ReadWriteCreate);
+        auto transaction = db::Transaction::begin((*stores)->database());
+        for (int type = 0; type < 20; ++type) {
+            const auto id = *(*stores)->fleet.add(AircraftType{{}, {}, "Type " + std::to_string(type), "", ""});
+            for (int i = 0; i < 1000; ++i) {
+                Aircraft aircraft;
+                aircraft.type = id;
+                aircraft.registration = "B-" + std::to_string(1000 * type + i);
+                if (!(*stores)->fleet.add(aircraft))
+                    std::abort();
+            }
+        }
+        if (!transaction->commit())
+            std::abort();
+    }
+    Opened opened(database);
+    QTest::qWait(200); // the tree is filled after the first paint
+    auto* tree = opened.window.findChild<QTreeView*>("fleetTree");
+    std::vector<double> clicks, screens;
+    for (int type = 0; type < 7; ++type) {
+        const QModelIndex index = tree->model()->index(type, 0);
+        tree->scrollTo(index);
+        const QPoint place = tree->visualRect(index).center();
+        clicks.push_back(bench::seconds([&] {
+            QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, place);
+            tree->expand(index);
+            QApplication::processEvents();
+        }));
+        screens.push_back(bench::seconds([&] {
+            tree->verticalScrollBar()->triggerAction(QAbstractSlider::SliderPageStepAdd);
+            QApplication::processEvents();
+        }));
+        tree->collapse(index);
+    }
+    const bool click = bench::report("a type in a tree of 20,000 aircraft", {bench::median(clicks), 0.05}, "50 ms", 1.0);
+    return bench::report("a screen further in it", {bench::median(screens), 0.016}, "16 ms", 1.0) && click;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -182,6 +229,7 @@ int main(int argc, char** argv)
     const QTemporaryDir folder;
     const bool keystroke = benchKeystroke(folder.path());
     const bool log = benchLog(folder.path());
+    const bool tree = benchTree(folder.path());
     const bool start = benchStart(folder.path());
-    return start && keystroke && log ? 0 : 1;
+    return start && keystroke && log && tree ? 0 : 1;
 }
