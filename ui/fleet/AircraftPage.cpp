@@ -71,7 +71,8 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
     auto* splitter = new QSplitter(Qt::Horizontal);
     splitter->addWidget(tabs);
     splitter->addWidget(buildSwings());
-    splitter->setStretchFactor(1, 1);
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 4);
     splitter->setSizes({310, 720});
     splitter->setChildrenCollapsible(false);
     body().addWidget(splitter, 1);

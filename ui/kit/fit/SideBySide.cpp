@@ -77,8 +77,10 @@ QSize SideBySide::minimumSizeHint() const
 bool SideBySide::event(QEvent* event)
 {
     const bool done = QSplitter::event(event);
-    if (event->type() == QEvent::LayoutRequest)
+    if (event->type() == QEvent::LayoutRequest) {
         turn();
+        giveHeights();
+    }
     return done;
 }
 
@@ -86,6 +88,7 @@ void SideBySide::resizeEvent(QResizeEvent* event)
 {
     turn();
     QSplitter::resizeEvent(event);
+    giveHeights();
 }
 
 void SideBySide::turn()
@@ -94,27 +97,27 @@ void SideBySide::turn()
         return;
     m_turning = true;
     const bool above = width() < widthBeside(), was = orientation() == Qt::Vertical;
-    if (above && !was) {
+    if (above && !was)
         m_beside = sizes();
-        m_heights.clear();
-        for (int i = 0; i < count(); ++i)
-            m_heights += widget(i)->minimumHeight();
-    }
-    if (above)
-        for (int i = 0; i < count(); ++i) {
-            const auto* panel = dynamic_cast<const SidePanel*>(widget(i));
-            widget(i)->setMinimumHeight(panel ? panel->wholeHeight(width()) : kLeastHeight);
-        }
     if (above != was) {
-        if (!above)
-            for (int i = 0; i < count(); ++i)
-                widget(i)->setMinimumHeight(m_heights.value(i));
         setOrientation(above ? Qt::Vertical : Qt::Horizontal);
         if (!above && m_beside.size() == count())
             setSizes(m_beside);
         updateGeometry();
     }
     m_turning = false;
+}
+
+void SideBySide::giveHeights()
+{
+    const bool above = orientation() == Qt::Vertical;
+    for (int i = 0; i < count(); ++i) {
+        const auto* panel = dynamic_cast<const SidePanel*>(widget(i));
+        const QLayout* layout = panel ? nullptr : widget(i)->layout();
+        const int words = layout && layout->hasHeightForWidth() ? layout->minimumHeightForWidth(widget(i)->width()) : 0;
+        const int own = m_own.contains(widget(i)) ? m_own.value(widget(i)) : *m_own.insert(widget(i), widget(i)->minimumHeight());
+        widget(i)->setMinimumHeight(std::max(own, !above ? words : panel ? panel->wholeHeight(width()) : std::max(words, kLeastHeight)));
+    }
 }
 
 } // namespace lubberline::ui

@@ -1,6 +1,7 @@
 #pragma once
 /// The two columns of a page: what is asked at the left, what comes of it at the right.
 
+#include <QHash>
 #include <QScrollArea>
 #include <QSplitter>
 
@@ -31,9 +32,11 @@ protected:
 private:
     [[nodiscard]] int widthBeside() const;
     void turn();
+    void giveHeights(); ///< a column whose words wrap is as high as they need at its width
 
     bool m_turning = false;
-    QList<int> m_beside, m_heights; ///< their widths, and least heights, before they were put above each other
+    QHash<QWidget*, int> m_own; ///< the least heights that columns have set themselves
+    QList<int> m_beside;        ///< their widths before they were put above each other
 };
 
 } // namespace lubberline::ui
