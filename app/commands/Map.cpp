@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -178,12 +179,20 @@ AttitudeAxis axisIn(const std::string& option, const std::string& text)
     throw CLI::ValidationError(option + ": " + inQuotes(text) + " is no axis; expected heading, pitch or roll");
 }
 
+constexpr double kMostPoints = 1e9;
+
 /// "361x181".
 void takeSize(const std::string& text, MapArguments& options)
 {
-    int columns = 0, rows = 0;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%9dx%9d%c", &columns, &rows, &rest) != 2 || columns < 2 || rows < 2)
+    const std::string_view size = text;
+    const auto cross = std::min(size.find('x'), size.size());
+    const auto points = [](std::string_view part) {
+        const FileNumber number = readNumber(part);
+        const bool whole = number.fault == NumberFault::None && number.value == std::floor(number.value);
+        return whole && number.value >= 2 && number.value < kMostPoints ? static_cast<int>(number.value) : 0;
+    };
+    const int columns = points(size.substr(0, cross)), rows = points(size.substr(std::min(cross + 1, size.size())));
+    if (columns == 0 || rows == 0)
         throw CLI::ValidationError("--size: " + inQuotes(text) + " is none; expected COLUMNSxROWS of at least 2x2, as in 361x181");
     options.columns = columns;
     options.rows = rows;

@@ -34,6 +34,8 @@ const std::vector<OneWay> kWays = {
         {"core/base/PartialFile.cpp", "db/transfer/Maintenance.cpp"}},
     {"threads", R"(QtConcurrent|QFutureWatcher|QThreadPool|QThread::create|public QThread\b|std::j?thread|std::async)",
         {"ui/kit/Worker.h", "ui/kit/Worker.cpp"}},
+    {"readingNumbers", R"(\bfrom_chars\b|\bstrto[dflu][a-z]*\(|\bsto[dfilu][a-z]*\(|\bsscanf\b|\bato[fil]\()",
+        {"core/base/Number.cpp", "core/base/PlainNumber.cpp"}},
     {"readingJson", R"(\bQJson[A-Z]|\bparse_event_t\b)", {"core/format/json/JsonDocument.cpp"}},
     {"askingForFiles", R"(QFileDialog\b)", {"ui/kit/Dialogs.h", "ui/kit/Dialogs.cpp"}},
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
@@ -214,12 +213,12 @@ std::optional<double> headingOfColumn(std::string_view name)
         }
     while (text.ends_with('_'))
         text.pop_back();
-    double heading = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), heading, std::chars_format::fixed);
-    if (text.empty() || fault != std::errc() || end != text.data() + text.size() || !(heading >= 0 && heading <= 360)
-        || text.front() == '-')
+    if (text.find_first_not_of("0123456789.") != std::string_view::npos) // "1e2" is the name of something else
         return {};
-    return heading;
+    const FileNumber heading = readNumber(text);
+    if (heading.fault != NumberFault::None || heading.value > 360)
+        return {};
+    return heading.value;
 }
 
 std::optional<Date> dateAsWritten(std::string_view text, DateOrder order)
