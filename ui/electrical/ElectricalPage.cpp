@@ -41,13 +41,6 @@ QString errorWords(std::optional<double> indicated_deg, double selected_deg)
     return indicated_deg ? signedNumber(wrap180(*indicated_deg - selected_deg), 2) : QString();
 }
 
-QTableWidgetItem* fixedCell(const QString& text)
-{
-    auto* item = new QTableWidgetItem(text);
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-    return item;
-}
-
 Result<std::optional<double>> takeFigure(const QString& text)
 {
     if (text.trimmed().isEmpty())

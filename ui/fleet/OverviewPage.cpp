@@ -13,6 +13,7 @@
 #include "ui/kit/Badge.h"
 #include "ui/kit/DueBadge.h"
 #include "ui/kit/OpenSwings.h"
+#include "ui/kit/TableEntry.h"
 #include "ui/kit/Theme.h"
 #include "ui/kit/Words.h"
 #include "ui/text/AngleWords.h"
@@ -32,12 +33,7 @@ QLabel* largeLabel(const QString& name, double scale)
     return label;
 }
 
-QTableWidgetItem* fixedItem(const QString& text)
-{
-    auto* item = new QTableWidgetItem(inAngleStyle(text));
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-    return item;
-}
+QTableWidgetItem* fixedAngleCell(const QString& text) { return fixedCell(inAngleStyle(text)); }
 
 } // namespace
 
@@ -146,11 +142,11 @@ void OverviewPage::addToday(const QString& what, const QIcon& icon, const QStrin
 {
     const int row = m_today->rowCount();
     m_today->insertRow(row);
-    auto* first = fixedItem(what);
+    auto* first = fixedAngleCell(what);
     first->setIcon(icon);
     m_today->setItem(row, 0, first);
-    m_today->setItem(row, 1, fixedItem(which));
-    m_today->setItem(row, 2, fixedItem(why));
+    m_today->setItem(row, 1, fixedAngleCell(which));
+    m_today->setItem(row, 2, fixedAngleCell(why));
     m_today->item(row, 2)->setToolTip(why);
     m_places.push_back(place);
 }
@@ -242,9 +238,9 @@ void OverviewPage::add(const TypeRow& type, const AircraftRow& aircraft)
 {
     const int row = m_list->rowCount();
     m_list->insertRow(row);
-    m_list->setItem(row, 0, fixedItem(toText(aircraft.registration)));
-    m_list->setItem(row, 1, fixedItem(toText(type.name)));
-    auto* state = fixedItem(badgeWord(aircraft.status));
+    m_list->setItem(row, 0, fixedAngleCell(toText(aircraft.registration)));
+    m_list->setItem(row, 1, fixedAngleCell(toText(type.name)));
+    auto* state = fixedAngleCell(badgeWord(aircraft.status));
     state->setIcon(badgeIcon(aircraft.status));
     state->setToolTip(badgeMeaning(aircraft.status));
     m_list->setItem(row, 2, state);

@@ -5,6 +5,13 @@
 
 namespace lubberline::ui {
 
+QTableWidgetItem* fixedCell(const QString& text)
+{
+    auto* item = new QTableWidgetItem(text);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    return item;
+}
+
 EnterAdvances::EnterAdvances(QTableWidget& table) : QStyledItemDelegate(&table), m_table(table)
 {
     table.setItemDelegate(this);

@@ -23,13 +23,6 @@ namespace {
 
 enum CheckColumn { kTurnTo, kDatum, kCompass, kFromCard };
 
-QTableWidgetItem* fixedItem(const QString& text)
-{
-    auto* item = new QTableWidgetItem(text);
-    item->setFlags(item->flags() & ~Qt::ItemIsEditable);
-    return item;
-}
-
 } // namespace
 
 CheckPage::CheckPage(db::Stores& stores, FileQuestions files, QWidget* parent)
@@ -182,11 +175,11 @@ void CheckPage::choose()
     m_table->setRowCount(static_cast<int>(chosen.compass_deg.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         m_table->setItem(
-            row, kTurnTo, fixedItem(QStringLiteral("%1°").arg(chosen.compass_deg[static_cast<std::size_t>(row)], 3, 'f', 0, QChar('0'))));
+            row, kTurnTo, fixedCell(QStringLiteral("%1°").arg(chosen.compass_deg[static_cast<std::size_t>(row)], 3, 'f', 0, QChar('0'))));
         for (const int column : {kDatum, kCompass})
             if (!m_table->item(row, column))
                 m_table->setItem(row, column, new QTableWidgetItem);
-        m_table->setItem(row, kFromCard, fixedItem({}));
+        m_table->setItem(row, kFromCard, fixedCell({}));
     }
     m_showing = false;
     judge();

@@ -5,21 +5,9 @@
 #include "ui/plots/base/ChartMouse.h"
 #include "ui/plots/map/MapChart.h"
 #include "ui/plots/map/MapPlotRendering.h"
+#include "ui/plots/map/OnPaper.h"
 
 namespace lubberline::ui {
-
-namespace {
-
-void paintOnPaper(MapChart& chart, QPainter& painter, const QRectF& target, MapPicture picture)
-{
-    picture.coarse = false;
-    chart.setFont(paperFont());
-    chart.setColours(paperColours());
-    chart.setPicture(picture);
-    chart.paint(painter, target);
-}
-
-} // namespace
 
 MapPlot::MapPlot(QWidget* parent) : Plot(tr("Map"), parent), m_chart(new MapChart)
 {

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "ui/plots/map/OnPaper.h"
 #include "ui/plots/map/SurfaceChart.h"
 
 namespace lubberline::ui {
@@ -9,15 +10,6 @@ namespace lubberline::ui {
 namespace {
 
 constexpr double kKeyTurn_deg = 5;
-
-void paintOnPaper(SurfaceChart& chart, QPainter& painter, const QRectF& target, MapPicture picture)
-{
-    picture.coarse = false;
-    chart.setFont(paperFont());
-    chart.setColours(paperColours());
-    chart.setPicture(picture);
-    chart.paint(painter, target);
-}
 
 } // namespace
 
