@@ -18,7 +18,8 @@ inline Swing noisySwing(CompassId compass, std::mt19937& random, int points)
     const ExactSmith smith{coefficient(random), coefficient(random), coefficient(random), coefficient(random) / 4, coefficient(random) / 4};
     Swing swing;
     swing.compass = compass;
-    swing.date = *Date::read("20" + std::to_string(10 + random() % 16) + "-05-0" + std::to_string(1 + random() % 9));
+    const auto year = 10 + random() % 16, day = 1 + random() % 9;
+    swing.date = *Date::read("20" + std::to_string(year) + "-05-0" + std::to_string(day));
     for (int i = 0; i < points; ++i) {
         Reading reading;
         reading.magnetic = MagneticHeading::fromDegrees(360.0 * i / points);

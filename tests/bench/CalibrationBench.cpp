@@ -29,7 +29,7 @@ SensorLog randomLog()
     std::normal_distribution<double> normal;
     SensorLog log;
     for (std::size_t i = 0; i < kSamples; ++i) {
-        Eigen::Vector3d b(normal(random), normal(random), normal(random));
+        Eigen::Vector3d b{normal(random), normal(random), normal(random)};
         b = 48000 * b.normalized() + Eigen::Vector3d(3000, -2000, 1500);
         for (std::size_t axis = 0; axis < 3; ++axis)
             log.field[axis].push_back(b[static_cast<Eigen::Index>(axis)] + 50 * normal(random));

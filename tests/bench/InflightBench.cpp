@@ -29,7 +29,7 @@ std::string reportsOf(int count)
         const double heading_deg = 3.6 * (i % 100);
         const Eigen::Vector2d wind(20, 10), ground = velocityOf(heading_deg, 430) + wind;
         const Eigen::Vector2d reported = ground - velocityOf(heading_deg + 1 + 0.2 * normal(engine), 430),
-                              held = wind + Eigen::Vector2d(normal(engine), normal(engine));
+                              held = wind + Eigen::Vector2d{normal(engine), normal(engine)};
         const int length = std::snprintf(line.data(), line.size(),
             "A%03d,F%03d,2026-03-%02dT%02d:%02d:%02dZ,%.3f,%.3f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f\n", aircraft, flight, 1 + flight % 28,
             8 + i % 100 / 60, i % 60, 0, 50 + 0.02 * (i % 100), 10 + 0.05 * (i % 100), ground.norm(), directionOf_deg(ground), 430.0,

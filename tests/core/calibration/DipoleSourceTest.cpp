@@ -18,7 +18,7 @@ std::vector<StrayReading> readingsAround(const DipoleSource& source, double nois
         const double turn = 0.7 * i;
         const Eigen::Vector3d at(1.5 * std::cos(turn), 1.5 * std::sin(turn), 0.25 * (i % 4));
         readings.push_back(
-            {at, source.uniform_nT + source.fieldAt_nT(at) + noise_nT * Eigen::Vector3d(normal(random), normal(random), normal(random))});
+            {at, source.uniform_nT + source.fieldAt_nT(at) + noise_nT * Eigen::Vector3d{normal(random), normal(random), normal(random)}});
     }
     return readings;
 }

@@ -38,8 +38,10 @@ inline SimulatedCompass simulateCompass(int swings, const PlausibleChange& plaus
     for (int year = 0; year <= swings; ++year) {
         if (year > 0) {
             const bool jump = random.uniform() < perYear;
-            for (std::size_t c = 0; c < 5; ++c)
-                truth[static_cast<Eigen::Index>(c)] += walk[c] * random.normal() + (jump ? plausible.jump_deg[c] * random.normal() : 0);
+            for (std::size_t c = 0; c < 5; ++c) {
+                truth[static_cast<Eigen::Index>(c)] += walk[c] * random.normal();
+                truth[static_cast<Eigen::Index>(c)] += jump ? plausible.jump_deg[c] * random.normal() : 0;
+            }
         }
         if (year == swings)
             break;

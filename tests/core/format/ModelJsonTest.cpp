@@ -229,8 +229,10 @@ TEST(ModelJson, changedBytesAreRefusedOrReadBack)
     int accepted = 0;
     for (int i = 0; i < 5000; ++i) {
         std::string text = i % 2 ? kWhole : replaced(kWhole, kGiven, kPlace);
-        for (int change = 0; change <= i % 3; ++change)
-            text[random() % text.size()] = bytes[random() % bytes.size()];
+        for (int change = 0; change <= i % 3; ++change) {
+            const char byte = bytes[random() % bytes.size()];
+            text[random() % text.size()] = byte;
+        }
         const auto setup = readModelJson(text, "model.json");
         if (!setup) {
             EXPECT_FALSE(setup.error().message.english().empty());

@@ -57,7 +57,7 @@ TEST(Legs, errorsAreThoseOfTheGroundVelocities)
         for (const double heading : {0.0, 120.0, 240.0}) {
             Leg leg = legOf(heading, 100, {12, 7});
             const Eigen::Vector2d off
-                = velocityOf(leg.track_deg, leg.groundSpeed_kt) + 0.5 * Eigen::Vector2d(normal(engine), normal(engine));
+                = velocityOf(leg.track_deg, leg.groundSpeed_kt) + 0.5 * Eigen::Vector2d{normal(engine), normal(engine)};
             leg.track_deg = directionOf_deg(off);
             leg.groundSpeed_kt = off.norm();
             legs.push_back(leg);

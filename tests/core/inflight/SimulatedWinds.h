@@ -42,10 +42,12 @@ private:
     {
         const bool after = aircraft.changesAfter >= 0 && flight > aircraft.changesAfter;
         const double a = after ? aircraft.aAfter_deg : aircraft.a_deg, b = after ? aircraft.bAfter_deg : aircraft.b_deg;
-        const Eigen::Vector2d bias(
-            reference.biasEast_kt + reference.shared_kt * normal(), reference.biasNorth_kt + reference.shared_kt * normal());
-        Eigen::Vector2d wandering(reference.wandering_kt * normal(), reference.wandering_kt * normal());
-        const Eigen::Vector2d wind = velocityOf(360 * unit(), 15 + 20 * unit());
+        // In braces, draws come in the order in which they are written; arguments of a call are evaluated in any.
+        const Eigen::Vector2d bias{
+            reference.biasEast_kt + reference.shared_kt * normal(), reference.biasNorth_kt + reference.shared_kt * normal()};
+        Eigen::Vector2d wandering{reference.wandering_kt * normal(), reference.wandering_kt * normal()};
+        const double direction_deg = 360 * unit(), speed_kt = 15 + 20 * unit();
+        const Eigen::Vector2d wind = velocityOf(direction_deg, speed_kt);
         const double first_deg = 360 * unit();
         const std::string name = "F" + std::to_string(100 + flight);
         for (int i = 0; i < aircraft.reports; ++i) {
@@ -56,7 +58,7 @@ private:
                 read_deg = true_deg + aircraft.c_deg + a * std::sin(read) + b * std::cos(read) + aircraft.d_deg * std::sin(2 * read)
                     + aircraft.e_deg * std::cos(2 * read);
             }
-            wandering = 0.9 * wandering + std::sqrt(1 - 0.81) * reference.wandering_kt * Eigen::Vector2d(normal(), normal());
+            wandering = 0.9 * wandering + std::sqrt(1 - 0.81) * reference.wandering_kt * Eigen::Vector2d{normal(), normal()};
             const double airspeed_kt = 430 + 10 * normal();
             const Eigen::Vector2d ground = velocityOf(true_deg, airspeed_kt) + wind;
             const double tas_kt = airspeed_kt + 3 + normal();

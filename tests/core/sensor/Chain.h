@@ -81,7 +81,7 @@ inline ChainReading chainReading(
 inline SensorModel randomModel(std::mt19937& random, double softIron = 0.2, double constant_nT = 4000, double turned_rad = 0.2)
 {
     std::uniform_real_distribution<double> unit(-1, 1);
-    const auto vector = [&](double size) { return Eigen::Vector3d(size * unit(random), size * unit(random), size * unit(random)); };
+    const auto vector = [&](double size) { return Eigen::Vector3d{size * unit(random), size * unit(random), size * unit(random)}; };
     SensorModel model;
     for (int i = 0; i < 9; ++i)
         model.softIron(i / 3, i % 3) = softIron * unit(random);

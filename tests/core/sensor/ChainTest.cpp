@@ -26,7 +26,8 @@ Worst worstOf(int attitudes, double softIron, double constant_nT, double turned_
     Worst worst;
     for (int i = 0; i < attitudes; ++i) {
         const SensorModel model = randomModel(random, softIron, constant_nT, turned_rad);
-        const MeridianField field = dipField(15000 + 14000 * unit(random), 85 * unit(random));
+        const double horizontal_nT = 15000 + 14000 * unit(random), dip_deg = 85 * unit(random);
+        const MeridianField field = dipField(horizontal_nT, dip_deg);
         const Attitude attitude{MagneticHeading::fromDegrees(180 + 180 * unit(random)), kPi / 2 * unit(random), kPi * unit(random)};
         const SensorReading reading = readSensor(model, field, attitude);
         const ChainReading second = chainReading(model, field, attitude.heading.radians(), attitude.pitch_rad, attitude.roll_rad);

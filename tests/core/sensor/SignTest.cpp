@@ -130,7 +130,7 @@ TEST(PolarHardIron, thereAndBack)
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int i = 0; i < 1000; ++i) {
-        const Eigen::Vector3d p(5000 * unit(random), 5000 * unit(random), 5000 * unit(random));
+        const Eigen::Vector3d p{5000 * unit(random), 5000 * unit(random), 5000 * unit(random)};
         const PolarHardIron polar = toPolar(p);
         EXPECT_NEAR((fromPolar(polar) - p).norm(), 0, 1e-11 * polar.size_nT);
         EXPECT_GE(polar.size_nT, 0);

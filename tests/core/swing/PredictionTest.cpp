@@ -134,7 +134,8 @@ public:
     {
         static const FieldModel model = wmm2025();
         while (true) {
-            const auto where = makePlace(toDegrees(std::asin(2 * unit() - 1)), 360 * unit() - 180);
+            const double latitude_deg = toDegrees(std::asin(2 * unit() - 1)), longitude_deg = 360 * unit() - 180;
+            const auto where = makePlace(latitude_deg, longitude_deg);
             const auto field = model.evaluate(*where, 2026.5)->field.meridian();
             if (field.horizontal_nT > kCautionHorizontal_nT)
                 return field;
@@ -164,9 +165,10 @@ Score scoreOf(Population population, bool nextDoor)
     for (int world = 0; world < kWorlds; ++world) {
         const auto here = population.place();
         auto there = population.place();
-        if (nextDoor) // H by 5 %, dip by 2°: some 300 km
-            there = MeridianField::fromDip(
-                here.horizontal_nT * (0.95 + 0.1 * population.unit()), here.inclination_rad() + toRadians(4 * population.unit() - 2));
+        if (nextDoor) { // H by 5 %, dip by 2°: some 300 km
+            const double share = 0.95 + 0.1 * population.unit(), dip_deg = 4 * population.unit() - 2;
+            there = MeridianField::fromDip(here.horizontal_nT * share, here.inclination_rad() + toRadians(dip_deg));
+        }
         population.make(here);
         const auto swing = population.swung(here, world % 2 == 0 ? 8 : 12);
         if (!swing)

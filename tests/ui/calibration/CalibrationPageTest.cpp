@@ -40,9 +40,13 @@ struct OpenCalibration {
         for (int i = 0; i < samples; ++i) {
             double b[3] = {normal(random), normal(random), flat ? 0.0 : normal(random)};
             const double size = 48 / std::hypot(b[0], b[1], b[2]);
-            text += QByteArray::number(0.1 * i) + ',' + QByteArray::number(b[0] * size + 3 + 0.05 * normal(random), 'f', 4) + ','
-                + QByteArray::number(b[1] * size - 2 + 0.05 * normal(random), 'f', 4) + ','
-                + QByteArray::number(b[2] * size + 1.5 + 0.05 * normal(random), 'f', 4) + '\n';
+            // In braces, draws come in the order in which they are written.
+            const double m[3] = {b[0] * size + 3 + 0.05 * normal(random), b[1] * size - 2 + 0.05 * normal(random),
+                b[2] * size + 1.5 + 0.05 * normal(random)};
+            text += QByteArray::number(0.1 * i);
+            for (const double one : m)
+                text += ',' + QByteArray::number(one, 'f', 4);
+            text += '\n';
         }
         QFile file(folder.filePath("log.csv"));
         if (file.open(QIODevice::WriteOnly))

@@ -26,7 +26,8 @@ TEST(Paginate, fillsPagesInOrderAndLosesNothing)
         const auto head = std::make_shared<const ui::Block>(block(10));
         std::vector<ui::Block> blocks;
         for (unsigned i = 0; i < 60; ++i) {
-            blocks.push_back(block(5.0 + bits() % 40, bits() % 7 == 0));
+            const double height = 5.0 + bits() % 40; // arguments are evaluated in any order
+            blocks.push_back(block(height, bits() % 7 == 0));
             blocks.back().newPage = bits() % 31 == 0;
             if (bits() % 2 == 0)
                 blocks.back().repeatedHead = head;
