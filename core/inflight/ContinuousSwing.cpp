@@ -27,8 +27,6 @@ StateFilter filterOf(const ContinuousOptions& options)
                          : StateFilter(static_cast<int>(5 + 2 * options.loads.size()));
 }
 
-double tailOfWindow(double sum, int window) { return cdf(complement(boost::math::chi_squared(window), sum)); }
-
 /// "A + 0.6 E", the largest first.
 std::string directionText(const StateFilter::State& direction, const std::vector<std::string>& names)
 {
@@ -77,7 +75,11 @@ ContinuousState withLoads(const ContinuousState& state, const std::vector<std::s
     return wide;
 }
 
-ContinuousSwing::ContinuousSwing(const ContinuousOptions& options) : m_options(options), m_filter(filterOf(options))
+ContinuousSwing::ContinuousSwing(const ContinuousOptions& options)
+    : m_options(options)
+    , m_filter(filterOf(options))
+    , m_watch(m_filter.states())
+    , m_previousRow(StateFilter::State::Zero(m_filter.states()))
 {
     for (const char letter : {'A', 'B', 'C', 'D', 'E'})
         m_names.emplace_back(1, letter);
@@ -168,67 +170,74 @@ void ContinuousSwing::update(double time_s, double compass_deg, double deviation
     if (innovation.told) {
         m_gated += innovation.taken ? 0 : 1;
         kept.variance = innovation.variance;
-        kept.white = std::clamp(innovation.value / std::sqrt(innovation.variance), -kGate, kGate);
+        kept.noise = variance;
         m_nis += innovation.value * innovation.value / innovation.variance;
-        watch(kept);
+        watch(kept, std::clamp(innovation.value / std::sqrt(innovation.variance), -kGate, kGate)); // one update alone names nothing
     }
     keepPoint(time_s);
 }
 
-void ContinuousSwing::watch(const Kept& kept)
+void ContinuousSwing::watch(const Kept& kept, double white)
 {
     ++m_whitened;
     for (std::size_t lag = 1; lag <= std::min(m_recent.size(), m_lags.size()); ++lag)
-        m_lags[lag - 1] += kept.white * m_recent[m_recent.size() - lag];
-    m_recent.push_back(kept.white);
+        m_lags[lag - 1] += white * m_recent[m_recent.size() - lag];
+    m_recent.push_back(white);
     if (m_recent.size() > m_lags.size())
         m_recent.pop_front();
     const double rho = correlation();
-    Kept own = kept;
+    const StateFilter::State row = kept.h / std::sqrt(kept.variance);
+    StateFilter::State whiteRow = row;
+    double whiter = white;
     if (m_whitened > 1) {
-        m_product += kept.white * m_previous;
+        m_product += white * m_previous;
         ++m_pairs;
-        if (rho > 0)
-            own.white
-                = std::clamp((kept.white - rho * m_previous) / std::sqrt(1.0 - rho * rho), -kGate, kGate); // one update alone names nothing
-    }
-    m_square += kept.white * kept.white;
-    m_previous = kept.white;
-    m_kept.push_back(std::move(own));
-    if (m_kept.size() > static_cast<std::size_t>(kWindows.back()))
-        m_kept.pop_front();
-    double sum = 0, least = 1;
-    int count = 0, best = 0;
-    for (auto one = m_kept.rbegin(); one != m_kept.rend(); ++one) {
-        sum += one->white * one->white;
-        ++count;
-        // The expectation of a window is its length: a sum below twice that, or a little more of a long one, is no news.
-        if (std::find(kWindows.begin(), kWindows.end(), count) == kWindows.end() || sum < 1.4 * count)
-            continue;
-        if (const double p = tailOfWindow(sum, count); p < least) {
-            least = p;
-            best = count;
+        if (rho > 0) { // what a change would show is whitened with it
+            const double root = std::sqrt(1.0 - rho * rho);
+            whiter = std::clamp((white - rho * m_previous) / root, -kGate, kGate);
+            whiteRow = (row - rho * m_previousRow) / root;
         }
     }
-    if (best > 0 && least < kAlarmChance)
-        raise(best, least);
+    m_square += white * white;
+    m_previous = white;
+    m_previousRow = row;
+    m_kept.push_back(kept);
+    if (m_kept.size() > static_cast<std::size_t>(InnovationWatch::kWindows.back()))
+        m_kept.pop_front();
+    if (!m_naming.empty()) {
+        constexpr std::size_t kHeadingsToName = 30;
+        m_naming.push_back(kept);
+        if (m_naming.size() >= static_cast<std::size_t>(m_alarms.back().window) + kHeadingsToName) {
+            nameChange();
+            m_naming.clear();
+        }
+    }
+    if (const auto found = m_watch.take(whiteRow, whiter)) {
+        nameChange();
+        raise(found->window, found->p);
+    }
 }
 
-/// What changed, and since when: each coefficient alone, from each update of the window on, against what it leaves of the state before it.
-void ContinuousSwing::raise(int window, double p)
+/// What changed, and since when: each coefficient alone, from each update on, against what it leaves of the state before the window. Within
+/// the few headings of its delay one may look like another, so the updates that come after the alarm have a say.
+void ContinuousSwing::nameChange()
 {
-    const auto begin = m_kept.end() - window;
-    ContinuousAlarm alarm{m_kept.back().time_s, begin->time_s, window, p, {}, 0, 0};
+    if (m_naming.empty())
+        return;
     constexpr int kFewestSince = 4;
+    ContinuousAlarm& alarm = m_alarms.back();
+    const StateFilter::State reference = m_naming.front().before;
+    const double known = m_naming.front().variance - m_naming.front().noise; // how well the state was known
     double most = -1;
     for (int i = 0; i < m_filter.states(); ++i) {
         double information = 0, product = 0;
         int count = 0;
-        for (auto one = m_kept.end(); one != begin;) {
-            --one;
-            information += one->h(i) * one->h(i) / one->variance;
-            product += one->h(i) * (one->z - one->h.dot(begin->before)) / one->variance;
-            if (++count < kFewestSince || information <= 0 || product * product / information <= most)
+        for (auto one = m_naming.rbegin(); one != m_naming.rend(); ++one) {
+            const double variance = one->noise + known;
+            information += one->h(i) * one->h(i) / variance;
+            product += one->h(i) * (one->z - one->h.dot(reference)) / variance;
+            const bool before = one->time_s <= alarm.time_s; // it began then
+            if (++count < kFewestSince || !before || information <= 0 || product * product / information <= most)
                 continue;
             most = product * product / information;
             alarm.coefficient = m_names[static_cast<std::size_t>(i)];
@@ -237,13 +246,23 @@ void ContinuousSwing::raise(int window, double p)
             alarm.since_s = one->time_s;
         }
     }
-    m_alarms.push_back(alarm);
+}
+
+void ContinuousSwing::raise(int window, double p)
+{
+    const auto begin = m_kept.end() - window;
+    m_naming.assign(begin, m_kept.end());
+    m_alarms.push_back({m_kept.back().time_s, begin->time_s, window, p, {}, 0, 0});
+    nameChange();
     m_kept.clear();
+    m_watch.forget();
     // The filter is sure of what is no more: it learns anew.
     m_filter.widen(StateFilter::State::Constant(m_filter.states(), kAfterAlarm_deg * kAfterAlarm_deg));
     constexpr std::size_t kMostAlarms = 1000;
-    if (m_alarms.size() > kMostAlarms)
+    if (m_alarms.size() > kMostAlarms) {
         m_alarms.resize(kMostAlarms);
+        m_naming.clear();
+    }
 }
 
 void ContinuousSwing::keepPoint(double time_s)
@@ -262,6 +281,7 @@ void ContinuousSwing::keepPoint(double time_s)
 ContinuousResult ContinuousSwing::finish()
 {
     endLeg();
+    nameChange();
     ContinuousResult result;
     result.names = m_names;
     result.updates = m_updates;

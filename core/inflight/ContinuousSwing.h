@@ -1,9 +1,10 @@
 #pragma once
 /// The continuous swing: A to E followed through flights against any heading reference,
 ///   δ = A + B sin ψ' + C cos ψ' + D sin 2ψ' + E cos 2ψ' + Σ I (b sin ψ' + c cos ψ'),   I the current of each electrical load [A]
-/// by a Kalman filter, with an alarm when the iron changed: χ² of the last 10, 20, 40 and 80 whitened innovations, at a chance that gives a
-/// false alarm in one of ten series of 1400 updates (simulated). Innovations that resemble their neighbours are whitened by their own
-/// correlation first, and the errors that are told widened by (1 + ρ)/(1 − ρ); a leg counts as one update.
+/// by a Kalman filter, with an alarm when the iron changed: χ² of what the last 10, 20, 40 and 80 whitened innovations say of it
+/// (InnovationWatch.h), at a chance that gives a false alarm in one of ten series of 1400 updates (simulated). Innovations that resemble
+/// their neighbours are whitened by their own correlation first, and the errors that are told widened by (1 + ρ)/(1 − ρ); a leg counts as
+/// one update.
 
 #include <array>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "core/base/Result.h"
+#include "core/inflight/InnovationWatch.h"
 #include "core/inflight/StateFilter.h"
 
 namespace lubberline {
@@ -89,20 +91,18 @@ public:
     void add(const ContinuousSample& sample);
     [[nodiscard]] ContinuousResult finish();
 
-    static constexpr std::array<int, 4> kWindows{10, 20, 40, 80};
-    /// The chance of a window at which the alarm is raised: 10 % in 1400 updates of white innovations.
-    static constexpr double kAlarmChance = 1.3e-4;
     static constexpr double kGate = 4.0;
 
 private:
     struct Kept { ///< of the last innovations
         StateFilter::State h, before;
-        double z = 0, variance = 1, white = 0, time_s = 0;
+        double z = 0, variance = 1, noise = 1, time_s = 0; ///< variance: of the innovation; noise: of z
     };
     void endLeg();
     void update(double time_s, double compass_deg, double deviation_deg, double variance, const std::vector<double>& current_A);
-    void watch(const Kept& kept);
+    void watch(const Kept& kept, double white);
     void raise(int window, double p);
+    void nameChange();
     void keepPoint(double time_s);
     [[nodiscard]] double correlation() const;
 
@@ -112,11 +112,14 @@ private:
     std::optional<double> m_last_s;
     std::int64_t m_updates = 0, m_gated = 0, m_whitened = 0, m_before = 0;
     std::deque<Kept> m_kept;
+    InnovationWatch m_watch;
+    StateFilter::State m_previousRow; ///< of the innovation before, standardised
     double m_nis = 0, m_previous = 0, m_product = 0, m_square = 0;
     std::int64_t m_pairs = 0;
     std::array<double, 10> m_lags{}; ///< Σ of products of innovations so many updates apart
     std::deque<double> m_recent;
     std::vector<ContinuousAlarm> m_alarms;
+    std::vector<Kept> m_naming; ///< from the window of the last alarm on, until what changed is named for good
     std::vector<ContinuousPoint> m_history;
     std::int64_t m_stride = 1;
     std::vector<LegMean> m_legs;
