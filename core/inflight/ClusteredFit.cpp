@@ -20,7 +20,7 @@ using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kWindColumns, 1>
 /// An eigenvalue of the scaled normal matrix below is a direction that the headings do not tell: some 6° of spread about two opposite ones.
 constexpr double kLeastTold = 0.01;
 constexpr double kSecondOrderShare = 0.1;
-constexpr int kRunOfFlights = 4;
+constexpr int kToldInARun = 12; ///< four flights of three headings, twelve of one
 constexpr std::size_t kFlightsForShared = 1500;
 
 Small full(const WindMatrix& lower, int columns)
@@ -136,36 +136,57 @@ FlightTold toldByFlight(const FlightSums& sums, double scatter, const SharedErro
     return told;
 }
 
-SharedError sharedErrorOf(std::span<const AircraftFlights> fleet)
+namespace {
+
+struct RunOfFlights {
+    std::span<const FlightSums* const> flights;
+    double scatter = 0;
+    int freedom = 0; ///< what its flights tell less what is common to them
+};
+
+/// Runs of flights that tell some coefficients more than a run has: many flights where each flew one heading.
+std::vector<RunOfFlights> runsOf(std::span<const AircraftFlights> fleet)
 {
-    struct Run {
-        std::span<const FlightSums* const> flights;
-        double scatter;
-    };
-    std::vector<Run> runs;
-    std::size_t flights = 0, used = 0;
+    std::vector<RunOfFlights> runs;
+    std::size_t flights = 0, turn = 0;
     for (const auto& aircraft : fleet)
         flights += aircraft.flights.size();
     const std::size_t stride = std::max<std::size_t>(1, flights / kFlightsForShared);
-    std::size_t turn = 0;
+    const auto told = [](const WindMatrix& normal) { return static_cast<int>(toldDirections(full(normal, 3)).cols()); };
     for (const auto& aircraft : fleet) {
         const std::span<const FlightSums* const> all(aircraft.flights);
-        for (std::size_t begin = 0; begin + 1 < all.size(); begin += kRunOfFlights) {
-            std::size_t length = std::min<std::size_t>(kRunOfFlights, all.size() - begin);
-            if (begin + length + 1 == all.size())
-                ++length; // none is left alone
-            if (turn++ % stride == 0) {
-                runs.push_back({all.subspan(begin, length), aircraft.scatter});
-                used += length;
+        int left = 0; // that the flights from here on tell
+        for (const FlightSums* flight : all)
+            left += told(flight->normal);
+        for (std::size_t begin = 0; begin < all.size();) {
+            std::size_t end = begin;
+            int own = 0;
+            WindMatrix normal = WindMatrix::Zero();
+            // What would be left of too few goes with the run before.
+            while (end < all.size() && (own < kToldInARun || left < kToldInARun / 2)) {
+                const int one = told(all[end]->normal);
+                own += one;
+                left -= one;
+                normal += all[end++]->normal;
             }
-            if (begin + length == all.size())
-                break;
+            if (const int freedom = own - told(normal); freedom > 0 && turn++ % stride == 0)
+                runs.push_back({all.subspan(begin, end - begin), aircraft.scatter, freedom});
+            begin = end;
         }
     }
+    return runs;
+}
+
+} // namespace
+
+SharedError sharedErrorOf(std::span<const AircraftFlights> fleet)
+{
+    const std::vector<RunOfFlights> runs = runsOf(fleet);
     SharedError best;
     if (runs.empty())
         return best;
-    best.freedom = static_cast<double>(used - runs.size());
+    for (const auto& run : runs)
+        best.freedom += run.freedom;
     const auto value = [&](double offset_deg, double sine_deg) {
         double sum = 0;
         for (const auto& run : runs)

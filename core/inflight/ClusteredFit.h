@@ -15,7 +15,7 @@ namespace lubberline {
 struct SharedError {
     double offset_deg = 0; ///< of c
     double sine_deg = 0;   ///< of a and of b; a tenth of it stands in each of the second order
-    double freedom = 0;    ///< of its estimate: that the flights give
+    double freedom = 0;    ///< of its estimate: how many more coefficients the flights tell than they have in common; 0: none is known
 };
 
 /// What a flight tells of the coefficients.

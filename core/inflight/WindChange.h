@@ -17,7 +17,7 @@ struct WindChange {
     WindRow step_deg = WindRow::Zero(); ///< after − before, of the indication error
 };
 
-/// @param flights in order of time, of three columns. @param freedom of the errors that flights share; 0: known
+/// @param flights in order of time, of three columns. @param freedom of the estimate of the errors that flights share; 0: they are known
 [[nodiscard]] std::optional<WindChange> largestChange(std::span<const FlightTold> flights, const ClusteredFit& fit, double freedom);
 
 } // namespace lubberline

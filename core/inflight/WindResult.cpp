@@ -63,7 +63,7 @@ void changesWithin(std::span<const FlightSums* const> flights, std::size_t from,
 {
     const auto told = toldBy(flights, scatter, shared, 3);
     const ClusteredFit fit = fitFlights(told, together(flights), 3, true);
-    const auto change = largestChange(told, fit, shared.freedom * 3);
+    const auto change = largestChange(told, fit, shared.freedom);
     if (!change || change->p > limit)
         return;
     found.emplace_back(from + change->after, *change);
@@ -141,9 +141,9 @@ std::vector<bool> WindStudy::changed(const std::vector<const Aircraft*>& all, co
         for (const auto* flight : inOrder(*aircraft))
             flights.push_back(&flight->sums);
         double p = 1;
-        if (flights.size() > 2) {
+        if (flights.size() > 2 && shared.freedom > 0) {
             const auto told = toldBy(flights, scatterWithin(flights, 3), shared, 3);
-            if (const auto change = largestChange(told, fitFlights(told, together(flights), 3, true), 3 * shared.freedom))
+            if (const auto change = largestChange(told, fitFlights(told, together(flights), 3, true), shared.freedom))
                 p = change->p;
         }
         chances.push_back(p);
