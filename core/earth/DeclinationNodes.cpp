@@ -9,6 +9,9 @@ namespace {
 constexpr double kCruise_m = 8000.0;
 constexpr double kNodesUpTo_deg = 75.0;
 
+/// wrap180(), whose remainder is only needed where there is something to wrap.
+double turned(double angle_deg) { return angle_deg > -180.0 && angle_deg <= 180.0 ? angle_deg : wrap180(angle_deg); }
+
 } // namespace
 
 std::optional<double> DeclinationNodes::fromModel(double latitude_deg, double longitude_deg, double year)
@@ -59,9 +62,9 @@ std::optional<double> DeclinationNodes::at(double latitude_deg, double longitude
         if (!m_corner[corner].told)
             return fromModel(latitude_deg, longitude_deg, year);
         const double weight = (corner / 2 ? north : 1.0 - north) * (corner % 2 ? east : 1.0 - east);
-        sum += weight * wrap180(value(corner) - value(0)); // on either side of 180°
+        sum += weight * turned(value(corner) - value(0)); // on either side of 180°
     }
-    return wrap180(value(0) + sum);
+    return turned(value(0) + sum);
 }
 
 } // namespace lubberline

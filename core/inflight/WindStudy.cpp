@@ -195,9 +195,7 @@ void WindStudy::tellSource(const WindReport& report, const Use& use, double erro
 void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& report, const Use& use)
 {
     const double airspeed = use.air.norm();
-    // From the reference to the reading, clockwise: the angle between both air velocities.
-    const double cross = use.airReference.y() * use.air.x() - use.airReference.x() * use.air.y();
-    const double error_deg = toDegrees(std::atan2(cross, use.airReference.dot(use.air)));
+    const double error_deg = turnBetween_deg(use.airReference, use.air); // from the reference to the reading
     double sine = use.air.x() / airspeed, cosine = use.air.y() / airspeed;
     const Eigen::Vector2d right(cosine, -sine);
     FlightSums::Report one;
@@ -205,9 +203,9 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
         ? m_declination.at(report.latitude_deg, report.longitude_deg, yearAt(report.time_s))
         : std::nullopt;
     if (declination_deg) {
-        const double turn = toRadians(*declination_deg), s = std::sin(turn), c = std::cos(turn), trueSine = sine;
-        sine = sine * c - cosine * s; // of heading − D
-        cosine = cosine * c + trueSine * s;
+        const SineCosine turn = quickSineCosineOfDegrees(*declination_deg), heading{sine, cosine};
+        sine = heading.sine * turn.cosine - heading.cosine * turn.sine; // of heading − D
+        cosine = heading.cosine * turn.cosine + heading.sine * turn.sine;
         aircraft.declinations += *declination_deg;
         aircraft.declinationSquares += *declination_deg * *declination_deg;
         aircraft.declinationErrors += *declination_deg * error_deg;
@@ -219,7 +217,7 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
         ++flight.sums.withoutTold;
     }
     const WindRow row = windRow(sine, cosine);
-    const double read_deg = wrap360(toDegrees(std::atan2(sine, cosine)));
+    const double read_deg = directionNearly_deg(sine, cosine);
     WindSector& sector = aircraft.sectors[static_cast<std::size_t>(read_deg / 10.0) % aircraft.sectors.size()];
     ++sector.count;
     sector.heading_deg += read_deg;
@@ -234,8 +232,7 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
     const double robust = std::abs(off) > limit ? limit / std::abs(off) : 1.0;
     ++flight.levelled;
     flight.level_deg = level + std::clamp(off, -limit, limit) / static_cast<double>(flight.levelled);
-    aircraft.median_deg
-        *= std::exp((std::abs(off) > aircraft.median_deg ? 1.0 : -1.0) / (10.0 + std::pow(static_cast<double>(aircraft.used), 0.7)));
+    aircraft.moveMedian(std::abs(off));
 
     // A reference wind is wrong by some 5 kt: what positions add to that makes a report count less.
     const double share

@@ -2,6 +2,7 @@
 /// Private to the winds: what is kept of an aircraft while its reports go by.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/inflight/WindStudy.h"
@@ -37,6 +38,8 @@ struct WindStudy::Aircraft {
     WindRow running = WindRow::Zero(); ///< fit so far [deg]
     std::int64_t refitAt = 32;
     double median_deg = 1.5; ///< of what is left, running
+    double medianUp = 1;     ///< the factor by which it moves; as good as the same for some reports on end
+    std::int64_t medianMovedAnew = 0;
     WindSense sense;
     // Headings of their own column, held against the reported winds.
     double headingOff = 0, headingOffMagnetic = 0;
@@ -64,6 +67,16 @@ struct WindStudy::Aircraft {
             dots[i] = dots[2 * i];
         dots.resize(dots.size() / 2);
         dotStride *= 2;
+    }
+
+    /// By a step that shrinks with the reports that were used.
+    void moveMedian(double off_deg)
+    {
+        if (used >= medianMovedAnew) {
+            medianUp = std::exp(1.0 / (10.0 + std::pow(static_cast<double>(used), 0.7)));
+            medianMovedAnew = used + 1 + used / 64;
+        }
+        median_deg = off_deg > median_deg ? median_deg * medianUp : median_deg / medianUp;
     }
 
     void add(const FlightSums::Report& report)
