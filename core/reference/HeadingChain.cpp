@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angle/Angle.h"
+#include "core/angle/QuickAngle.h"
 #include "core/reference/DirectionalGyro.h"
 
 namespace lubberline {
@@ -35,90 +36,92 @@ MeridianField meridianOf(const Scenario& scenario)
 
 } // namespace
 
-std::vector<TurnedBy> bodyAttitudes(const Motion& motion)
+void bodyAttitudes(MotionPart points, std::vector<TurnedBy>& attitudes)
 {
-    std::vector<TurnedBy> attitudes(motion.points.size());
+    attitudes.resize(points.size());
     for (std::size_t i = 0; i < attitudes.size(); ++i) {
-        const MotionPoint& point = motion.points[i];
+        const MotionPoint& point = points[i];
         TurnedBy& by = attitudes[i];
-        const double gravity = point.gravity_m_s2(), bank = 1 / std::hypot(point.starboard_m_s2, gravity);
-        by.sinRoll = point.starboard_m_s2 * bank;
-        by.cosRoll = gravity * bank;
+        const double gravity = point.gravity_m_s2(), bank = 1 / std::sqrt(point.starboard_m_s2 * point.starboard_m_s2 + gravity * gravity);
+        by = {0, 1, point.starboard_m_s2 * bank, gravity * bank};
         if (point.climb_m_s != 0) {
             by.sinPitch = std::clamp(point.climb_m_s / std::max(point.speed_m_s, 1e-9), -1.0, 1.0);
             by.cosPitch = std::sqrt(1 - by.sinPitch * by.sinPitch);
         }
     }
-    return attitudes;
 }
 
-std::vector<TurnedBy> hangingAttitudes(const Motion& motion)
+void hangingAttitudes(MotionPart points, std::vector<TurnedBy>& attitudes)
 {
-    std::vector<TurnedBy> attitudes(motion.points.size());
+    attitudes.resize(points.size());
     for (std::size_t i = 0; i < attitudes.size(); ++i) {
-        const MotionPoint& point = motion.points[i];
+        const MotionPoint& point = points[i];
         // Its z axis lies along (−forward, −starboard, gravity), and is (sin θ cos φ, −sin φ, cos θ cos φ).
         const double forward = point.sensedForward_m_s2(), starboard = point.sensedStarboard_m_s2(), gravity = point.gravity_m_s2();
         const double fore = std::sqrt(forward * forward + gravity * gravity), whole = std::sqrt(fore * fore + starboard * starboard);
         attitudes[i] = {-forward / fore, gravity / fore, starboard / whole, fore / whole};
     }
-    return attitudes;
 }
 
-std::vector<TurnedBy> platformAttitudes(const std::vector<AxisTilt>& tilt)
+void platformAttitudes(const std::vector<AxisTilt>& tilt, std::vector<TurnedBy>& attitudes)
 {
-    std::vector<TurnedBy> attitudes(tilt.size());
+    attitudes.resize(tilt.size());
     std::transform(tilt.begin(), tilt.end(), attitudes.begin(), [](const AxisTilt& axis) {
-        return TurnedBy{
-            -std::sin(axis.forward_rad), std::cos(axis.forward_rad), std::sin(axis.starboard_rad), std::cos(axis.starboard_rad)};
+        const SineCosine pitch = quickSineCosine(axis.forward_rad), roll = quickSineCosine(axis.starboard_rad);
+        return TurnedBy{-pitch.sine, pitch.cosine, roll.sine, roll.cosine};
     });
-    return attitudes;
 }
 
-std::vector<double> sensorErrors(const Scenario& scenario, const Motion& motion, const std::vector<TurnedBy>& body,
-    const std::vector<TurnedBy>& sensor, bool deviation, bool& vanished)
+MagneticSensor::MagneticSensor(const Scenario& scenario, bool deviation)
+    : m_iron(deviation && scenario.compass.model)
+    , m_response(m_iron ? responseOf(*scenario.compass.model) : SensorResponse{})
+    , m_field(meridianOf(scenario))
+    , m_smallest(1e-9 * (m_response.gain.norm() * m_field.total_nT() + m_response.offset_nT.norm()))
 {
-    std::vector<double> errors(motion.points.size(), 0.0);
-    const bool iron = deviation && scenario.compass.model;
-    if (!iron && sensor.empty())
-        return errors;
-    const SensorResponse response = iron ? responseOf(*scenario.compass.model) : SensorResponse{};
-    const MeridianField field = meridianOf(scenario);
-    const double smallest = 1e-9 * (response.gain.norm() * field.total_nT() + response.offset_nT.norm());
-    double last = 0;
+}
+
+void MagneticSensor::take(MotionPart points, const std::vector<TurnedBy>& body, std::span<const TurnedBy> sensor, ErrorSeries& errors)
+{
+    errors.assign(points.size(), 0.0);
+    if (!m_iron && sensor.empty())
+        return;
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        const MotionPoint& point = motion.points[i];
-        Eigen::Vector3d seen(field.horizontal_nT * point.cosHeading, -field.horizontal_nT * point.sinHeading, field.down_nT);
-        if (iron)
-            seen = outOf(body[i], response.gain * into(body[i], seen) + response.offset_nT);
+        const MotionPoint& point = points[i];
+        Eigen::Vector3d seen(m_field.horizontal_nT * point.cosHeading, -m_field.horizontal_nT * point.sinHeading, m_field.down_nT);
+        if (m_iron)
+            seen = outOf(body[i], m_response.gain * into(body[i], seen) + m_response.offset_nT);
         if (!sensor.empty())
             seen = into(sensor[i], seen);
         // Read heading less true heading, by one arctangent.
         const double north = seen.x() * point.cosHeading - seen.y() * point.sinHeading;
         const double east = -seen.y() * point.cosHeading - seen.x() * point.sinHeading;
-        if (std::abs(north) + std::abs(east) <= smallest)
-            vanished = true;
+        if (std::abs(north) + std::abs(east) <= m_smallest)
+            m_vanished = true;
         else
-            last = std::atan2(east, north);
-        errors[i] = last;
+            m_last = quickArctangent(east, north);
+        errors[i] = m_last;
     }
-    return errors;
 }
 
-std::vector<double> throughCard(const CardInLiquid& card, double step_s, const Motion& motion, const std::vector<TurnedBy>& body,
-    const std::vector<TurnedBy>& sensor, const std::vector<double>& sensor_rad)
+void LiquidCard::take(MotionPart points, const std::vector<TurnedBy>& body, std::span<const TurnedBy> sensor, const ErrorSeries& sensor_rad,
+    ErrorSeries& errors)
 {
-    std::vector<double> errors(sensor_rad.size());
-    const double natural = 2 * kPi / card.period_s, twice = 2 * card.damping * natural;
-    const int count = std::clamp(static_cast<int>(std::ceil(step_s * std::max(natural, twice) * 20)), 1, 1000);
-    const double dt = step_s / count, keep = card.liquidLag_s > 0 ? std::exp(-dt / card.liquidLag_s) : 0.0;
-    const double decay = std::exp(-twice * dt), stop = card.stop_deg ? std::cos(toRadians(*card.stop_deg)) : -2;
-    double error = sensor_rad.front(), rate = 0, liquid = motion.points.front().turnRate_rad_s;
+    errors.resize(points.size());
+    const double natural = 2 * kPi / m_card.period_s, twice = 2 * m_card.damping * natural;
+    const int count = std::clamp(static_cast<int>(std::ceil(m_step_s * std::max(natural, twice) * 20)), 1, 1000);
+    const double dt = m_step_s / count, keep = m_card.liquidLag_s > 0 ? std::exp(-dt / m_card.liquidLag_s) : 0.0;
+    const double decay = std::exp(-twice * dt), stop = m_card.stop_deg ? std::cos(toRadians(*m_card.stop_deg)) : -2;
+    if (!m_begun && !points.empty()) {
+        m_error = sensor_rad.front();
+        m_liquid = points.front().turnRate_rad_s;
+        m_begun = true;
+    }
+    double error = m_error, rate = m_rate, liquid = m_liquid;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         errors[i] = error = wrapped(error);
-        const double turn = motion.points[i].turnRate_rad_s;
+        const double turn = points[i].turnRate_rad_s;
         bool binds = false;
-        if (card.stop_deg && !sensor.empty()) { // between the card's plane and the bowl's
+        if (m_card.stop_deg && !sensor.empty()) { // between the card's plane and the bowl's
             const TurnedBy &of = sensor[i], &bowl = body[i];
             const double cosine = of.sinPitch * of.cosRoll * bowl.sinPitch * bowl.cosRoll + of.sinRoll * bowl.sinRoll
                 + of.cosPitch * of.cosRoll * bowl.cosPitch * bowl.cosRoll;
@@ -129,40 +132,42 @@ std::vector<double> throughCard(const CardInLiquid& card, double step_s, const M
             if (binds) {
                 rate = -turn;
             } else {
-                const double settled = -liquid - natural * natural / twice * std::sin(error - sensor_rad[i]);
-                rate = twice > 0 ? settled + (rate - settled) * decay : rate - natural * natural * std::sin(error - sensor_rad[i]) * dt;
+                const double pull = natural * natural * quickSineCosine(error - sensor_rad[i]).sine;
+                rate = twice > 0 ? -liquid - pull / twice + (rate + liquid + pull / twice) * decay : rate - pull * dt;
             }
             error += rate * dt;
         }
     }
-    return errors;
+    m_error = error;
+    m_rate = rate;
+    m_liquid = liquid;
 }
 
-std::vector<double> driftOf(const Scenario& scenario, const HeadingGyro& gyro, const Motion& motion)
+void driftOf(const Scenario& scenario, const HeadingGyro& gyro, MotionPart points, std::vector<double>& drift)
 {
     const auto perHour = [](double rate_deg_h) { return toRadians(rate_deg_h) / 3600; };
-    std::vector<double> drift(motion.points.size(), perHour(gyro.drift_deg_h));
+    drift.assign(points.size(), perHour(gyro.drift_deg_h));
     const double unbalance = perHour(gyro.accelerationDrift.unbalance_deg_h_g);
     const double anisoelastic = perHour(gyro.accelerationDrift.anisoelastic_deg_h_g2);
+    const double latitude = toRadians(scenario.latitude_deg);
     const bool meridians = std::abs(scenario.latitude_deg) <= kPoleward_deg;
+    const double still = apparentDrift_rad_s(latitude, 0), perSpeed = meridians ? apparentDrift_rad_s(latitude, 1) - still : 0;
     for (std::size_t i = 0; i < drift.size(); ++i) {
-        const MotionPoint& point = motion.points[i];
+        const MotionPoint& point = points[i];
         const double along = point.sensedForward_m_s2() / kGravity_m_s2;
         drift[i] += unbalance * along + anisoelastic * along * point.gravity_m_s2() / kGravity_m_s2;
         if (gyro.apparentDrift)
-            drift[i] += meridians ? apparentDrift_rad_s(toRadians(scenario.latitude_deg), point.speed_m_s * point.sinHeading)
-                                  : -kEarthRate_rad_s * std::sin(toRadians(scenario.latitude_deg));
+            drift[i] += still + perSpeed * point.speed_m_s * point.sinHeading;
     }
-    return drift;
 }
 
-std::vector<double> gimbalErrors(const HeadingGyro& gyro, const Motion& motion, const std::vector<TurnedBy>& body)
+void gimbalErrors(const HeadingGyro& gyro, MotionPart points, const std::vector<TurnedBy>& body, ErrorSeries& errors)
 {
-    std::vector<double> errors(motion.points.size(), 0.0);
+    errors.assign(points.size(), 0.0);
     const double tilt = toRadians(gyro.outerAxisTilt_deg), sinTilt = std::sin(tilt), cosTilt = std::cos(tilt);
     const double sinSpin = std::sin(toRadians(gyro.spinAxis_deg)), cosSpin = std::cos(toRadians(gyro.spinAxis_deg));
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        const MotionPoint& point = motion.points[i];
+        const MotionPoint& point = points[i];
         TurnedBy axis = gyro.levelOuterAxis ? TurnedBy{} : body[i];
         axis = {
             axis.sinPitch, axis.cosPitch, axis.sinRoll * cosTilt + axis.cosRoll * sinTilt, axis.cosRoll * cosTilt - axis.sinRoll * sinTilt};
@@ -171,40 +176,47 @@ std::vector<double> gimbalErrors(const HeadingGyro& gyro, const Motion& motion, 
         const double sine = point.sinHeading * cosSpin - point.cosHeading * sinSpin,
                      cosine = point.cosHeading * cosSpin + point.sinHeading * sinSpin;
         const double east = axis.cosRoll * sine - axis.sinRoll * axis.sinPitch * cosine, north = axis.cosPitch * cosine;
-        errors[i] = std::atan2(east * cosine - north * sine, north * cosine + east * sine);
+        errors[i] = quickArctangent(east * cosine - north * sine, north * cosine + east * sine);
     }
-    return errors;
 }
 
-std::vector<double> throughGyro(const HeadingGyro& gyro, bool slaved, double step_s, const Motion& motion,
-    const std::vector<double>& drift_rad_s, const std::vector<double>& sensor_rad)
+ShownByGyro::ShownByGyro(const HeadingGyro& gyro, bool slaved, double step_s)
+    : m_slaved(slaved)
+    , m_step_s(step_s)
+    , m_tau_s(gyro.slavingTau_s.value_or(0))
+    , m_follow(m_tau_s > 0 ? -std::expm1(-step_s / m_tau_s) : 0)
+    , m_fastAbove(toRadians(gyro.fastAbove_deg.value_or(360)))
+    , m_cutout(toRadians(gyro.cutoutTurnRate_deg_s.value_or(1e9)))
+    , m_error(wrapped(toRadians(gyro.initialError_deg)))
 {
-    std::vector<double> errors(sensor_rad.size());
-    const double tau = gyro.slavingTau_s.value_or(0), follow = tau > 0 ? -std::expm1(-step_s / tau) : 0;
     const auto perStep = [step_s](double rate_deg_min) { return toRadians(rate_deg_min) / 60 * step_s; };
-    const double most = gyro.slavingRate_deg_min ? perStep(*gyro.slavingRate_deg_min) : kPi;
-    const double fast = perStep(gyro.fastRate_deg_min), fastAbove = toRadians(gyro.fastAbove_deg.value_or(360));
-    const double cutout = toRadians(gyro.cutoutTurnRate_deg_s.value_or(1e9));
-    double error = wrapped(toRadians(gyro.initialError_deg));
+    m_most = gyro.slavingRate_deg_min ? perStep(*gyro.slavingRate_deg_min) : kPi;
+    m_fast = perStep(gyro.fastRate_deg_min);
+}
+
+void ShownByGyro::take(MotionPart points, std::span<const double> drift_rad_s, const ErrorSeries& sensor_rad, ErrorSeries& errors)
+{
+    errors.resize(points.size());
+    double error = m_error;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         errors[i] = error;
         const double drift = drift_rad_s.empty() ? 0 : drift_rad_s[i];
-        if (!slaved || std::abs(motion.points[i].turnRate_rad_s) > cutout) {
-            error = wrapped(error + drift * step_s);
+        if (!m_slaved || std::abs(points[i].turnRate_rad_s) > m_cutout) {
+            error = wrapped(error + drift * m_step_s);
             continue;
         }
         const double behind = wrapped(sensor_rad[i] - error);
-        if (tau > 0 && std::abs(behind) <= fastAbove) {
+        if (m_tau_s > 0 && std::abs(behind) <= m_fastAbove) {
             // Exact over the step, where the rate is not limited.
-            const double step = (behind + tau * drift) * follow, slaving = step - drift * step_s;
-            error = wrapped(error + (std::abs(slaving) <= most ? step : std::copysign(most, behind) + drift * step_s));
+            const double step = (behind + m_tau_s * drift) * m_follow, slaving = step - drift * m_step_s;
+            error = wrapped(error + (std::abs(slaving) <= m_most ? step : std::copysign(m_most, behind) + drift * m_step_s));
             continue;
         }
-        const double reach = std::abs(behind) > fastAbove ? fast : most;
-        const double wanted = behind - drift * step_s;
-        error = wrapped(error + std::clamp(wanted, -reach, reach) + drift * step_s);
+        const double reach = std::abs(behind) > m_fastAbove ? m_fast : m_most;
+        const double wanted = behind - drift * m_step_s;
+        error = wrapped(error + std::clamp(wanted, -reach, reach) + drift * m_step_s);
     }
-    return errors;
+    m_error = error;
 }
 
 } // namespace lubberline

@@ -2,11 +2,13 @@
 /// From the magnetic sensor to the heading that is shown, a function a stage. All errors are read − magnetic [rad], (−π, π], one at
 /// every point of the motion.
 
-#include <optional>
+#include <span>
 #include <vector>
 
+#include "core/earth/EarthField.h"
 #include "core/reference/Motion.h"
 #include "core/reference/VerticalRun.h"
+#include "core/sensor/SensorModel.h"
 
 namespace lubberline {
 
@@ -15,30 +17,64 @@ struct TurnedBy {
     double sinPitch = 0, cosPitch = 1, sinRoll = 0, cosRoll = 1;
 };
 
-/// The aircraft's attitude: the bank of its turn, the pitch of its climb.
-[[nodiscard]] std::vector<TurnedBy> bodyAttitudes(const Motion& motion);
-/// Of a sensor that hangs freely.
-[[nodiscard]] std::vector<TurnedBy> hangingAttitudes(const Motion& motion);
-/// Of a sensor on a platform with this tilt.
-[[nodiscard]] std::vector<TurnedBy> platformAttitudes(const std::vector<AxisTilt>& tilt);
+/// Points of a motion that follow one another, a part of the flight: each stage takes part after part and fills a figure for each point.
+using MotionPart = std::span<const MotionPoint>;
+using ErrorSeries = std::vector<double>;
 
-/// What the sensor reads: the aircraft's iron turns with the aircraft. @param sensor empty: level.
-/// @param vanished  set where no horizontal field was left; what was read before stays.
-[[nodiscard]] std::vector<double> sensorErrors(const Scenario& scenario, const Motion& motion, const std::vector<TurnedBy>& body,
-    const std::vector<TurnedBy>& sensor, bool deviation, bool& vanished);
+/// The aircraft's attitude: the bank of its turn, the pitch of its climb.
+void bodyAttitudes(MotionPart points, std::vector<TurnedBy>& attitudes);
+/// Of a sensor that hangs freely.
+void hangingAttitudes(MotionPart points, std::vector<TurnedBy>& attitudes);
+/// Of a sensor on a platform with this tilt.
+void platformAttitudes(const std::vector<AxisTilt>& tilt, std::vector<TurnedBy>& attitudes);
+
+/// What the sensor reads: the aircraft's iron turns with the aircraft.
+class MagneticSensor {
+public:
+    MagneticSensor(const Scenario& scenario, bool deviation);
+    /// @param sensor empty: level
+    void take(MotionPart points, const std::vector<TurnedBy>& body, std::span<const TurnedBy> sensor, ErrorSeries& errors);
+    /// No horizontal field was left at times: what was read before stays.
+    [[nodiscard]] bool vanished() const { return m_vanished; }
+
+private:
+    bool m_iron, m_vanished = false;
+    SensorResponse m_response;
+    MeridianField m_field;
+    double m_smallest, m_last = 0;
+};
 
 /// The card in its liquid [own]: ë + 2ζω(ė + ω_liquid) + ω² sin(e − e_m) = 0, τ_L ω̇_liquid = ψ̇ − ω_liquid; where it binds it turns with
 /// the bowl. It begins at rest where the magnet points.
-[[nodiscard]] std::vector<double> throughCard(const CardInLiquid& card, double step_s, const Motion& motion,
-    const std::vector<TurnedBy>& body, const std::vector<TurnedBy>& sensor, const std::vector<double>& sensor_rad);
+class LiquidCard {
+public:
+    LiquidCard(const CardInLiquid& card, double step_s) : m_card(card), m_step_s(step_s) {}
+    void take(MotionPart points, const std::vector<TurnedBy>& body, std::span<const TurnedBy> sensor, const ErrorSeries& sensor_rad,
+        ErrorSeries& errors);
+
+private:
+    const CardInLiquid& m_card;
+    double m_step_s;
+    bool m_begun = false;
+    double m_error = 0, m_rate = 0, m_liquid = 0;
+};
 
 /// Drift of a gyro's reading at every point [rad/s].
-[[nodiscard]] std::vector<double> driftOf(const Scenario& scenario, const HeadingGyro& gyro, const Motion& motion);
+void driftOf(const Scenario& scenario, const HeadingGyro& gyro, MotionPart points, std::vector<double>& drift);
 /// Gimbal error of the outer axis that is the body's z axis, tilted to starboard by what the gyro says.
-[[nodiscard]] std::vector<double> gimbalErrors(const HeadingGyro& gyro, const Motion& motion, const std::vector<TurnedBy>& body);
+void gimbalErrors(const HeadingGyro& gyro, MotionPart points, const std::vector<TurnedBy>& body, ErrorSeries& errors);
 
-/// Slaved: τ_s ė + e = e_m + τ_s d, no faster than its rate; free: ė = d. @param drift_rad_s empty: none.
-[[nodiscard]] std::vector<double> throughGyro(const HeadingGyro& gyro, bool slaved, double step_s, const Motion& motion,
-    const std::vector<double>& drift_rad_s, const std::vector<double>& sensor_rad);
+/// Slaved: τ_s ė + e = e_m + τ_s d, no faster than its rate; free: ė = d.
+class ShownByGyro {
+public:
+    ShownByGyro(const HeadingGyro& gyro, bool slaved, double step_s);
+    /// @param drift_rad_s empty: none
+    void take(MotionPart points, std::span<const double> drift_rad_s, const ErrorSeries& sensor_rad, ErrorSeries& errors);
+
+private:
+    bool m_slaved;
+    double m_step_s, m_tau_s, m_follow, m_most, m_fast, m_fastAbove, m_cutout;
+    double m_error;
+};
 
 } // namespace lubberline

@@ -2,6 +2,8 @@
 /// Where a scenario takes the aircraft, step by step.
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "core/base/Message.h"
@@ -35,5 +37,31 @@ struct Motion {
 inline constexpr double kPoleward_deg = 89;
 
 [[nodiscard]] Motion motionOf(const Scenario& scenario);
+
+/// The same, some points after others: a long flight is carried through its instruments in parts that stay near the processor.
+class MotionParts {
+public:
+    explicit MotionParts(const Scenario& scenario);
+    ~MotionParts();
+    /// All points, whether they were made or not.
+    [[nodiscard]] std::size_t size() const { return m_size; }
+    /// The next ones, at most so many; none: the flight is over.
+    void next(std::vector<MotionPoint>& points, std::size_t most);
+    /// Of what was flown so far.
+    [[nodiscard]] std::vector<Message> warnings() const;
+
+private:
+    void takeManoeuvres(std::vector<MotionPoint>& points) const;
+    void takeGusts(std::vector<MotionPoint>& points);
+    void fly(std::vector<MotionPoint>& points);
+
+    const Scenario& m_scenario;
+    std::size_t m_size, m_from = 0;
+    struct Random; ///< gusts that are not regular
+    std::unique_ptr<Random> m_gusts;
+    double m_heading_rad, m_speed_m_s;
+    bool m_stood = false; ///< it came to a stand and was told to go slower still
+    double m_fastest_m_s = 0, m_turning_rad_s = 0, m_pulled2_m2_s4 = 0;
+};
 
 } // namespace lubberline

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
@@ -12,13 +13,15 @@ namespace {
 
 constexpr double kStop_rad = kPi / 2;
 
+double perHour(double rate_deg_h) { return toRadians(rate_deg_h) / 3600; }
+
+} // namespace
+
 /// What acts on the axis in a step: along the heading.
 struct Acting {
     AxisTilt apparent;      ///< tilt of the vertical that is sensed, a/g
     AxisTilt driftLessRate; ///< ω_D − θ̇
 };
-
-double perHour(double rate_deg_h) { return toRadians(rate_deg_h) / 3600; }
 
 class ActingForces {
 public:
@@ -57,6 +60,8 @@ private:
     const VerticalGyro& m_gyro;
     double m_earth, m_drift, m_turnError, m_unbalance, m_anisoelastic;
 };
+
+namespace {
 
 /// The same vector in north and east, where a gyro stays while the aircraft turns.
 AxisTilt toNorthEast(const AxisTilt& tilt, const MotionPoint& point)
@@ -97,6 +102,8 @@ double torqued(const VerticalGyro& gyro, bool fast, const LoopState& state)
     const double most = perMinute(gyro.rateLimit_deg_min.value_or(gyro.reverseLimit_deg_min.value_or(0)));
     return std::clamp(rate, -most, gyro.reverseLimit_deg_min ? perMinute(*gyro.reverseLimit_deg_min) : most);
 }
+
+} // namespace
 
 /// Sensor and torques are fixed in the aircraft, the gyro's axis is not: the sensor's state turns with it.
 class ShortSteps {
@@ -142,75 +149,109 @@ private:
     double m_short_s = 0, m_forget = 0;
 };
 
+namespace {
+
 AxisTilt stopped(AxisTilt tilt, bool& atStop)
 {
-    const double size = std::hypot(tilt.forward_rad, tilt.starboard_rad);
-    if (size <= kStop_rad)
+    const double square = tilt.forward_rad * tilt.forward_rad + tilt.starboard_rad * tilt.starboard_rad;
+    if (square <= kStop_rad * kStop_rad)
         return tilt;
     atStop = true;
+    const double size = std::sqrt(square);
     return {tilt.forward_rad * kStop_rad / size, tilt.starboard_rad * kStop_rad / size};
 }
 
 } // namespace
 
-VerticalRun verticalRun(const Scenario& scenario, const VerticalGyro& gyro, const Motion& motion)
-{
-    VerticalRun run;
-    run.tilt.reserve(motion.points.size());
-    const ActingForces forces(scenario, gyro);
-    const double step = scenario.step_s;
-    const LinearLoop linear(gyro, step);
-    const ShortSteps shortSteps(gyro, step);
-    const bool shortly = needsShortSteps(gyro);
+struct VerticalRun::State {
+    State(const Scenario& scenario, const VerticalGyro& vertical)
+        : gyro(vertical)
+        , step_s(scenario.step_s)
+        , forces(scenario, vertical)
+        , linear(vertical, scenario.step_s)
+        , shortSteps(vertical, scenario.step_s)
+        , shortly(needsShortSteps(vertical))
+    {
+    }
+    const VerticalGyro& gyro;
+    double step_s;
+    ActingForces forces;
+    LinearLoop linear;
+    ShortSteps shortSteps;
+    bool shortly;
+    std::size_t taken = 0;
     LoopState north, east;        // of the axis in north and east
     LoopState forward, starboard; // of what is fixed in the aircraft: m and ∫m
-    const AxisTilt initial = toNorthEast({toRadians(gyro.initialTilt_deg), 0}, motion.points.front());
-    north.tilt_rad = initial.forward_rad;
-    east.tilt_rad = initial.starboard_rad;
     std::optional<double> stopAt_s;
-    double largest = 0;
-    for (std::size_t i = 0; i < motion.points.size(); ++i) {
-        const MotionPoint& point = motion.points[i];
-        bool atStop = false;
-        const AxisTilt now = stopped({north.tilt_rad, east.tilt_rad}, atStop);
-        if (atStop && !stopAt_s)
-            stopAt_s = static_cast<double>(i) * step;
-        run.tilt.push_back(toHeading(now, point));
-        north.tilt_rad = now.forward_rad;
-        east.tilt_rad = now.starboard_rad;
-        if (atStop) { // what the loop remembers of a gyro at its stop is not its tilt
-            north.integral_rad_s = east.integral_rad_s = forward.integral_rad_s = starboard.integral_rad_s = 0;
-            north.sensed_rad = std::clamp(north.sensed_rad, -kStop_rad, kStop_rad);
-            east.sensed_rad = std::clamp(east.sensed_rad, -kStop_rad, kStop_rad);
-        }
-        const Acting acting = forces.at(point);
-        largest = std::max(largest, std::hypot(acting.apparent.forward_rad, acting.apparent.starboard_rad));
-        if (shortly) {
-            const bool fast = static_cast<double>(i) * step < gyro.fastUntil_s;
-            forward.tilt_rad = run.tilt.back().forward_rad;
-            starboard.tilt_rad = run.tilt.back().starboard_rad;
-            shortSteps.take(forward, acting.apparent.forward_rad, acting.driftLessRate.forward_rad, fast);
-            shortSteps.take(starboard, acting.apparent.starboard_rad, acting.driftLessRate.starboard_rad, fast);
-            const AxisTilt after = toNorthEast({forward.tilt_rad, starboard.tilt_rad}, point);
-            north.tilt_rad = after.forward_rad;
-            east.tilt_rad = after.starboard_rad;
-            continue;
-        }
-        const AxisTilt apparent = toNorthEast(acting.apparent, point), rate = toNorthEast(acting.driftLessRate, point);
-        north = linear.next(north, apparent.forward_rad, rate.forward_rad);
-        east = linear.next(east, apparent.starboard_rad, rate.starboard_rad);
+    double largestSquare = 0; ///< of the apparent vertical's lean
+
+    AxisTilt next(const MotionPoint& point);
+};
+
+AxisTilt VerticalRun::State::next(const MotionPoint& point)
+{
+    if (taken == 0) {
+        const AxisTilt initial = toNorthEast({toRadians(gyro.initialTilt_deg), 0}, point);
+        north.tilt_rad = initial.forward_rad;
+        east.tilt_rad = initial.starboard_rad;
     }
-    if (auto unstable = whyUnstable(gyro); !unstable.empty())
-        run.warnings.push_back(std::move(unstable));
-    if (stopAt_s)
-        run.warnings.push_back(
-            {MARKED("core", "the vertical gyro tumbles: it is at its stop, 90° from the vertical, from %1 s"), figureText(*stopAt_s, 1)});
-    if (largest > 0.3 && !gyro.exactTilt)
-        run.warnings.push_back(
+    const double time_s = static_cast<double>(taken++) * step_s;
+    bool atStop = false;
+    const AxisTilt now = stopped({north.tilt_rad, east.tilt_rad}, atStop);
+    const AxisTilt tilt = toHeading(now, point);
+    north.tilt_rad = now.forward_rad;
+    east.tilt_rad = now.starboard_rad;
+    if (atStop) { // what the loop remembers of a gyro at its stop is not its tilt
+        if (!stopAt_s)
+            stopAt_s = time_s;
+        north.integral_rad_s = east.integral_rad_s = forward.integral_rad_s = starboard.integral_rad_s = 0;
+        north.sensed_rad = std::clamp(north.sensed_rad, -kStop_rad, kStop_rad);
+        east.sensed_rad = std::clamp(east.sensed_rad, -kStop_rad, kStop_rad);
+    }
+    const Acting acting = forces.at(point);
+    const AxisTilt& vertical = acting.apparent;
+    largestSquare = std::max(largestSquare, vertical.forward_rad * vertical.forward_rad + vertical.starboard_rad * vertical.starboard_rad);
+    if (shortly) {
+        const bool fast = time_s < gyro.fastUntil_s;
+        forward.tilt_rad = tilt.forward_rad;
+        starboard.tilt_rad = tilt.starboard_rad;
+        shortSteps.take(forward, acting.apparent.forward_rad, acting.driftLessRate.forward_rad, fast);
+        shortSteps.take(starboard, acting.apparent.starboard_rad, acting.driftLessRate.starboard_rad, fast);
+        const AxisTilt after = toNorthEast({forward.tilt_rad, starboard.tilt_rad}, point);
+        north.tilt_rad = after.forward_rad;
+        east.tilt_rad = after.starboard_rad;
+        return tilt;
+    }
+    const AxisTilt apparent = toNorthEast(acting.apparent, point), rate = toNorthEast(acting.driftLessRate, point);
+    north = linear.next(north, apparent.forward_rad, rate.forward_rad);
+    east = linear.next(east, apparent.starboard_rad, rate.starboard_rad);
+    return tilt;
+}
+
+VerticalRun::VerticalRun(const Scenario& scenario, const VerticalGyro& gyro) : m_state(std::make_unique<State>(scenario, gyro)) {}
+VerticalRun::~VerticalRun() = default;
+
+void VerticalRun::take(std::span<const MotionPoint> points, std::vector<AxisTilt>& tilt)
+{
+    tilt.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        tilt[i] = m_state->next(points[i]);
+}
+
+std::vector<Message> VerticalRun::warnings() const
+{
+    std::vector<Message> warnings;
+    if (auto unstable = whyUnstable(m_state->gyro); !unstable.empty())
+        warnings.push_back(std::move(unstable));
+    if (m_state->stopAt_s)
+        warnings.push_back({MARKED("core", "the vertical gyro tumbles: it is at its stop, 90° from the vertical, from %1 s"),
+            figureText(*m_state->stopAt_s, 1)});
+    if (const double largest = std::sqrt(m_state->largestSquare); largest > 0.3 && !m_state->gyro.exactTilt)
+        warnings.push_back(
             {MARKED("core",
                  "the apparent vertical leans by up to %1°, and the book's a/g takes it for %2°; exact_tilt takes the angle itself"),
                 figureText(toDegrees(std::atan(largest)), 1), figureText(toDegrees(largest), 1)});
-    return run;
+    return warnings;
 }
 
 AxisTilt standoffOf(const Scenario& scenario, const VerticalGyro& gyro)

@@ -1,6 +1,8 @@
 #pragma once
 /// A levelled gyro carried through a flight: in linear reach by the exact step of each axis, with cut-off, limits and switches by short ones.
 
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "core/reference/LevellingLoop.h"
@@ -13,13 +15,19 @@ struct AxisTilt {
     double forward_rad = 0, starboard_rad = 0;
 };
 
-struct VerticalRun {
-    std::vector<AxisTilt> tilt; ///< one a point of the motion
-    std::vector<Message> warnings;
-};
-
 /// Drift tilts the axis to starboard. A gyro comes to its stops at 90° from the vertical.
-[[nodiscard]] VerticalRun verticalRun(const Scenario& scenario, const VerticalGyro& gyro, const Motion& motion);
+class VerticalRun {
+public:
+    VerticalRun(const Scenario& scenario, const VerticalGyro& gyro);
+    ~VerticalRun();
+    /// The tilts at the points that follow those before.
+    void take(std::span<const MotionPoint> points, std::vector<AxisTilt>& tilt);
+    [[nodiscard]] std::vector<Message> warnings() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
 
 /// What drift and the rate of the true vertical leave for good in the flight with which the scenario begins, τ1(ω_D − θ̇) [rad]; what
 /// tilts the apparent vertical itself (Coriolis) is not in it.
