@@ -156,8 +156,12 @@ bool largeButPlain(const Analysis& analysis)
     return half_deg > kLarge_deg && exact.fitted() && exact.degreesOfFreedom >= 3 && toDegrees(*exact.sigma_rad) < kPlain_deg;
 }
 
-/// One reading of many may have slipped, rather not than so: a bump of the curve looks like that.
-bool isVague(const SlipSearch& search) { return search.slips.size() > 2 && search.slips.front().probability < 0.5; }
+/// One of many readings may have slipped, rather not than so: a bump of the curve looks like that, and readings that are poor throughout.
+bool isVague(const SlipSearch& search, std::size_t readings, const LackOfFit& unfit)
+{
+    const std::size_t named = search.slips.size();
+    return named > 2 && search.slips.front().probability < 0.5 && (unfit.anotherShape || 2 * named > readings);
+}
 
 void takeShared(Analysis& analysis, const SharedErrors& shared)
 {
@@ -234,7 +238,7 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
         analysis.slips = findSlips(readings, options.resolution_deg, options.history, within(kSpectrum, 1.0));
         if (!goesOn(1.0))
             return cancelled;
-        if (unfit && unfit->anotherShape && isVague(analysis.slips))
+        if (unfit && isVague(analysis.slips, readings.size(), *unfit))
             analysis.slips.slips.clear();
         for (const auto& slip : analysis.slips.slips)
             analysis.readings[slip.reading].suspect = true;

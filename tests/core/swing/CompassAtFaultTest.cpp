@@ -153,6 +153,20 @@ TEST(LackOfFit, aBumpIsNoRowOfSlips)
     EXPECT_THAT(inEnglish(bump->warnings), Contains(HasSubstr("five coefficients do not describe")));
 }
 
+/// A published swing of eight that scatters by 3.6°: all of it is poor, and seven of eight suspects are none.
+TEST(LackOfFit, readingsThatArePoorThroughoutAreNoRowOfSlips)
+{
+    std::vector<Observation> readings;
+    for (const double deviation : {-2, -2, -6, 2, 4, -2, 5, 2}) {
+        const auto compass = CompassHeading::fromDegrees(45.0 * static_cast<double>(readings.size()));
+        readings.push_back({toMagnetic(compass, Deviation::fromDegrees(deviation)), compass});
+    }
+    const auto poor = analyse(readings, {.readingError_rad = toRadians(0.29)});
+    ASSERT_TRUE(poor);
+    EXPECT_LE(poor->slips.slips.size(), 2u);
+    EXPECT_THAT(inEnglish(poor->warnings), Contains(HasSubstr("leave a scatter of 3.6°")));
+}
+
 /// A compass far out of any limits, whose own exact curve goes through every reading: nobody misread it.
 TEST(LackOfFit, aLargeButPlainDeviationBlamesNobody)
 {
