@@ -259,11 +259,11 @@ void judgeRows(Card& card, const CardWork& work)
     }
     card.residualMaxAbs_rad = std::abs(card.largestResidual.deviation.radians());
     if (card.options.source == CardSource::Fit)
-        for (int heading_deg = 0; known && heading_deg < 360; ++heading_deg)
-            if (const auto band = work.bandOfCurve_rad(MagneticHeading::fromDegrees(heading_deg)))
-                card.widestBand_rad = std::max(*card.widestBand_rad, *band);
-            else
-                known = false;
+        for (int heading_deg = 0; known && heading_deg < 360; ++heading_deg) {
+            const auto band = work.bandOfCurve_rad(MagneticHeading::fromDegrees(heading_deg));
+            known = band.has_value();
+            card.widestBand_rad = std::max(*card.widestBand_rad, band.value_or(0.0));
+        }
     if (!known)
         card.widestBand_rad.reset();
 }
