@@ -176,7 +176,9 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
         flights.push_back(&flight->sums);
     result.flights = static_cast<int>(flights.size());
     if (flights.empty()) {
-        result.warnings.push_back(MARKED("core", "no report can be used"));
+        const auto most = std::max_element(result.leftOut.begin(), result.leftOut.end());
+        result.warnings.push_back({MARKED("core", "no report can be used; %1 of %2 are left out for this: %3"), *most, result.observations,
+            wordsFor(kLeftOut[static_cast<std::size_t>(most - result.leftOut.begin())])});
         return result;
     }
     const FlightSums all = together(flights);

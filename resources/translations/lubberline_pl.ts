@@ -2815,8 +2815,8 @@
         <translation>ten sam meldunek jeszcze raz</translation>
     </message>
     <message>
-        <source>no report can be used</source>
-        <translation>żadnego meldunku nie można użyć</translation>
+        <source>no report can be used; %1 of %2 are left out for this: %3</source>
+        <translation>żadnego meldunku nie można użyć; %1 z %2 pominięto z tego powodu: %3</translation>
     </message>
     <message>
         <source>the declination is not taken out of %1 of %2 reports (no position or no time): their argument is the true heading</source>

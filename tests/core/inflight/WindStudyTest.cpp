@@ -277,6 +277,13 @@ TEST(WindStudy, dotsStandForAllReports)
     EXPECT_NEAR(sum / static_cast<double>(one.dots.size()), 0, 0.06); // 0.013 rms over 50 seeds
 }
 
+TEST(WindStudy, whyNoReportCanBeUsedIsSaid)
+{
+    const auto result = studyOf({SimulatedAircraft{}}, 59, {}, [](WindReport& report) { report.reference_kt = kMissing; });
+    EXPECT_FALSE(result.aircraft[0].fitted);
+    EXPECT_TRUE(says(result.aircraft[0].warnings, "400 of 400 are left out for this: no reference wind"));
+}
+
 TEST(WindStudy, windZeroAndSlowReportsDoNoHarm)
 {
     WindStudy study{WindOptions{}};
