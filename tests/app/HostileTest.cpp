@@ -71,6 +71,18 @@ TEST_F(Hostile, everyErrorBeginsWithTheProgramsName)
     }
 }
 
+TEST_F(Hostile, noPdfMakesALibrarySpeak)
+{
+    const fs::path corpus = fs::path(LUBBERLINE_SAMPLES) / "../../tests/fuzz/corpus/pdf";
+    for (const char* name : {"not-a-file.pdf", "names-of-nothing.pdf", "names-in-circles.pdf", "deep.pdf", "encrypted.pdf"}) {
+        ASSERT_TRUE(fs::exists(corpus / name)) << name;
+        const auto outcome = sandbox.run({"import", (corpus / name).string(), "--db", "pdf.db"});
+        EXPECT_EQ(outcome.status, 1) << name;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << name << ": " << outcome.err;
+        EXPECT_THAT(outcome.err, testing::StartsWith("lubberline: ")) << name;
+    }
+}
+
 TEST_F(Hostile, controlCharactersAreShownAndNotSent)
 {
     const std::string evil = "E\x1b]0;owned\x07\xe2\x80\xaeVIL\xc2\x9b"; // title of the window, a bell, writing turned about, C1

@@ -9,6 +9,7 @@
 
 #include <qpdf/Pl_Flate.hh>
 #include <qpdf/QPDF.hh>
+#include <qpdf/QPDFLogger.hh>
 #include <qpdf/QPDFStreamFilter.hh>
 
 namespace lubberline::ui {
@@ -138,6 +139,8 @@ void registerFilters()
     QPDF::registerStreamFilter("/FlateDecode", [] { return std::make_shared<BoundedFlate>(); });
     for (const char* name : {"/LZWDecode", "/RunLengthDecode", "/DCTDecode"})
         QPDF::registerStreamFilter(name, [] { return std::make_shared<Refused>(); });
+    const auto logger = QPDFLogger::defaultLogger(); // of objects that belong to no file qpdf complains on standard error
+    logger->setError(logger->discard());
 }
 
 } // namespace
