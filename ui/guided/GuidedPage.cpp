@@ -373,6 +373,13 @@ void GuidedPage::resizeEvent(QResizeEvent* event)
     m_plot->setVisible(width() >= kWide_px);
 }
 
+/// What was typed last is kept before anything else is shown.
+void GuidedPage::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    m_typed->settle();
+}
+
 void GuidedPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
