@@ -76,14 +76,6 @@
         <source>Deviation = magnetic heading − compass heading; easterly is positive.</source>
         <translation>Dewiacja = kurs magnetyczny − kurs kompasowy; wschodnia jest dodatnia.</translation>
     </message>
-    <message>
-        <source>%1 swings</source>
-        <translation>pomiary: %1</translation>
-    </message>
-    <message>
-        <source>made %1</source>
-        <translation>sporządzono %1</translation>
-    </message>
 </context>
 <context>
     <name>app</name>
@@ -326,6 +318,14 @@
     <message>
         <source>there is no such database; expected the name of one</source>
         <translation>nie ma takiej bazy; oczekiwano nazwy istniejącej</translation>
+    </message>
+    <message>
+        <source>the name of the file to write is not UTF-8; expected one that is</source>
+        <translation>nazwa pliku do zapisania nie jest w UTF-8; oczekiwano takiej, która jest</translation>
+    </message>
+    <message>
+        <source>the name of the database is not UTF-8; expected one that is</source>
+        <translation>nazwa bazy nie jest w UTF-8; oczekiwano takiej, która jest</translation>
     </message>
 </context>
 <context>
@@ -4086,6 +4086,398 @@
         <source>the headings of %1 do not tell %2: its type&apos;s is taken (%3)</source>
         <translation>kursy z %1 nie określają %2: przyjęto wartość typu (%3)</translation>
     </message>
+    <message>
+        <source>a workbook of a spreadsheet program</source>
+        <translation>skoroszyt arkusza kalkulacyjnego</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gap(s) in time, the longest %1 s, together %2 s</source>
+        <translation>
+            <numerusform>%n przerwa w czasie, najdłuższa %1 s, razem %2 s</numerusform>
+            <numerusform>%n przerwy w czasie, najdłuższa %1 s, razem %2 s</numerusform>
+            <numerusform>%n przerw w czasie, najdłuższa %1 s, razem %2 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>axis %1 is stuck in %n row(s): its figure stands while another axis moves</source>
+        <translation>
+            <numerusform>oś %1 stoi w %n wierszu: jej wartość się nie zmienia, gdy inna oś się rusza</numerusform>
+            <numerusform>oś %1 stoi w %n wierszach: jej wartość się nie zmienia, gdy inna oś się rusza</numerusform>
+            <numerusform>oś %1 stoi w %n wierszach: jej wartość się nie zmienia, gdy inna oś się rusza</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>axis %1 is cut off at %2 %3 in %n row(s): the field is beyond the sensor&apos;s range</source>
+        <translation>
+            <numerusform>oś %1 jest obcięta na %2 %3 w %n wierszu: pole przekracza zakres czujnika</numerusform>
+            <numerusform>oś %1 jest obcięta na %2 %3 w %n wierszach: pole przekracza zakres czujnika</numerusform>
+            <numerusform>oś %1 jest obcięta na %2 %3 w %n wierszach: pole przekracza zakres czujnika</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) without a whole field (empty cells or NaN) are left out</source>
+        <translation>
+            <numerusform>pominięto %n wiersz bez pełnego pola (puste komórki lub NaN)</numerusform>
+            <numerusform>pominięto %n wiersze bez pełnego pola (puste komórki lub NaN)</numerusform>
+            <numerusform>pominięto %n wierszy bez pełnego pola (puste komórki lub NaN)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spike(s), away from both neighbours by more than 12 times the log&apos;s scatter, are left out</source>
+        <translation>
+            <numerusform>pominięto %n szpilkę, odległą od obu sąsiadów o ponad 12 rozrzutów zapisu</numerusform>
+            <numerusform>pominięto %n szpilki, odległe od obu sąsiadów o ponad 12 rozrzutów zapisu</numerusform>
+            <numerusform>pominięto %n szpilek, odległych od obu sąsiadów o ponad 12 rozrzutów zapisu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) repeat the row before them: the sensor was read faster than it measures, and they tell nothing new</source>
+        <translation>
+            <numerusform>%n wiersz powtarza poprzedni: czujnik odczytywano szybciej, niż mierzy, i nic nowego nie mówi</numerusform>
+            <numerusform>%n wiersze powtarzają poprzednie: czujnik odczytywano szybciej, niż mierzy, i nic nowego nie mówią</numerusform>
+            <numerusform>%n wierszy powtarza poprzednie: czujnik odczytywano szybciej, niż mierzy, i nic nowego nie mówią</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>both were read on %n heading(s) only; what changed elsewhere is not seen</source>
+        <translation>
+            <numerusform>obie odczytano tylko na %n kursie; tego, co zmieniło się gdzie indziej, nie widać</numerusform>
+            <numerusform>obie odczytano tylko na %n kursach; tego, co zmieniło się gdzie indziej, nie widać</numerusform>
+            <numerusform>obie odczytano tylko na %n kursach; tego, co zmieniło się gdzie indziej, nie widać</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) with both headings; expected at least 3 on different headings</source>
+        <translation>
+            <numerusform>%n odczyt z oboma kursami; oczekiwano co najmniej 3 na różnych kursach</numerusform>
+            <numerusform>%n odczyty z oboma kursami; oczekiwano co najmniej 3 na różnych kursach</numerusform>
+            <numerusform>%n odczytów z oboma kursami; oczekiwano co najmniej 3 na różnych kursach</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>all %1 readings are on %n heading(s); expected at least 3 different headings</source>
+        <translation>
+            <numerusform>wszystkie odczyty (%1) są na %n kursie; oczekiwano co najmniej 3 różnych kursów</numerusform>
+            <numerusform>wszystkie odczyty (%1) są na %n kursach; oczekiwano co najmniej 3 różnych kursów</numerusform>
+            <numerusform>wszystkie odczyty (%1) są na %n kursach; oczekiwano co najmniej 3 różnych kursów</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n month(s) after the swing of %2</source>
+        <translation>
+            <numerusform>%1: %n miesiąc po pomiarze z %2</numerusform>
+            <numerusform>%1: %n miesiące po pomiarze z %2</numerusform>
+            <numerusform>%1: %n miesięcy po pomiarze z %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the line has %n figure(s); it is cut short</source>
+        <translation>
+            <numerusform>wiersz ma %n liczbę; jest ucięty</numerusform>
+            <numerusform>wiersz ma %n liczby; jest ucięty</numerusform>
+            <numerusform>wiersz ma %n liczb; jest ucięty</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>has %n word(s) where the header has %1</source>
+        <translation>
+            <numerusform>ma %n wyraz, a nagłówek %1</numerusform>
+            <numerusform>ma %n wyrazy, a nagłówek %1</numerusform>
+            <numerusform>ma %n wyrazów, a nagłówek %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swing(s) left out: %1</source>
+        <translation>
+            <numerusform>pominięto %n pomiar: %1</numerusform>
+            <numerusform>pominięto %n pomiary: %1</numerusform>
+            <numerusform>pominięto %n pomiarów: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) not held against a limit: their compass has none</source>
+        <translation>
+            <numerusform>%n pary nie porównano z granicą: jej busola jej nie ma</numerusform>
+            <numerusform>%n par nie porównano z granicą: ich busole jej nie mają</numerusform>
+            <numerusform>%n par nie porównano z granicą: ich busole jej nie mają</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n compass(es) not ranked: no limit is known</source>
+        <translation>
+            <numerusform>%n busoli nie uszeregowano: nie jest znana granica</numerusform>
+            <numerusform>%n busol nie uszeregowano: nie jest znana granica</numerusform>
+            <numerusform>%n busol nie uszeregowano: nie jest znana granica</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swing(s) not compared through the years: the other radio state</source>
+        <translation>
+            <numerusform>%n pomiaru nie porównano na przestrzeni lat: inny stan radia</numerusform>
+            <numerusform>%n pomiarów nie porównano na przestrzeni lat: inny stan radia</numerusform>
+            <numerusform>%n pomiarów nie porównano na przestrzeni lat: inny stan radia</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more compass(es) whose records are suspect of the other sign</source>
+        <translation>
+            <numerusform>jeszcze %n busola, której zapisy są podejrzane o przeciwny znak</numerusform>
+            <numerusform>jeszcze %n busole, których zapisy są podejrzane o przeciwny znak</numerusform>
+            <numerusform>jeszcze %n busol, których zapisy są podejrzane o przeciwny znak</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swing(s) known: mostly its type&apos;s scatter</source>
+        <translation>
+            <numerusform>znany jest %n pomiar: głównie rozrzut typu</numerusform>
+            <numerusform>znane są %n pomiary: głównie rozrzut typu</numerusform>
+            <numerusform>znanych jest %n pomiarów: głównie rozrzut typu</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes; expected at most %3</source>
+        <translation>%1 ma %2 bajtów; oczekiwano najwyżej %3</translation>
+    </message>
+    <message>
+        <source>there are more than %1 legs; expected those of a flight, each of many rows</source>
+        <translation>odcinków jest więcej niż %1; oczekiwano odcinków jednego lotu, każdy z wielu wierszy</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) without a compass or reference heading are passed over</source>
+        <translation>
+            <numerusform>pominięto %n wiersz bez kursu kompasowego lub wzorcowego</numerusform>
+            <numerusform>pominięto %n wiersze bez kursu kompasowego lub wzorcowego</numerusform>
+            <numerusform>pominięto %n wierszy bez kursu kompasowego lub wzorcowego</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s) are empty</source>
+        <translation>
+            <numerusform>%n komórka jest pusta</numerusform>
+            <numerusform>%n komórki są puste</numerusform>
+            <numerusform>%n komórek jest pustych</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s) hold no number (NaN)</source>
+        <translation>
+            <numerusform>%n komórka nie zawiera liczby (NaN)</numerusform>
+            <numerusform>%n komórki nie zawierają liczby (NaN)</numerusform>
+            <numerusform>%n komórek nie zawiera liczby (NaN)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) have fewer cells than the header</source>
+        <translation>
+            <numerusform>%n wiersz ma mniej komórek niż nagłówek</numerusform>
+            <numerusform>%n wiersze mają mniej komórek niż nagłówek</numerusform>
+            <numerusform>%n wierszy ma mniej komórek niż nagłówek</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) above the header name no column: they are kept in the swing&apos;s note</source>
+        <translation>
+            <numerusform>%n wiersz nad nagłówkiem nie nazywa kolumny: zachowano go w uwadze pomiaru</numerusform>
+            <numerusform>%n wiersze nad nagłówkiem nie nazywają kolumn: zachowano je w uwadze pomiaru</numerusform>
+            <numerusform>%n wierszy nad nagłówkiem nie nazywa kolumn: zachowano je w uwadze pomiaru</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the row has %n cell(s); expected %1 cells as in the header</source>
+        <translation>
+            <numerusform>wiersz ma %n komórkę; oczekiwano %1, jak w nagłówku</numerusform>
+            <numerusform>wiersz ma %n komórki; oczekiwano %1, jak w nagłówku</numerusform>
+            <numerusform>wiersz ma %n komórek; oczekiwano %1, jak w nagłówku</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>there are more than %1 aircraft; expected reports of fewer at a time</source>
+        <translation>statków powietrznych jest więcej niż %1; oczekiwano naraz meldunków mniejszej liczby</translation>
+    </message>
+    <message>
+        <source>there are more than %1 flights; expected reports of fewer at a time, and those of a flight together</source>
+        <translation>lotów jest więcej niż %1; oczekiwano naraz meldunków mniejszej liczby, a meldunków jednego lotu obok siebie</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) too far from what was expected were not taken</source>
+        <translation>
+            <numerusform>%n odczytu zbyt dalekiego od oczekiwanego nie wzięto</numerusform>
+            <numerusform>%n odczytów zbyt dalekich od oczekiwanych nie wzięto</numerusform>
+            <numerusform>%n odczytów zbyt dalekich od oczekiwanych nie wzięto</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n report(s) came twice and count once</source>
+        <translation>
+            <numerusform>%n meldunek przyszedł dwa razy i liczy się raz</numerusform>
+            <numerusform>%n meldunki przyszły dwa razy i liczą się raz</numerusform>
+            <numerusform>%n meldunków przyszło dwa razy i liczą się raz</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>no fix: the receiver says so in all %n of its RMC and VTG (status V, mode N), so there is no track to hold the compass against</source>
+        <translation>
+            <numerusform>brak pozycji: odbiornik mówi to w swoim jedynym RMC lub VTG (%n; stan V, tryb N), więc nie ma kąta drogi, z którym można porównać busolę</numerusform>
+            <numerusform>brak pozycji: odbiornik mówi to we wszystkich %n RMC i VTG (stan V, tryb N), więc nie ma kąta drogi, z którym można porównać busolę</numerusform>
+            <numerusform>brak pozycji: odbiornik mówi to we wszystkich %n RMC i VTG (stan V, tryb N), więc nie ma kąta drogi, z którym można porównać busolę</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentence(s) with a wrong checksum left out</source>
+        <translation>
+            <numerusform>pominięto %n zdanie z błędną sumą kontrolną</numerusform>
+            <numerusform>pominięto %n zdania z błędną sumą kontrolną</numerusform>
+            <numerusform>pominięto %n zdań z błędną sumą kontrolną</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentence(s) without a checksum: what was damaged on the way cannot be told</source>
+        <translation>
+            <numerusform>%n zdanie bez sumy kontrolnej: nie da się stwierdzić, czy uległo uszkodzeniu</numerusform>
+            <numerusform>%n zdania bez sumy kontrolnej: nie da się stwierdzić, co uległo uszkodzeniu</numerusform>
+            <numerusform>%n zdań bez sumy kontrolnej: nie da się stwierdzić, co uległo uszkodzeniu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n heading(s) that are none (negative, or beyond 360) left out</source>
+        <translation>
+            <numerusform>pominięto %n kurs, który nim nie jest (ujemny lub ponad 360)</numerusform>
+            <numerusform>pominięto %n kursy, które nimi nie są (ujemne lub ponad 360)</numerusform>
+            <numerusform>pominięto %n kursów, które nimi nie są (ujemne lub ponad 360)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s) the receiver had no fix (status V, mode N)</source>
+        <translation>
+            <numerusform>%n raz odbiornik nie miał pozycji (stan V, tryb N)</numerusform>
+            <numerusform>%n razy odbiornik nie miał pozycji (stan V, tryb N)</numerusform>
+            <numerusform>%n razy odbiornik nie miał pozycji (stan V, tryb N)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s) or heading(s) are estimated (mode E, dead reckoning): perhaps from the very compass that is swung</source>
+        <translation>
+            <numerusform>%n kąt drogi lub kurs jest szacowany (tryb E, nawigacja zliczeniowa): być może z tej właśnie busoli</numerusform>
+            <numerusform>%n kąty drogi lub kursy są szacowane (tryb E, nawigacja zliczeniowa): być może z tej właśnie busoli</numerusform>
+            <numerusform>%n kątów drogi lub kursów jest szacowanych (tryb E, nawigacja zliczeniowa): być może z tej właśnie busoli</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s) or heading(s) were typed in (mode M)</source>
+        <translation>
+            <numerusform>%n kąt drogi lub kurs wpisano ręcznie (tryb M)</numerusform>
+            <numerusform>%n kąty drogi lub kursy wpisano ręcznie (tryb M)</numerusform>
+            <numerusform>%n kątów drogi lub kursów wpisano ręcznie (tryb M)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s) or heading(s) come from a simulator (mode S)</source>
+        <translation>
+            <numerusform>%n kąt drogi lub kurs pochodzi z symulatora (tryb S)</numerusform>
+            <numerusform>%n kąty drogi lub kursy pochodzą z symulatora (tryb S)</numerusform>
+            <numerusform>%n kątów drogi lub kursów pochodzi z symulatora (tryb S)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n HDG sentence(s) with a deviation of their own (up to %1°, east +), which is not applied: the heading beside it is the sensor&apos;s before it; an instrument that has applied it already must be swung with it cleared</source>
+        <translation>
+            <numerusform>%n zdanie HDG z własną dewiacją (do %1°, wschodnia +), której nie zastosowano: kurs obok to kurs czujnika przed nią; przyrząd, który już ją zastosował, trzeba mierzyć z wyzerowaną</numerusform>
+            <numerusform>%n zdania HDG z własną dewiacją (do %1°, wschodnia +), której nie zastosowano: kurs obok to kurs czujnika przed nią; przyrząd, który już ją zastosował, trzeba mierzyć z wyzerowaną</numerusform>
+            <numerusform>%n zdań HDG z własną dewiacją (do %1°, wschodnia +), której nie zastosowano: kurs obok to kurs czujnika przed nią; przyrząd, który już ją zastosował, trzeba mierzyć z wyzerowaną</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the variation of the log, %1° (east +), is held against no model: %2</source>
+        <translation>deklinacji w zapisie, %1° (wschodnia +), nie porównano z żadnym modelem: %2</translation>
+    </message>
+    <message>
+        <source>the log never moves faster than %1 kt, and a track counts from %2 kt on: below, it is the noise of the receiver</source>
+        <translation>zapis nigdy nie porusza się szybciej niż %1 w, a kąt drogi liczy się od %2 w: poniżej to szum odbiornika</translation>
+    </message>
+    <message>
+        <source>all of the turn is faster than %1°/s, and slower ones count only: a compass lags</source>
+        <translation>cały obrót jest szybszy niż %1°/s, a liczą się tylko wolniejsze: busola się opóźnia</translation>
+    </message>
+    <message numerus="yes">
+        <source>the N–S control was turned after %n reading(s) of the check swing: void, and to be read again</source>
+        <translation>
+            <numerusform>regulację N–S obrócono po %n odczycie pomiaru kontrolnego: nieważny, do powtórzenia</numerusform>
+            <numerusform>regulację N–S obrócono po %n odczytach pomiaru kontrolnego: nieważne, do powtórzenia</numerusform>
+            <numerusform>regulację N–S obrócono po %n odczytach pomiaru kontrolnego: nieważne, do powtórzenia</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the E–W control was turned after %n reading(s) of the check swing: void, and to be read again</source>
+        <translation>
+            <numerusform>regulację E–W obrócono po %n odczycie pomiaru kontrolnego: nieważny, do powtórzenia</numerusform>
+            <numerusform>regulację E–W obrócono po %n odczytach pomiaru kontrolnego: nieważne, do powtórzenia</numerusform>
+            <numerusform>regulację E–W obrócono po %n odczytach pomiaru kontrolnego: nieważne, do powtórzenia</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the index control was turned after %n reading(s) of the check swing: void, and to be read again</source>
+        <translation>
+            <numerusform>regulację indeksu obrócono po %n odczycie pomiaru kontrolnego: nieważny, do powtórzenia</numerusform>
+            <numerusform>regulację indeksu obrócono po %n odczytach pomiaru kontrolnego: nieważne, do powtórzenia</numerusform>
+            <numerusform>regulację indeksu obrócono po %n odczytach pomiaru kontrolnego: nieważne, do powtórzenia</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>it has %n reading(s) that count; expected at least %1</source>
+        <translation>
+            <numerusform>liczy się w nim %n odczyt; oczekiwano co najmniej %1</numerusform>
+            <numerusform>liczą się w nim %n odczyty; oczekiwano co najmniej %1</numerusform>
+            <numerusform>liczy się w nim %n odczytów; oczekiwano co najmniej %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is no error that readings share; expected degrees (of A) or letters with degrees, as in A 0.6 B 0.2</source>
+        <translation>%1 nie jest błędem wspólnym odczytów; oczekiwano stopni (dla A) albo liter ze stopniami, jak A 0.6 B 0.2</translation>
+    </message>
+    <message>
+        <source>errors that readings share</source>
+        <translation>błędy wspólne odczytów</translation>
+    </message>
+    <message numerus="yes">
+        <source>there are readings on %n heading(s), and five coefficients need five</source>
+        <translation>
+            <numerusform>odczyty są na %n kursie, a pięć współczynników wymaga pięciu</numerusform>
+            <numerusform>odczyty są na %n kursach, a pięć współczynników wymaga pięciu</numerusform>
+            <numerusform>odczyty są na %n kursach, a pięć współczynników wymaga pięciu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) cannot be checked against each other: a misread figure would not be seen</source>
+        <translation>
+            <numerusform>%n odczytu nie da się sprawdzić z innymi: źle odczytanej liczby nie byłoby widać</numerusform>
+            <numerusform>%n odczytów nie da się sprawdzić wzajemnie: źle odczytanej liczby nie byłoby widać</numerusform>
+            <numerusform>%n odczytów nie da się sprawdzić wzajemnie: źle odczytanej liczby nie byłoby widać</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) hold little against each other: a figure misread by less than about %1° could pass unseen</source>
+        <translation>
+            <numerusform>%n odczyt słabo sprawdza się z innymi: pomyłka mniejsza niż około %1° mogłaby przejść niezauważona</numerusform>
+            <numerusform>%n odczyty słabo sprawdzają się wzajemnie: pomyłka mniejsza niż około %1° mogłaby przejść niezauważona</numerusform>
+            <numerusform>%n odczytów słabo sprawdza się wzajemnie: pomyłka mniejsza niż około %1° mogłaby przejść niezauważona</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>what all readings share (datum, variation, delay, wind) is in the standard errors: %1</source>
+        <translation>to, co wspólne wszystkim odczytom (wzorzec, deklinacja, opóźnienie, wiatr), jest w błędach standardowych: %1</translation>
+    </message>
+    <message>
+        <source>no card: by the curve of these readings the compass runs backwards all the way around (it reads %1 on %2 and %3 on %4, magnetic); expected a compass that rises all the way around</source>
+        <translation>brak tablicy: według krzywej tych odczytów busola biegnie wstecz dookoła (wskazuje %1 na %2 i %3 na %4, magnetycznie); oczekiwano busoli, która rośnie dookoła</translation>
+    </message>
+    <message>
+        <source>the compass keeps between %1 and %2 while the aircraft turns through %3°: it sticks, or a field stronger than the Earth&apos;s holds it; no deviation can be told</source>
+        <translation>busola pozostaje między %1 a %2, gdy statek powietrzny obraca się o %3°: zacina się albo trzyma ją pole silniejsze od ziemskiego; nie da się określić dewiacji</translation>
+    </message>
+    <message>
+        <source>the compass does not follow the headings: the coefficients that come nearest have %1 %2° and leave a scatter of %3°; no deviation can be told; expected the readings of one compass beside the headings on which they were made</source>
+        <translation>busola nie podąża za kursami: najbliższe współczynniki mają %1 %2° i zostawiają rozrzut %3°; nie da się określić dewiacji; oczekiwano odczytów jednej busoli obok kursów, na których je wykonano</translation>
+    </message>
 </context>
 <context>
     <name>db</name>
@@ -4849,6 +5241,58 @@
         <source>%1 · %2: D is %3° in %4 of %5 swings (the first in line %6) where its siblings have %7°: the sign of these records is suspect; nothing is turned</source>
         <translation>%1 · %2: D wynosi %3° w %4 z %5 pomiarów (pierwszy w wierszu %6), gdzie siostrzane mają %7°: znak tych zapisów jest podejrzany; niczego nie odwrócono</translation>
     </message>
+    <message>
+        <source>this is a pipe or a device; expected a database file</source>
+        <translation>to potok lub urządzenie; oczekiwano pliku bazy danych</translation>
+    </message>
+    <message>
+        <source>cancelled: gpg had not answered yet</source>
+        <translation>anulowano: gpg jeszcze nie odpowiedział</translation>
+    </message>
+    <message>
+        <source>cancelled: the keys of the signatures were not checked</source>
+        <translation>anulowano: kluczy podpisów nie sprawdzono</translation>
+    </message>
+    <message>
+        <source>the record %1, of which the audit trail says last &quot;%2&quot; at %3, is not there: it was taken out behind the program&apos;s back</source>
+        <translation>nie ma zapisu %1, o którym dziennik zmian mówi ostatnio „%2” o %3: wyjęto go z pominięciem programu</translation>
+    </message>
+    <message>
+        <source>%1, row %2: the audit trail does not know the record %3: it was put in behind the program&apos;s back</source>
+        <translation>%1, wiersz %2: dziennik zmian nie zna zapisu %3: wstawiono go z pominięciem programu</translation>
+    </message>
+    <message>
+        <source>the key %1 of %2 is not what the audit trail says: it was put in, or given to another, behind the program&apos;s back</source>
+        <translation>klucz %1, który należy do %2, nie jest tym, co mówi dziennik zmian: wstawiono go lub przypisano innemu z pominięciem programu</translation>
+    </message>
+    <message>
+        <source>the key %1 (%2) is not there, and the audit trail does not say that it was removed</source>
+        <translation>nie ma klucza %1 (%2), a dziennik zmian nie mówi, że go usunięto</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new swing(s) are signed, and the file does not say by whom</source>
+        <translation>
+            <numerusform>%n nowy pomiar jest podpisany, a plik nie mówi, przez kogo</numerusform>
+            <numerusform>%n nowe pomiary są podpisane, a plik nie mówi, przez kogo</numerusform>
+            <numerusform>%n nowych pomiarów jest podpisanych, a plik nie mówi, przez kogo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swing(s) come in as drafts, the first in line %1: %2</source>
+        <translation>
+            <numerusform>%n pomiar wchodzi jako szkic, w wierszu %1: %2</numerusform>
+            <numerusform>%n pomiary wchodzą jako szkice, pierwszy w wierszu %1: %2</numerusform>
+            <numerusform>%n pomiarów wchodzi jako szkice, pierwszy w wierszu %1: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more compass(es) whose records are suspect of the other sign</source>
+        <translation>
+            <numerusform>jeszcze %n busola, której zapisy są podejrzane o przeciwny znak</numerusform>
+            <numerusform>jeszcze %n busole, których zapisy są podejrzane o przeciwny znak</numerusform>
+            <numerusform>jeszcze %n busol, których zapisy są podejrzane o przeciwny znak</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui</name>
@@ -5364,6 +5808,10 @@
             <numerusform>%n odczyty</numerusform>
             <numerusform>%n odczytów</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>errors that all readings share (°)</source>
+        <translation>błędy wspólne wszystkim odczytom (°)</translation>
     </message>
 </context>
 <context>
@@ -9515,6 +9963,18 @@ soft iron S:</source>
         <source>%1, source: %2</source>
         <translation>%1, źródło: %2</translation>
     </message>
+    <message>
+        <source>* nobody read near</source>
+        <translation>* nikt nie odczytał w pobliżu</translation>
+    </message>
+    <message>
+        <source>Errors that all readings share are in them (%1, in degrees).</source>
+        <translation>Są w nich błędy wspólne wszystkim odczytom (%1, w stopniach).</translation>
+    </message>
+    <message>
+        <source>Errors that all readings share (datum, variation) are not stated and not in them.</source>
+        <translation>Błędów wspólnych wszystkim odczytom (wzorzec, deklinacja) nie podano i nie ma ich tutaj.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::DueBadge</name>
@@ -10078,6 +10538,10 @@ soft iron S:</source>
         <source>The data sheet of an electrical swing: type what the compass indicates at each selected heading; the errors, what to turn and the verdict follow. Errors on this sheet are indicated − selected, the negative of the deviation elsewhere in the program.</source>
         <translation>Karta pomiaru elektrycznego: wpisz wskazanie busoli na każdym nastawionym kursie; błędy, elementy do obrócenia i ocena wynikną same. Błędy na tej karcie to wskazany − nastawiony, czyli dewiacja ze znakiem przeciwnym.</translation>
     </message>
+    <message>
+        <source>No electrical swing of this compass is on record: “New electrical swing” begins one.</source>
+        <translation>W zapisach nie ma pomiaru elektrycznego tej busoli: zaczyna go „Nowy pomiar elektryczny”.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::EventsPanel</name>
@@ -10535,30 +10999,10 @@ soft iron S:</source>
     </message>
 </context>
 <context>
-    <name>lubberline::ui::GuidedJob</name>
+    <name>lubberline::ui::Gathering</name>
     <message>
-        <source>%1 figures; expected one to three of the same heading</source>
-        <translation>wartości: %1; oczekiwano od jednej do trzech na tym samym kursie</translation>
-    </message>
-    <message>
-        <source>the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)</source>
-        <translation>wzorzec wskazuje %1°, co nie jest odczytem na kursie %2°; obróć na ten kurs albo pomiń go z podaniem powodu (F4)</translation>
-    </message>
-    <message>
-        <source>Set the astrocompass for %1 UTC: latitude %2°, declination %3°, local hour angle %4°.</source>
-        <translation>Nastaw astrokompas na %1 UTC: szerokość %2°, deklinacja słońca %3°, miejscowy kąt godzinny %4°.</translation>
-    </message>
-    <message>
-        <source>the sun tells a heading where the place is known; give the base its latitude and longitude</source>
-        <translation>słońce daje kurs tam, gdzie miejsce jest znane; podaj szerokość i długość bazy</translation>
-    </message>
-    <message>
-        <source>Without it C is not told, and the N–S control stays as it is.</source>
-        <translation>Bez niego C jest nieokreślone, a regulacja N–S pozostaje bez zmian.</translation>
-    </message>
-    <message>
-        <source>Without it B is not told, and the E–W control stays as it is.</source>
-        <translation>Bez niego B jest nieokreślone, a regulacja E–W pozostaje bez zmian.</translation>
+        <source>Putting the document together: cancel</source>
+        <translation>Składanie dokumentu: anuluj</translation>
     </message>
 </context>
 <context>
@@ -10594,6 +11038,33 @@ soft iron S:</source>
     <message>
         <source>What is the fault? F8 goes back.</source>
         <translation>Jaka to usterka? F8 wraca.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::GuidedJob</name>
+    <message>
+        <source>%1 figures; expected one to three of the same heading</source>
+        <translation>wartości: %1; oczekiwano od jednej do trzech na tym samym kursie</translation>
+    </message>
+    <message>
+        <source>the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)</source>
+        <translation>wzorzec wskazuje %1°, co nie jest odczytem na kursie %2°; obróć na ten kurs albo pomiń go z podaniem powodu (F4)</translation>
+    </message>
+    <message>
+        <source>Set the astrocompass for %1 UTC: latitude %2°, declination %3°, local hour angle %4°.</source>
+        <translation>Nastaw astrokompas na %1 UTC: szerokość %2°, deklinacja słońca %3°, miejscowy kąt godzinny %4°.</translation>
+    </message>
+    <message>
+        <source>the sun tells a heading where the place is known; give the base its latitude and longitude</source>
+        <translation>słońce daje kurs tam, gdzie miejsce jest znane; podaj szerokość i długość bazy</translation>
+    </message>
+    <message>
+        <source>Without it C is not told, and the N–S control stays as it is.</source>
+        <translation>Bez niego C jest nieokreślone, a regulacja N–S pozostaje bez zmian.</translation>
+    </message>
+    <message>
+        <source>Without it B is not told, and the E–W control stays as it is.</source>
+        <translation>Bez niego B jest nieokreślone, a regulacja E–W pozostaje bez zmian.</translation>
     </message>
 </context>
 <context>
@@ -10653,6 +11124,22 @@ soft iron S:</source>
     <message>
         <source>One step a page: turn to the heading, type what datum and compass read, Enter. F2 repeats a step, F3 changes the instrument, F4 leaves a heading out and says what that costs, F8 reports a fault, F11 shows the crew&apos;s display and closes it, F12 listens to instruments. A heading that was left out is read at any later time: F2, a click on it in the strip below, or the arrows there and Enter. Every figure is kept as it is typed; an interrupted swing goes on where it stood, from the overview, the tree, the page of its compass or Ctrl+Shift+G.</source>
         <translation>Jeden krok na stronę: ustaw kurs, wpisz wskazania wzorca i busoli, Enter. F2 powtarza krok, F3 zmienia przyrząd, F4 opuszcza kurs i mówi, ile to kosztuje, F8 zgłasza usterkę, F11 pokazuje i zamyka ekran dla załogi, F12 słucha przyrządów. Opuszczony kurs odczytuje się w dowolnej późniejszej chwili: F2, kliknięciem na nim w pasku poniżej albo strzałkami tam i klawiszem Enter. Każda liczba jest zachowywana w trakcie wpisywania; przerwany pomiar idzie dalej od miejsca, w którym stanął: z przeglądu, z drzewa, ze strony busoli albo przez Ctrl+Shift+G.</translation>
+    </message>
+    <message>
+        <source>this guided swing is finished; nothing is added to it</source>
+        <translation>ten pomiar prowadzony jest ukończony; niczego się do niego nie dodaje</translation>
+    </message>
+    <message>
+        <source>This guided swing has been ended in another window.</source>
+        <translation>Ten pomiar prowadzony zakończono w innym oknie.</translation>
+    </message>
+    <message>
+        <source>This swing has gone on in another window: it is shown as it stands there.</source>
+        <translation>Ten pomiar posunął się w innym oknie: pokazano go tak, jak tam stoi.</translation>
+    </message>
+    <message>
+        <source>This swing has gone on in another window: it is shown as it stands there. What was typed here was not stored: %1.</source>
+        <translation>Ten pomiar posunął się w innym oknie: pokazano go tak, jak tam stoi. Tego, co tu wpisano, nie zapisano: %1.</translation>
     </message>
 </context>
 <context>
@@ -12022,6 +12509,13 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     </message>
 </context>
 <context>
+    <name>lubberline::ui::LengthLimits</name>
+    <message>
+        <source>A field takes %1 letters at most: the rest was not taken.</source>
+        <translation>Pole mieści najwyżej znaków: %1; reszty nie przyjęto.</translation>
+    </message>
+</context>
+<context>
     <name>lubberline::ui::LivePanel</name>
     <message>
         <source>Take as datum (F6)</source>
@@ -12628,6 +13122,14 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     <message>
         <source>Written: %1</source>
         <translation>Zapisano: %1</translation>
+    </message>
+    <message>
+        <source>%1: what was typed there was refused and is not stored: %2.</source>
+        <translation>%1: to, co tam wpisano, zostało odrzucone i nie jest zapisane: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has been removed in another window or by another program.</source>
+        <translation>%1 usunięto w innym oknie albo w innym programie.</translation>
     </message>
 </context>
 <context>
@@ -14683,6 +15185,10 @@ Escape przywraca zapisaną wartość.</translation>
         <source>Write the &amp;report…</source>
         <translation>Zapisz &amp;sprawozdanie…</translation>
     </message>
+    <message>
+        <source>Arrow keys, or Shift while dragging: fine steps; page keys: coarse ones; double click: back to where it began</source>
+        <translation>Strzałki albo Shift przy przeciąganiu: drobne kroki; Page Up i Down: grube; dwuklik: powrót do początku</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::ReferenceWords</name>
@@ -15533,6 +16039,10 @@ Escape przywraca zapisaną wartość.</translation>
         <source>The clock of this machine stands before the last entry of the audit trail (%1): what is signed now would seem older.</source>
         <translation>Zegar tego komputera stoi przed ostatnim wpisem dziennika zmian (%1): to, co się teraz podpisze, wydawałoby się starsze.</translation>
     </message>
+    <message>
+        <source>this swing has been changed in another window or by another program since it was shown here; nothing was done, look at it again</source>
+        <translation>ten pomiar zmieniono w innym oknie lub w innym programie, odkąd go tu pokazano; niczego nie zrobiono, obejrzyj go jeszcze raz</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::SitesPage</name>
@@ -16321,6 +16831,10 @@ Odrzucony tekst stoi obok zapisanej wartości; Escape ją przywraca. Kliknięcie
 Komórki i bloki kopiuje się, wycina i wkleja jak w arkuszu (Ctrl+C, X, V), z pierwszym wierszem nagłówków lub bez.
 Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem, który zostaje w zapisie.</translation>
     </message>
+    <message>
+        <source>Cancelled: nothing was written</source>
+        <translation>Anulowano: niczego nie zapisano</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::SwingParticulars</name>
@@ -16407,6 +16921,18 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
     <message>
         <source>Inspector:</source>
         <translation>Kontroler:</translation>
+    </message>
+    <message>
+        <source>Shared error:</source>
+        <translation>Błąd wspólny:</translation>
+    </message>
+    <message>
+        <source>0.5</source>
+        <translation>0.5</translation>
+    </message>
+    <message>
+        <source>Standard errors that all readings share and no scatter shows, in degrees: of the datum, the variation, a log&apos;s delay and wind. One figure is A&apos;s; else letters, as in A 0.6 B 0.2. They widen what is said of the coefficients</source>
+        <translation>Błędy standardowe, wspólne wszystkim odczytom, których nie pokazuje żaden rozrzut, w stopniach: wzorca, deklinacji, opóźnienia zapisu i wiatru. Jedna liczba dotyczy A; inaczej litery, jak A 0.6 B 0.2. Poszerzają to, co mówi się o współczynnikach</translation>
     </message>
 </context>
 <context>
@@ -16992,6 +17518,10 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
     <message>
         <source>Stored: %1 swings with %2 readings; %3 aircraft and %4 compasses are new; %5 swings were there already.</source>
         <translation>Zapisano: pomiarów %1 z odczytami %2; nowych statków powietrznych %3, busol %4; już zapisanych było %5.</translation>
+    </message>
+    <message>
+        <source>What the column %1 is</source>
+        <translation>Czym jest kolumna %1</translation>
     </message>
 </context>
 <context>
