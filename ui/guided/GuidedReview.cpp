@@ -13,6 +13,7 @@
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
 #include "ui/kit/Words.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -119,7 +120,7 @@ void GuidedReview::build()
 void GuidedReview::refresh()
 {
     fillTable();
-    m_verdict->setText(verdict());
+    m_verdict->setText(inAngleStyle(verdict()));
     const auto& state = m_job.state();
     QStringList notes;
     if (state.indexRemoved_deg)
@@ -133,7 +134,7 @@ void GuidedReview::refresh()
         notes += toText(note);
     if (const Message doubt = m_job.clockDoubt(); !doubt.empty())
         notes += toText(doubt);
-    m_notes->setText(notes.join('\n'));
+    m_notes->setText(inAngleStyle(notes.join('\n')));
     m_notes->setVisible(!notes.isEmpty());
     const bool accepted = state.phase == JobPhase::Card;
     m_accept->setText(accepted ? tr("Make the record") : tr("Accept and make the record"));

@@ -12,6 +12,7 @@
 #include "ui/guided/GuidedWords.h"
 #include "ui/kit/Words.h"
 #include "ui/swing/SlipWords.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -195,8 +196,8 @@ void GuidedStation::showTurn(const MakeCompassRead& turn)
 {
     if (m_job.state().phase == JobPhase::Index)
         m_turnTo->setText(tr("Index: the aircraft stays where it is"));
-    m_sentence->setText(turnSentence(turn));
-    m_target->setText(figureText(turn.makeCompassRead_deg) + QStringLiteral("°"));
+    m_sentence->setText(inAngleStyle(turnSentence(turn)));
+    m_target->setText(inAngleStyle(figureText(turn.makeCompassRead_deg) + QStringLiteral("°")));
     m_target->setVisible(true);
     m_after->setEnabled(true);
     if (std::abs(turn.coefficient_deg) > kDemagnetise_deg && m_message->text().isEmpty())
@@ -233,7 +234,7 @@ void GuidedStation::setCompass(double heading_deg) { (turning() ? m_after : m_co
 
 void GuidedStation::say(const QString& message, bool urgent)
 {
-    m_message->setText(message);
+    m_message->setText(inAngleStyle(message));
     QPalette colours = palette();
     if (urgent)
         colours.setColor(QPalette::WindowText, QColor(0xD5, 0x5E, 0x00));

@@ -168,9 +168,9 @@ QString CheckPage::historyWords() const
 void CheckPage::choose()
 {
     const ChosenHeadings chosen = headingsFor(m_belief, m_count->value(), options());
-    m_history->setText(historyWords() + QLatin1Char('\n')
+    m_history->setText(inAngleStyle(historyWords() + QLatin1Char('\n')
         + tr("These headings leave %1° of what would matter unknown; as many evenly spaced ones %2°.")
-              .arg(plainNumber(chosen.left_deg, 1), plainNumber(chosen.leftEven_deg, 1)));
+              .arg(plainNumber(chosen.left_deg, 1), plainNumber(chosen.leftEven_deg, 1))));
     m_showing = true;
     m_table->setRowCount(static_cast<int>(chosen.compass_deg.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {

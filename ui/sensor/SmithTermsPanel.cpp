@@ -100,7 +100,7 @@ void SmithTermsPanel::show(const Result<PoissonSmith>& smith)
         = tr("λ = %1: a level compass is held by %2 % of H on the mean.").arg(smith->lambda, 0, 'f', 4).arg(100 * smith->lambda, 0, 'f', 1);
     if (!smith->approximate)
         words += QChar(' ') + beginning(toText(smith->whyNoApproximate)) + QChar('.');
-    m_lambda->setText(words);
+    m_lambda->setText(inAngleStyle(words));
     showRows(*smith);
 }
 

@@ -15,6 +15,7 @@
 #include "ui/kit/StoredEdit.h"
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/SideBySide.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -183,7 +184,7 @@ void InstrumentsPage::showInstrument()
     m_fields.show(instrument, there && !m_stores.readOnly());
     m_add->setEnabled(!m_stores.readOnly());
     m_remove->setEnabled(there && !m_stores.readOnly());
-    m_example->setText(there ? datumExample(instrument) : tr("No instrument yet."));
+    m_example->setText(there ? inAngleStyle(datumExample(instrument)) : tr("No instrument yet."));
     m_state->setText(!there || !calibrationOver(instrument, m_today())
             ? QString()
             : tr("▲ its calibration was due on %1: a swing with it needs a reason").arg(toText(instrument.calibrationDue)));
