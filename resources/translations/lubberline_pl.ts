@@ -9912,6 +9912,18 @@ soft iron S:</source>
         <translation>Błąd meldowanych wiatrów według wysokości, przed poprawieniem</translation>
     </message>
     <message>
+        <source>Reported winds against each reference</source>
+        <translation>Wiatry meldowane wobec każdego źródła odniesienia</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Źródła odniesienia</translation>
+    </message>
+    <message>
+        <source>two of one report are %1 kt apart (rms)</source>
+        <translation>dwa źródła jednego meldunku różnią się o %1 kt (rms)</translation>
+    </message>
+    <message>
         <source>To</source>
         <translation>Do</translation>
     </message>

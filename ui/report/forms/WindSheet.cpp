@@ -48,6 +48,9 @@ std::vector<Fact> windFacts(const WindSheet& sheet)
         outliers += printable(result.aircraft[row].aircraft);
     facts.push_back({Words::tr("By size of error"), bins.join(QStringLiteral("; "))});
     facts.push_back({Words::tr("Out of line"), outliers.isEmpty() ? Words::tr("none") : outliers.join(QStringLiteral(", "))});
+    if (result.sourcesApart_kt)
+        facts.push_back(
+            {Words::tr("References"), Words::tr("two of one report are %1 kt apart (rms)").arg(figure(*result.sourcesApart_kt, 1))});
     for (const auto& warning : result.warnings)
         facts.push_back({Words::tr("Note"), printable(warning)});
     return facts;
@@ -112,6 +115,18 @@ Table altitudeTable(const WindResult& result)
     return table;
 }
 
+Table sourceTable(const WindResult& result)
+{
+    Table table{Words::tr("Reported winds against each reference"),
+        {{Words::tr("Source"), {}, {}, 46, TableColumn::Align::Left}, {Words::tr("Reports"), {}, {}, 24},
+            {Words::tr("Offset"), {}, QStringLiteral("°"), 24}, {Words::tr("Across"), {}, QStringLiteral("kt"), 24}},
+        {}};
+    for (const auto& source : result.sources)
+        table.rows.push_back({{printable(source.source), QString::number(source.observations), signedFigure(source.meanError_deg, 2),
+            figure(source.transverse_kt, 1)}});
+    return table;
+}
+
 Table uploadTable(const WindSheet& sheet)
 {
     Table table{Words::tr("Corrections to upload (deviation's sign, easterly positive)"),
@@ -156,7 +171,7 @@ Result<void> writeWindSheet(const WindSheet& sheet, const QString& path)
             std::vector<Block> blocks = factBlocks(windFacts(sheet), {family, 8, mm(34)}, room.width());
             append(blocks, tableBlocks(windTable(sheet.result), room.width(), family, kDenseTableRow));
             append(blocks, tableBlocks(uploadTable(sheet), room.width(), family, kDenseTableRow));
-            for (const Table& table : {groupTable(sheet.result), altitudeTable(sheet.result)})
+            for (const Table& table : {groupTable(sheet.result), altitudeTable(sheet.result), sourceTable(sheet.result)})
                 if (!table.rows.empty())
                     append(blocks, tableBlocks(table, room.width(), family, kDenseTableRow));
             blocks.push_back(titleBlock(Words::tr("What has to be said of each"), family));
