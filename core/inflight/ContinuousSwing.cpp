@@ -153,6 +153,18 @@ double ContinuousSwing::correlation() const
     return rho > chance ? std::min(rho, 0.95) : 0.0;
 }
 
+/// By how much of the innovation before one is whitened. Few updates tell a correlation badly, and too small [Kendall 1954]; while none is
+/// told for sure, what they show is taken for one all the same: errors that last would else look like iron that changed.
+double ContinuousSwing::whitening() const
+{
+    if (m_pairs < 2 || m_square <= 0)
+        return 0;
+    const double own = m_product / m_square;
+    if (own <= 0 || (m_pairs >= kEnoughForCorrelation && correlation() == 0))
+        return 0;
+    return std::min(own + (1.0 + 3.0 * own) / static_cast<double>(m_pairs), 0.97);
+}
+
 void ContinuousSwing::update(double time_s, double compass_deg, double deviation_deg, double variance, const std::vector<double>& current_A)
 {
     if (m_options.drift_deg > 0 && m_last_s)
@@ -185,7 +197,7 @@ void ContinuousSwing::watch(const Kept& kept, double white)
     m_recent.push_back(white);
     if (m_recent.size() > m_lags.size())
         m_recent.pop_front();
-    const double rho = correlation();
+    const double rho = whitening();
     const StateFilter::State row = kept.h / std::sqrt(kept.variance);
     StateFilter::State whiteRow = row;
     double whiter = white;
@@ -194,7 +206,9 @@ void ContinuousSwing::watch(const Kept& kept, double white)
         ++m_pairs;
         if (rho > 0) { // what a change would show is whitened with it
             const double root = std::sqrt(1.0 - rho * rho);
-            whiter = std::clamp((white - rho * m_previous) / root, -kGate, kGate);
+            // What may be left of a correlation that is known to ±√((1 − ρ²)/n): sums of many are so much wider.
+            const double left = std::min(0.9, 3.0 / std::sqrt(static_cast<double>(m_pairs)));
+            whiter = std::clamp((white - rho * m_previous) / root, -kGate, kGate) * std::sqrt((1 - left) / (1 + left));
             whiteRow = (row - rho * m_previousRow) / root;
         }
     }

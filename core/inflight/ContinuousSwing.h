@@ -105,6 +105,7 @@ private:
     void nameChange();
     void keepPoint(double time_s);
     [[nodiscard]] double correlation() const;
+    [[nodiscard]] double whitening() const;
 
     ContinuousOptions m_options;
     StateFilter m_filter;
