@@ -84,6 +84,7 @@ int runCommandLine(int argc, char** argv)
     addCompensate(app, invocation);
     addSensorTests(app, invocation);
     addInstallation(app, invocation);
+    addLineOfSight(app, invocation);
     addImport(app, invocation);
     addExport(app, invocation);
     addSwings(app, invocation);

@@ -1,11 +1,15 @@
 #include "app/Console.h"
 #include "app/LogOptions.h"
 #include "app/Outputs.h"
+#include "app/Paths.h"
+#include "app/QtSession.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
 #include "core/calibration/ModelHeader.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/results/CalibrationJson.h"
+#include "ui/report/forms/CalibrationSheets.h"
+#include "ui/report/forms/InflightSheets.h"
 
 namespace lubberline::app {
 
@@ -112,6 +116,27 @@ void printTable(const AttitudeResult& result, const SensorLog& log)
 
 Error inLog(const Error& error, const CalibrateArguments& options) { return {error.code, error.message, nameOfInput(options.log.file)}; }
 
+/// The report; also of a log that tells nothing, with the reasons.
+int writeReport(const CalibrateArguments& options, const ui::CalibrationOutcome& outcome, const SensorLog& log, const KnownField& known,
+    const std::optional<SensorSetup>& setup)
+{
+    std::optional<CompensatedLog> compensated;
+    if (setup) {
+        CompensationOptions how;
+        how.field = known.meridian;
+        how.uncertainty = setup->uncertainty;
+        if (auto made = compensate(log, setup->model, how))
+            compensated = std::move(*made);
+    }
+    const auto session = makeDrawingSession();
+    ui::ReferenceSheet sheet = ui::calibrationSheet(outcome, log, compensated ? &*compensated : nullptr, ui::sourceName(options.log.file));
+    sheet.madeAtUtc = nowUtc();
+    if (const auto written = ui::writeReferenceSheet(sheet, QString::fromStdString(options.output.path)); !written)
+        return fail(written.error());
+    sayWritten(options.output);
+    return kDone;
+}
+
 int notDetermined(const CalibrateArguments& options, const std::vector<Message>& reasons)
 {
     return fail(inLog({ErrorCode::Numeric, {MARKED("app", "no model is written, as none is determined: %1"), together(reasons)}}, options));
@@ -135,13 +160,18 @@ int calibrateAttitude(const CalibrateArguments& options, const SensorLog& log, c
         printTable(*result, log);
     if (options.output.empty())
         return kDone;
+    const bool report = options.output.kind == ".pdf";
     if (result->verdict == CalibrationVerdict::NotDetermined)
-        return notDetermined(options, result->reasons);
+        return report ? writeReport(options, ui::outcomeOf(*result), log, known, {}) : notDetermined(options, result->reasons);
     std::string note = text("attitude calibration of %zu of %zu samples: %s, rank %d of %d", result->used, result->samples,
         std::string(nameOf(result->verdict)).c_str(), result->rank, result->parametersAsked);
     if (result->rank < result->parametersAsked)
         note += "; what could not be told is 0, and good for the attitudes and the place of the log only";
-    return writeModel(options, setupOf(result->model, options.field, known, known.meridian->total_nT(), note), "nT");
+    SensorSetup setup = setupOf(result->model, options.field, known, known.meridian->total_nT(), note);
+    setup.uncertainty = result->uncertainty;
+    if (report)
+        return writeReport(options, ui::outcomeOf(*result), log, known, setup);
+    return writeModel(options, setup, "nT");
 }
 
 int calibrateEllipsoid(const CalibrateArguments& options, const SensorLog& log, const KnownField& known)
@@ -158,15 +188,20 @@ int calibrateEllipsoid(const CalibrateArguments& options, const SensorLog& log, 
         printTable(result, log);
     if (options.output.empty())
         return kDone;
+    const bool report = options.output.kind == ".pdf";
     if (!result.fit || result.verdict == CalibrationVerdict::NotDetermined)
-        return notDetermined(options, result.reasons);
+        return report ? writeReport(options, ui::outcomeOf(result), log, known, {}) : notDetermined(options, result.reasons);
     SensorModel model;
     model.softIron = result.fit->softIron;
     model.hardIron_nT = result.fit->hardIron;
     const std::string note = text("%s calibration of %zu of %zu samples: %s, gate %.2f, noise %.1f %s", std::string(nameOf(shape)).c_str(),
         result.used, result.samples, std::string(nameOf(result.verdict)).c_str(), result.fit->gate, result.fit->sigma,
         std::string(log.figureUnit()).c_str());
-    return writeModel(options, setupOf(model, options.field, known, result.fit->field, note), log.figureUnit());
+    SensorSetup setup = setupOf(model, options.field, known, result.fit->field, note);
+    setup.uncertainty = result.fit->uncertainty;
+    if (report)
+        return writeReport(options, ui::outcomeOf(result), log, known, setup);
+    return writeModel(options, setup, log.figureUnit());
 }
 
 int calibrateCommand(const CalibrateArguments& options)
@@ -197,8 +232,8 @@ void addCalibrate(CLI::App& app, Invocation& invocation)
     command->add_option("--attitude-error-deg", options->attitudeError_deg, "with attitude: standard deviation of heading, pitch and roll")
         ->check(CLI::Range(0.0, 15.0));
     command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "write the model: Model JSON, or a C header with a self-test",
-        {".json", ".h"});
+    addOutputOption(*command, invocation, "-o,--output", options->output,
+        "write the model: Model JSON, or a C header with a self-test; or the report", {".json", ".h", ".pdf"});
     command->callback([options, &invocation] { invocation.action = [options] { return calibrateCommand(*options); }; });
 }
 

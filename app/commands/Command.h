@@ -62,6 +62,7 @@ void addFleet(CLI::App& app, Invocation& invocation);
 void addDue(CLI::App& app, Invocation& invocation);          ///< due, event, waive
 void addRule(CLI::App& app, Invocation& invocation);         ///< the calendar rules of due
 void addInstallation(CLI::App& app, Invocation& invocation); ///< locate, distances, site-check
+void addLineOfSight(CLI::App& app, Invocation& invocation);
 void addSensorTests(CLI::App& app, Invocation& invocation);  ///< spectrum, coil, interference
 void addSign(CLI::App& app, Invocation& invocation);         ///< complete, reopen, sign, amend, audit
 void addKeys(CLI::App& app, Invocation& invocation);         ///< list, add, remove the keys that the station knows

@@ -1,10 +1,14 @@
 #include "app/Console.h"
 #include "app/LogOptions.h"
 #include "app/Outputs.h"
+#include "app/Paths.h"
+#include "app/QtSession.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/results/CompensationJson.h"
+#include "ui/report/forms/CalibrationSheets.h"
+#include "ui/report/forms/InflightSheets.h"
 
 namespace lubberline::app {
 
@@ -40,6 +44,18 @@ void printTable(const CompensatedLog& compensated, const SensorLog& log)
             !demand.value ? "not known" : text("%.3g: %s", *demand.value, *demand.met() ? "met" : "not met").c_str());
 }
 
+/// The report of the log: deviation before and after.
+int writeReport(const CompensatedLog& compensated, const SensorLog& log, const CompensateArguments& options)
+{
+    const auto session = makeDrawingSession();
+    ui::ReferenceSheet sheet = ui::compensationSheet(compensated, log, ui::sourceName(options.log.file));
+    sheet.madeAtUtc = nowUtc();
+    if (const auto written = ui::writeReferenceSheet(sheet, QString::fromStdString(options.output.path)); !written)
+        return fail(written.error());
+    sayWritten(options.output);
+    return kDone;
+}
+
 int compensateCommand(CompensateArguments options)
 {
     const auto setup = readModelJsonFile(options.model);
@@ -48,6 +64,7 @@ int compensateCommand(CompensateArguments options)
     const auto field = fieldOf(*setup);
     if (field)
         options.options.field = *field;
+    options.options.uncertainty = setup->uncertainty;
     const auto log = readLog(options.log);
     if (!log)
         return fail(log.error());
@@ -58,7 +75,10 @@ int compensateCommand(CompensateArguments options)
         warn(log->warnings);
         warn(compensated->warnings);
     }
-    if (!options.output.empty()) {
+    if (options.output.kind == ".pdf") {
+        if (const int written = writeReport(*compensated, *log, options); written != kDone)
+            return written;
+    } else if (!options.output.empty()) {
         if (const auto written
             = writeWholeFile(options.output.path, writeCompensatedCsv(*log, *compensated), {options.log.file, options.model});
             !written)
@@ -88,7 +108,7 @@ void addCompensate(CLI::App& app, Invocation& invocation)
         ->check(CLI::Range(0.0, 10000.0));
     command->add_option("--filter-ms", options->options.filter_ms, "delay of a filter behind it")->check(CLI::Range(0.0, 10000.0));
     command->add_flag("--json", options->json, "one JSON object on standard output");
-    addOutputOption(*command, invocation, "-o,--output", options->output, "write the compensated log", {".csv"});
+    addOutputOption(*command, invocation, "-o,--output", options->output, "write the compensated log, or the report", {".csv", ".pdf"});
     command->callback([options, &invocation] { invocation.action = [options] { return compensateCommand(*options); }; });
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include "app/Console.h"
@@ -54,6 +55,25 @@ struct ModelMap {
     MapSource source;
 };
 
+/// At each point of the map, as the calibration of the model knows it.
+std::vector<double> sigmaOf(const SensorSetup& setup, const MeridianField& field, const MapRequest& request)
+{
+    std::vector<double> sigma_rad;
+    if (!setup.uncertainty)
+        return sigma_rad;
+    std::array<double, 3> angles_deg{};
+    angles_deg[static_cast<std::size_t>(heldAxis(request))] = request.held_deg;
+    for (int y = 0; y < request.y.nodes; ++y)
+        for (int x = 0; x < request.x.nodes; ++x) {
+            angles_deg[static_cast<std::size_t>(request.x.axis)] = request.x.at_deg(x);
+            angles_deg[static_cast<std::size_t>(request.y.axis)] = request.y.at_deg(y);
+            const Attitude attitude{MagneticHeading::fromDegrees(angles_deg[0]), toRadians(angles_deg[1]), toRadians(angles_deg[2])};
+            sigma_rad.push_back(
+                headingSigma_rad(setup.model, *setup.uncertainty, field, attitude).value_or(std::numeric_limits<double>::quiet_NaN()));
+        }
+    return sigma_rad;
+}
+
 /// The map of one Model JSON in its own field.
 Result<ModelMap> mapOf(const std::string& path, const std::vector<std::string>& switches, const MapRequest& request)
 {
@@ -66,7 +86,7 @@ Result<ModelMap> mapOf(const std::string& path, const std::vector<std::string>& 
     if (!field)
         return Error{field.error().code, {MARKED("app", "field: %1"), field.error().message}, nameOfInput(path)};
     ModelMap made;
-    made.source = {std::filesystem::path(nameOfInput(path)).filename().string(), *field, {}};
+    made.source = {std::filesystem::path(nameOfInput(path)).filename().string(), *field, {}, sigmaOf(*setup, *field, request)};
     for (const auto& circuit : setup->model.circuits)
         if (circuit.on)
             made.source.circuitsOn.push_back(circuit.name);
@@ -143,6 +163,12 @@ void printTable(const MapAnswer& answer)
     put("%s (deg, east +), modelled, over %s and %s, %s %g deg, %d x %d points\n", answer.minus ? "difference of deviation" : "deviation",
         x, y, nameOf(heldAxis(request)), request.held_deg, request.x.nodes, request.y.nodes);
     put("H %.1f nT, dip %.2f deg\n\n", answer.model.field.horizontal_nT, toDegrees(answer.model.field.inclination_rad()));
+    if (!answer.model.sigma_rad.empty()) {
+        double largest = 0;
+        for (const double sigma : answer.model.sigma_rad)
+            largest = std::isfinite(sigma) ? std::max(largest, sigma) : largest;
+        put("sure to %.2f deg (95 %%) or better, by the calibration of the model\n\n", 1.96 * toDegrees(largest));
+    }
     put("           %10s %10s  deviation\n", x, y);
     for (const auto& extreme : extremesOf(answer.map))
         put("  %s  %10.1f %10.1f  %+9.3f\n", extreme.maximum ? "maximum" : "minimum", extreme.x_deg, extreme.y_deg,

@@ -10,6 +10,7 @@
 #include "core/earth/FieldModel.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/results/PredictionJson.h"
+#include "core/swing/ModelBand.h"
 #include "core/swing/Prediction.h"
 
 namespace lubberline::app {
@@ -54,6 +55,8 @@ Result<PredictAnswer> fromModel(const std::string& path, const MeridianField& th
     auto prediction = predict(setup->model, {here ? std::optional(*here) : std::nullopt, there});
     if (!prediction)
         return prediction.error();
+    if (setup->uncertainty)
+        addModelBand(*prediction, setup->model, *setup->uncertainty);
     return PredictAnswer{std::move(prediction.value()), {}};
 }
 

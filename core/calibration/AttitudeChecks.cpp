@@ -8,6 +8,8 @@ namespace lubberline {
 
 namespace {
 
+constexpr double kExact_nT = 1.0; ///< scatter below which a log is exact
+
 double largestIn(const std::vector<double>& values)
 {
     double largest = 0;
@@ -93,6 +95,8 @@ void checkNorth(
 {
     if (!options.variation || std::abs(options.variation->degrees()) < 1)
         return;
+    if (std::sqrt(variance) * options.field.total_nT() < kExact_nT)
+        return; // nothing is left to explain
     const AngleReading fromTrue{1.0, 1.0, -options.variation->degrees()};
     if (regress(momentsOfRows(log, used, options.field, fromTrue), 0).variance > 0.25 * variance)
         return;

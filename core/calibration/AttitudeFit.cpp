@@ -32,6 +32,22 @@ std::vector<std::uint8_t> usableRows(const SensorLog& log, const LogQuality& qua
     return used;
 }
 
+/// Each axis has the covariance of the regression; its residuals are independent of those of the others.
+std::optional<ModelUncertainty> uncertaintyOf(const Regression& fit, double total_nT, double variance)
+{
+    if (!std::all_of(fit.told.begin(), fit.told.begin() + 4, [](bool told) { return told; }))
+        return {};
+    ModelUncertainty uncertainty;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+        for (Eigen::Index i = 0; i < 4; ++i)
+            for (Eigen::Index j = 0; j < 4; ++j) {
+                const auto place = [axis](Eigen::Index regressor) { return regressor < 3 ? 3 * axis + regressor : 9 + axis; };
+                const double unit = (i == 3 ? total_nT : 1.0) * (j == 3 ? total_nT : 1.0);
+                uncertainty.covariance(place(i), place(j)) = unit * variance * fit.covariance(i, j);
+            }
+    return uncertainty;
+}
+
 SensorModel modelOf(const SensorLog& log, const Regression& fit, double total_nT)
 {
     SensorModel model;
@@ -138,12 +154,22 @@ void judgeAttitude(AttitudeResult& result, const AttitudeOptions& options)
         atMost(CalibrationVerdict::Doubtful,
             {MARKED("core", "the standard error of the hard iron is %1 nT; expected %2 nT or less"), figureText(worst, 0),
                 figureText(kGoodHardIron * total_nT, 0)});
+    const auto fieldTold = (result.softTold.row(0).array() > 0).count() + (result.hardTold[0] > 0 ? 1 : 0);
+    if (fieldTold < 3)
+        atMost(CalibrationVerdict::NotDetermined,
+            {MARKED("core",
+                 "of what the field along x, y and z does, and of hard iron, %1 of 4 can be told; expected 3 or more, as a swing through "
+                 "all headings tells"),
+                fieldTold});
     if (result.rank < result.parametersAsked) {
         atMost(CalibrationVerdict::Doubtful,
             {MARKED("core", "%1 of %2 parameters can be told; what cannot is named"), result.rank, result.parametersAsked});
         result.nextSteps.push_back(
             {MARKED("core", "log all headings at more than one pitch and roll: 20° either way tells all, 5° tells a quarter as well")});
     }
+    if (const std::size_t left = result.samples - result.used; left * 5 > result.samples)
+        atMost(CalibrationVerdict::Doubtful,
+            {MARKED("core", "%1 of %2 samples were left out as spikes or faults; expected one in five or fewer"), left, result.samples});
     if (result.validation && result.validation->heading_deg > kHeldOutHeading_deg)
         atMost(CalibrationVerdict::Doubtful,
             {MARKED("core", "headings that were held out are off by %1° rms; expected %2° or less"),
@@ -223,7 +249,9 @@ Result<AttitudeResult> fitAttitude(const SensorLog& log, const AttitudeOptions& 
     }
     result.rms_nT = std::sqrt(squares / static_cast<double>(residuals.size()));
     result.coverage = coverageOf(directions);
-    describeAttitudeParameters(result, log, fit, total_nT, fit.variance * slowResidualFactor(residuals));
+    const double variance = fit.variance * slowResidualFactor(residuals);
+    describeAttitudeParameters(result, log, fit, total_nT, variance);
+    result.uncertainty = uncertaintyOf(fit, total_nT, variance);
     for (const auto& direction : fit.null)
         result.notSeparable.push_back(inWords(log, direction, total_nT));
     result.notSeparable.push_back({MARKED("core",

@@ -39,6 +39,7 @@ struct AttitudeResult {
     double condition = 0;
     int rank = 0, parametersAsked = 12;
     std::vector<FittedParameter> parameters;
+    std::optional<ModelUncertainty> uncertainty; ///< none where not all twelve can be told
     std::vector<Message> notSeparable;
     std::optional<HeldOut> validation;
     Coverage coverage;

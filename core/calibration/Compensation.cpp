@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <charconv>
+#include <map>
 
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
@@ -109,6 +110,47 @@ void doubt(CompensatedLog& result, const SensorLog& log, const CompensationOptio
                 figureText(meanOf(after), 0), signedFigureText(100 * off, 0), figureText(options.field->total_nT(), 0)});
 }
 
+/// Cells that hold samples, by pitch and then heading. @param referenced whether the heading column is a reference
+std::vector<ErrorCell> errorMap(
+    const SensorLog& log, const std::vector<double>& before_deg, const std::vector<double>& after_deg, bool referenced)
+{
+    std::map<std::pair<long, long>, ErrorCell> cells; // by pitch, heading
+    const auto headings = std::lround(360 / kCellHeading_deg);
+    for (std::size_t row = 0; row < log.size(); ++row) {
+        const double magnetic_deg = referenced ? log.heading_deg[row] : after_deg[row];
+        const double pitch_deg = log.pitch_deg.empty() ? 0.0 : log.pitch_deg[row];
+        const double before = wrap180(magnetic_deg - before_deg[row]), after = wrap180(magnetic_deg - after_deg[row]);
+        if (!std::isfinite(before) || !std::isfinite(after) || !std::isfinite(pitch_deg))
+            continue;
+        const long pitch = std::lround(pitch_deg / kCellPitch_deg),
+                   heading = std::lround(wrap360(magnetic_deg) / kCellHeading_deg) % headings;
+        ErrorCell& cell = cells[{pitch, heading}];
+        cell.heading_deg = static_cast<double>(heading) * kCellHeading_deg;
+        cell.pitch_deg = static_cast<double>(pitch) * kCellPitch_deg;
+        ++cell.samples;
+        cell.before_deg += before;
+        if (referenced)
+            cell.after_deg = cell.after_deg.value_or(0.0) + after;
+    }
+    std::vector<ErrorCell> map;
+    for (auto& [place, cell] : cells) {
+        cell.before_deg /= static_cast<double>(cell.samples);
+        if (cell.after_deg)
+            *cell.after_deg /= static_cast<double>(cell.samples);
+        map.push_back(cell);
+    }
+    return map;
+}
+
+/// Fills sigma_deg of each.
+void addSigma(std::vector<ErrorCell>& map, const SensorModel& model, const ModelUncertainty& uncertainty, const MeridianField& field)
+{
+    for (ErrorCell& cell : map)
+        if (const auto sigma_rad
+            = headingSigma_rad(model, uncertainty, field, {MagneticHeading::fromDegrees(cell.heading_deg), toRadians(cell.pitch_deg), 0}))
+            cell.sigma_deg = toDegrees(*sigma_rad);
+}
+
 } // namespace
 
 Result<CompensatedLog> compensate(const SensorLog& log, const SensorModel& model, const CompensationOptions& options)
@@ -160,6 +202,9 @@ Result<CompensatedLog> compensate(const SensorLog& log, const SensorModel& model
         if (log.pitch_deg.empty() || log.roll_deg.empty())
             result.warnings.push_back({MARKED("core", "without pitch and roll the headings are those of a level compass")});
     }
+    result.map = errorMap(log, result.before_deg, result.after_deg, result.after.has_value());
+    if (options.uncertainty && options.field && options.field->down_nT != 0)
+        addSigma(result.map, model, *options.uncertainty, *options.field);
     std::optional<double> latency;
     if (options.latency_ms)
         latency = *options.latency_ms + options.filter_ms;

@@ -7,6 +7,7 @@
 #include "core/base/Result.h"
 #include "core/calibration/SensorLog.h"
 #include "core/earth/EarthField.h"
+#include "core/sensor/ModelUncertainty.h"
 #include "core/sensor/SensorModel.h"
 
 namespace lubberline {
@@ -31,10 +32,23 @@ struct Demand {
     }
 };
 
+/// Of the deviation of a log over heading and pitch, as the log itself shows it.
+inline constexpr double kCellHeading_deg = 15, kCellPitch_deg = 10;
+
+/// Means of a cell; deviation is magnetic − read.
+struct ErrorCell {
+    double heading_deg = 0, pitch_deg = 0; ///< the middle
+    std::size_t samples = 0;
+    double before_deg = 0;
+    std::optional<double> after_deg; ///< none without a reference heading: then what compensation makes is the reference of `before`
+    std::optional<double> sigma_deg; ///< of a compensated heading there, as sure as the calibration is
+};
+
 struct CompensationOptions {
-    std::optional<MeridianField> field = {}; ///< of the model: held against the log
-    std::optional<double> latency_ms = {};   ///< of the sensor, as its maker states it
-    double filter_ms = 0;                    ///< delay of a filter before the heading is used
+    std::optional<MeridianField> field = {};          ///< of the model: held against the log
+    std::optional<double> latency_ms = {};            ///< of the sensor, as its maker states it
+    double filter_ms = 0;                             ///< delay of a filter before the heading is used
+    std::optional<ModelUncertainty> uncertainty = {}; ///< of the model's calibration
 };
 
 struct CompensatedLog {
@@ -43,6 +57,7 @@ struct CompensatedLog {
     std::optional<double> rate_hz;
     std::optional<HeadingErrors> before, after; ///< none without a reference heading
     double spreadBefore = 0, spreadAfter = 0;   ///< standard deviation of the field's size
+    std::vector<ErrorCell> map;                 ///< deviation before and after over heading and pitch
     std::vector<Demand> demands;                ///< of helmet systems [P]: 240 Hz, 3.5 ms, 0.2° rms
     std::vector<Message> warnings;
 };

@@ -11,6 +11,7 @@
 
 #include "core/calibration/Coverage.h"
 #include "core/calibration/SensorLog.h"
+#include "core/sensor/ModelUncertainty.h"
 
 namespace lubberline {
 
@@ -49,6 +50,7 @@ struct EllipsoidFit {
     double condition = 0;
     int rank = 0;
     std::vector<FittedParameter> parameters;
+    ModelUncertainty uncertainty; ///< of the model that is made of it; of a log in counts R, P and Q are in counts
     Coverage coverage;
 };
 

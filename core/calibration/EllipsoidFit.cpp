@@ -163,6 +163,10 @@ EllipsoidFit fitOf(
     const Eigen::Matrix<double, 10, 10> covariance
         = fit.sigma * fit.sigma * slow * (some / count) * by * free * inverse * free.transpose() * by.transpose();
     describeParameters(fit, covariance, field.has_value(), log.figureUnit());
+    constexpr std::array<int, kUncertainParameters> kFrom{0, 1, 2, 1, 3, 4, 2, 4, 5, 6, 7, 8}; // of a … R in the ten
+    for (int i = 0; i < kUncertainParameters; ++i)
+        for (int j = 0; j < kUncertainParameters; ++j)
+            fit.uncertainty.covariance(i, j) = covariance(kFrom[static_cast<std::size_t>(i)], kFrom[static_cast<std::size_t>(j)]);
     return fit;
 }
 

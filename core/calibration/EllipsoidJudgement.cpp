@@ -1,4 +1,5 @@
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include "core/base/Number.h"
 #include "core/calibration/EllipsoidParts.h"
@@ -7,9 +8,26 @@ namespace lubberline {
 
 namespace {
 
-constexpr double kFlat = 0.02; ///< thickness of the cloud as a part of its length: below, it is a plane or a line
+constexpr double kOtherUnit = 8;   ///< no two sizes of one log lie so far apart with nothing between them
+constexpr double kUnturned = 0.02; ///< spread of the cloud as a part of its distance from zero: below, the sensor stood still
+constexpr double kFlat = 0.02;     ///< thickness of the cloud as a part of its length: below, it is a plane or a line
 
 std::string figure(double value) { return figureText(value, std::abs(value) < 10 ? 2 : 0); }
+
+/// Sizes of two kinds, far from each other: a log whose unit changes on its way. Spikes alone are few.
+Message twoUnits(const SensorLog& log, const std::vector<std::size_t>& rows)
+{
+    std::vector<double> sizes;
+    for (const auto row : rows)
+        sizes.push_back(log.at(row).norm());
+    std::sort(sizes.begin(), sizes.end());
+    const std::size_t few = std::max<std::size_t>(10, sizes.size() / 20);
+    for (std::size_t i = few; i + few < sizes.size(); ++i)
+        if (sizes[i] > kOtherUnit * sizes[i - 1] && sizes[i - 1] > 0)
+            return {MARKED("core", "%1 samples are of sizes up to %2 %5, and %3 of %4 %5 or more: two units in one log"), i,
+                figureText(sizes[i - 1], 1), sizes.size() - i, figureText(sizes[i], 0), log.figureUnit()};
+    return {};
+}
 
 Message turnMore(const Coverage& coverage)
 {
@@ -27,6 +45,11 @@ Message flatness(const SensorLog& log, const std::vector<std::size_t>& rows, Ell
     const std::string unit(log.figureUnit());
     if (spread.axes[2] <= 1e-9 * std::max(1.0, spread.centre.norm()))
         return {MARKED("core", "all samples are equal: the sensor was not turned, or it is stuck")};
+    if (Message mixed = twoUnits(log, rows); !mixed.empty())
+        return mixed;
+    if (spread.axes[2] < kUnturned * spread.centre.norm())
+        return {MARKED("core", "the samples spread by %1 %3 about one field of %2 %3: the sensor was hardly turned"),
+            figure(spread.axes[2]), figure(spread.centre.norm()), unit};
     if (spread.axes[1] < kFlat * spread.axes[2])
         return {MARKED("core", "the samples lie on a line: across it they spread by %1 %3 against %2 %3 along it; expected %4 %3 or more"),
             figure(spread.axes[1]), figure(spread.axes[2]), unit, figure(kFlat * spread.axes[2])};

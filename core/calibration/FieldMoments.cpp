@@ -4,13 +4,7 @@
 #include <cstring>
 
 #include "core/base/Contract.h"
-
-// The same loop for processors with and without wide vectors; the program picks at its start.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define LUBBERLINE_VECTOR_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
-#else
-#define LUBBERLINE_VECTOR_CLONES
-#endif
+#include "core/base/VectorClones.h"
 
 namespace lubberline {
 
@@ -35,8 +29,6 @@ enum Product { kX, kY, kZ, kXX, kXY, kXZ, kYY, kYZ, kZZ, kProducts };
 struct Block {
     alignas(64) std::array<std::array<double, kBlockPoints>, kProducts> column;
 };
-
-typedef double FourDoubles __attribute__((vector_size(32))); // NOLINT: the attribute wants a typedef
 
 /// The sums of a·b₁ … a·b₆ over a block.
 LUBBERLINE_VECTOR_CLONES void addProducts(const double* a, const double* const* b, double* sums)

@@ -27,8 +27,12 @@ void findGaps(const SensorLog& log, LogQuality& quality)
     for (std::size_t row = 1; row < log.time_s.size(); ++row)
         if (log.time_s[row] > log.time_s[row - 1])
             steps.push_back(log.time_s[row] - log.time_s[row - 1]);
-    if (steps.empty())
+    if (steps.empty()) {
+        if (log.time_s.size() > 1)
+            quality.remarks.push_back(
+                {MARKED("core", "time stands at %1 s in all rows: no rate and no gaps are known"), shortestNumber(log.time_s.front())});
         return;
+    }
     const double step = middleOf(std::move(steps));
     quality.rate_hz = 1.0 / step;
     double longest = 0, lost = 0;
@@ -126,6 +130,9 @@ void findClipped(const SensorLog& log, LogQuality& quality)
             for (std::size_t i = 1; i < values.size(); ++i)
                 distinct += values[i] != values[i - 1] ? 1 : 0;
             if (distinct < 50 || at * distinct < 10 * values.size())
+                continue;
+            // A crest that is cut off comes and goes; an axis that died at its largest figure stays.
+            if (longest >= 2 * kStuckRows && 10 * longest > 9 * at && 2 * at > values.size())
                 continue;
             for (std::size_t row = 0; row < log.size(); ++row)
                 if (log.field[axis][row] == end)

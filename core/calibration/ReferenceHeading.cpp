@@ -1,5 +1,8 @@
 #include "core/calibration/ReferenceHeading.h"
 
+#include <Eigen/Dense>
+#include <algorithm>
+
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 #include "core/calibration/ModelHeader.h"
@@ -18,6 +21,41 @@ double roundingOf(const std::vector<double>& values)
                 [step](double value) { return !std::isfinite(value) || std::abs(value / step - std::round(value / step)) < 1e-6; }))
             return step;
     return 0;
+}
+
+/// A heading that the compass made of its own field and then smoothed or delayed: what it differs by from the field's own heading goes with
+/// the rate of turn, and neither with heading nor with tilt, though the size of the field tells of iron that must turn it.
+bool smoothedOwn(const SensorLog& log, const std::vector<std::uint8_t>& used)
+{
+    using Row = Eigen::Matrix<double, 7, 1>;
+    Eigen::Matrix<double, 7, 7> normal = Eigen::Matrix<double, 7, 7>::Zero();
+    Row right = Row::Zero();
+    double squares = 0, rows = 0, sizes = 0, sizeSquares = 0;
+    const bool tilted = !log.pitch_deg.empty() && !log.roll_deg.empty();
+    for (std::size_t row = 1; row + 1 < log.size(); ++row) {
+        const double heading = log.heading_deg[row], before = wrap180(heading - log.heading_deg[row - 1]),
+                     behind = wrap180(log.heading_deg[row + 1] - heading);
+        if (used[row] == 0 || used[row - 1] == 0 || used[row + 1] == 0 || !std::isfinite(before + behind))
+            continue;
+        const double own = headingOf_deg(log.at(row), tilted ? log.pitch_deg[row] : 0.0, tilted ? log.roll_deg[row] : 0.0);
+        const double off = wrap180(own - heading), angle = toRadians(heading);
+        Row x;
+        x << 1, (before + behind) / 2, behind - before, std::sin(angle), std::cos(angle), std::sin(2 * angle), std::cos(2 * angle);
+        normal += x * x.transpose();
+        right += off * x;
+        squares += off * off;
+        rows += 1;
+        const double size = log.at(row).norm();
+        sizes += size;
+        sizeSquares += size * size;
+    }
+    if (rows < 200)
+        return false;
+    const double mean = sizes / rows, iron_deg = toDegrees(std::sqrt(std::max(0.0, sizeSquares / rows - mean * mean)) / mean);
+    const Row solved = normal.completeOrthogonalDecomposition().solve(right);
+    const double left_deg = std::sqrt(std::max(0.0, squares - solved.dot(right)) / rows);
+    const double turned_deg = std::hypot(solved[3], solved[4]) + std::hypot(solved[5], solved[6]);
+    return iron_deg >= 1.0 && turned_deg < 0.1 * iron_deg && left_deg < 0.3 * iron_deg;
 }
 
 } // namespace
@@ -50,6 +88,10 @@ Message headingOfItsOwn(const SensorLog& log, const std::vector<std::uint8_t>& u
                     "reference of its own (inertial, GPS, datum compass)"),
                 std::abs(turn) > 0.1 ? " (" + signedFigureText(turn, 2) + "°)" : std::string(), figureText(allowed, 2)};
     }
+    if (smoothedOwn(log, used))
+        return {MARKED("core",
+            "heading_deg is what this compass itself reads, smoothed or delayed: it goes with its field, though iron must turn that; expected a "
+            "reference of its own (inertial, GPS, datum compass)")};
     return {};
 }
 

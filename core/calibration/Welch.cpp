@@ -3,14 +3,15 @@
 #include <fftw3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <mutex>
 
 #include "core/angle/Angle.h"
 #include "core/base/Contract.h"
 #include "core/base/FourierPlanner.h"
+#include "core/base/VectorClones.h"
 
 namespace lubberline {
 
@@ -39,7 +40,7 @@ public:
     SegmentTransform& operator=(const SegmentTransform&) = delete;
 
     [[nodiscard]] double* in() { return m_in.get(); }
-    const fftw_complex* run()
+    fftw_complex* run()
     {
         fftw_execute(m_plan);
         return m_out.get();
@@ -51,20 +52,49 @@ private:
     fftw_plan m_plan = nullptr;
 };
 
-/// In eight sums that do not wait for each other.
-double sumOf(const double* values, std::size_t count)
+/// Samples times window into `in`; the sum of the samples in the same run through them.
+LUBBERLINE_VECTOR_CLONES double putWindowed(const double* samples, const double* window, double* in, std::size_t count)
 {
-    std::array<double, 8> sums{};
+    FourDoubles first{}, second{};
     std::size_t i = 0;
-    for (; i + sums.size() <= count; i += sums.size())
-        for (std::size_t k = 0; k < sums.size(); ++k)
-            sums[k] += values[i + k];
-    double sum = 0;
-    for (; i < count; ++i)
-        sum += values[i];
-    for (const double one : sums)
-        sum += one;
+    for (; i + 8 <= count; i += 8) {
+        FourDoubles a, b, wa, wb;
+        std::memcpy(&a, samples + i, sizeof a);
+        std::memcpy(&b, samples + i + 4, sizeof b);
+        std::memcpy(&wa, window + i, sizeof wa);
+        std::memcpy(&wb, window + i + 4, sizeof wb);
+        first += a;
+        second += b;
+        wa *= a;
+        wb *= b;
+        std::memcpy(in + i, &wa, sizeof wa);
+        std::memcpy(in + i + 4, &wb, sizeof wb);
+    }
+    first += second;
+    double sum = (first[0] + first[1]) + (first[2] + first[3]);
+    for (; i < count; ++i) {
+        sum += samples[i];
+        in[i] = samples[i] * window[i];
+    }
     return sum;
+}
+
+/// Squares of complex numbers, real and imaginary part in turns, added to a density.
+LUBBERLINE_VECTOR_CLONES void addSquares(const double* parts, double* density, std::size_t count)
+{
+    std::size_t k = 0;
+    for (; k + 4 <= count; k += 4) {
+        FourDoubles a, b, sum;
+        std::memcpy(&a, parts + 2 * k, sizeof a);
+        std::memcpy(&b, parts + 2 * k + 4, sizeof b);
+        std::memcpy(&sum, density + k, sizeof sum);
+        a *= a;
+        b *= b;
+        sum += FourDoubles{a[0], a[2], b[0], b[2]} + FourDoubles{a[1], a[3], b[1], b[3]};
+        std::memcpy(density + k, &sum, sizeof sum);
+    }
+    for (; k < count; ++k)
+        density[k] += parts[2 * k] * parts[2 * k] + parts[2 * k + 1] * parts[2 * k + 1];
 }
 
 } // namespace
@@ -87,13 +117,12 @@ WelchSpectrum welch(std::span<const std::vector<double>> runs, std::size_t segme
         for (std::size_t from = 0; from + segment <= run.size(); from += segment / 2) {
             const double* const samples = run.data() + from;
             double* const in = transform.in();
-            const double mean = sumOf(samples, segment) / static_cast<double>(segment);
-            for (std::size_t i = 0; i < segment; ++i)
-                in[i] = (samples[i] - mean) * window[i];
-            const fftw_complex* const out = transform.run();
-            double* const density = spectrum.density.data();
-            for (std::size_t k = 0; k < spectrum.density.size(); ++k)
-                density[k] += out[k][0] * out[k][0] + out[k][1] * out[k][1];
+            const double sum = putWindowed(samples, window.data(), in, segment);
+            // The window's own transform is N/2, −N/4 and 0: the mean is taken out where it is.
+            fftw_complex* const out = transform.run();
+            out[0][0] -= sum / 2;
+            out[1][0] += sum / 4;
+            addSquares(&out[0][0], spectrum.density.data(), spectrum.density.size());
             ++spectrum.segments;
         }
     const double factor = spectrum.segments > 0 ? 1.0 / (rate_hz * power * static_cast<double>(spectrum.segments)) : 0.0;

@@ -6,6 +6,7 @@
 
 #include "core/angle/Angle.h"
 #include "core/iron/BenchCheck.h"
+#include "core/iron/Coercivity.h"
 #include "core/iron/DemagnetisingFactors.h"
 #include "core/iron/ShapeGeometry.h"
 #include "core/iron/TensorStore.h"
@@ -56,6 +57,7 @@ PartEffect effectOf(const Placed& one, const Eigen::Matrix3d& tensor)
     effect.hardIron_nT = response * one.part->remanence_T * kNanoteslaPerTesla;
     effect.distance_m = one.sensor_m.norm();
     effect.dipole = !one.key;
+    effect.coercivity_A_per_m = one.part->coercivity_A_per_m;
     return effect;
 }
 
@@ -187,6 +189,9 @@ Result<BenchModel> benchModel(const IronBench& bench, const BenchStates& states,
     }
     result.model.circuits = std::move(*circuits);
     result.warnings = warningsOf(parts);
+    for (const auto& effect : result.parts)
+        if (Message drift = driftWarning(effect); !drift.empty())
+            result.warnings.push_back(std::move(drift));
     return result;
 }
 

@@ -23,8 +23,9 @@ struct PartEffect {
     std::string part;
     Eigen::Matrix3d softIron = Eigen::Matrix3d::Zero();
     Eigen::Vector3d hardIron_nT = Eigen::Vector3d::Zero();
-    double distance_m = 0; ///< from the sensor to the part's centre
-    bool dipole = true;    ///< false: by the tensor
+    double distance_m = 0;                         ///< from the sensor to the part's centre
+    bool dipole = true;                            ///< false: by the tensor
+    std::optional<double> coercivity_A_per_m = {}; ///< of the part, for what may drift (Coercivity.h)
 };
 
 struct BenchModel {

@@ -3,6 +3,7 @@
 /// datum point: x forward, y starboard, z down.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -45,6 +46,7 @@ struct FerrousPart {
     Eigen::Vector3d remanence_T = Eigen::Vector3d::Zero(); ///< μ0 M_r in the part's own axes [T]
     std::string group = {};                                ///< moving parts: "gear"; empty: fixed
     std::vector<Placement> placements;                     ///< one, or one for each state of its group
+    std::optional<double> coercivity_A_per_m = {};         ///< none: not known
     bool operator==(const FerrousPart&) const = default;
 };
 

@@ -7,6 +7,7 @@
 
 #include "core/base/Result.h"
 #include "core/earth/FieldModel.h"
+#include "core/sensor/ModelUncertainty.h"
 #include "core/sensor/SensorModel.h"
 
 namespace lubberline {
@@ -21,7 +22,8 @@ struct PlaceAndDate {
 struct SensorSetup {
     std::variant<MeridianField, PlaceAndDate> field;
     SensorModel model;
-    std::string note; ///< in the user's words; empty: none
+    std::string note;                                 ///< in the user's words; empty: none
+    std::optional<ModelUncertainty> uncertainty = {}; ///< of a calibration; none: not known
     friend bool operator==(const SensorSetup&, const SensorSetup&) = default;
 };
 

@@ -25,6 +25,73 @@ std::string turnLog()
     return log;
 }
 
+/// A calibration's uncertainty goes with its model: into the map of the log, the map of the model and a prediction elsewhere.
+TEST(CalibrateCommand, theUncertaintyGoesWithTheModel)
+{
+    const Sandbox sandbox;
+    std::string log = "time_s,bx_nT,by_nT,bz_nT,heading_deg,pitch_deg,roll_deg\n";
+    for (int i = 0; i < 1200; ++i) { // all attitudes, by whole turns of three angles
+        const double h = std::fmod(kTurn * i * 7 / 1200, kTurn), p = 0.9 * std::sin(kTurn * i * 11 / 1200),
+                     r = 3 * std::sin(kTurn * i * 5 / 1200);
+        const double x = 20000 * std::cos(p) * std::cos(h) - 34641 * std::sin(p), y = -20000 * std::sin(h),
+                     z = 20000 * std::sin(p) * std::cos(h) + 34641 * std::cos(p);
+        const double noise = 60 * std::sin(12.9898 * i) + 50 * std::sin(78.233 * i);
+        log += std::to_string(0.1 * i) + "," + std::to_string(x + 2000 + noise) + ","
+            + std::to_string(y * std::cos(r) + z * std::sin(r) - noise) + ","
+            + std::to_string(-y * std::sin(r) + z * std::cos(r) + noise / 2) + "," + std::to_string(h * 360 / kTurn) + ","
+            + std::to_string(p * 360 / kTurn) + "," + std::to_string(r * 360 / kTurn) + "\n";
+    }
+    const auto file = sandbox.write("log.csv", log);
+    const auto fit = sandbox.run({"calibrate", file, "--field-nT", "40000", "--dip-deg", "60", "-o", "model.json"});
+    ASSERT_EQ(fit.status, 0) << fit.err;
+    const auto model = nlohmann::json::parse(sandbox.read("model.json"));
+    ASSERT_EQ(model.at("covariance").size(), 12u);
+    EXPECT_GT(model.at("covariance")[9][9], 0);
+    const auto map = sandbox.run({"map", "model.json", "--json"});
+    ASSERT_EQ(map.status, 0) << map.err;
+    EXPECT_GT(map.json().at("standard_deviation_deg")[90][90], 0);
+    const auto there = sandbox.run({"predict", "model.json", "--lat", "52", "--lon", "21", "--date", "2026-06-01", "--json"});
+    ASSERT_EQ(there.status, 0) << there.err;
+    EXPECT_GT(there.json().at("max_abs_possible_deg"), there.json().at("max_abs_deviation_deg"));
+    const auto compensated = sandbox.run({"compensate", file, "--model", "model.json", "--json", "-o", "after.pdf"});
+    ASSERT_EQ(compensated.status, 0) << compensated.err;
+    const auto& cells = compensated.json().at("deviation_map");
+    ASSERT_FALSE(cells.empty());
+    EXPECT_TRUE(cells[0].at("standard_deviation_deg").is_number());
+    EXPECT_TRUE(cells[0].at("after_deg").is_number());
+    EXPECT_EQ(sandbox.read("after.pdf").substr(0, 5), "%PDF-");
+    ASSERT_EQ(sandbox.run({"calibrate", file, "--field-nT", "40000", "--dip-deg", "60", "-o", "fit.pdf"}).status, 0);
+    EXPECT_EQ(sandbox.read("fit.pdf").substr(0, 5), "%PDF-");
+    const auto asymmetric
+        = sandbox.run({"map", sandbox.write("bad.json", R"({"field": {"H_nT": 20000, "dip_deg": 60}, "covariance": [[1, 2]]})")});
+    EXPECT_NE(asymmetric.status, 0);
+    EXPECT_THAT(asymmetric.err, HasSubstr("covariance"));
+}
+
+/// Nose north, looking east over a dip of 60°: 0.1° of the helmet's pitch are 0.1° tan 60° of azimuth.
+TEST(LineOfSightCommand, hasEveryKeyOfTheContract)
+{
+    const Sandbox sandbox;
+    const auto outcome = sandbox.run({"line-of-sight", "--field-nT", "40000", "--dip-deg", "60", "--look-deg", "90,0,0", "--turret-deg",
+        "0,0,90", "--tilt-error-deg", "0,0.1", "--cockpit-nT", "0,1000,0", "--json", "-o", "sight.pdf"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = outcome.json();
+    EXPECT_NEAR(json.at("line_of_sight").at("aircraft").at("azimuth_deg"), 90, 1e-9);
+    EXPECT_NEAR(json.at("line_of_sight").at("turret").at("azimuth_deg"), 0, 1e-9);
+    EXPECT_NEAR(json.at("helmet").at("heading_deg"), 90, 1e-9);
+    EXPECT_NEAR(json.at("standard_deviation").at("turret").at("azimuth_deg"), 0.1732, 1e-3);
+    EXPECT_NEAR(json.at("stays").at("turret").at("azimuth_deg"), -2.862, 1e-3);
+    EXPECT_NEAR(json.at("whole").at("aircraft").at("azimuth_deg"), 2.867, 1e-3);
+    EXPECT_EQ(json.at("causes").size(), 12u);
+    EXPECT_EQ(json.at("causes")[2].at("kind"), "stays");
+    EXPECT_EQ(json.at("sweep").size(), 51u);
+    EXPECT_EQ(json.at("cockpit_tracking_field"), "not modelled");
+    EXPECT_EQ(sandbox.read("sight.pdf").substr(0, 5), "%PDF-");
+    const auto without = sandbox.run({"line-of-sight", "--look-deg", "90,0,0"});
+    EXPECT_NE(without.status, 0);
+    EXPECT_THAT(without.err, HasSubstr("--dip-deg"));
+}
+
 TEST(CompensateCommand, hasEveryKeyOfTheContract)
 {
     const Sandbox sandbox;

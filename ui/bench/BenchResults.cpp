@@ -5,6 +5,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "core/iron/Coercivity.h"
 #include "core/sensor/PoissonSmith.h"
 #include "ui/kit/Words.h"
 #include "ui/sensor/SensorFieldForm.h"
@@ -36,6 +37,14 @@ QString totalText(const SensorModel& model)
     return text;
 }
 
+/// "120, between": what a shock may change; a dash where the coercivity is not known.
+QString driftText(const PartEffect& effect)
+{
+    const auto drift_nT = mayDrift_nT(effect);
+    return drift_nT ? QStringLiteral("%1, %2").arg(plainNumber(*drift_nT, 0), translated(nameOf(ironClassOf(*effect.coercivity_A_per_m))))
+                    : QStringLiteral("–");
+}
+
 } // namespace
 
 BenchResults::BenchResults(const Clock& clock, QWidget* parent) : QTabWidget(parent)
@@ -54,7 +63,8 @@ QWidget* BenchResults::buildShares()
     m_total->setObjectName(QStringLiteral("benchTotal"));
     m_total->setTextInteractionFlags(Qt::TextSelectableByMouse);
     layout->addWidget(m_total);
-    const QStringList heads{tr("part"), tr("distance (m)"), tr("by"), tr("P (nT)"), tr("Q (nT)"), tr("R (nT)"), tr("c"), tr("f")};
+    const QStringList heads{
+        tr("part"), tr("distance (m)"), tr("by"), tr("P (nT)"), tr("Q (nT)"), tr("R (nT)"), tr("c"), tr("f"), tr("may drift (nT)")};
     m_effects = new QTableWidget(0, static_cast<int>(heads.size()));
     m_effects->setObjectName(QStringLiteral("benchEffects"));
     m_effects->setAccessibleName(tr("Each part's share"));
@@ -105,7 +115,8 @@ void BenchResults::showShares(const BenchModel& model)
         const PartEffect& effect = model.parts[static_cast<std::size_t>(row)];
         const QStringList cells{toText(effect.part), QString::number(effect.distance_m, 'f', 2),
             effect.dipole ? tr("dipole") : tr("tensor"), fieldText(effect.hardIron_nT.x()), fieldText(effect.hardIron_nT.y()),
-            fieldText(effect.hardIron_nT.z()), signedNumber(effect.softIron(0, 2), 5), signedNumber(effect.softIron(1, 2), 5)};
+            fieldText(effect.hardIron_nT.z()), signedNumber(effect.softIron(0, 2), 5), signedNumber(effect.softIron(1, 2), 5),
+            driftText(effect)};
         for (int column = 0; column < cells.size(); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
             item->setTextAlignment(Qt::AlignVCenter | (column == 0 || column == 2 ? Qt::AlignLeft : Qt::AlignRight));

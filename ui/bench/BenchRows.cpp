@@ -105,6 +105,14 @@ Result<FerrousPart> partOf(const QStringList& row)
     part.susceptibility = susceptibility->front();
     part.remanence_T = vector(*remanence);
     part.group = cell(row, PartColumn::Group).toStdString();
+    if (const QString typed = cell(row, PartColumn::Coercivity); !typed.isEmpty()) {
+        const auto coercivity = numbers(typed, 1, false);
+        if (!coercivity)
+            return coercivity.error();
+        if (!(coercivity->front() >= 0))
+            return Error{ErrorCode::InvalidInput, said(Words::tr("a coercivity is 0 A/m or more"))};
+        part.coercivity_A_per_m = coercivity->front();
+    }
     return part;
 }
 
@@ -204,7 +212,7 @@ Result<void> addConductor(IronBench& bench, const QStringList& row)
 QStringList partHeads()
 {
     return {Words::tr("part"), Words::tr("shape"), Words::tr("size (m)"), Words::tr("χ"), Words::tr("remanence (T)"), Words::tr("group"),
-        Words::tr("state"), Words::tr("centre x y z (m)"), Words::tr("roll pitch yaw (°)")};
+        Words::tr("state"), Words::tr("centre x y z (m)"), Words::tr("roll pitch yaw (°)"), Words::tr("coercivity (A/m)")};
 }
 
 QStringList conductorHeads()
@@ -215,7 +223,7 @@ QStringList conductorHeads()
 QStringList newPart()
 {
     return {toText(std::string(kNewPart)), QStringLiteral("box"), QStringLiteral("0.2 0.1 0.1"), QStringLiteral("100"), QString(),
-        QString(), QString(), QStringLiteral("1 0 0"), QStringLiteral("0 0 0")};
+        QString(), QString(), QStringLiteral("1 0 0"), QStringLiteral("0 0 0"), QString()};
 }
 
 QStringList newConductor()
@@ -236,7 +244,8 @@ BenchRows rowsOf(const IronBench& bench)
                     << text(part.susceptibility) << text(part.remanence_T) << toText(part.group);
             else
                 row << QString() << QString() << QString() << QString() << QString() << QString();
-            rows.parts.push_back(row << toText(at.state) << text(at.centre_m) << turnText(at));
+            row << toText(at.state) << text(at.centre_m) << turnText(at);
+            rows.parts.push_back(row << (i == 0 && part.coercivity_A_per_m ? text(*part.coercivity_A_per_m) : QString()));
         }
     for (const auto& circuit : bench.circuits)
         for (std::size_t i = 0; i < circuit.conductors.size(); ++i) {

@@ -10,8 +10,8 @@
 
 namespace lubberline::ui {
 
-enum class PartColumn { Name, Shape, Size, Susceptibility, Remanence, Group, State, Centre, Turn };
-inline constexpr int kPartColumns = 9;
+enum class PartColumn { Name, Shape, Size, Susceptibility, Remanence, Group, State, Centre, Turn, Coercivity };
+inline constexpr int kPartColumns = 10;
 enum class ConductorColumn { Circuit, Current, On, Kind, Geometry };
 inline constexpr int kConductorColumns = 5;
 

@@ -13,13 +13,11 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "core/base/Number.h"
-#include "core/base/OutputFile.h"
-#include "core/calibration/ModelHeader.h"
-#include "core/format/exchange/ModelJson.h"
-#include "ui/calibration/CoverageSphere.h"
+#include "ui/calibration/CalibrationPictures.h"
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/SideBySide.h"
+#include "ui/plots/calibration/ErrorMapDrawing.h"
+#include "ui/plots/drawn/DrawnPlot.h"
 #include "ui/plots/series/SeriesPlot.h"
 #include "ui/text/AngleWords.h"
 
@@ -27,28 +25,8 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr std::size_t kMostSphereDots = 3000;
 constexpr int kMostFormWidth = 380;
 const QString kColumnsKey = QStringLiteral("calibration/columns");
-
-std::shared_ptr<const std::vector<double>> shared(std::vector<double> values)
-{
-    return std::make_shared<const std::vector<double>>(std::move(values));
-}
-
-/// A column of a log that lives as long as the plot needs it.
-std::shared_ptr<const std::vector<double>> columnOf(const std::shared_ptr<const SensorLog>& log, const std::vector<double>& values)
-{
-    return {log, &values};
-}
-
-std::vector<double> sizesOf(const std::array<std::vector<double>, 3>& field)
-{
-    std::vector<double> sizes(field[0].size());
-    for (std::size_t row = 0; row < sizes.size(); ++row)
-        sizes[row] = std::hypot(field[0][row], field[1][row], field[2][row]);
-    return sizes;
-}
 
 Result<std::optional<double>> typed(const QLineEdit& line, const QString& what, double least, double most)
 {
@@ -71,10 +49,11 @@ QLineEdit* lineNamed(const char* name, const QString& hint)
 
 } // namespace
 
-CalibrationPage::CalibrationPage(QSettings& settings, FileQuestions questions, QWidget* parent)
+CalibrationPage::CalibrationPage(QSettings& settings, FileQuestions questions, std::function<QString()> now, QWidget* parent)
     : Page(parent)
     , m_settings(settings)
     , m_questions(std::move(questions))
+    , m_now(std::move(now))
     , m_file(new QLabel)
     , m_words(new QLabel)
     , m_unit(new QComboBox)
@@ -91,6 +70,7 @@ CalibrationPage::CalibrationPage(QSettings& settings, FileQuestions questions, Q
     , m_tabs(new QTabWidget)
     , m_logPlot(new SeriesPlot(tr("Log")))
     , m_beforeAfter(new SeriesPlot(tr("Before and after")))
+    , m_map(new DrawnPlot(tr("Deviation map"), {240, 200}))
     , m_sphere(new CoverageSphere)
     , m_worker([this](Result<CalibrationRun> run) { take(std::move(run)); })
 {
@@ -164,12 +144,13 @@ void CalibrationPage::build()
     auto* column = new QVBoxLayout(left);
     column->addLayout(buttons);
     column->addWidget(m_file);
+    column->addWidget(m_words); // the verdict above the choices: on a small screen it would stand out of sight beneath them
     column->addWidget(buildForm());
-    column->addWidget(m_words);
     column->addStretch();
     m_tabs->addTab(m_logPlot, m_logPlot->name());
     m_tabs->addTab(m_sphere, tr("Directions"));
     m_tabs->addTab(m_beforeAfter, m_beforeAfter->name());
+    m_tabs->addTab(m_map, m_map->name());
     auto* splitter = new SideBySide;
     splitter->addWidget(new SidePanel(left)); // there can be much to say
     splitter->addWidget(m_tabs);
@@ -185,7 +166,8 @@ void CalibrationPage::build()
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     connect(m_save, &QPushButton::clicked, this, &CalibrationPage::save);
     connect(m_store, &QPushButton::clicked, this, &CalibrationPage::store);
-    for (SeriesPlot* plot : {m_logPlot, m_beforeAfter})
+    m_map->setPicture(errorMapDrawing({}));
+    for (Plot* plot : std::initializer_list<Plot*>{m_logPlot, m_beforeAfter, m_map})
         follow(*plot);
 }
 
@@ -195,27 +177,6 @@ Result<void> CalibrationPage::open(const FleetItem& record)
     m_compass = compass ? *compass : CompassId();
     m_store->setEnabled(m_run && m_run->model && m_compass.valid() && m_run->part->unit != FieldUnit::Counts);
     return {};
-}
-
-/// Its uncertainties and verdict stand in the note, in English whatever the window's language.
-void CalibrationPage::store()
-{
-    if (!m_run || !m_run->model || !m_compass.valid())
-        return;
-    SensorRecord sensor;
-    sensor.compass = m_compass;
-    sensor.name = QFileInfo(m_path).completeBaseName().toStdString();
-    sensor.origin = ModelOrigin::Loaded;
-    sensor.model = *m_run->model;
-    sensor.note = "calibrated from " + QFileInfo(m_path).fileName().toStdString() + ": " + std::string(nameOf(m_run->verdict()));
-    const auto& parameters = m_run->ellipsoid ? m_run->ellipsoid->fit->parameters : m_run->attitude->parameters;
-    for (const FittedParameter& parameter : parameters)
-        if (parameter.standard_error)
-            sensor.note += "; " + parameter.name + " \u00B1 "
-                + lubberline::figureText(*parameter.standard_error, parameter.unit == "1" ? 5 : 1)
-                + (parameter.unit == "1" ? "" : " " + parameter.unit);
-    m_store->setEnabled(false); // once
-    emit storeModel(sensor);
 }
 
 Plot* CalibrationPage::plot() const { return dynamic_cast<Plot*>(m_tabs->currentWidget()); }
@@ -340,102 +301,15 @@ void CalibrationPage::showRun()
     m_store->setEnabled(m_run->model && m_compass.valid() && m_run->part->unit != FieldUnit::Counts);
     if (m_log != m_run->log) {
         m_log = m_run->log;
-        showLog();
+        m_logPlot->setPicture(logPicture(m_log));
     }
-    showCoverage();
-    showBeforeAfter();
-}
-
-void CalibrationPage::showLog()
-{
-    const QString unit = QString::fromStdString(std::string(m_log->figureUnit()));
-    const bool timed = !m_log->time_s.empty();
-    SeriesPicture picture{
-        timed ? tr("time (s)") : tr("row"), tr("field (%1)").arg(unit), timed ? QStringLiteral("s") : QString(), unit, {}, {}};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        picture.series.push_back({QString(QLatin1Char("xyz"[axis])), timed ? columnOf(m_log, m_log->time_s) : nullptr,
-            columnOf(m_log, m_log->field[axis]), false});
-    m_logPlot->setPicture(std::move(picture));
-}
-
-void CalibrationPage::showCoverage()
-{
-    std::vector<SphereDot> dots;
-    if (m_run->model)
-        if (const auto compensator = compensatorOf(*m_run->model)) {
-            const SensorLog& log = *m_run->part;
-            const double sigma = m_run->ellipsoid ? m_run->ellipsoid->fit->rms : m_run->attitude->rms_nT;
-            const std::size_t step = log.size() / kMostSphereDots + 1;
-            for (std::size_t row = 0; row < log.size(); row += step)
-                if (const Eigen::Vector3d field = compensator->field(log.at(row)); field.allFinite() && field.norm() > 0)
-                    dots.push_back({field.normalized(), (field.norm() - m_run->field_nT) / std::max(sigma, 1e-9)});
-        }
     const Coverage none;
     const Coverage& coverage = m_run->ellipsoid && m_run->ellipsoid->fit ? m_run->ellipsoid->fit->coverage
         : m_run->attitude                                                ? m_run->attitude->coverage
                                                                          : none;
-    m_sphere->setDots(std::move(dots), coverage.gap, coverage.largestGap_deg > 15 ? coverage.largestGap_deg : 0.0);
-}
-
-void CalibrationPage::showBeforeAfter()
-{
-    if (!m_run->compensated) {
-        m_beforeAfter->setPicture({{}, {}, {}, {}, {}, tr("No calibration comes of this log: see why, and what to do next.")});
-        return;
-    }
-    const CompensatedLog& compensated = *m_run->compensated;
-    const SensorLog& log = *m_run->part;
-    if (compensated.before && compensated.after) {
-        std::vector<double> before(log.size()), after(log.size());
-        for (std::size_t row = 0; row < log.size(); ++row) {
-            before[row] = wrap180(compensated.before_deg[row] - log.heading_deg[row]);
-            after[row] = wrap180(compensated.after_deg[row] - log.heading_deg[row]);
-        }
-        const auto headings = columnOf(m_run->part, log.heading_deg);
-        m_beforeAfter->setPicture(
-            {tr("magnetic heading (°)"), tr("heading error, read − magnetic (°)"), QStringLiteral("°"), QStringLiteral("°"),
-                {{tr("before"), headings, shared(std::move(before)), true}, {tr("after"), headings, shared(std::move(after)), true}}, {}});
-        return;
-    }
-    const auto time = log.time_s.empty() ? nullptr : columnOf(m_run->part, log.time_s);
-    const QString unit = QString::fromStdString(std::string(log.figureUnit()));
-    m_beforeAfter->setPicture(
-        {time ? tr("time (s)") : tr("row"), tr("the field's size (%1)").arg(unit), time ? QStringLiteral("s") : QString(), unit,
-            {{tr("before"), time, shared(sizesOf(log.field)), false}, {tr("after"), time, shared(sizesOf(compensated.field)), false}}, {}});
-}
-
-Result<std::string> CalibrationPage::modelText(const QString& path) const
-{
-    SensorSetup setup;
-    setup.model = *m_run->model;
-    // In files: the same in every language.
-    setup.note = "calibrated from " + QFileInfo(m_path).fileName().toStdString() + ": " + std::string(nameOf(m_run->verdict()));
-    if (path.endsWith(QStringLiteral(".h"), Qt::CaseInsensitive))
-        return writeModelHeader(setup.model, m_run->part->figureUnit(), setup.note);
-    const auto dip = typed(*m_dip, tr("the dip"), -90, 90);
-    if (!dip)
-        return dip.error();
-    if (*dip) {
-        setup.field = MeridianField{m_run->field_nT * std::cos(toRadians(**dip)), m_run->field_nT * std::sin(toRadians(**dip))};
-    } else {
-        setup.field = MeridianField{m_run->field_nT, 0};
-        setup.note += "; the dip is not known and stands as 0: what rests on it needs it entered";
-    }
-    return writeModelJson(setup);
-}
-
-void CalibrationPage::save()
-{
-    if (!m_run || !m_run->model)
-        return;
-    const QString path = m_questions.save(tr("Save the sensor model"), QFileInfo(m_path).completeBaseName() + QStringLiteral("-model.json"),
-        tr("Sensor model (*.json);;C header with a self-test (*.h)"));
-    if (path.isEmpty())
-        return;
-    const auto text = modelText(path);
-    const auto written = text ? writeWholeFile(path.toStdString(), *text, {m_path.toStdString()}) : Result<void>(text.error());
-    if (!written)
-        emit failed(messageOf(written.error()));
+    m_sphere->setDots(sphereDots(*m_run), coverage.gap, coverage.largestGap_deg > 15 ? coverage.largestGap_deg : 0.0);
+    m_beforeAfter->setPicture(beforeAfterPicture(*m_run));
+    m_map->setPicture(errorMapDrawing(m_run->compensated ? m_run->compensated->map : std::vector<ErrorCell>()));
 }
 
 } // namespace lubberline::ui

@@ -2,6 +2,7 @@
 /// From a log of a magnetometer to its calibration: open it, say which column is which, read the verdict and what to do next, see the log,
 /// the directions that it covers, and headings or the field's size before and after; save the model.
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,13 +23,15 @@ class QTabWidget;
 namespace lubberline::ui {
 
 class CoverageSphere;
+class DrawnPlot;
 class SeriesPlot;
 
 class CalibrationPage : public Page {
     Q_OBJECT
 
 public:
-    CalibrationPage(QSettings& settings, FileQuestions questions, QWidget* parent = nullptr);
+    /// @param now the time in words, for what is printed
+    CalibrationPage(QSettings& settings, FileQuestions questions, std::function<QString()> now, QWidget* parent = nullptr);
 
     void openLog(const QString& path);
     [[nodiscard]] const std::shared_ptr<const CalibrationRun>& run() const { return m_run; }
@@ -39,6 +42,7 @@ public:
     [[nodiscard]] Shown shown() const override { return {{}, m_compass}; }
     [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
     [[nodiscard]] Plot* plot() const override;
+    void writeReport();
 
 signals:
     void storeModel(const lubberline::SensorRecord& sensor); ///< with the compass; undoably
@@ -52,9 +56,6 @@ private:
     void start(bool readAgain);
     void take(Result<CalibrationRun> run);
     void showRun();
-    void showLog();
-    void showCoverage();
-    void showBeforeAfter();
     void save();
     void store();
     [[nodiscard]] Result<CalibrationWish> wish() const;
@@ -62,6 +63,7 @@ private:
 
     QSettings& m_settings;
     FileQuestions m_questions;
+    std::function<QString()> m_now;
     QString m_path;
     std::shared_ptr<const SensorLog> m_log; ///< as it was read last
     std::shared_ptr<const CalibrationRun> m_run;
@@ -74,6 +76,7 @@ private:
     CompassId m_compass;
     QTabWidget* m_tabs;
     SeriesPlot *m_logPlot, *m_beforeAfter;
+    DrawnPlot* m_map;
     CoverageSphere* m_sphere;
     Worker<CalibrationRun> m_worker;
 };

@@ -1,6 +1,7 @@
 // How the window reaches the calibration from logs.
 
 #include "ui/calibration/CalibrationPage.h"
+#include "ui/calibration/LineOfSightPage.h"
 #include "ui/calibration/SensorTestsPage.h"
 #include "ui/kit/PageDescription.h"
 #include "ui/sensor/SensorEdits.h"
@@ -10,7 +11,8 @@ namespace lubberline::ui {
 PageDescription CalibrationPage::description(PageContext& context)
 {
     PageDescription page{QStringLiteral("calibration"), [&context] {
-                             auto* calibration = new CalibrationPage(context.settings, context.files);
+                             auto* calibration = new CalibrationPage(context.settings, context.files,
+                                 [&context] { return QString::fromStdString(context.stores.clock().nowUtc()); });
                              connect(calibration, &CalibrationPage::storeModel, &context.window, [&context](const SensorRecord& sensor) {
                                  context.undo.push(new MakeSensor(context.edits, sensor, MakeSensor::Direction::Make,
                                      tr("calibration %1").arg(QString::fromStdString(sensor.name))));
@@ -20,18 +22,18 @@ PageDescription CalibrationPage::description(PageContext& context)
     page.commands = {{MenuId::Model, 115, tr("&Calibration from a log…"), tr("Ctrl+Alt+G"), "calibration", [&context](Page& shown) {
                           context.go({"calibration", shown.shown().compass.valid() ? FleetItem(shown.shown().compass) : FleetItem()});
                       }}};
+    page.outputs = {{MenuId::File, 217, tr("Write the &report as PDF…"), {}, "writeCalibrationReport",
+        [](Page& shown) { dynamic_cast<CalibrationPage&>(shown).writeReport(); }}};
     page.help = tr(
         "Open a log of a magnetometer that was turned through all attitudes: its hard and soft iron, how sure they are, why no surer and what to do for "
-        "better. Zoom into the log to use a part of it; Directions shows where no sample is; the model is saved as JSON or as a C header, or stored among the sensor models of the compass from whose page this one was opened.");
+        "better. Zoom into the log to use a part of it; Directions shows where no sample is; Deviation map shows what compensation takes away at each heading and pitch; the model is saved as JSON or as a C header, or stored among the sensor models of the compass from whose page this one was opened.");
     return page;
 }
 
 PageDescription SensorTestsPage::description(PageContext& context)
 {
-    PageDescription page{QStringLiteral("sensorTests"), [&context] {
-                             return new SensorTestsPage(
-                                 context.files, [&context] { return QString::fromStdString(context.stores.clock().nowUtc()); });
-                         }};
+    PageDescription page{
+        QStringLiteral("sensorTests"), [&context] { return new SensorTestsPage(context.settings, context.files, context.stores.clock()); }};
     page.commands = {{MenuId::Model, 117, tr("&Tests of a sensor: spectrum, coil, interference…"), tr("Ctrl+Alt+T"), "sensorTests",
         [&context](Page&) { context.go({"sensorTests"}); }}};
     page.outputs = {{MenuId::File, 218, tr("Write the &report as PDF…"), {}, "writeSensorTestReport",
@@ -41,6 +43,23 @@ PageDescription SensorTestsPage::description(PageContext& context)
         "also where sampling folds them down: a frequency f stands at |f − n·rate|, and one that falls on 0 looks like hard iron. Notches of Q 5 cost 1/(2π f Q) of delay, a "
         "low-pass 1/(2π f). Coil: measured = scale · applied + bias + temperature + hysteresis. Interference: the aircraft stands still, things are switched at noted times, and "
         "the field must not change by more than 5, 5 and 8 mG (500, 500, 800 nT) on x, y and z, as makers ask.");
+    return page;
+}
+
+PageDescription LineOfSightPage::description(PageContext& context)
+{
+    PageDescription page{QStringLiteral("lineOfSight"), [&context] {
+                             return new LineOfSightPage(
+                                 context.files, [&context] { return QString::fromStdString(context.stores.clock().nowUtc()); });
+                         }};
+    page.commands = {{MenuId::Model, 118, tr("&Line of sight of a helmet…"), tr("Ctrl+Alt+H"), "lineOfSight",
+        [&context](Page&) { context.go({"lineOfSight"}); }}};
+    page.outputs = {{MenuId::File, 219, tr("Write the &report as PDF…"), {}, "writeLineOfSightReport",
+        [](Page& shown) { dynamic_cast<LineOfSightPage&>(shown).writeReport(); }}};
+    page.help = tr(
+        "Two magnetic sensors tell where a helmet looks in the aircraft: heading of the helmet less heading of the aircraft, each levelled by its own pitch and roll. An error of a tilt turns a heading by "
+        "up to tan(dip) times itself, iron at the two sensors works opposite ways, and a constant field of the cockpit turns the helmet's north. Errors that stay are summed with their sign, those by chance as squares; "
+        "both are carried through the turret's mount. A field that coils make to track the helmet is not modelled.");
     return page;
 }
 

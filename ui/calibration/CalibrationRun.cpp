@@ -82,6 +82,7 @@ Result<CalibrationRun> runCalibration(const CalibrationWish& wish, const Progres
         run.attitude = std::move(fit.value());
         if (run.attitude->verdict != CalibrationVerdict::NotDetermined)
             run.model = run.attitude->model;
+        run.uncertainty = run.attitude->uncertainty;
         run.field_nT = *wish.field_nT;
     } else {
         run.ellipsoid = fitEllipsoid(*run.part, shapeOf(wish.method), wish.field_nT);
@@ -90,11 +91,13 @@ Result<CalibrationRun> runCalibration(const CalibrationWish& wish, const Progres
             run.model->softIron = run.ellipsoid->fit->softIron;
             run.model->hardIron_nT = run.ellipsoid->fit->hardIron;
             run.field_nT = run.ellipsoid->fit->field;
+            run.uncertainty = run.ellipsoid->fit->uncertainty;
         }
     }
     if (run.model) {
         CompensationOptions options;
         options.field = meridian;
+        options.uncertainty = run.uncertainty;
         if (auto compensated = compensate(*run.part, *run.model, options))
             run.compensated = std::move(compensated.value());
     }

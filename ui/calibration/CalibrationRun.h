@@ -30,7 +30,8 @@ struct CalibrationRun {
     std::optional<EllipsoidResult> ellipsoid;
     std::optional<AttitudeResult> attitude;
     std::optional<SensorModel> model; ///< none where nothing is determined
-    double field_nT = 0;              ///< of the model
+    std::optional<ModelUncertainty> uncertainty;
+    double field_nT = 0; ///< of the model
     std::optional<CompensatedLog> compensated;
 
     [[nodiscard]] CalibrationVerdict verdict() const

@@ -19,12 +19,36 @@ namespace {
 
 constexpr int kRingSteps = 72;
 
-/// Grey where it fits, one colour where the field is too large there, another where it is too small.
-QColor dotColour(const PlotColours& colours, double residual)
+enum class DotKind { Fits, Strong, Weak };
+
+DotKind kindOf(double residual) { return std::abs(residual) < 1.5 ? DotKind::Fits : residual > 0 ? DotKind::Strong : DotKind::Weak; }
+
+QColor dotColour(const PlotColours& colours, DotKind kind)
 {
-    if (std::abs(residual) < 1.5)
-        return colours.exact;
-    return residual > 0 ? colours.suspect : colours.coefficient[4];
+    return kind == DotKind::Fits ? colours.approximate : kind == DotKind::Strong ? colours.exact : colours.suspect;
+}
+
+/// What the dots and the ring mean, in one line at the foot.
+void paintKey(QPainter& painter, const QRect& rect, const PlotColours& colours, bool gap)
+{
+    const std::array<std::pair<QString, QColor>, 4> entries{{{CoverageSphere::tr("fits"), dotColour(colours, DotKind::Fits)},
+        {CoverageSphere::tr("field too strong"), dotColour(colours, DotKind::Strong)},
+        {CoverageSphere::tr("too weak"), dotColour(colours, DotKind::Weak)}, {CoverageSphere::tr("no samples in the ring"), colours.text}}};
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int dot = metrics.height() / 2, space = metrics.height();
+    int wide = -space;
+    for (std::size_t i = 0; i < (gap ? 4U : 3U); ++i)
+        wide += 2 * dot + metrics.horizontalAdvance(entries[i].first) + space;
+    int x = rect.center().x() - wide / 2;
+    const int y = rect.bottom() - metrics.height();
+    for (std::size_t i = 0; i < (gap ? 4U : 3U); ++i) {
+        painter.setPen(i == 3 ? QPen(entries[i].second, 2) : QPen(Qt::NoPen));
+        painter.setBrush(i == 3 ? QBrush(Qt::NoBrush) : QBrush(entries[i].second));
+        painter.drawEllipse(QRect(x, y - dot, dot, dot));
+        painter.setPen(colours.text);
+        painter.drawText(x + 2 * dot, y, entries[i].first);
+        x += 2 * dot + metrics.horizontalAdvance(entries[i].first) + space;
+    }
 }
 
 } // namespace
@@ -67,7 +91,7 @@ void CoverageSphere::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), colours.ground);
-    const double radius = 0.40 * std::min(width(), height());
+    const double radius = 0.38 * std::min(width(), height());
     const QPointF middle = QRectF(rect()).center();
     const Eigen::Matrix3d view = turn();
     const auto place = [&](const Eigen::Vector3d& direction) {
@@ -83,7 +107,7 @@ void CoverageSphere::paintEvent(QPaintEvent*)
             if ((view.row(2).dot(dot.direction) >= 0) != front)
                 continue;
             painter.setPen(Qt::NoPen);
-            painter.setBrush(front ? dotColour(colours, dot.residual) : colours.grid);
+            painter.setBrush(front ? dotColour(colours, kindOf(dot.residual)) : colours.grid);
             painter.drawEllipse(place(dot.direction), front ? 2.5 : 1.5, front ? 2.5 : 1.5);
         }
     if (m_gap_deg > 0) {
@@ -95,7 +119,7 @@ void CoverageSphere::paintEvent(QPaintEvent*)
             ring.append(place(std::cos(size) * m_gap + std::sin(size) * (std::cos(a) * side + std::sin(a) * other)));
         }
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(colours.suspect, 2, view.row(2).dot(m_gap) >= 0 ? Qt::SolidLine : Qt::DotLine));
+        painter.setPen(QPen(colours.text, 2, view.row(2).dot(m_gap) >= 0 ? Qt::SolidLine : Qt::DotLine));
         painter.drawPolyline(ring);
     }
     const std::array<std::pair<QString, Eigen::Vector3d>, 6> ends{{{tr("nose"), {1, 0, 0}}, {tr("tail"), {-1, 0, 0}},
@@ -105,6 +129,8 @@ void CoverageSphere::paintEvent(QPaintEvent*)
         const QPointF at = middle + 1.12 * (place(direction) - middle);
         painter.drawText(QRectF(at - QPointF(40, 12), QSizeF(80, 24)), Qt::AlignCenter, word);
     }
+    if (!m_dots.empty())
+        paintKey(painter, rect(), colours, m_gap_deg > 0);
     if (hasFocus()) {
         painter.setPen(QPen(palette().highlight().color(), 1, Qt::DashLine));
         painter.drawRect(rect().adjusted(1, 1, -2, -2));

@@ -1,7 +1,6 @@
 #include "ui/calibration/SensorTestsPage.h"
 
 #include <QFileInfo>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -9,18 +8,24 @@
 #include <QTabWidget>
 #include <QTableWidget>
 
+#include <algorithm>
+
 #include "core/format/csv/ActionsCsv.h"
 #include "core/format/csv/SensorLogCsv.h"
+#include "ui/calibration/InstallationPanel.h"
+#include "ui/calibration/LiveActions.h"
+#include "ui/calibration/TestWidgets.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/calibration/SensorTestDrawing.h"
 #include "ui/plots/drawn/DrawnPlot.h"
+#include "ui/report/forms/InstallationSheet.h"
 #include "ui/report/forms/SensorTestSheets.h"
 
 namespace lubberline::ui {
 
 namespace {
 
-enum TestTab { kSpectrumTab, kCoilTab, kInterferenceTab };
+enum TestTab { kSpectrumTab, kCoilTab, kInterferenceTab, kInstallationTab };
 
 QLineEdit* testLine(const char* name, const QString& hint)
 {
@@ -30,38 +35,6 @@ QLineEdit* testLine(const char* name, const QString& hint)
     line->setAccessibleName(hint);
     line->setMinimumWidth(line->fontMetrics().averageCharWidth() * 14);
     return line;
-}
-
-QTableWidget* testTable(const char* name, const QString& title)
-{
-    auto* table = new QTableWidget;
-    table->setObjectName(QString::fromLatin1(name));
-    table->setAccessibleName(title);
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->verticalHeader()->hide();
-    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    return table;
-}
-
-/// A table of a document as one of the window.
-void fillFrom(QTableWidget& widget, const Table& table)
-{
-    widget.setColumnCount(static_cast<int>(table.columns.size()));
-    QStringList heads;
-    for (const TableColumn& column : table.columns) {
-        QString head = column.head + (column.argument.isEmpty() ? QString() : QLatin1Char(' ') + column.argument);
-        heads += column.unit.isEmpty() ? head : QStringLiteral("%1 (%2)").arg(head, column.unit);
-    }
-    widget.setHorizontalHeaderLabels(heads);
-    widget.setRowCount(static_cast<int>(table.rows.size()));
-    for (int row = 0; row < widget.rowCount(); ++row)
-        for (int column = 0; column < widget.columnCount(); ++column) {
-            const auto place = static_cast<std::size_t>(column);
-            auto* item = new QTableWidgetItem(table.rows[static_cast<std::size_t>(row)].cells.value(column));
-            item->setTextAlignment(
-                Qt::AlignVCenter | (table.columns[place].align == TableColumn::Align::Left ? Qt::AlignLeft : Qt::AlignRight));
-            widget.setItem(row, column, item);
-        }
 }
 
 QLabel* testWords(const char* name)
@@ -95,10 +68,10 @@ Result<SensorTests> runTests(const std::string& path, const std::string& actions
 
 } // namespace
 
-SensorTestsPage::SensorTestsPage(FileQuestions questions, std::function<QString()> now, QWidget* parent)
+SensorTestsPage::SensorTestsPage(QSettings& settings, FileQuestions questions, const Clock& clock, QWidget* parent)
     : Page(parent)
     , m_questions(std::move(questions))
-    , m_now(std::move(now))
+    , m_clock(clock)
     , m_open(new QPushButton(tr("&Open a log…")))
     , m_actions(new QPushButton(tr("Open the &actions…")))
     , m_cancel(new QPushButton(tr("Cancel")))
@@ -116,6 +89,8 @@ SensorTestsPage::SensorTestsPage(FileQuestions questions, std::function<QString(
     , m_filter(testWords("testsFilter"))
     , m_coilWords(testWords("testsCoilWords"))
     , m_verdict(testWords("testsVerdict"))
+    , m_live(new LiveActions(settings, m_questions, clock))
+    , m_installation(new InstallationPanel(settings))
     , m_worker(
           [this](Result<SensorTests> tests) { take(std::move(tests)); }, [this](int percent) { say(tr("Reading… %1 %").arg(percent)); })
 {
@@ -167,11 +142,13 @@ void SensorTestsPage::build()
     auto* outcomes = new QSplitter(Qt::Vertical);
     outcomes->addWidget(m_interference);
     outcomes->addWidget(m_outcomes);
-    outcomes->setSizes({320, 200});
+    outcomes->addWidget(m_live);
+    outcomes->setSizes({280, 140, 140});
     thirdColumn->addWidget(outcomes, 1);
     m_tabs->addTab(first, tr("Spectrum"));
     m_tabs->addTab(second, tr("Coil bench"));
     m_tabs->addTab(third, tr("Interference"));
+    m_tabs->addTab(m_installation, tr("Installation"));
     body().addWidget(m_tabs, 1);
     setFocusProxy(m_open);
     for (DrawnPlot* plot : {m_spectrum, m_spectrogram, m_interference})
@@ -185,6 +162,12 @@ void SensorTestsPage::build()
         if (const QString path = m_questions.open(tr("Open the actions"), tr("Actions (*.csv);;All files (*)")); !path.isEmpty())
             openActions(path);
     });
+    connect(m_live, &LiveActions::saved, this, [this](const QString& path) {
+        say(tr("wrote %1").arg(path));
+        if (!m_path.isEmpty())
+            openActions(path);
+    });
+    connect(m_live, &LiveActions::failed, this, &Page::failed);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     connect(m_tabs, &QTabWidget::currentChanged, this, &Page::stateChanged);
     for (QLineEdit* line : {m_column, m_tachometer, m_delay, m_limits})
@@ -193,7 +176,7 @@ void SensorTestsPage::build()
 
 Plot* SensorTestsPage::plot() const
 {
-    if (m_tabs->currentIndex() == kCoilTab)
+    if (m_tabs->currentIndex() == kCoilTab || m_tabs->currentIndex() == kInstallationTab)
         return nullptr;
     return m_tabs->currentIndex() == kInterferenceTab ? m_interference : m_spectrogram->hasFocus() ? m_spectrogram : m_spectrum;
 }
@@ -229,15 +212,12 @@ void SensorTestsPage::run()
     }
     Eigen::Vector3d limits_nT = kInterferenceLimits_nT;
     if (const QString typed = m_limits->text().trimmed(); !typed.isEmpty()) {
-        const QStringList parts = typed.split(typed.contains(u';') ? u';' : u',');
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto limit = parts.size() == 3 ? typedNumber(parts[axis]) : std::nullopt;
-            if (!limit || *limit <= 0) {
-                refuse(tr("“%1” are no limits; expected three numbers above 0 in nT: x, y, z").arg(typed));
-                return;
-            }
-            limits_nT[axis] = *limit;
+        const auto limits = typedNumbers(typed, 3);
+        if (!limits || *std::min_element(limits->begin(), limits->end()) <= 0) {
+            refuse(tr("“%1” are no limits; expected three numbers above 0 in nT: x, y, z").arg(typed));
+            return;
         }
+        limits_nT = {(*limits)[0], (*limits)[1], (*limits)[2]};
     }
     m_cancel->show();
     m_open->setEnabled(false);
@@ -322,26 +302,29 @@ void SensorTestsPage::showInterference()
 void SensorTestsPage::writeReport()
 {
     const int tab = m_tabs->currentIndex();
-    const bool told = m_tests
-        && (tab == kSpectrumTab   ? m_tests->spectrum.ok()
-                : tab == kCoilTab ? m_tests->coil.ok()
-                                  : m_tests->interference && m_tests->interference->ok());
+    const bool told = tab == kInstallationTab
+        || (m_tests
+            && (tab == kSpectrumTab   ? m_tests->spectrum.ok()
+                    : tab == kCoilTab ? m_tests->coil.ok()
+                                      : m_tests->interference && m_tests->interference->ok()));
     if (!told) {
         refuse(tr("Nothing to write yet: this test has no result"));
         return;
     }
     const QString path = m_questions.save(tr("Write the report"),
-        tab == kSpectrumTab   ? QStringLiteral("spectrum.pdf")
-            : tab == kCoilTab ? QStringLiteral("coil-bench.pdf")
-                              : QStringLiteral("interference.pdf"),
+        tab == kSpectrumTab           ? QStringLiteral("spectrum.pdf")
+            : tab == kCoilTab         ? QStringLiteral("coil-bench.pdf")
+            : tab == kInterferenceTab ? QStringLiteral("interference.pdf")
+                                      : QStringLiteral("installation.pdf"),
         tr("PDF (*.pdf)"));
     if (path.isEmpty())
         return;
     const QString source = QFileInfo(m_path).fileName();
     ReferenceSheet sheet = tab == kSpectrumTab ? spectrumSheet(*m_tests->spectrum, *m_tests->log, source)
         : tab == kCoilTab                      ? coilSheet(*m_tests->coil, source)
-                                               : interferenceSheet(**m_tests->interference, *m_tests->log, source);
-    sheet.madeAtUtc = m_now();
+        : tab == kInterferenceTab              ? interferenceSheet(**m_tests->interference, *m_tests->log, source)
+                                               : distancesSheet(m_installation->measured_m());
+    sheet.madeAtUtc = toText(m_clock.nowUtc());
     if (const auto written = writeReferenceSheet(sheet, path); !written)
         emit failed(messageOf(written.error()));
     else

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/Clock.h"
 #include "core/calibration/CoilBench.h"
 #include "core/calibration/Interference.h"
 #include "core/calibration/Spectrum.h"
@@ -15,12 +16,15 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QSettings;
 class QTableWidget;
 class QTabWidget;
 
 namespace lubberline::ui {
 
 class DrawnPlot;
+class InstallationPanel;
+class LiveActions;
 
 /// What one log tells; a test that it does not allow has its reason.
 struct SensorTests {
@@ -35,8 +39,8 @@ class SensorTestsPage : public Page {
     Q_OBJECT
 
 public:
-    /// @param now the time in words, for what is printed
-    SensorTestsPage(FileQuestions questions, std::function<QString()> now, QWidget* parent = nullptr);
+    /// @param clock, settings outlive it
+    SensorTestsPage(QSettings& settings, FileQuestions questions, const Clock& clock, QWidget* parent = nullptr);
 
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem&) override { return {}; }
@@ -55,7 +59,7 @@ private:
     void showInterference();
 
     FileQuestions m_questions;
-    std::function<QString()> m_now;
+    const Clock& m_clock;
     QString m_path, m_actionsPath;
     std::shared_ptr<const SensorTests> m_tests;
     QPushButton *m_open, *m_actions, *m_cancel;
@@ -64,6 +68,8 @@ private:
     DrawnPlot *m_spectrum, *m_spectrogram, *m_interference;
     QTableWidget *m_lines, *m_coil, *m_outcomes;
     QLabel *m_filter, *m_coilWords, *m_verdict;
+    LiveActions* m_live;
+    InstallationPanel* m_installation;
     Worker<SensorTests> m_worker;
 };
 

@@ -2,6 +2,7 @@
 
 #include "ui/bench/IronBenchPage.h"
 #include "ui/calibration/CalibrationPage.h"
+#include "ui/calibration/LineOfSightPage.h"
 #include "ui/calibration/SensorTestsPage.h"
 #include "ui/due/DuePage.h"
 #include "ui/earth/EarthFieldPage.h"
@@ -51,6 +52,7 @@ std::vector<PageDescription> allPages(PageContext& context)
         IronBenchPage::description(context),
         CalibrationPage::description(context),
         SensorTestsPage::description(context),
+        LineOfSightPage::description(context),
         PredictionPage::description(context),
         EarthFieldPage::description(context),
         ReferencePage::description(context),

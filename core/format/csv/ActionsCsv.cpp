@@ -88,4 +88,12 @@ Result<std::vector<TimedAction>> readActionsFile(const std::string& path)
     return file ? readActions(**file, nameOfInput(path)) : Result<std::vector<TimedAction>>(file.error());
 }
 
+std::string writeActions(const std::vector<TimedAction>& actions)
+{
+    std::string text = "time_s,action\n";
+    for (const TimedAction& action : actions)
+        text += shortestNumber(action.time_s) + "," + csvTextCell(action.action) + "\n";
+    return text;
+}
+
 } // namespace lubberline

@@ -10,5 +10,7 @@ namespace lubberline {
 Result<std::vector<TimedAction>> readActions(std::istream& input, const std::string& name);
 /// Errors: also Io. "-": standard input.
 Result<std::vector<TimedAction>> readActionsFile(const std::string& path);
+/// As readActions() reads them back.
+[[nodiscard]] std::string writeActions(const std::vector<TimedAction>& actions);
 
 } // namespace lubberline

@@ -133,6 +133,8 @@ Result<LogHeader> logHeaderOf(const std::vector<std::string>& names, const Senso
         other = names[column];
         header.roles[column] = role;
         const Words words = wordsOf(names[column]);
+        if (role == LogRole::Time)
+            header.timeUnitNamed = !words.unit.empty() || words.base == "seconds" || words.base == "secondselapsed";
         if (role == LogRole::Time && words.unit == "ms")
             header.perSecond = 1e3;
         if (role == LogRole::Time && (words.unit == "us" || words.unit == "\u00B5s"))
@@ -188,6 +190,33 @@ Result<LogHeader> logHeaderOf(const std::vector<std::string>& names, const Senso
             {MARKED("core", "the axes are in different units: %1, %2, %3; expected one"), inQuotes(names[*header.place(LogRole::X)]),
                 inQuotes(names[*header.place(LogRole::Y)]), inQuotes(names[*header.place(LogRole::Z)])}};
     return header;
+}
+
+void takeTime(SensorLog& log, const LogHeader& header)
+{
+    if (header.timeUnitNamed || log.time_s.size() < 2)
+        return;
+    std::vector<double> steps;
+    for (std::size_t row = 1; row < std::min<std::size_t>(log.time_s.size(), 20000); ++row)
+        if (log.time_s[row] > log.time_s[row - 1])
+            steps.push_back(log.time_s[row] - log.time_s[row - 1]);
+    if (steps.empty())
+        return;
+    const double step = middleOf(std::move(steps)), first = log.time_s.front();
+    // Steps of 10⁶ s and more, of 10³ s and more, and a clock that is beyond the year 5000.
+    const double perSecond = step >= 1e6 ? 1e9 : step >= 1e3 ? 1e6 : first > 1e11 ? 1e3 : 1.0;
+    if (perSecond == 1.0)
+        return;
+    const double zero = first / perSecond > 1e8 ? first : 0.0;
+    for (double& time : log.time_s)
+        time = (time - zero) / perSecond;
+    log.warnings.push_back(
+        {zero != 0 ? MARKED("core", "the time column names no unit; its steps of %1 are taken for %2, counted from the first row")
+                   : MARKED("core", "the time column names no unit; its steps of %1 are taken for %2"),
+            figureText(step, 0),
+            perSecond == 1e9       ? "ns"
+                : perSecond == 1e6 ? "us"
+                                   : "ms"});
 }
 
 void takeUnit(SensorLog& log, const LogHeader& header, const SensorLogOptions& options)

@@ -13,6 +13,7 @@ struct LogHeader {
     std::vector<std::string> keys;  ///< of a current: the name of its circuit; else the column's own
     std::optional<FieldUnit> unit;  ///< none: the names say none
     double perSecond = 1;           ///< what the time column is counted in: 1000 for ms
+    bool timeUnitNamed = false;     ///< its name says so
     bool ourNames = false;          ///< bx, by, bz: without a unit they are counts by contract
     std::optional<std::size_t> place(LogRole role) const;
 };
@@ -21,6 +22,8 @@ struct LogHeader {
 Result<LogHeader> logHeaderOf(const std::vector<std::string>& names, const SensorLogOptions& options);
 [[nodiscard]] std::string_view keyOf(LogRole role); ///< "time", "bx", …
 
+/// Seconds of a time whose column names no unit, where its figures can be none: phones write nanoseconds; says how that is known.
+void takeTime(SensorLog& log, const LogHeader& header);
 /// Turns the figures of a log that was read into nT, or leaves counts; says how the unit is known.
 void takeUnit(SensorLog& log, const LogHeader& header, const SensorLogOptions& options);
 

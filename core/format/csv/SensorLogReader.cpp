@@ -262,6 +262,8 @@ Result<SensorLog> LogReader::finish()
         m_log.warnings.push_back({MARKED_N("core", "%n cell(s) hold no number (NaN)"), counts.nanCells});
     if (counts.shortRows > 0)
         m_log.warnings.push_back({MARKED_N("core", "%n row(s) have fewer cells than the header"), counts.shortRows});
+    m_header.timeUnitNamed = m_header.timeUnitNamed && !m_noHeader; // a name of ours says nothing of the file
+    csv::takeTime(m_log, m_header);
     csv::takeUnit(m_log, m_header, m_options);
     return std::move(m_log);
 }

@@ -30,17 +30,18 @@ Shape readShape(JsonObject& object)
 {
     const auto kind = object.requiredText("shape", MARKED("core", "box, cylinder, ellipsoid or sphere"));
     if (kind == "box" || kind == "ellipsoid") {
-        object.only({"name", "shape", "size_m", "susceptibility", "remanence_T", "group", "placements"});
+        object.only({"name", "shape", "size_m", "susceptibility", "remanence_T", "coercivity_A_per_m", "group", "placements"});
         const Eigen::Vector3d size_m = readVector(object, "size_m", kLength);
         return kind == "box" ? Shape(Box{size_m}) : Shape(Ellipsoid{size_m});
     }
     if (kind == "cylinder") {
-        object.only({"name", "shape", "diameter_m", "length_m", "susceptibility", "remanence_T", "group", "placements"});
+        object.only(
+            {"name", "shape", "diameter_m", "length_m", "susceptibility", "remanence_T", "coercivity_A_per_m", "group", "placements"});
         return Cylinder{object.requiredNumber("diameter_m", kLength), object.requiredNumber("length_m", kLength)};
     }
     if (kind != "sphere")
         object.fault("shape", {MARKED("core", "is “%1”; expected box, cylinder, ellipsoid or sphere"), kind});
-    object.only({"name", "shape", "diameter_m", "susceptibility", "remanence_T", "group", "placements"});
+    object.only({"name", "shape", "diameter_m", "susceptibility", "remanence_T", "coercivity_A_per_m", "group", "placements"});
     return Sphere{object.requiredNumber("diameter_m", kLength)};
 }
 
@@ -59,6 +60,7 @@ FerrousPart readPart(JsonObject& object)
     part.name = object.requiredText("name");
     part.susceptibility = object.number("susceptibility", {0, 1e9}).value_or(0);
     object.numbers("remanence_T", {part.remanence_T.data(), 3}, {-10, 10});
+    part.coercivity_A_per_m = object.number("coercivity_A_per_m", {0, 1e8});
     part.group = object.text("group");
     object.objects("placements", [&](JsonObject& placement) { part.placements.push_back(readPlacement(placement)); });
     if (const auto checked = checkPart(part); !checked)
@@ -153,6 +155,8 @@ void writePart(JsonWriter& json, const FerrousPart& part)
     std::visit(ShapeWriter{json}, part.shape);
     json.number("susceptibility", part.susceptibility);
     writeVector(json, "remanence_T", part.remanence_T);
+    if (part.coercivity_A_per_m)
+        json.number("coercivity_A_per_m", *part.coercivity_A_per_m);
     if (!part.group.empty())
         json.text("group", part.group);
     json.beginArray("placements");

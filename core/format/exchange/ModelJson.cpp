@@ -94,8 +94,19 @@ std::variant<MeridianField, PlaceAndDate> readField(JsonObject& object)
 }
 
 /// The keys of SensorModel, and those before it.
-constexpr std::array<std::string_view, 7> kKeys{
-    "note", "field", "soft_iron", "hard_iron_nT", "soft_constant_nT", "circuits", "misalignment_deg"};
+constexpr std::array<std::string_view, 8> kKeys{
+    "note", "field", "covariance", "soft_iron", "hard_iron_nT", "soft_constant_nT", "circuits", "misalignment_deg"};
+
+ModelUncertainty readCovariance(JsonObject& object)
+{
+    ModelUncertainty uncertainty; // symmetric: rows are columns
+    object.numberRows(
+        "covariance", {uncertainty.covariance.data(), static_cast<std::size_t>(uncertainty.covariance.size())}, kUncertainParameters, kAny);
+    const auto& c = uncertainty.covariance;
+    if (c.diagonal().minCoeff() < 0 || (c - c.transpose()).cwiseAbs().maxCoeff() > 1e-6 * c.diagonal().maxCoeff())
+        object.fault("covariance", MARKED("core", "is none: expected a symmetric matrix with no negative figure on its diagonal"));
+    return uncertainty;
+}
 
 SensorSetup readSetup(JsonObject& object)
 {
@@ -106,12 +117,14 @@ SensorSetup readSetup(JsonObject& object)
         object.missing("field", MARKED("core", "{H_nT, dip_deg} or {lat_deg, lon_deg, alt_m, date}"));
     object.object("field", [&](JsonObject& field) { setup.field = readField(field); });
     setup.model = readSensorModel(object);
+    if (object.has("covariance"))
+        setup.uncertainty = readCovariance(object);
     return setup;
 }
 
 SensorModel readOnlyModel(JsonObject& object)
 {
-    object.only(std::span(kKeys).subspan(2));
+    object.only(std::span(kKeys).subspan(3));
     return readSensorModel(object);
 }
 
@@ -216,6 +229,12 @@ std::string writeModelJson(const SensorSetup& setup)
         writePlace(json, std::get<PlaceAndDate>(setup.field));
     json.end();
     writeSensorModel(json, setup.model);
+    if (setup.uncertainty) {
+        json.beginArray("covariance");
+        for (Eigen::Index row = 0; row < kUncertainParameters; ++row)
+            json.numbers({}, {setup.uncertainty->covariance.col(row).data(), kUncertainParameters});
+        json.end();
+    }
     json.end();
     return json.take();
 }

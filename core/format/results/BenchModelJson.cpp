@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/iron/Coercivity.h"
+
 namespace lubberline {
 
 namespace {
@@ -20,8 +22,12 @@ Json matrixJson(const Eigen::Matrix3d& m)
 
 Json partJson(const PartEffect& part)
 {
-    return {{"part", part.part}, {"method", part.dipole ? "dipole" : "tensor"}, {"distance_m", part.distance_m},
+    Json json{{"part", part.part}, {"method", part.dipole ? "dipole" : "tensor"}, {"distance_m", part.distance_m},
         {"soft_iron", matrixJson(part.softIron)}, {"hard_iron_nT", vectorJson(part.hardIron_nT)}};
+    const auto drift_nT = mayDrift_nT(part);
+    json["iron"] = part.coercivity_A_per_m ? Json(Message(nameOf(ironClassOf(*part.coercivity_A_per_m))).english()) : Json();
+    json["may_drift_nT"] = drift_nT ? Json(*drift_nT) : Json();
+    return json;
 }
 
 } // namespace

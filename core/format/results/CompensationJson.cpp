@@ -29,6 +29,10 @@ std::string toJson(const CompensatedLog& compensated, const SensorLog& log)
         ? CompensationKeys{{"before", errorKeys(*compensated.before)}, {"after", errorKeys(*compensated.after)}}
         : CompensationKeys();
     json["field_spread_nT"] = {{"before", compensated.spreadBefore}, {"after", compensated.spreadAfter}};
+    json["deviation_map"] = CompensationKeys::array();
+    for (const ErrorCell& cell : compensated.map)
+        json["deviation_map"].push_back({{"heading_deg", cell.heading_deg}, {"pitch_deg", cell.pitch_deg}, {"samples", cell.samples},
+            {"before_deg", cell.before_deg}, {"after_deg", orNull(cell.after_deg)}, {"standard_deviation_deg", orNull(cell.sigma_deg)}});
     json["demands"] = CompensationKeys::array();
     for (const auto& demand : compensated.demands)
         json["demands"].push_back({{"name", demand.name.english()}, {"value", orNull(demand.value)}, {"limit", demand.limit},

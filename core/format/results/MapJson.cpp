@@ -35,6 +35,21 @@ void writeRows(JsonWriter& json, const DeviationMap& map)
     json.end();
 }
 
+void writeSigma(JsonWriter& json, const DeviationMap& map, const std::vector<double>& sigma_rad)
+{
+    json.beginArray("standard_deviation_deg");
+    for (int y = 0; y < map.request.y.nodes; ++y) {
+        json.beginArray({}, true);
+        for (int x = 0; x < map.request.x.nodes; ++x)
+            if (const double sigma = sigma_rad[map.index(x, y)]; std::isfinite(sigma))
+                json.number({}, toTenDecimals(toDegrees(sigma)));
+            else
+                json.null({});
+        json.end();
+    }
+    json.end();
+}
+
 void writeExtremes(JsonWriter& json, const DeviationMap& map)
 {
     json.beginArray("extremes");
@@ -101,6 +116,8 @@ std::string toJson(const DeviationMap& map, const MapSource& model, const std::o
     writeNodes(json, "x_deg", request.x);
     writeNodes(json, "y_deg", request.y);
     writeRows(json, map);
+    if (!model.sigma_rad.empty())
+        writeSigma(json, map, model.sigma_rad);
     json.end();
     return json.take();
 }

@@ -68,6 +68,8 @@ TEST(AttitudeFit, levelTellsNineAndTwoHeadingsTellSix)
     ASSERT_TRUE(two) << describe(two.error());
     EXPECT_EQ(two->rank, 6);
     EXPECT_THAT(said(two->notSeparable), HasSubstr("a, d, g cannot be told"));
+    EXPECT_EQ(two->verdict, CalibrationVerdict::NotDetermined) << "no swing";
+    EXPECT_THAT(said(two->reasons), HasSubstr("2 of 4 can be told"));
 }
 
 TEST(AttitudeFit, currentsAreRegressors)
@@ -172,6 +174,40 @@ TEST(AttitudeFit, whatIsRefused)
     log = makeLog(plan);
     log.unit = FieldUnit::Counts;
     EXPECT_THAT(refusal(log), HasSubstr("is in counts"));
+}
+
+/// The compass's own heading behind a filter: no row agrees with the field, and yet it shows no deviation where iron must make some.
+TEST(AttitudeFit, itsOwnHeadingSmoothedIsRefusedAndAReferenceIsNot)
+{
+    SensorModel model;
+    model.hardIron_nT = {4000, -2500, 800};
+    const MeridianField field = MeridianField::fromDip(18800, toRadians(67));
+    const SensorResponse response = responseOf(model);
+    std::mt19937_64 random(4);
+    std::normal_distribution<double> normal;
+    SensorLog log;
+    double sine = 0, cosine = 1;
+    std::vector<double> reference;
+    for (int i = 0; i < 3000; ++i) {
+        const double turn = i / 3000.0;
+        const Attitude attitude{MagneticHeading::fromDegrees(360 * 6 * turn), 0.4 * std::sin(46 * turn), 0.4 * std::sin(32 * turn + 1)};
+        Eigen::Vector3d m = response.gain * fieldInBody(field, attitude) + response.offset_nT;
+        for (int axis = 0; axis < 3; ++axis)
+            log.field[static_cast<std::size_t>(axis)].push_back(m[axis] += 60 * normal(random));
+        log.time_s.push_back(0.05 * i);
+        log.pitch_deg.push_back(toDegrees(attitude.pitch_rad));
+        log.roll_deg.push_back(toDegrees(attitude.roll_rad));
+        reference.push_back(attitude.heading.degrees());
+        const double own = toRadians(headingOf_deg(m, log.pitch_deg.back(), log.roll_deg.back()));
+        sine += 0.3 * (std::sin(own) - sine);
+        cosine += 0.3 * (std::cos(own) - cosine);
+        log.heading_deg.push_back(wrap360(toDegrees(std::atan2(sine, cosine))));
+    }
+    const auto own = fitAttitude(log, {field});
+    ASSERT_FALSE(own);
+    EXPECT_THAT(describe(own.error()), HasSubstr("smoothed or delayed"));
+    log.heading_deg = reference;
+    EXPECT_TRUE(fitAttitude(log, {field}));
 }
 
 /// Level or tilt-compensated, turned by a constant, or in whole degrees: it is the compass's own all the same.

@@ -44,6 +44,34 @@ TEST(Compensation, beforeAndAfter)
         EXPECT_EQ(demand.met(), true) << demand.name.english();
 }
 
+/// Of P = 2000 nT on H = 20 000 nT the deviation at 090 is atan 0.1 before, and nothing after; a calibration that knows P to 100 nT tells a
+/// heading there to atan(1/200), in the field that the compass sees.
+TEST(Compensation, theMapOfTheLog)
+{
+    CompensationOptions options;
+    options.field = MeridianField::fromDip(20000, toRadians(60));
+    options.uncertainty.emplace().covariance(9, 9) = 100 * 100;
+    const auto result = compensate(levelLog(forwardIron(), 0), forwardIron(), options);
+    ASSERT_TRUE(result) << describe(result.error());
+    ASSERT_EQ(result->map.size(), 24u) << "one pitch, a cell of 15 degrees";
+    const ErrorCell& east = result->map[6];
+    EXPECT_EQ(east.heading_deg, 90);
+    EXPECT_EQ(east.pitch_deg, 0);
+    EXPECT_NEAR(east.before_deg, toDegrees(std::atan(0.1)), 0.03);
+    EXPECT_NEAR(east.after_deg.value(), 0, 1e-9);
+    EXPECT_NEAR(result->map[18].before_deg, -toDegrees(std::atan(0.1)), 0.03);
+    // At 090 the field at the sensor is (2000, −20 000): dψ' = Y dX/(X² + Y²).
+    EXPECT_NEAR(east.sigma_deg.value(), toDegrees(20000.0 * 100 / (2000.0 * 2000 + 20000.0 * 20000)), 1e-6);
+    // Without a reference what compensation makes is one for what was read.
+    SensorLog log = levelLog(forwardIron(), 0);
+    log.heading_deg.clear();
+    const auto alone = compensate(log, forwardIron(), {});
+    ASSERT_TRUE(alone);
+    EXPECT_NEAR(alone->map[6].before_deg, toDegrees(std::atan(0.1)), 0.03);
+    EXPECT_FALSE(alone->map[6].after_deg);
+    EXPECT_FALSE(alone->map[6].sigma_deg);
+}
+
 TEST(Compensation, demandsThatAreNotKnownAreNotMet)
 {
     SensorLog log = levelLog(forwardIron(), 0);

@@ -135,6 +135,69 @@ TEST(Ellipsoid, nothingIsDeterminedOfTooLittle)
     EXPECT_THAT(refused(makeLog({.model = exampleModel(), .tilt_deg = 5, .samples = 3000})), HasSubstr("expected"));
 }
 
+/// MathWorks, Sensor Fusion and Tracking Toolbox, "Magnetometer Calibration" (magcal): its sensor has a bias of [2 10 40] uT and the soft iron
+/// below, in the toolbox's field of [27.5550 −2.4169 −16.0849] uT, turned at random. Far stronger than any aircraft, and all of it comes out;
+/// like magcal's, our soft iron has determinant 1, and the field takes the rest.
+TEST(Ellipsoid, theExampleOfMagcal)
+{
+    Eigen::Matrix3d soft;
+    soft << 2.5, 0.3, 0.5, 0.3, 2, 0.2, 0.5, 0.2, 3;
+    const Eigen::Vector3d bias(2000, 10000, 40000);
+    const double total = 1000 * Eigen::Vector3d(27.5550, -2.4169, -16.0849).norm();
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
+    SensorLog log;
+    for (int i = 0; i < 500; ++i) {
+        const Eigen::Vector3d b = total * Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized(), m = soft * b + bias;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            log.field[axis].push_back(m[static_cast<Eigen::Index>(axis)]);
+    }
+    const auto result = fitEllipsoid(log, EllipsoidShape::General, {});
+    ASSERT_TRUE(result.fit);
+    EXPECT_EQ(result.verdict, CalibrationVerdict::Good) << said(result.reasons);
+    const double scale = std::cbrt(soft.determinant());
+    EXPECT_LT((result.fit->hardIron - bias).norm(), 1e-3);
+    EXPECT_LT((Eigen::Matrix3d::Identity() + result.fit->softIron - soft / scale).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_NEAR(result.fit->field, scale * total, 1e-3);
+}
+
+/// The covariance of the model is that of the parameters, element by element; c of S is g as well.
+TEST(Ellipsoid, theUncertaintyOfTheModel)
+{
+    const auto result = fitEllipsoid(makeLog({.model = exampleModel(), .samples = 2000}), EllipsoidShape::General, 40000);
+    ASSERT_TRUE(result.fit);
+    const auto& covariance = result.fit->uncertainty.covariance;
+    for (const auto& [name, place] : {std::pair{"a", 0}, {"b", 1}, {"b", 3}, {"c", 6}, {"f", 5}, {"f", 7}, {"k", 8}, {"P", 9}, {"R", 11}})
+        for (const auto& parameter : result.fit->parameters)
+            if (parameter.name == name)
+                EXPECT_NEAR(std::sqrt(covariance(place, place)), *parameter.standard_error, 1e-9 * *parameter.standard_error) << name;
+    EXPECT_NEAR(covariance(2, 6), covariance(2, 2), 1e-12 * covariance(2, 2));
+    EXPECT_GT(covariance(9, 9), 0);
+}
+
+/// A sensor that stands still has a round cloud of noise, which is no Earth's field; a log that changes its unit has two.
+TEST(Ellipsoid, aSensorThatWasNotTurnedAndTwoUnits)
+{
+    SensorLog still = makeLog({.noise_nT = 50, .samples = 500});
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t row = 0; row < still.size(); ++row)
+            still.field[axis][row] = 20000.0 + 1e-3 * still.field[axis][row];
+    const auto unturned = fitEllipsoid(still, EllipsoidShape::General, {});
+    EXPECT_EQ(unturned.verdict, CalibrationVerdict::NotDetermined);
+    EXPECT_THAT(together(unturned.reasons).english(), testing::HasSubstr("hardly turned"));
+
+    SensorLog mixed = makeLog({.model = exampleModel(), .samples = 1000});
+    for (auto& axis : mixed.field)
+        for (std::size_t row = 500; row < axis.size(); ++row)
+            axis[row] /= 1000; // from here on in uT
+    const auto two = fitEllipsoid(mixed, EllipsoidShape::General, {});
+    EXPECT_EQ(two.verdict, CalibrationVerdict::NotDetermined);
+    EXPECT_THAT(together(two.reasons).english(), testing::HasSubstr("two units in one log"));
+    // Three spikes in a hundred are no second unit.
+    EXPECT_EQ(
+        fitEllipsoid(makeLog({.model = exampleModel(), .spikes = 0.03}), EllipsoidShape::General, {}).verdict, CalibrationVerdict::Good);
+}
+
 TEST(Ellipsoid, missingCellsAreLeftOut)
 {
     SensorLog log = makeLog({.model = exampleModel(), .noise_nT = 1, .samples = 800});

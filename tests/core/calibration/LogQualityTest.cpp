@@ -65,6 +65,27 @@ TEST(LogQuality, aStuckAxisIsNamed)
     EXPECT_THAT(said(quality), HasSubstr("axis y is stuck"));
 }
 
+TEST(LogQuality, anAxisThatDiedAtItsLargestFigureIsStuckAndNotCutOff)
+{
+    SensorLog log = turning(2000);
+    for (std::size_t row = 700; row < log.size(); ++row)
+        log.field[0][row] = 30010;
+    const auto quality = qualityOf(log);
+    EXPECT_EQ(quality.of(SampleFault::Clipped), 0);
+    EXPECT_EQ(quality.of(SampleFault::Stuck), 1300);
+    EXPECT_THAT(said(quality), HasSubstr("axis x is stuck"));
+}
+
+TEST(LogQuality, timeThatStandsIsTold)
+{
+    SensorLog log = turning(200);
+    for (double& time : log.time_s)
+        time = 7.5;
+    const auto quality = qualityOf(log);
+    EXPECT_FALSE(quality.rate_hz);
+    EXPECT_THAT(said(quality), HasSubstr("time stands at 7.5 s"));
+}
+
 TEST(LogQuality, whyFewSamplesCanBeUsed)
 {
     SensorLog log = turning(2000);

@@ -54,6 +54,7 @@ TEST(BenchJson, ReadsBackEqualAndIsWrittenTheSameAgain)
     bench.parts.push_back(
         {"odd", Ellipsoid{{0.1, 1.0 / 3, 2e-3}}, 1e-7, {0.1, -1e-300, 0}, {}, {{{}, {0.1 + 0.2, -1, 1e-17}, 0.1, -1.2, 3}}});
     bench.parts.push_back({"“tray” \n\t\\ ü", Box{{0.1, 0.2, 0.3}}, 0, {0, 0, 0}, {}, {{{}, {1, 2, 3}, 0, 0, 0}}});
+    bench.parts[3].coercivity_A_per_m = 412.5;
     const auto text = writeBenchJson(bench);
     const auto back = readBenchJson(text, "again");
     ASSERT_TRUE(back.ok()) << back.error().message.english();

@@ -124,6 +124,29 @@ TEST(SensorLogCsv, whatIsRefused)
     EXPECT_THAT(refusal(std::string("bx_nT\0by", 8)), HasSubstr("binary"));
 }
 
+/// A phone's logger writes its clock in nanoseconds under the name "time", and the seconds beside it.
+TEST(SensorLogCsv, timeThatNamesNoUnit)
+{
+    const auto phone = read("time,seconds_elapsed,z,y,x\n1700000000000000000,0.0,40,3,20\n1700000000020000000,0.02,41,3,20\n"
+                            "1700000000040000000,0.04,42,3,20\n");
+    ASSERT_TRUE(phone) << describe(phone.error());
+    EXPECT_NEAR(phone->time_s[0], 0, 1e-9);
+    EXPECT_NEAR(phone->time_s[2], 0.04, 1e-6);
+    EXPECT_EQ(phone->at(0), Eigen::Vector3d(20000, 3000, 40000));
+    EXPECT_THAT(warned(*phone), HasSubstr("taken for ns, counted from the first row"));
+    const auto micro = read("timestamp,mx,my,mz\n5000000,20.5,3,40\n5010000,20,3,41\n5020000,20,3,42\n");
+    ASSERT_TRUE(micro);
+    EXPECT_NEAR(micro->time_s[1], 5.01, 1e-9);
+    EXPECT_THAT(warned(*micro), HasSubstr("taken for us"));
+    const auto clock = read("timestamp,mx,my,mz\n1700000000000,20.5,3,40\n1700000000020,20,3,41\n");
+    ASSERT_TRUE(clock);
+    EXPECT_NEAR(clock->time_s[1], 0.02, 1e-9);
+    const auto slow = read("time,mx,my,mz\n0,20.5,3,40\n10,20,3,41\n20,20,3,42\n"); // a row in ten seconds is a log, too
+    ASSERT_TRUE(slow);
+    EXPECT_EQ(slow->time_s[1], 10);
+    EXPECT_THAT(warned(*slow), testing::Not(HasSubstr("time column")));
+}
+
 TEST(SensorLogCsv, columnsByChoice)
 {
     const std::string text = "Feld A,Feld B,Feld C\n1,2,3\n";

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/iron/BenchModel.h"
+#include "core/iron/Coercivity.h"
 #include "core/sensor/Attitude.h"
 #include "core/sensor/PoissonSmith.h"
 #include "core/sensor/SensorReading.h"
@@ -344,5 +345,31 @@ TEST(BenchModel, SaysWhereItIsUncertain)
     ASSERT_EQ(near.warnings.size(), 1U);
     EXPECT_NE(near.warnings[0].english().find("bracket"), std::string::npos);
     bench.sensor_m = {0.5, 0, 0};
+    EXPECT_TRUE(modelOf(bench).warnings.empty());
+}
+
+/// A ball of χ 1000 at 1 m of 0.1 m radius: S along the line to it 2 (0.1)³ χ/(3 + χ), so a shock may leave 50 000 nT times that behind.
+TEST(BenchModel, WhatMayDriftIsToldByCoercivity)
+{
+    EXPECT_EQ(ironClassOf(49), IronClass::Soft);
+    EXPECT_EQ(ironClassOf(50), IronClass::Between);
+    EXPECT_EQ(ironClassOf(3000), IronClass::Between);
+    EXPECT_EQ(ironClassOf(3001), IronClass::Hard);
+    IronBench bench;
+    bench.parts = {part("ball", Sphere{0.2}, 1000, {1, 0, 0})};
+    EXPECT_EQ(mayDrift_nT(modelOf(bench).parts[0]), std::nullopt) << "not known";
+    EXPECT_TRUE(modelOf(bench).warnings.empty());
+    bench.parts[0].coercivity_A_per_m = 400;
+    const double induced_nT = 2e-3 * 1000 / 1003 * 50000;
+    EXPECT_NEAR(*mayDrift_nT(modelOf(bench).parts[0]), induced_nT, 0.1);
+    bench.parts[0].remanence_T = {0.1, 0, 0};
+    const auto steel = modelOf(bench);
+    EXPECT_NEAR(*mayDrift_nT(steel.parts[0]), induced_nT + steel.parts[0].hardIron_nT.norm(), 0.1);
+    ASSERT_EQ(steel.warnings.size(), 1u);
+    EXPECT_NE(steel.warnings[0].english().find("between soft and hard (400 A/m)"), std::string::npos);
+    bench.parts[0].coercivity_A_per_m = 4;
+    EXPECT_NEAR(*mayDrift_nT(modelOf(bench).parts[0]), steel.parts[0].hardIron_nT.norm(), 1e-9) << "what it kept may go";
+    bench.parts[0].coercivity_A_per_m = 800000;
+    EXPECT_EQ(*mayDrift_nT(modelOf(bench).parts[0]), 0) << "a magnet stays";
     EXPECT_TRUE(modelOf(bench).warnings.empty());
 }

@@ -29,7 +29,8 @@ struct OpenCalibration {
     QString saveAs;
     CalibrationPage page{settings,
         {[](const QString&, const QString&) { return QString(); },
-            [this](const QString&, const QString&, const QString&) { return saveAs; }}};
+            [this](const QString&, const QString&, const QString&) { return saveAs; }},
+        [] { return QStringLiteral("2026-11-23T06:00:00Z"); }};
 
     /// Hard iron (3000, −2000, 1500) nT in a field of 48 000 nT, all attitudes. @param flat the sensor stays level, but for its noise
     QString log(const QByteArray& header, int samples, bool flat = false) const
