@@ -203,8 +203,8 @@ void takeTime(SensorLog& log, const LogHeader& header)
     if (steps.empty())
         return;
     const double step = middleOf(std::move(steps)), first = log.time_s.front();
-    // Steps of 10⁶ s and more, of 10³ s and more, and a clock that is beyond the year 5000.
-    const double perSecond = step >= 1e6 ? 1e9 : step >= 1e3 ? 1e6 : first > 1e11 ? 1e3 : 1.0;
+    // A clock counts from 1970 and is beyond the year 5000 in seconds; else no sensor is read once in a quarter of an hour or ten days.
+    const double perSecond = first > 1e11 ? (first > 1e17 ? 1e9 : first > 1e14 ? 1e6 : 1e3) : step >= 1e6 ? 1e9 : step >= 1e3 ? 1e6 : 1.0;
     if (perSecond == 1.0)
         return;
     const double zero = first / perSecond > 1e8 ? first : 0.0;
@@ -214,9 +214,9 @@ void takeTime(SensorLog& log, const LogHeader& header)
         {zero != 0 ? MARKED("core", "the time column names no unit; its steps of %1 are taken for %2, counted from the first row")
                    : MARKED("core", "the time column names no unit; its steps of %1 are taken for %2"),
             figureText(step, 0),
-            perSecond == 1e9       ? "ns"
-                : perSecond == 1e6 ? "us"
-                                   : "ms"});
+            std::string(perSecond == 1e9 ? "ns"
+                    : perSecond == 1e6   ? "us"
+                                         : "ms")});
 }
 
 void takeUnit(SensorLog& log, const LogHeader& header, const SensorLogOptions& options)
