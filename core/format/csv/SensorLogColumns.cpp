@@ -203,8 +203,9 @@ void takeTime(SensorLog& log, const LogHeader& header)
     if (steps.empty())
         return;
     const double step = middleOf(std::move(steps)), first = log.time_s.front();
-    // A clock counts from 1970 and is beyond the year 5000 in seconds; else no sensor is read once in a quarter of an hour or ten days.
-    const double perSecond = first > 1e11 ? (first > 1e17 ? 1e9 : first > 1e14 ? 1e6 : 1e3) : step >= 1e6 ? 1e9 : step >= 1e3 ? 1e6 : 1.0;
+    // Clocks that count from 1970 in ms and us; else no sensor is read once in a quarter of an hour, or of eleven days.
+    const bool milliseconds = first > 1e12 && first < 1e13 && step<1e5, microseconds = first> 1e15 && first < 1e16 && step < 5e6;
+    const double perSecond = milliseconds ? 1e3 : microseconds ? 1e6 : step > 1e6 ? 1e9 : step > 1e3 ? 1e6 : 1.0;
     if (perSecond == 1.0)
         return;
     const double zero = first / perSecond > 1e8 ? first : 0.0;
