@@ -1,29 +1,11 @@
 #pragma once
-/// Jumps and drifts of every compass of a selection, at a stated rate of false discoveries, and what a coefficient of one swing is worth
-/// beside its own readings: crews, bases and the compass itself scatter it from swing to swing.
+/// Jumps and drifts of every compass of a selection, at a stated rate of false discoveries.
 
 #include <vector>
 
-#include "core/fleet/FleetCurves.h"
-#include "core/fleet/JumpTest.h"
+#include "core/fleet/ChangeScatter.h"
 
 namespace lubberline {
-
-/// Of one kind of compass and one coefficient, from what happened between swings without a correction between them.
-struct ChangeScatter {
-    std::size_t increments = 0;
-    double swingVariance_deg2 = 0;       ///< of a swing beyond its fit; by the median, which jumps do not move
-    double walkVariance_deg2_year = 0;   ///< by which a coefficient wanders in a year, jumps included
-    double wanderVariance_deg2_year = 0; ///< likewise by the median, which jumps do not move: what is wandered is no jump and no drift
-    bool known = false;                  ///< enough increments to take the first as known
-    /// Trends are larger than their errors throughout the kind: then a jump is only what no trend explains.
-    bool driftIsCommon = false;
-    /// Of A where crews were trained: from this day on their errors are others, and what it does at that day is theirs.
-    std::optional<int> crews_day = {};
-    double laterVariance_deg2 = 0;
-
-    [[nodiscard]] double varianceAt(int day) const { return crews_day && day >= *crews_day ? laterVariance_deg2 : swingVariance_deg2; }
-};
 
 struct FleetJump {
     std::int32_t compass = 0;
@@ -50,14 +32,6 @@ struct FleetChanges {
 };
 
 inline constexpr double kFalseDiscoveryRate = 0.1;
-
-/// The coefficient of a compass's swings as a dated series; `rows` are the swings.
-struct CoefficientSeries {
-    std::vector<DatedValue> values;
-    std::vector<std::uint32_t> rows;
-};
-[[nodiscard]] CoefficientSeries seriesOf(
-    const FleetSwings& fleet, const FleetCurves& curves, const CompassHistory& history, std::size_t c, const ChangeScatter& scatter);
 
 /// @param crews_day  from which A is read by other crews, or by trained ones (Plants.h). Errors: Cancelled.
 Result<FleetChanges> changesOf(const FleetSwings& fleet, const FleetCurves& curves, std::span<const CompassHistory> histories,

@@ -139,7 +139,22 @@ void warnOfWhatIsMissing(const FleetReport& report, std::vector<Message>& warnin
             unknownScatter = unknownScatter || !scatter.known;
     if (unknownScatter)
         warnings.push_back(
-            MARKED("core", "few swings of a kind: their scatter is estimated in each series, and only large jumps are found"));
+            MARKED("core", "few swings of a kind: how much they scatter and wander is itself uncertain; intervals are wide for it"));
+}
+
+/// Jumps, drifts, and who next.
+Result<void> tellChanges(const FleetSwings& fleet, const FleetCurves& curves, FleetReport& report, const Progress& progress)
+{
+    auto changes = changesBesideTraining(fleet, curves, report.histories, report.plants, part(progress, 0.3, 0.5));
+    if (!changes)
+        return changes.error();
+    report.changes = std::move(changes.value());
+    auto ranking = rankingOf(
+        fleet, curves, report.histories, report.changes, {report.options.today_day, report.options.limit_deg, 0}, part(progress, 0.5, 0.6));
+    if (!ranking)
+        return ranking.error();
+    report.ranking = std::move(ranking.value());
+    return {};
 }
 
 } // namespace
@@ -163,15 +178,10 @@ Result<FleetReport> fleetReportOf(const FleetSwings& fleet, const FleetOptions& 
     report.exceedance = exceedanceOf(fleet, *curves, pairsOf(fleet, report.histories), options.limit_deg, options.grid);
     report.plants = plantsOf(fleet, *curves, options.stage, options.training_day);
     report.softIron = softIronOf(fleet, *curves);
-    auto changes = changesBesideTraining(fleet, *curves, report.histories, report.plants, part(progress, 0.3, 0.5));
-    if (!changes)
-        return changes.error();
-    report.changes = std::move(changes.value());
-    auto ranking
-        = rankingOf(fleet, *curves, report.histories, report.changes, {options.today_day, options.limit_deg, 0}, part(progress, 0.5, 0.6));
-    if (!ranking)
-        return ranking.error();
-    report.ranking = std::move(ranking.value());
+    report.changes.driftOf.resize(report.histories.size());
+    if (options.changes)
+        if (const auto told = tellChanges(fleet, *curves, report, progress); !told)
+            return told.error();
     for (std::size_t c = 0; c < 5 && options.variance; ++c) {
         report.variance[c] = varianceOf(
             fleet, *curves, options, c, part(progress, 0.6 + 0.08 * static_cast<double>(c), 0.68 + 0.08 * static_cast<double>(c)));

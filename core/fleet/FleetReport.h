@@ -18,6 +18,7 @@ struct FleetOptions {
     std::optional<double> limit_deg = {}; ///< for all; none: each compass's own
     std::optional<int> training_day = {}; ///< a date to compare A before and after; none: it is looked for
     int today_day = 0;
+    bool changes = true;  ///< jumps, drifts and who next: of a part of a selection they would be others
     bool variance = true; ///< takes the longest
 };
 

@@ -20,6 +20,7 @@ struct DatedValue {
     double value = 0;
     double variance = 1;    ///< of its error; with ErrorScale::Unknown, up to a common factor
     bool corrected = false; ///< adjusted between the one before and this one: what happened there is not asked for
+    double swingShare = 1;  ///< of its kind's variance of swings (ScatterSize): trained crews have less
 };
 
 enum class ErrorScale { Known, Unknown };

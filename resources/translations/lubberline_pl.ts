@@ -2119,8 +2119,8 @@
         <translation>busole mają różne wartości dopuszczalne: udział oczekiwany podaje się tylko dla jednej</translation>
     </message>
     <message>
-        <source>few swings of a kind: their scatter is estimated in each series, and only large jumps are found</source>
-        <translation>mało pomiarów jednego rodzaju: ich rozrzut szacuje się w każdym szeregu i znajdowane są tylko duże skoki</translation>
+        <source>few swings of a kind: how much they scatter and wander is itself uncertain; intervals are wide for it</source>
+        <translation>mało pomiarów jednego rodzaju: ich rozrzut i powolne zmiany same są niepewne; przedziały są przez to szerokie</translation>
     </message>
     <message>
         <source>a grid of %1 headings; expected 3 to 360</source>

@@ -101,9 +101,10 @@ int main(int argc, char** argv)
     std::printf("%d swings: columns read in %.0f ms; jumps and drifts with their critical values %.0f ms of the whole\n", swings,
         reading_s * 1e3, changes_s * 1e3);
     const bool kept = bench::report("the fleet as a population", timing, "one SELECT of its readings", 2.5);
+    options.changes = false;
     const double look_s = bench::seconds([&] {
         const FleetSwings some = std::move(db::PopulationStore(*database).columns({}, {}, 1500).value());
-        sum += fleetReportOf(some, options)->ranking.compasses.front().probability;
+        sum += *fleetReportOf(some, options)->pattern.points.front().mean_deg;
     });
     const bool soon = bench::row("the first look of the page", look_s * 1e3, 300, "300 ms", 1.0);
     const long memory = peakMemory_MB();

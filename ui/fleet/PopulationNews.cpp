@@ -22,7 +22,7 @@ Result<std::shared_ptr<const PopulationNews>> populationNews(
     auto fleet = db::PopulationStore((*stores)->database()).columns(selection, part(0, 0.4), firstLook ? kFirstLook : 0);
     if (!fleet)
         return fleet.error();
-    options.variance = !firstLook;
+    options.variance = options.changes = !firstLook;
     auto report = fleetReportOf(*fleet, options, part(0.4, 1.0));
     if (!report)
         return report.error();

@@ -1,0 +1,41 @@
+#pragma once
+/// A dated series for one size of its scatter: how likely it is, its trend, and what a step at each of its places would explain. The
+/// same as core/fleet/JumpTest.h for errors that are known, without its critical values: what ScatterPosterior asks for many sizes.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/fleet/JumpTest.h"
+
+namespace lubberline {
+
+/// Of one coefficient of one kind of compass.
+struct ScatterSize {
+    double swing_deg2 = 0;       ///< variance of a swing beyond its fit
+    double wander_deg2_year = 0; ///< variance by which the coefficient wanders in a year
+};
+
+struct SeriesPlace {
+    std::size_t place = 0; ///< the figure after the step
+    double statistic = 0;  ///< standard normal without a step
+    double length2 = 0;    ///< inverse variance of the step's size
+};
+
+struct SeriesFit {
+    double logLikelihood = 0; ///< restricted: of what the levels and the trend leave; less a constant
+    int freedom = 0;
+    std::optional<double> perYear; ///< the trend; none: the dates do not tell it
+    double perYearError = 0;
+    std::vector<SeriesPlace> places;
+};
+
+/// @param series  variances of the fits alone. @param trend  in the null of steps and of the likelihood. @param at  steps that are known.
+[[nodiscard]] SeriesFit fitSeries(std::span<const DatedValue> series, const ScatterSize& size, bool trend, std::span<const std::size_t> at);
+
+/// Logarithm of the likelihood where a rare step is also thought of: one of N(0, 2°) at any place in each hundredth series.
+[[nodiscard]] double withRareStep(const SeriesFit& fit);
+/// With a step at one of the places for certain, of any size.
+[[nodiscard]] double withStepAt(const SeriesFit& fit, const SeriesPlace& place);
+
+} // namespace lubberline
