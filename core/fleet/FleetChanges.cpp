@@ -225,8 +225,8 @@ Result<FleetChanges> changesOf(const FleetSwings& fleet, const FleetCurves& curv
     changes.scatter = std::move(scatter.value());
     for (std::int32_t kind = 0; kind < curves.kinds; ++kind)
         for (std::size_t c = 0; c < 5; ++c) {
-            auto& scatter = changes.scatter[static_cast<std::size_t>(kind)][c];
-            scatter.driftIsCommon = driftIsCommon(fleet, curves, histories, kind, c, scatter);
+            auto& mine = changes.scatter[static_cast<std::size_t>(kind)][c];
+            mine.driftIsCommon = driftIsCommon(fleet, curves, histories, kind, c, mine);
         }
     ChangeSearch search(fleet, curves, histories, changes);
     if (!search.look(progress))

@@ -71,8 +71,6 @@ private slots:
 
 void MinutesTest::everyPageFollows()
 {
-    if (!qEnvironmentVariableIsSet("LUBBERLINE_MINUTES_ALL"))
-        QSKIP("some pages do not follow yet");
     SmallFleet fleet;
     OpenWindow open(fleet.stores);
     open.find<QAction>("minutes").setChecked(true);
