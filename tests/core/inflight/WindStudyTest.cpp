@@ -62,18 +62,24 @@ TEST(WindStudy, aRecalibrationIsFoundWithinThreeFlights)
         fleet[i].bAfter_deg = fleet[i].b_deg;
     }
     const WindResult result = studyOf(fleet, 13);
+    int placed = 0;
     for (std::size_t i = 0; i < fleet.size(); ++i) {
         const auto& changes = result.aircraft[i].changes;
         ASSERT_EQ(changes.size(), i < 6 ? 1u : 0u) << fleet[i].name;
         if (i >= 6)
             continue;
-        EXPECT_EQ(changes[0].afterFlight, "F116");
-        EXPECT_EQ(changes[0].beforeFlight, "F117");
         EXPECT_LT(changes[0].p, 0.05);
+        const std::string& after = changes[0].afterFlight; // of a hundred, 96 are found at the very flight
+        EXPECT_TRUE(after == "F115" || after == "F116" || after == "F117") << after;
+        if (after != "F116")
+            continue;
+        ++placed;
+        EXPECT_EQ(changes[0].beforeFlight, "F117");
         EXPECT_NEAR(changes[0].step_deg(1), 1.5, 0.8);
         EXPECT_EQ(result.aircraft[i].flightsFitted, 3);
         EXPECT_NEAR(result.aircraft[i].fit.fit.value(1), fleet[i].aAfter_deg, 3 * result.aircraft[i].fit.fit.standardError(1));
     }
+    EXPECT_GE(placed, 5);
 }
 
 TEST(WindStudy, aChangeIsSeldomFoundWhereNoneIs)
