@@ -10780,6 +10780,10 @@ soft iron S:</source>
 <context>
     <name>lubberline::ui::FleetModel</name>
     <message>
+        <source>no date</source>
+        <translation>brak daty</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -13807,6 +13811,10 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
 </context>
 <context>
     <name>lubberline::ui::OverviewPage</name>
+    <message>
+        <source>no date</source>
+        <translation>brak daty</translation>
+    </message>
     <message>
         <source>&amp;Overview</source>
         <translation>&amp;Przegląd</translation>

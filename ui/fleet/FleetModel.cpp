@@ -28,7 +28,8 @@ namespace {
 
 QString swingName(const SwingRow& row)
 {
-    QString name = FleetModel::tr("%1 %2").arg(toText(row.date), statedWord(row.stage)).trimmed();
+    const QString date = row.date.empty() ? FleetModel::tr("no date") : toText(row.date);
+    QString name = FleetModel::tr("%1 %2").arg(date, statedWord(row.stage)).trimmed();
     if (row.revision > 1)
         name += FleetModel::tr(", rev. %1").arg(row.revision);
     if (row.superseded)

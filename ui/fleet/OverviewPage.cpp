@@ -185,7 +185,9 @@ void OverviewPage::fillToday()
     addDue();
     for (const NewestSwing& one : *newest)
         addToday(tr("swung"), badgeIcon(one.row.status), QStringLiteral("%1 · %2").arg(toText(one.registration), toText(one.compass)),
-            QStringLiteral("%1, %2, %3").arg(toText(one.row.date), wordFor(one.row.state), badgeWord(one.row.status)), one.row.id);
+            QStringLiteral("%1, %2, %3")
+                .arg(one.row.date.empty() ? tr("no date") : toText(one.row.date), wordFor(one.row.state), badgeWord(one.row.status)),
+            one.row.id);
     if (m_today->rowCount() > 0 && m_today->currentRow() < 0)
         m_today->setCurrentCell(0, 0);
 }
