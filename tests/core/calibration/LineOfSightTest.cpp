@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <stdexcept>
+
 #include "core/angle/Angle.h"
 
 namespace lubberline::test {
