@@ -169,8 +169,9 @@ TEST(Ellipsoid, theUncertaintyOfTheModel)
     const auto& covariance = result.fit->uncertainty.covariance;
     for (const auto& [name, place] : {std::pair{"a", 0}, {"b", 1}, {"b", 3}, {"c", 6}, {"f", 5}, {"f", 7}, {"k", 8}, {"P", 9}, {"R", 11}})
         for (const auto& parameter : result.fit->parameters)
-            if (parameter.name == name)
+            if (parameter.name == name) {
                 EXPECT_NEAR(std::sqrt(covariance(place, place)), *parameter.standard_error, 1e-9 * *parameter.standard_error) << name;
+            }
     EXPECT_NEAR(covariance(2, 6), covariance(2, 2), 1e-12 * covariance(2, 2));
     EXPECT_GT(covariance(9, 9), 0);
 }
