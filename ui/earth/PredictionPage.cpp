@@ -282,8 +282,8 @@ void PredictionPage::showPrediction(const Prediction& there, const std::optional
     m_verdict->setText(inAngleStyle(verdictWords(there, m_record.limits)));
     m_again->clear();
     if (const auto again = swingAgainAfterMove(there, m_record.limits))
-        m_again->setText(again->needed ? tr("Swing again after the move: %1.").arg(toText(again->reason))
-                                       : tr("No new swing is needed for the move: %1.").arg(toText(again->reason)));
+        m_again->setText(inAngleStyle(again->needed ? tr("Swing again after the move: %1.").arg(toText(again->reason))
+                                                    : tr("No new swing is needed for the move: %1.").arg(toText(again->reason))));
     QStringList lines{tr("From %1.").arg(toText(there.basis))};
     lines += tr("The band holds the whole curve with a probability of %1 %, assuming %2.")
                  .arg(100 * kBoundProbability, 0, 'f', 0)

@@ -25,6 +25,7 @@
 #include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/swing/SwingPlot.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -207,7 +208,7 @@ void GuidedPage::refresh()
     setTitle(stepTitle(*m_job));
     m_whose->setText(QStringLiteral("%1 · %2").arg(toText(m_job->record().aircraft.registration), toText(m_job->record().compass.name)));
     m_strip->show(state);
-    m_instrument->setText(instrumentWords(*m_job));
+    m_instrument->setText(inAngleStyle(instrumentWords(*m_job)));
     switch (state.phase) {
     case JobPhase::Prepare:
         m_prepare->refresh();

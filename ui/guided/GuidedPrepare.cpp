@@ -13,6 +13,7 @@
 #include "ui/guided/GuidedWords.h"
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/TableFit.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -112,14 +113,15 @@ void GuidedPrepare::showInterference()
                 const double change = wrap180(read->on_deg - read->off_deg);
                 m_table->setItem(row, Off, new QTableWidgetItem(figureText(read->off_deg)));
                 m_table->setItem(row, On, new QTableWidgetItem(figureText(read->on_deg)));
-                m_table->setItem(row, Change, new QTableWidgetItem(signedNumber(change, 1) + QStringLiteral("°")));
+                m_table->setItem(row, Change, new QTableWidgetItem(inAngleStyle(signedNumber(change, 1) + QStringLiteral("°"))));
                 largest = std::max(largest, std::abs(change));
             }
     m_filling = false;
     m_message->setText(largest > 0
-            ? tr("The compass changes by up to %1° with %2: a significant difference is cured first. No limit is sourced; you decide.")
-                  .arg(largest, 0, 'f', 1)
-                  .arg(m_load->text())
+            ? inAngleStyle(
+                tr("The compass changes by up to %1° with %2: a significant difference is cured first. No limit is sourced; you decide.")
+                    .arg(largest, 0, 'f', 1)
+                    .arg(m_load->text()))
             : QString());
 }
 

@@ -15,6 +15,7 @@
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/SideBySide.h"
 #include "ui/report/card/CardWords.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -190,7 +191,7 @@ void CardPanel::showCard(const Card& card)
     for (const auto& remark : remarksOn(card, m_record))
         words += toText(remark);
     words += tr("* nobody read near this row, ! over the limit");
-    m_remarks->setText(words.join('\n'));
+    m_remarks->setText(inAngleStyle(words.join('\n')));
 }
 
 void CardPanel::showBetween()

@@ -77,11 +77,11 @@ void FieldStampPanel::showRecord()
                                          signedNumber(stamp->place.longitude_deg, 4), QString::number(stamp->place.height_m, 'f', 0))
                                : QString());
     const QString difference = this->difference();
-    m_difference->setText(difference);
+    m_difference->setText(inAngleStyle(difference));
     m_take->setText(stamp ? tr("&Take the new values") : tr("&Keep the field of site and date"));
     m_take->setVisible(m_now && (!stamp || !difference.isEmpty()) && m_editor.particularsEditable());
     const QString doubtful = doubtfulVariation();
-    m_variation->setText(doubtful);
+    m_variation->setText(inAngleStyle(doubtful));
     m_variation->setVisible(!doubtful.isEmpty());
     setVisible(stamp || m_now || !doubtful.isEmpty());
 }
