@@ -142,8 +142,8 @@ TEST(LackOfFit, aLargeDeviationThatTheExactFormulaDescribesFits)
 TEST(LackOfFit, aBumpIsNoRowOfSlips)
 {
     std::vector<Observation> readings;
-    for (const double deviation : {-2.5, -0.5, 1.6, 4.4, -1.7, 0, 1, 0.3, -0.9, 0.5, -1.2, 0.8, -0.3, 1.7, -2.1, 0.4, -0.6, 1.2, -1.3, 0,
-             0.9, -1.1, 1.5, -0.7, -13.2, -15.7, -17.9, -19.2, -18.1, 1.8, -0.4, 0.7, -0.2, 1.4, -4.4, -2.9}) {
+    for (const double deviation : {-2.5, -0.5, 1.6, 4.4, -1.7, 0.0, 1.0, 0.3, -0.9, 0.5, -1.2, 0.8, -0.3, 1.7, -2.1, 0.4, -0.6, 1.2, -1.3,
+             0.0, 0.9, -1.1, 1.5, -0.7, -13.2, -15.7, -17.9, -19.2, -18.1, 1.8, -0.4, 0.7, -0.2, 1.4, -4.4, -2.9}) {
         const auto compass = CompassHeading::fromDegrees(10.0 * static_cast<double>(readings.size()));
         readings.push_back({toMagnetic(compass, Deviation::fromDegrees(deviation)), compass});
     }
