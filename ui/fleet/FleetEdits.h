@@ -31,7 +31,7 @@ protected:
         , m_there(id.valid())
     {
     }
-    [[nodiscard]] RecordKey id() const { return m_id; }
+    [[nodiscard]] RecordKey whose() const { return m_id; }
     [[nodiscard]] bool wasTakenOut() const { return !m_removed.empty(); }
     void isMade(RecordKey id)
     {
@@ -70,7 +70,7 @@ public:
         , m_record(std::move(record))
     {
     }
-    [[nodiscard]] RecordKey made() const { return this->id(); }
+    [[nodiscard]] RecordKey made() const { return this->whose(); }
 
 protected:
     Result<void> apply() override
