@@ -112,7 +112,7 @@ void LiveActions::keep()
 {
     QVariantList kept;
     for (const TimedAction& action : m_actions)
-        kept << QVariantList{action.time_s, toText(action.action)};
+        kept.append(QVariant(QVariantList{action.time_s, toText(action.action)})); // << would join the two lists
     m_settings.setValue(kActionsKey, kept);
     if (m_start)
         m_settings.setValue(kStartKey, static_cast<qlonglong>(m_start->time_since_epoch().count()));
