@@ -154,7 +154,9 @@ void judgeAttitude(AttitudeResult& result, const AttitudeOptions& options)
         atMost(CalibrationVerdict::Doubtful,
             {MARKED("core", "the standard error of the hard iron is %1 nT; expected %2 nT or less"), figureText(worst, 0),
                 figureText(kGoodHardIron * total_nT, 0)});
-    const auto fieldTold = (result.softTold.row(0).array() > 0).count() + (result.hardTold[0] > 0 ? 1 : 0);
+    // Of a level swing c and P are told as a sum: that is one of the four less, not two.
+    const auto circuitsTold = std::count(result.circuitTold.begin(), result.circuitTold.end(), true);
+    const auto fieldTold = result.rank / 3 - circuitsTold;
     if (fieldTold < 3)
         atMost(CalibrationVerdict::NotDetermined,
             {MARKED("core",
