@@ -79,13 +79,13 @@ EventsPanel::EventsPanel(EditContext& context, QUndoStack& stack, QWidget* paren
 
 void EventsPanel::showAircraft(AircraftId aircraft)
 {
-    if (const auto stored = m_context.stores.fleet.eventsOf(aircraft); aircraft == m_aircraft && stored && *stored == m_events)
-        return; // something else has changed: what is said and open here stays
-    m_aircraft = aircraft;
     const bool editable = aircraft.valid() && !m_context.stores.readOnly();
     for (QWidget* widget : {static_cast<QWidget*>(m_date), static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_cause),
              static_cast<QWidget*>(m_note), static_cast<QWidget*>(m_add)})
         widget->setEnabled(editable);
+    if (const auto stored = m_context.stores.fleet.eventsOf(aircraft); aircraft == m_aircraft && stored && *stored == m_events)
+        return; // something else has changed: what is said and open here stays
+    m_aircraft = aircraft;
     m_table->setEditTriggers(
         editable ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed : QAbstractItemView::NoEditTriggers);
     m_message->clear();

@@ -109,11 +109,11 @@ void fitControls(QWidget& page)
         }
     for (auto* line : page.findChildren<QLineEdit*>())
         line->installEventFilter(tips);
-    for (auto* view : page.findChildren<QAbstractItemView*>()) {
-        if (auto* table = qobject_cast<QTableView*>(view))
-            fitColumns(*table);
+    // A table that gets other headings loses those that it had, which are views, too.
+    for (auto* table : page.findChildren<QTableView*>())
+        fitColumns(*table);
+    for (auto* view : page.findChildren<QAbstractItemView*>())
         view->viewport()->installEventFilter(tips);
-    }
 }
 
 } // namespace lubberline::ui
