@@ -125,11 +125,11 @@ private slots:
     void labelsOfASmallMapDoNotCollide()
     {
         const auto longitude = [this](double at) { return m_plot->chart()->plot().axisScaleDraw(QwtAxis::XBottom)->label(at).text(); };
-        QCOMPARE(longitude(-135), QString("135° W"));
+        QCOMPARE(longitude(-45), QString("45° W"));
         m_plot->resize(300, 200);
         QApplication::processEvents();
-        QCOMPARE(longitude(-135), QString());
-        QCOMPARE(longitude(-90), QString("90° W"));
+        QCOMPARE(longitude(-45), QString()); // every second or every third stays, by the font
+        QCOMPARE(longitude(45), QString());
         QCOMPARE(longitude(0), QString("0°"));
     }
 
