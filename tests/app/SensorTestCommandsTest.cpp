@@ -55,7 +55,7 @@ TEST(CalibrateCommand, theUncertaintyGoesWithTheModel)
     EXPECT_GT(there.json().at("max_abs_possible_deg"), there.json().at("max_abs_deviation_deg"));
     const auto compensated = sandbox.run({"compensate", file, "--model", "model.json", "--json", "-o", "after.pdf"});
     ASSERT_EQ(compensated.status, 0) << compensated.err;
-    const auto& cells = compensated.json().at("deviation_map");
+    const auto cells = compensated.json().at("deviation_map"); // its own: json() gives a new one each time
     ASSERT_FALSE(cells.empty());
     EXPECT_TRUE(cells[0].at("standard_deviation_deg").is_number());
     EXPECT_TRUE(cells[0].at("after_deg").is_number());
