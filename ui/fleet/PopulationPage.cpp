@@ -330,6 +330,7 @@ void PopulationPage::fillTables()
     for (const auto& [name, table] : tables) {
         auto* widget = new QTableWidget;
         makePlain(*widget, "populationTable");
+        widget->setAccessibleName(name);
         setTable(*widget, table);
         fitColumns(*widget);
         m_tables->addTab(widget, QStringLiteral("%1 (%2)").arg(name).arg(table.rows.size()));

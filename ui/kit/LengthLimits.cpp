@@ -55,7 +55,10 @@ void LengthLimits::limit(QLineEdit& field)
 {
     if (field.maxLength() <= kMost)
         return;
-    field.setMaxLength(kMost);
+    const bool replaced = field.hasSelectedText(); // an editor of a cell: what is typed next takes the place of all of it
+    field.setMaxLength(kMost);                     // this takes the selection away
+    if (replaced)
+        field.selectAll();
     connect(&field, &QLineEdit::inputRejected, this, [this, &field] {
         if (field.text().size() >= kMost)
             tell();
