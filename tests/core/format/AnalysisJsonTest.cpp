@@ -74,10 +74,9 @@ TEST(AnalysisJson, agreesWithTheResultObjectToTheLastDegree)
 TEST(AnalysisJson, whatCannotBeToldIsNull)
 {
     const auto json = jsonOf(kCorrection);
-    for (const char* key : {"D_deg", "E_deg"}) {
-        EXPECT_TRUE(json["approximate"][key].is_null()) << key;
-        EXPECT_TRUE(json["approximate"]["standard_error_deg"][key].is_null()) << key;
-    }
+    EXPECT_TRUE(json["approximate"]["D_deg"].is_null()); // sin 2ψ′ is nearly 0 on all four cardinals; cos 2ψ′ is ±1: they tell E
+    EXPECT_TRUE(json["approximate"]["standard_error_deg"]["D_deg"].is_null());
+    EXPECT_TRUE(json["approximate"]["E_deg"].is_number());
     EXPECT_TRUE(json["exact"]["D"].is_null());
     EXPECT_TRUE(json["point_rules"]["D_deg"].is_null());
     EXPECT_EQ(json["point_rules"]["points"], 4);

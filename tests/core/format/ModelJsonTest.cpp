@@ -133,7 +133,7 @@ const std::vector<Damage> kDamages = {
     {"otherCase", "\"hard_iron_nT\"", "\"Hard_Iron_NT\"", kFormat, {"Hard_Iron_NT: is not known; did you mean \"hard_iron_nT\"?"}},
     {"missingUnit", "\"H_nT\"", "\"H_mT\"", kFormat, {"field.H_mT: is not known; did you mean \"H_nT\"?"}},
     {"unknownKey", "\"note\": \"invented\"", "\"colour\": \"red\"", kFormat,
-        {"colour: is not known; expected only note, field, soft_iron"}},
+        {"colour: is not known; expected only note, field, covariance, soft_iron"}},
     {"doubledKey", "\"hard_iron_nT\": [100, -200, 300],", "\"hard_iron_nT\": [1, 2, 3], \"hard_iron_nT\": [1, 2, 3],", kFormat,
         {"hard_iron_nT: is there twice"}},
     {"doubledInside", "\"roll\": 1.5", "\"roll\": 1.5, \"roll\": 1.5", kFormat, {"misalignment_deg.roll: is there twice"}},

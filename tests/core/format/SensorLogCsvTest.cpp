@@ -132,7 +132,7 @@ TEST(SensorLogCsv, timeThatNamesNoUnit)
     ASSERT_TRUE(phone) << describe(phone.error());
     EXPECT_NEAR(phone->time_s[0], 0, 1e-9);
     EXPECT_NEAR(phone->time_s[2], 0.04, 1e-6);
-    EXPECT_EQ(phone->at(0), Eigen::Vector3d(20000, 3000, 40000));
+    EXPECT_EQ(phone->at(0), Eigen::Vector3d(20, 3, 40)); // by name of its axes: x, y, z
     EXPECT_THAT(warned(*phone), HasSubstr("taken for ns, counted from the first row"));
     const auto micro = read("timestamp,mx,my,mz\n5000000,20.5,3,40\n5010000,20,3,41\n5020000,20,3,42\n");
     ASSERT_TRUE(micro);
