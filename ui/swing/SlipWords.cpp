@@ -114,6 +114,8 @@ std::optional<int> likeliestSlip(const SwingEditor& editor)
 
 QString slipOfRow(const SwingEditor& editor, int row, AngleStyle style, SlipFigures figures)
 {
+    if (static_cast<std::size_t>(row) >= editor.readings().size())
+        return {}; // a table that is losing its rows asks for their widths
     const Reading& reading = editor.readings()[static_cast<std::size_t>(row)];
     if (!reading.used() || editor.computing() || editor.readings().size() > kMostJudged)
         return {};

@@ -145,6 +145,7 @@ void ElsewhereTest::anExclusionIsOfItsReading()
     QCOMPARE(open.table().model()->rowCount(), 10); // one more, and the empty one
     open.find<QLineEdit>("exclusionReason").setText("a truck passed");
     open.find<QPushButton>("excludeButton").click();
+    QVERIFY2(open.window.messages().messages().isEmpty(), qPrintable(open.window.messages().messages().join('|')));
     for (const Reading& reading : two.fleet.stores.swings.swing(two.draft)->readings)
         QCOMPARE(reading.exclusion.has_value(), reading.id == meant);
     // One that is gone takes the question with it.
