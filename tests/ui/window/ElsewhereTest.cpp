@@ -146,7 +146,9 @@ void ElsewhereTest::anExclusionIsOfItsReading()
     open.find<QLineEdit>("exclusionReason").setText("a truck passed");
     open.find<QPushButton>("excludeButton").click();
     QVERIFY2(open.window.messages().messages().isEmpty(), qPrintable(open.window.messages().messages().join('|')));
-    for (const Reading& reading : two.fleet.stores.swings.swing(two.draft)->readings)
+    const auto stored = two.fleet.stores.swings.swing(two.draft); // outlives the loop
+    QVERIFY(stored);
+    for (const Reading& reading : stored->readings)
         QCOMPARE(reading.exclusion.has_value(), reading.id == meant);
     // One that is gone takes the question with it.
     open.table().goTo(1, ReadingColumn::Compass);
