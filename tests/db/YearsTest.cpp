@@ -143,7 +143,9 @@ TEST(Years, suspectSignsAreToldAndNotTurned)
             testing::StartsWith(
                 "S10 \u00B7 standby: D is +2.2\u00B0 in 3 of 3 swings (the first in line 2) where its siblings have \u22122.2\u00B0"),
             testing::EndsWith("nothing is turned")));
-    for (const auto& swing : db::exportFleet(database, {}, {})->swings)
+    const auto all = db::exportFleet(database, {}, {}); // outlives the loop
+    ASSERT_TRUE(all);
+    for (const auto& swing : all->swings)
         EXPECT_EQ(swing.readings.size(), 8u);
     EXPECT_TRUE(import(database, rows(2, 3, +2.2, 10))->suspicions.empty()); // there already: the fleet report tells of them
 }
