@@ -327,6 +327,10 @@
         <source>the name of the database is not UTF-8; expected one that is</source>
         <translation>nazwa bazy nie jest w UTF-8; oczekiwano takiej, która jest</translation>
     </message>
+    <message>
+        <source>a line of sight needs the field: --field-nT and --dip-deg, or --lat, --lon and --date</source>
+        <translation>linia wzroku potrzebuje pola: --field-nT i --dip-deg albo --lat, --lon i --date</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4478,6 +4482,122 @@
         <source>the compass does not follow the headings: the coefficients that come nearest have %1 %2° and leave a scatter of %3°; no deviation can be told; expected the readings of one compass beside the headings on which they were made</source>
         <translation>busola nie podąża za kursami: najbliższe współczynniki mają %1 %2° i zostawiają rozrzut %3°; nie da się określić dewiacji; oczekiwano odczytów jednej busoli obok kursów, na których je wykonano</translation>
     </message>
+    <message>
+        <source>of what the field along x, y and z does, and of hard iron, %1 of 4 can be told; expected 3 or more, as a swing through all headings tells</source>
+        <translation>z tego, co robi pole wzdłuż x, y i z, oraz z żelaza twardego da się określić %1 z 4; oczekiwano 3 lub więcej, jak w pomiarze przez wszystkie kursy</translation>
+    </message>
+    <message>
+        <source>%1 samples are of sizes up to %2 %5, and %3 of %4 %5 or more: two units in one log</source>
+        <translation>%1 próbek ma wielkość do %2 %5, a %3 wielkość %4 %5 lub więcej: dwie jednostki w jednym zapisie</translation>
+    </message>
+    <message>
+        <source>the samples spread by %1 %3 about one field of %2 %3: the sensor was hardly turned</source>
+        <translation>próbki rozrzucają się o %1 %3 wokół jednego pola %2 %3: czujnika prawie nie obracano</translation>
+    </message>
+    <message>
+        <source>noise of the aircraft&apos;s sensor</source>
+        <translation>szum czujnika statku powietrznego</translation>
+    </message>
+    <message>
+        <source>pitch of the aircraft</source>
+        <translation>pochylenie statku powietrznego</translation>
+    </message>
+    <message>
+        <source>roll of the aircraft</source>
+        <translation>przechylenie statku powietrznego</translation>
+    </message>
+    <message>
+        <source>noise of the helmet&apos;s sensor</source>
+        <translation>szum czujnika hełmu</translation>
+    </message>
+    <message>
+        <source>pitch of the helmet</source>
+        <translation>pochylenie hełmu</translation>
+    </message>
+    <message>
+        <source>roll of the helmet</source>
+        <translation>przechylenie hełmu</translation>
+    </message>
+    <message>
+        <source>roll of the turret&apos;s mount</source>
+        <translation>przechylenie mocowania wieżyczki</translation>
+    </message>
+    <message>
+        <source>pitch of the turret&apos;s mount</source>
+        <translation>pochylenie mocowania wieżyczki</translation>
+    </message>
+    <message>
+        <source>yaw of the turret&apos;s mount</source>
+        <translation>odchylenie mocowania wieżyczki</translation>
+    </message>
+    <message>
+        <source>iron at the aircraft&apos;s sensor</source>
+        <translation>żelazo przy czujniku statku powietrznego</translation>
+    </message>
+    <message>
+        <source>iron at the helmet&apos;s sensor</source>
+        <translation>żelazo przy czujniku hełmu</translation>
+    </message>
+    <message>
+        <source>field of the cockpit</source>
+        <translation>pole kabiny</translation>
+    </message>
+    <message>
+        <source>the line of sight is steeper than %1°: there an azimuth turns quickly, and its error is large by itself</source>
+        <translation>linia wzroku jest bardziej stroma niż %1°: azymut szybko się tam obraca i jego błąd jest duży sam z siebie</translation>
+    </message>
+    <message>
+        <source>the helmet looks almost straight up or down over the Earth: its heading and its roll are one thing there</source>
+        <translation>hełm patrzy prawie prosto w górę lub w dół względem Ziemi: jego kurs i przechylenie są tam jednym</translation>
+    </message>
+    <message>
+        <source>a field that coils in the cockpit make to track the helmet is not modelled: headings are by the Earth&apos;s field, a constant field of the cockpit is an error of it</source>
+        <translation>pole, które cewki w kabinie wytwarzają do śledzenia hełmu, nie jest modelowane: kursy są według pola Ziemi, a stałe pole kabiny jest ich błędem</translation>
+    </message>
+    <message>
+        <source>time stands at %1 s in all rows: no rate and no gaps are known</source>
+        <translation>czas stoi na %1 s we wszystkich wierszach: częstość i przerwy są nieznane</translation>
+    </message>
+    <message>
+        <source>heading_deg is what this compass itself reads, smoothed or delayed: it goes with its field, though iron must turn that; expected a reference of its own (inertial, GPS, datum compass)</source>
+        <translation>heading_deg to wskazanie samej tej busoli, wygładzone lub opóźnione: idzie za jej polem, choć żelazo musi je obracać; oczekiwano osobnego wzorca (inercyjnego, GPS, busoli wzorcowej)</translation>
+    </message>
+    <message>
+        <source>the time column names no unit; its steps of %1 are taken for %2, counted from the first row</source>
+        <translation>kolumna czasu nie podaje jednostki; jej kroki po %1 przyjęto za %2, liczone od pierwszego wiersza</translation>
+    </message>
+    <message>
+        <source>the time column names no unit; its steps of %1 are taken for %2</source>
+        <translation>kolumna czasu nie podaje jednostki; jej kroki po %1 przyjęto za %2</translation>
+    </message>
+    <message>
+        <source>is none: expected a symmetric matrix with no negative figure on its diagonal</source>
+        <translation>nie jest nią: oczekiwano macierzy symetrycznej bez liczb ujemnych na przekątnej</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>miękkie</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>między</translation>
+    </message>
+    <message>
+        <source>hard</source>
+        <translation>twarde</translation>
+    </message>
+    <message>
+        <source>part “%1” is soft (%2 A/m): it keeps no magnetism for long, and up to %3 nT of its hard iron may go with a shock</source>
+        <translation>część „%1” jest miękka (%2 A/m): nie zachowuje długo magnetyzmu i po wstrząsie może zniknąć do %3 nT jej żelaza twardego</translation>
+    </message>
+    <message>
+        <source>part “%1” is between soft and hard (%2 A/m): after a shock, under stress or after a strong current up to %3 nT may change; swing again then</source>
+        <translation>część „%1” jest między miękką a twardą (%2 A/m): po wstrząsie, pod naprężeniem lub po silnym prądzie może się zmienić do %3 nT; wykonaj wtedy pomiar ponownie</translation>
+    </message>
+    <message>
+        <source>a sensor model with its calibration&apos;s uncertainty</source>
+        <translation>model czujnika z niepewnością jego kalibracji</translation>
+    </message>
 </context>
 <context>
     <name>db</name>
@@ -5942,6 +6062,10 @@ soft iron S:</source>
         <source>tensor</source>
         <translation>tensor</translation>
     </message>
+    <message>
+        <source>may drift (nT)</source>
+        <translation>może się zmienić o (nT)</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::BenchRows</name>
@@ -6052,6 +6176,14 @@ soft iron S:</source>
     <message>
         <source>(circuits) %1</source>
         <translation>(obwody) %1</translation>
+    </message>
+    <message>
+        <source>a coercivity is 0 A/m or more</source>
+        <translation>koercja wynosi 0 A/m lub więcej</translation>
+    </message>
+    <message>
+        <source>coercivity (A/m)</source>
+        <translation>koercja (A/m)</translation>
     </message>
 </context>
 <context>
@@ -6320,8 +6452,32 @@ soft iron S:</source>
         <translation>Ctrl+Alt+G</translation>
     </message>
     <message>
-        <source>Open a log of a magnetometer that was turned through all attitudes: its hard and soft iron, how sure they are, why no surer and what to do for better. Zoom into the log to use a part of it; Directions shows where no sample is; the model is saved as JSON or as a C header, or stored among the sensor models of the compass from whose page this one was opened.</source>
-        <translation>Otwórz zapis magnetometru, który obracano przez wszystkie położenia: jego żelazo twarde i miękkie, jak pewne są, dlaczego nie pewniejsze i co zrobić, by było lepiej. Powiększ zapis, aby użyć jego części; Kierunki pokazują, gdzie brak próbek; model zapisuje się jako JSON lub nagłówek C albo wśród modeli czujnika busoli, z której strony otwarto tę stronę.</translation>
+        <source>Nothing to write yet: open a log</source>
+        <translation>Nie ma jeszcze czego zapisać: otwórz zapis</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Zapisywanie sprawozdania</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>zapisano %1</translation>
+    </message>
+    <message>
+        <source>Deviation map</source>
+        <translation>Mapa dewiacji</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report as PDF…</source>
+        <translation>Zapisz &amp;sprawozdanie jako PDF…</translation>
+    </message>
+    <message>
+        <source>Open a log of a magnetometer that was turned through all attitudes: its hard and soft iron, how sure they are, why no surer and what to do for better. Zoom into the log to use a part of it; Directions shows where no sample is; Deviation map shows what compensation takes away at each heading and pitch; the model is saved as JSON or as a C header, or stored among the sensor models of the compass from whose page this one was opened.</source>
+        <translation>Otwórz zapis magnetometru, który obracano przez wszystkie położenia: jego żelazo twarde i miękkie, jak pewne są, dlaczego nie pewniejsze i co zrobić, by było lepiej. Powiększ zapis, aby użyć jego części; Kierunki pokazują, gdzie brak próbek; Mapa dewiacji pokazuje, co kompensacja usuwa na każdym kursie i pochyleniu; model zapisuje się jako JSON lub nagłówek C albo wśród modeli czujnika busoli, z której strony otwarto tę stronę.</translation>
     </message>
 </context>
 <context>
@@ -6861,6 +7017,22 @@ soft iron S:</source>
     <message>
         <source>roof</source>
         <translation>grzbiet</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>pasuje</translation>
+    </message>
+    <message>
+        <source>field too strong</source>
+        <translation>pole za silne</translation>
+    </message>
+    <message>
+        <source>too weak</source>
+        <translation>za słabe</translation>
+    </message>
+    <message>
+        <source>no samples in the ring</source>
+        <translation>brak próbek w pierścieniu</translation>
     </message>
 </context>
 <context>
@@ -9987,6 +10159,202 @@ soft iron S:</source>
         <source>Errors that all readings share (datum, variation) are not stated and not in them.</source>
         <translation>Błędów wspólnych wszystkim odczytom (wzorzec, deklinacja) nie podano i nie ma ich tutaj.</translation>
     </message>
+    <message>
+        <source>Good: the calibration can be used.</source>
+        <translation>Dobra: kalibracji można użyć.</translation>
+    </message>
+    <message>
+        <source>Doubtful.</source>
+        <translation>Wątpliwa.</translation>
+    </message>
+    <message>
+        <source>Not determined: this log does not tell the calibration.</source>
+        <translation>Nieokreślona: z tego zapisu kalibracja nie wynika.</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametry</translation>
+    </message>
+    <message>
+        <source>Heading error, read − magnetic</source>
+        <translation>Błąd kursu, odczytany − magnetyczny</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Średnia</translation>
+    </message>
+    <message>
+        <source>The field&apos;s size spreads by %1 before and %2 after compensation (%3).</source>
+        <translation>Wielkość pola rozrzuca się o %1 przed kompensacją i %2 po niej (%3).</translation>
+    </message>
+    <message>
+        <source>Heading error, rms and largest: %1° and %2° before, %3° and %4° after.</source>
+        <translation>Błąd kursu, średni kwadratowy i największy: %1° i %2° przed, %3° i %4° po.</translation>
+    </message>
+    <message>
+        <source>By the uncertainty of the calibration a compensated heading is sure to %1° (95 %) or better in the cells below.</source>
+        <translation>Przy niepewności kalibracji kurs skompensowany jest pewny do %1° (95 %) lub lepiej w komórkach poniżej.</translation>
+    </message>
+    <message>
+        <source>by the field&apos;s size</source>
+        <translation>według wielkości pola</translation>
+    </message>
+    <message>
+        <source>against heading, pitch and roll</source>
+        <translation>względem kursu, pochylenia i przechylenia</translation>
+    </message>
+    <message>
+        <source>Calibration of a magnetometer</source>
+        <translation>Kalibracja magnetometru</translation>
+    </message>
+    <message>
+        <source>Because: </source>
+        <translation>Ponieważ: </translation>
+    </message>
+    <message>
+        <source>Next: </source>
+        <translation>Dalej: </translation>
+    </message>
+    <message>
+        <source>%1 samples, %2 used, %3; figures in %4 (%5).</source>
+        <translation>próbek %1, użyto %2, %3; liczby w %4 (%5).</translation>
+    </message>
+    <message>
+        <source>Not told: </source>
+        <translation>Nieokreślone: </translation>
+    </message>
+    <message>
+        <source>Log of a magnetometer, compensated</source>
+        <translation>Zapis magnetometru, skompensowany</translation>
+    </message>
+    <message>
+        <source>A helmet system asks: %1 %2 %3 %4: %5.</source>
+        <translation>System hełmowy wymaga: %1 %2 %3 %4: %5.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nieznany</translation>
+    </message>
+    <message>
+        <source>%1, met</source>
+        <translation>%1, spełnione</translation>
+    </message>
+    <message>
+        <source>%1, NOT MET</source>
+        <translation>%1, NIESPEŁNIONE</translation>
+    </message>
+    <message>
+        <source>not looked at</source>
+        <translation>nie sprawdzono</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>zachowana</translation>
+    </message>
+    <message>
+        <source>TOO NEAR by %1 m</source>
+        <translation>ZA BLISKO o %1 m</translation>
+    </message>
+    <message>
+        <source>▲ %1 of %2 distances are too small; %3 were looked at.</source>
+        <translation>▲ %1 z %2 odległości jest za małych; sprawdzono %3.</translation>
+    </message>
+    <message>
+        <source>● All %1 distances are kept.</source>
+        <translation>● Wszystkie odległości (%1) są zachowane.</translation>
+    </message>
+    <message>
+        <source>○ %1 of %2 distances were looked at; none is too small.</source>
+        <translation>○ Sprawdzono %1 z %2 odległości; żadna nie jest za mała.</translation>
+    </message>
+    <message>
+        <source>Installation of a flux gate</source>
+        <translation>Zabudowa czujnika indukcyjnego</translation>
+    </message>
+    <message>
+        <source>Least distances as the maker of a flux gate asks (Garmin, installation manual of the GMU 11/44).</source>
+        <translation>Najmniejsze odległości, jakich żąda producent czujnika (Garmin, instrukcja zabudowy GMU 11/44).</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Odległości</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Co najmniej</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Zmierzono</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Ocena</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>Przyczyny</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Przyczyna</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Rodzaj</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azymut</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Elewacja</translation>
+    </message>
+    <message>
+        <source>turret</source>
+        <translation>wieżyczka</translation>
+    </message>
+    <message>
+        <source>1 sigma</source>
+        <translation>1 sigma</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>stałe</translation>
+    </message>
+    <message>
+        <source>all that stays</source>
+        <translation>wszystko, co stałe</translation>
+    </message>
+    <message>
+        <source>all by chance</source>
+        <translation>wszystko, co przypadkowe</translation>
+    </message>
+    <message>
+        <source>together</source>
+        <translation>razem</translation>
+    </message>
+    <message>
+        <source>root of squares</source>
+        <translation>pierwiastek z kwadratów</translation>
+    </message>
+    <message>
+        <source>Looking at azimuth %1°, elevation %2° in the aircraft (helmet: heading %3°, pitch %4°, roll %5°), that is %6°, %7° for the turret: off by %8° in azimuth and %9° in elevation there.</source>
+        <translation>Patrząc na azymut %1°, elewację %2° w statku powietrznym (hełm: kurs %3°, pochylenie %4°, przechylenie %5°), czyli %6°, %7° dla wieżyczki: odchyłka tam %8° w azymucie i %9° w elewacji.</translation>
+    </message>
+    <message>
+        <source>Line of sight of a helmet</source>
+        <translation>Linia wzroku hełmu</translation>
+    </message>
+    <message>
+        <source>Field %1 nT, dip %2°; aircraft: heading %3°, pitch %4°, roll %5°. Noise of an axis %6 nT (aircraft) and %7 nT (helmet); pitch and roll sure to %8° and %9°.</source>
+        <translation>Pole %1 nT, inklinacja %2°; statek powietrzny: kurs %3°, pochylenie %4°, przechylenie %5°. Szum osi %6 nT (statek) i %7 nT (hełm); pochylenie i przechylenie pewne do %8° i %9°.</translation>
+    </message>
+    <message>
+        <source>Turret: mount roll %1°, pitch %2°, yaw %3°, each sure to %4°. Field of the cockpit %5, %6, %7 nT.</source>
+        <translation>Wieżyczka: przechylenie mocowania %1°, pochylenie %2°, odchylenie %3°, każde pewne do %4°. Pole kabiny %5, %6, %7 nT.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::DueBadge</name>
@@ -10553,6 +10921,45 @@ soft iron S:</source>
     <message>
         <source>No electrical swing of this compass is on record: “New electrical swing” begins one.</source>
         <translation>W zapisach nie ma pomiaru elektrycznego tej busoli: zaczyna go „Nowy pomiar elektryczny”.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::ErrorMapWords</name>
+    <message>
+        <source>magnetic heading (°)</source>
+        <translation>kurs magnetyczny (°)</translation>
+    </message>
+    <message>
+        <source>pitch (°)</source>
+        <translation>pochylenie (°)</translation>
+    </message>
+    <message>
+        <source>after: up to %1°</source>
+        <translation>po: do %1°</translation>
+    </message>
+    <message>
+        <source>before: up to %1° (colours: west blue, east red, to this size in both)</source>
+        <translation>przed: do %1° (barwy: zachodnia niebieska, wschodnia czerwona, do tej wielkości w obu)</translation>
+    </message>
+    <message>
+        <source>heading %1°, pitch %2°: deviation %3° before</source>
+        <translation>kurs %1°, pochylenie %2°: dewiacja %3° przed</translation>
+    </message>
+    <message>
+        <source>, %1° after</source>
+        <translation>, %1° po</translation>
+    </message>
+    <message>
+        <source>, sure to %1° (95 %)</source>
+        <translation>, pewna do %1° (95 %)</translation>
+    </message>
+    <message>
+        <source>; %1 samples</source>
+        <translation>; próbek %1</translation>
+    </message>
+    <message>
+        <source>No headings: nothing is compensated yet.</source>
+        <translation>Brak kursów: niczego jeszcze nie skompensowano.</translation>
     </message>
 </context>
 <context>
@@ -12351,6 +12758,37 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     </message>
 </context>
 <context>
+    <name>lubberline::ui::InstallationPanel</name>
+    <message>
+        <source>Distances of the flux gate</source>
+        <translation>Odległości czujnika indukcyjnego</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>od</translation>
+    </message>
+    <message>
+        <source>at least (m)</source>
+        <translation>co najmniej (m)</translation>
+    </message>
+    <message>
+        <source>measured (m)</source>
+        <translation>zmierzono (m)</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>ocena</translation>
+    </message>
+    <message>
+        <source>Clear the distances</source>
+        <translation>Wyczyść odległości</translation>
+    </message>
+    <message>
+        <source>no distance; expected metres, 0 or more</source>
+        <translation>nie jest odległością; oczekiwano metrów, 0 lub więcej</translation>
+    </message>
+</context>
+<context>
     <name>lubberline::ui::InstrumentsPage</name>
     <message>
         <source>Where it shows %1, the aircraft heads %2° magnetic</source>
@@ -12529,6 +12967,164 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     <message>
         <source>A field takes %1 letters at most: the rest was not taken.</source>
         <translation>Pole mieści najwyżej znaków: %1; reszty nie przyjęto.</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::LineOfSightPage</name>
+    <message>
+        <source>&amp;Line of sight of a helmet…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+H</source>
+        <translation>Ctrl+Alt+H</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report as PDF…</source>
+        <translation>Zapisz &amp;sprawozdanie jako PDF…</translation>
+    </message>
+    <message>
+        <source>Two magnetic sensors tell where a helmet looks in the aircraft: heading of the helmet less heading of the aircraft, each levelled by its own pitch and roll. An error of a tilt turns a heading by up to tan(dip) times itself, iron at the two sensors works opposite ways, and a constant field of the cockpit turns the helmet&apos;s north. Errors that stay are summed with their sign, those by chance as squares; both are carried through the turret&apos;s mount. A field that coils make to track the helmet is not modelled.</source>
+        <translation>Dwa czujniki magnetyczne mówią, dokąd hełm patrzy w statku powietrznym: kurs hełmu minus kurs statku, każdy wypoziomowany własnym pochyleniem i przechyleniem. Błąd pochylenia obraca kurs nawet o tan(inklinacji) razy tyle, żelazo przy obu czujnikach działa przeciwnie, a stałe pole kabiny obraca północ hełmu. Błędy stałe sumuje się ze znakiem, przypadkowe jako kwadraty; oba przenosi się przez mocowanie wieżyczki. Pole, które cewki wytwarzają do śledzenia hełmu, nie jest modelowane.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2; expected %3 number(s) from %4 to %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line of sight</source>
+        <translation>Linia wzroku</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>Przyczyny</translation>
+    </message>
+    <message>
+        <source>none; open a model…</source>
+        <translation>brak; otwórz model…</translation>
+    </message>
+    <message>
+        <source>A Model JSON of what iron is left in its headings; cancel the question to take it away</source>
+        <translation>Plik Model JSON z żelazem, które zostało w kursach; anulowanie pytania go usuwa</translation>
+    </message>
+    <message>
+        <source>Open a sensor model</source>
+        <translation>Otwieranie modelu czujnika</translation>
+    </message>
+    <message>
+        <source>Sensor model (*.json)</source>
+        <translation>Model czujnika (*.json)</translation>
+    </message>
+    <message>
+        <source>Line of sight of a helmet</source>
+        <translation>Linia wzroku hełmu</translation>
+    </message>
+    <message>
+        <source>Earth&apos;s field (nT), dip (° down +)</source>
+        <translation>Pole Ziemi (nT), inklinacja (° w dół +)</translation>
+    </message>
+    <message>
+        <source>Aircraft: magnetic heading, pitch, roll (°)</source>
+        <translation>Statek powietrzny: kurs magnetyczny, pochylenie, przechylenie (°)</translation>
+    </message>
+    <message>
+        <source>Looking: azimuth, elevation, roll of the helmet (°)</source>
+        <translation>Patrzy: azymut, elewacja, przechylenie hełmu (°)</translation>
+    </message>
+    <message>
+        <source>Noise of an axis: aircraft, helmet (nT)</source>
+        <translation>Szum osi: statek, hełm (nT)</translation>
+    </message>
+    <message>
+        <source>Pitch and roll sure to: aircraft, helmet (°)</source>
+        <translation>Pochylenie i przechylenie pewne do: statek, hełm (°)</translation>
+    </message>
+    <message>
+        <source>Iron left at the aircraft&apos;s sensor</source>
+        <translation>Żelazo pozostałe przy czujniku statku powietrznego</translation>
+    </message>
+    <message>
+        <source>Iron left at the helmet&apos;s sensor</source>
+        <translation>Żelazo pozostałe przy czujniku hełmu</translation>
+    </message>
+    <message>
+        <source>Field of the cockpit at the helmet: x, y, z (nT)</source>
+        <translation>Pole kabiny przy hełmie: x, y, z (nT)</translation>
+    </message>
+    <message>
+        <source>Turret&apos;s mount: roll, pitch, yaw (°)</source>
+        <translation>Mocowanie wieżyczki: przechylenie, pochylenie, odchylenie (°)</translation>
+    </message>
+    <message>
+        <source>Its mount sure to (°)</source>
+        <translation>Mocowanie pewne do (°)</translation>
+    </message>
+    <message>
+        <source>the Earth&apos;s field is 1000 nT or more, and its dip from −90° to 90°</source>
+        <translation>pole Ziemi wynosi 1000 nT lub więcej, a jego inklinacja od −90° do 90°</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Zapisywanie sprawozdania</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>zapisano %1</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::LiveActions</name>
+    <message>
+        <source>Start &amp;with the log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the actions…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Wyczyść</translation>
+    </message>
+    <message>
+        <source>Noted actions</source>
+        <translation>Zanotowane czynności</translation>
+    </message>
+    <message>
+        <source>What is switched now</source>
+        <translation>Co się teraz przełącza</translation>
+    </message>
+    <message>
+        <source>landing light on: Enter</source>
+        <translation>reflektor lądowania wł.: Enter</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>czas (s)</translation>
+    </message>
+    <message>
+        <source>action</source>
+        <translation>czynność</translation>
+    </message>
+    <message>
+        <source>Save the actions</source>
+        <translation>Zapisywanie czynności</translation>
+    </message>
+    <message>
+        <source>Actions (*.csv)</source>
+        <translation>Czynności (*.csv)</translation>
+    </message>
+    <message>
+        <source>Let the log run. Switch one thing at a time, note it with Enter at that moment, and wait ten seconds.</source>
+        <translation>Niech zapis trwa. Przełączaj po jednej rzeczy, zanotuj ją klawiszem Enter w tej samej chwili i odczekaj dziesięć sekund.</translation>
+    </message>
+    <message>
+        <source>To note the actions while the log runs: press Start at the moment at which the log begins; its time is then counted from 0.</source>
+        <translation>Aby notować czynności podczas zapisu: naciśnij Start w chwili, gdy zapis się zaczyna; jego czas liczy się wtedy od 0.</translation>
     </message>
 </context>
 <context>
@@ -15911,6 +16507,41 @@ Escape przywraca zapisaną wartość.</translation>
     <message>
         <source>wrote %1</source>
         <translation>zapisano %1</translation>
+    </message>
+    <message>
+        <source>Installation</source>
+        <translation>Zabudowa</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::SightWords</name>
+    <message>
+        <source>looking, azimuth in the aircraft (°)</source>
+        <translation>kierunek patrzenia, azymut w statku powietrznym (°)</translation>
+    </message>
+    <message>
+        <source>error of the line, turret&apos;s axes (°)</source>
+        <translation>błąd linii, osie wieżyczki (°)</translation>
+    </message>
+    <message>
+        <source>looking %1°: </source>
+        <translation>patrząc na %1°: </translation>
+    </message>
+    <message>
+        <source>at %1° azimuth %2°, elevation %3°</source>
+        <translation>na %1° azymut %2°, elewacja %3°</translation>
+    </message>
+    <message>
+        <source>Enter the Earth&apos;s field and its dip.</source>
+        <translation>Podaj pole Ziemi i jego inklinację.</translation>
+    </message>
+    <message>
+        <source>azimuth, looking %1° up</source>
+        <translation>azymut, patrząc %1° w górę</translation>
+    </message>
+    <message>
+        <source>elevation, looking %1° up</source>
+        <translation>elewacja, patrząc %1° w górę</translation>
     </message>
 </context>
 <context>
