@@ -273,7 +273,7 @@ TEST(WindStudy, dotsStandForAllReports)
 {
     SimulatedAircraft aircraft;
     aircraft.flights = 200;
-    const auto& one = studyOf({aircraft}, 5).aircraft[0];
+    const auto one = studyOf({aircraft}, 5).aircraft[0];
     EXPECT_GE(one.dots.size(), 300u);
     EXPECT_LT(one.dots.size(), 600u);
     ASSERT_TRUE(one.changes.empty()); // the fit below is of all flights, as the dots are
