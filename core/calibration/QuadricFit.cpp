@@ -7,8 +7,9 @@ namespace lubberline {
 
 namespace {
 
-using Matrix10 = Eigen::Matrix<double, 10, 10>;
-using Vector10 = Eigen::Matrix<double, 10, 1>;
+// Of dynamic size, though the sizes are known: unrolled, their decompositions took a minute to compile and no less time to run.
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 /// x², xy, xz, y², yz, z², x, y, z, 1.
 constexpr std::array<std::array<int, 3>, 10> kMonomials{
@@ -19,9 +20,9 @@ constexpr std::array<std::array<double, 3>, 5> kHermite{{{1, 0, 0}, {1, 0, 0}, {
 
 /// Ψ(v) = Ψ₀ + v Ψ₁ + v² Ψ₂: the moment matrix of the points without their noise of variance v.
 struct CorrectedMoments {
-    std::array<Matrix10, 3> power;
-    [[nodiscard]] Matrix10 at(double v) const { return power[0] + v * (power[1] + v * power[2]); }
-    [[nodiscard]] Matrix10 slope(double v) const { return power[1] + 2.0 * v * power[2]; }
+    std::array<MatrixXd, 3> power;
+    [[nodiscard]] MatrixXd at(double v) const { return power[0] + v * (power[1] + v * power[2]); }
+    [[nodiscard]] MatrixXd slope(double v) const { return power[1] + 2.0 * v * power[2]; }
 };
 
 std::array<double, 3> correctedMoment(const FieldMoments& moments, const std::array<int, 3>& e)
@@ -42,6 +43,7 @@ std::array<double, 3> correctedMoment(const FieldMoments& moments, const std::ar
 CorrectedMoments correctedMoments(const FieldMoments& moments)
 {
     CorrectedMoments corrected;
+    corrected.power.fill(MatrixXd::Zero(10, 10));
     for (std::size_t i = 0; i < 10; ++i)
         for (std::size_t j = i; j < 10; ++j) {
             std::array<int, 3> e{};
@@ -57,12 +59,12 @@ CorrectedMoments correctedMoments(const FieldMoments& moments)
 }
 
 /// The quadrics of a shape: which of the ten coefficients are free.
-Eigen::MatrixXd freeCoefficients(EllipsoidShape shape)
+MatrixXd freeCoefficients(EllipsoidShape shape)
 {
     if (shape == EllipsoidShape::General)
-        return Matrix10::Identity();
+        return MatrixXd::Identity(10, 10);
     const bool sphere = shape == EllipsoidShape::Sphere;
-    Eigen::MatrixXd free = Eigen::MatrixXd::Zero(10, sphere ? 5 : 7);
+    MatrixXd free = MatrixXd::Zero(10, sphere ? 5 : 7);
     for (int i = 0; i < 3; ++i)
         free((std::array{0, 3, 5})[static_cast<std::size_t>(i)], sphere ? 0 : i) = 1.0;
     for (int i = 0; i < 4; ++i)
@@ -70,7 +72,7 @@ Eigen::MatrixXd freeCoefficients(EllipsoidShape shape)
     return free;
 }
 
-std::optional<Quadric> quadricOf(const Vector10& q, const FieldMoments& moments, double sigma)
+std::optional<Quadric> quadricOf(const VectorXd& q, const FieldMoments& moments, double sigma)
 {
     Eigen::Matrix3d a;
     a << q[0], q[1] / 2, q[2] / 2, q[1] / 2, q[3], q[4] / 2, q[2] / 2, q[4] / 2, q[5];
@@ -97,12 +99,12 @@ std::optional<Quadric> quadricOf(const Vector10& q, const FieldMoments& moments,
 std::optional<Quadric> adjustedQuadric(const FieldMoments& moments, EllipsoidShape shape)
 {
     const CorrectedMoments corrected = correctedMoments(moments);
-    const Eigen::MatrixXd free = freeCoefficients(shape);
+    const MatrixXd free = freeCoefficients(shape);
     // The smallest eigenvalue falls with v, ever faster: Newton's steps come down on its first zero from above.
     double v = 0;
-    Eigen::VectorXd null;
+    VectorXd null;
     for (int step = 0; step < 60; ++step) {
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(free.transpose() * corrected.at(v) * free);
+        const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(free.transpose() * corrected.at(v) * free);
         if (eigen.info() != Eigen::Success)
             return {};
         null = eigen.eigenvectors().col(0);
@@ -119,22 +121,21 @@ std::optional<Quadric> adjustedQuadric(const FieldMoments& moments, EllipsoidSha
 
 std::optional<Quadric> constrainedQuadric(const FieldMoments& moments)
 {
-    const Matrix10 design = correctedMoments(moments).power[0];
+    const MatrixXd design = correctedMoments(moments).power[0];
     // q' C q = 4 J − I² > 0 for the six coefficients of second order: x², y², z² and half of yz, xz, xy.
-    Eigen::Matrix<double, 6, 6> constraint = Eigen::Matrix<double, 6, 6>::Zero();
+    MatrixXd constraint = MatrixXd::Zero(6, 6);
     const std::array<Eigen::Index, 3> squares{0, 3, 5};
     for (const auto i : squares)
         for (const auto j : squares)
             constraint(i, j) = i == j ? -1.0 : 1.0;
     for (const Eigen::Index i : {1, 2, 4})
         constraint(i, i) = -1.0;
-    const Eigen::Matrix4d last = design.bottomRightCorner<4, 4>();
-    const Eigen::FullPivLU<Eigen::Matrix4d> inverse(last);
+    const Eigen::FullPivLU<MatrixXd> inverse(design.bottomRightCorner(4, 4));
     if (!inverse.isInvertible())
         return {};
-    const Eigen::Matrix<double, 4, 6> across = design.bottomLeftCorner<4, 6>();
-    const Eigen::Matrix<double, 6, 6> reduced = design.topLeftCorner<6, 6>() - across.transpose() * inverse.solve(across);
-    const Eigen::EigenSolver<Eigen::Matrix<double, 6, 6>> eigen(constraint.fullPivLu().solve(reduced));
+    const MatrixXd across = design.bottomLeftCorner(4, 6);
+    const MatrixXd reduced = design.topLeftCorner(6, 6) - across.transpose() * inverse.solve(across);
+    const Eigen::EigenSolver<MatrixXd> eigen(constraint.fullPivLu().solve(reduced));
     if (eigen.info() != Eigen::Success)
         return {};
     std::optional<Quadric> best;
@@ -143,8 +144,8 @@ std::optional<Quadric> constrainedQuadric(const FieldMoments& moments)
         if (std::abs(eigen.eigenvalues()[i].imag()) > 1e-9 || eigen.eigenvalues()[i].real() <= 0
             || eigen.eigenvalues()[i].real() <= largest)
             continue;
-        const Eigen::Matrix<double, 6, 1> second = eigen.eigenvectors().col(i).real();
-        Vector10 q;
+        const VectorXd second = eigen.eigenvectors().col(i).real();
+        VectorXd q(10);
         q << second, -inverse.solve(across * second);
         if (auto quadric = quadricOf(q, moments, 0.0)) {
             best = std::move(quadric);
