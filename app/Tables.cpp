@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/Console.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/deviation/SlipWords.h"
 #include "core/swing/CardRemarks.h"
 #include "ui/report/card/CardWords.h"
@@ -31,7 +32,8 @@ std::string readingsTable(const Analysis& analysis)
     std::string out = "magnetic  compass  deviation  residual (deg)\n"
                       "   (deg)    (deg)  (deg, E+)    approx.     exact\n";
     for (const auto& reading : analysis.readings) {
-        out += text("%8.2f %8.2f   %+8.2f ", reading.magnetic.degrees(), reading.compass.degrees(), reading.deviation.degrees());
+        out += text("%8.2f %8.2f   %+8.2f ", printedHeading_deg(reading.magnetic.degrees(), 2),
+            printedHeading_deg(reading.compass.degrees(), 2), reading.deviation.degrees());
         out += signedCell(degrees(reading.residualApproximate_rad), 10, 2) + signedCell(degrees(reading.residualExact_rad), 10, 2);
         if (reading.suspect)
             out += "  <- look again";
@@ -45,13 +47,14 @@ std::string slipsTable(const Analysis& analysis)
     std::string out;
     for (const auto& slip : analysis.slips.slips) {
         const auto& reading = analysis.readings[slip.reading];
-        out += text("look again at %.1f, which reads %.1f: %s with %.0f %%", reading.magnetic.degrees(), reading.compass.degrees(),
+        out += text("look again at %.1f, which reads %.1f: %s with %.0f %%", printedHeading_deg(reading.magnetic.degrees(), 1),
+            printedHeading_deg(reading.compass.degrees(), 1),
             slip.orReadings.empty() ? "it was misread" : "one of the readings that cannot be told apart was misread",
             100 * slip.probability);
         for (const auto& candidate : slip.candidates)
             out += candidate.slip == Slip::Unexplained
                 ? text("; %s %.0f %%", wordFor(candidate.slip).english().c_str(), 100 * candidate.probability)
-                : text("; %s, %.1f meant, %.0f %%", wordFor(candidate.slip).english().c_str(), candidate.meant_deg,
+                : text("; %s, %.1f meant, %.0f %%", wordFor(candidate.slip).english().c_str(), printedHeading_deg(candidate.meant_deg, 1),
                     100 * candidate.probability);
         out += "\n";
     }
@@ -105,7 +108,7 @@ std::string tableOf(const Analysis& analysis)
         + text("\nlargest deviation %+.2f deg at magnetic heading %.1f deg; rms %.2f deg\n",
             summary.maxDeviation_rad >= -summary.minDeviation_rad ? toDegrees(summary.maxDeviation_rad)
                                                                   : toDegrees(summary.minDeviation_rad),
-            summary.maxAbsDeviationAt.degrees(), toDegrees(summary.rmsDeviation_rad))
+            printedHeading_deg(summary.maxAbsDeviationAt.degrees(), 1), toDegrees(summary.rmsDeviation_rad))
         + "deviation = magnetic - compass, east positive; approximate fit on compass heading, exact fit on magnetic heading\n";
 }
 
@@ -134,8 +137,9 @@ std::string tableOf(const Correction& correction)
                            "coefficient  on  magnetic  compass reads  make compass read\n",
         toDegrees(correction.A_rad), toDegrees(correction.B_rad), toDegrees(correction.C_rad));
     for (const auto& step : correction.steps)
-        out += text("%11c  %2c  %8.1f  %13.1f  %17.1f\n", letterOf(step.coefficient), letterOf(step.on), step.magnetic.degrees(),
-            step.compassReads.degrees(), step.makeCompassRead.degrees());
+        out += text("%11c  %2c  %8.1f  %13.1f  %17.1f\n", letterOf(step.coefficient), letterOf(step.on),
+            printedHeading_deg(step.magnetic.degrees(), 1), printedHeading_deg(step.compassReads.degrees(), 1),
+            printedHeading_deg(step.makeCompassRead.degrees(), 1));
     return out + "Correct C on one of N and S, then B on one of E and W.\n";
 }
 

@@ -4,6 +4,7 @@
 #include "app/Outputs.h"
 #include "app/commands/Command.h"
 #include "core/angle/Circle.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/base/Number.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
@@ -129,9 +130,11 @@ int sunCommand(const SunArguments& options)
         return kDone;
     }
     warn(doubts.warnings);
-    put("azimuth %.3f deg true, %+.3f deg a minute; elevation %.3f deg\n", sun.azimuth_deg, sun.azimuthRate_deg_min, sun.elevation_deg);
+    put("azimuth %.3f deg true, %+.3f deg a minute; elevation %.3f deg\n", printedHeading_deg(sun.azimuth_deg, 3), sun.azimuthRate_deg_min,
+        sun.elevation_deg);
     if (sun.shadowRatio > 0)
-        put("the shadow points to %.3f deg true and is %.2f times as long as its pin\n", wrap360(sun.azimuth_deg + 180), sun.shadowRatio);
+        put("the shadow points to %.3f deg true and is %.2f times as long as its pin\n", printedHeading_deg(sun.azimuth_deg + 180, 3),
+            sun.shadowRatio);
     printBudget(budget);
     return kDone;
 }

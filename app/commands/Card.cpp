@@ -11,6 +11,7 @@
 #include "app/QtSession.h"
 #include "app/Tables.h"
 #include "app/commands/Command.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/format/results/AnalysisJson.h"
 #include "core/record/RecordWords.h"
 #include "ui/report/page/DataHash.h"
@@ -67,9 +68,9 @@ std::string textOf(const ui::CardInput& input, const std::vector<BetweenRows>& b
 {
     std::string out;
     for (std::size_t i = 0; i < between.size(); ++i) {
-        out += text(
-            "%s %05.1f: %05.1f between the rows", input.columns[i].heading.toStdString().c_str(), at_deg, between[i].interpolated_deg);
-        out += between[i].curve_deg ? text(", %05.1f by the curve\n", *between[i].curve_deg) : "\n";
+        out += text("%s %05.1f: %05.1f between the rows", input.columns[i].heading.toStdString().c_str(), printedHeading_deg(at_deg, 1),
+            printedHeading_deg(between[i].interpolated_deg, 1));
+        out += between[i].curve_deg ? text(", %05.1f by the curve\n", printedHeading_deg(*between[i].curve_deg, 1)) : "\n";
     }
     return out;
 }

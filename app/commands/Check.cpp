@@ -9,6 +9,7 @@
 #include "app/SwingList.h"
 #include "app/SwingSource.h"
 #include "app/commands/Command.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/base/FileText.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
@@ -135,7 +136,7 @@ void printHeadings(const ChosenHeadings& chosen)
 {
     put("read on compass headings");
     for (const double heading : chosen.compass_deg)
-        put(" %03.0f", heading);
+        put(" %03.0f", printedHeading_deg(heading, 0));
     put(" deg\nof the changes that matter %.2f deg are left unknown (before: %.2f; evenly spaced: %.2f)\n", chosen.left_deg,
         chosen.before_deg, chosen.leftEven_deg);
 }
@@ -177,7 +178,8 @@ int checkCommand(const CheckArguments& options, const std::string& database)
         put("%s\n", toJson(compass->belief, compass->swings, chosen, compass->options, observations, *verdict).c_str());
     } else if (!options.output.toStandardOutput()) {
         for (std::size_t i = 0; i < observations.size(); ++i)
-            put("compass %06.2f deg: %+.2f deg from its card\n", observations[i].compass.degrees(), verdict->differences_deg[i]);
+            put("compass %06.2f deg: %+.2f deg from its card\n", printedHeading_deg(observations[i].compass.degrees(), 2),
+                verdict->differences_deg[i]);
         put("%s\n", inWords(*verdict, compass->options).english().c_str());
     }
     return kDone;

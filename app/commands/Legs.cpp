@@ -6,6 +6,7 @@
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/angle/AngleText.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/base/OutputFile.h"
 #include "core/base/TerminalText.h"
 #include "core/base/WholeFile.h"
@@ -28,13 +29,13 @@ struct LegsArguments {
 
 void printLegs(const LegsSolution& solution)
 {
-    put("wind from %03.0f at %.1f kt (+- %.1f), airspeed %.1f kt (+- %.1f)\n", solution.air.from_deg(), solution.air.speed_kt(),
-        solution.air.standardError_kt(), solution.air.airspeed_kt, solution.air.airspeedError_kt);
+    put("wind from %03.0f at %.1f kt (+- %.1f), airspeed %.1f kt (+- %.1f)\n", printedHeading_deg(solution.air.from_deg(), 0),
+        solution.air.speed_kt(), solution.air.standardError_kt(), solution.air.airspeed_kt, solution.air.airspeedError_kt);
     put("%-10s %8s %8s %9s %6s %10s %10s\n", "leg", "track", "gs kt", "true hdg", "+-", "compass", "deviation");
     for (const auto& one : solution.legs)
-        put("%-10s %8.1f %8.1f %9.1f %6.2f %10s %10s\n", inOneLine(one.leg.name).c_str(), one.leg.track_deg, one.leg.groundSpeed_kt,
-            one.trueHeading_deg, one.standardError_deg,
-            one.leg.compassHeading_deg ? text("%.1f", *one.leg.compassHeading_deg).c_str() : "-",
+        put("%-10s %8.1f %8.1f %9.1f %6.2f %10s %10s\n", inOneLine(one.leg.name).c_str(), printedHeading_deg(one.leg.track_deg, 1),
+            one.leg.groundSpeed_kt, one.trueHeading_deg, one.standardError_deg,
+            one.leg.compassHeading_deg ? text("%.1f", printedHeading_deg(*one.leg.compassHeading_deg, 1)).c_str() : "-",
             one.deviation_deg ? text("%+.2f", *one.deviation_deg).c_str() : "-");
 }
 

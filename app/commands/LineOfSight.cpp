@@ -7,6 +7,7 @@
 #include "app/Paths.h"
 #include "app/QtSession.h"
 #include "core/angle/Angle.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/results/LineOfSightJson.h"
 #include "ui/report/forms/LineOfSightSheet.h"
@@ -45,8 +46,8 @@ void printBudget(const SightBudget& budget)
 {
     put("looking: azimuth %+.1f, elevation %+.1f deg in the aircraft; %+.1f, %+.1f for the turret\n", budget.truth.aircraft.azimuth_deg,
         budget.truth.aircraft.elevation_deg, budget.truth.turret.azimuth_deg, budget.truth.turret.elevation_deg);
-    put("helmet: heading %.1f, pitch %+.1f, roll %+.1f deg\n\n", budget.helmet.heading.degrees(), toDegrees(budget.helmet.pitch_rad),
-        toDegrees(budget.helmet.roll_rad));
+    put("helmet: heading %.1f, pitch %+.1f, roll %+.1f deg\n\n", printedHeading_deg(budget.helmet.heading.degrees(), 1),
+        toDegrees(budget.helmet.pitch_rad), toDegrees(budget.helmet.roll_rad));
     put("%-42s%20s%22s\n%-42s%10s%10s%12s%10s\n", "error (deg)", "aircraft's axes", "turret's axes", "", "azimuth", "elevation", "azimuth",
         "elevation");
     for (const SightCause& cause : budget.causes)

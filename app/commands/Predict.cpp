@@ -4,6 +4,7 @@
 #include "app/PlacedSwings.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/base/OutputFile.h"
@@ -83,7 +84,7 @@ void printTable(const PredictAnswer& answer)
             put("%8.0f  %+10.2f %+10.2f %+10.2f\n", point.magnetic.degrees(), point.deviation->degrees(), toDegrees(*point.lowest_rad),
                 toDegrees(*point.highest_rad));
         else
-            put("%8.0f  %10s\n", point.magnetic.degrees(), "vanishes");
+            put("%8.0f  %10s\n", printedHeading_deg(point.magnetic.degrees(), 0), "vanishes");
     }
     put("verdict: %s\n", nameOf(judge(there, answer.limits)));
     if (const auto again = swingAgainAfterMove(there, answer.limits))

@@ -5,6 +5,7 @@
 #include "app/Outputs.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
 #include "core/format/reference/ReferenceJson.h"
@@ -40,7 +41,7 @@ void printTable(const Scenario& scenario, const ReferenceRun& run)
         put(" %9s", nameOf(share.source));
     put("\n");
     for (const std::size_t i : pointsOf(run, std::max<std::size_t>(1, run.time_s.size() / 24))) {
-        put("%10.1f %9.2f %9.3f %+9.3f", run.time_s[i], toDegrees(run.heading_rad[i]),
+        put("%10.1f %9.2f %9.3f %+9.3f", run.time_s[i], printedHeading_deg(toDegrees(run.heading_rad[i]), 2),
             toDegrees(std::hypot(run.tilt[i].forward_rad, run.tilt[i].starboard_rad)), toDegrees(run.headingError_rad[i]));
         for (const ErrorShare& share : run.shares)
             put(" %+9.3f", toDegrees(share.error_rad[i]));

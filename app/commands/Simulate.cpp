@@ -7,6 +7,7 @@
 #include "app/ModelOptions.h"
 #include "app/Outputs.h"
 #include "app/commands/Command.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/base/OutputFile.h"
@@ -73,7 +74,7 @@ void printTable(const std::vector<SensorReading>& points, const SimulateArgument
     put("pitch %g deg (nose up +), roll %g deg (starboard wing down +)\n", options.pitch_deg, options.roll_deg);
     put("magnetic   compass    deviation  horizontal field\n   (deg)     (deg)    (deg, E+)   at sensor (nT)\n");
     for (const auto& point : points) {
-        put("%8.2f  ", point.attitude.heading.degrees());
+        put("%8.2f  ", printedHeading_deg(point.attitude.heading.degrees(), 2));
         if (point.compass)
             put("%8.3f     %+8.3f  %15.1f\n", point.compass->degrees(), point.deviation->degrees(), point.horizontal_nT);
         else

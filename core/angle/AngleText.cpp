@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/angle/PrintedHeading.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 
@@ -346,11 +347,9 @@ Result<double> parseHeading_deg(std::string_view text, North meant)
 
 std::string formatHeading(double heading_deg, AngleStyle style, int decimals)
 {
-    const double wrapped_deg = wrap360(heading_deg);
     if (style == AngleStyle::DegreesMinutes)
-        return degreesMinutes(std::llround(wrapped_deg * 60.0) % (360 * 60), 3);
-    const std::string figures = figureText(wrapped_deg, decimals);
-    return padded(figures.starts_with("360") ? figureText(0.0, decimals) : figures, 3) + "\u00B0";
+        return degreesMinutes(std::llround(wrap360(heading_deg) * 60.0) % (360 * 60), 3);
+    return padded(figureText(printedHeading_deg(heading_deg, decimals), decimals), 3) + "\u00B0";
 }
 
 std::string formatSignedAngle(double angle_deg, AngleStyle style, int decimals)

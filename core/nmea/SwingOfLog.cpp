@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/angle/PrintedHeading.h"
 #include "core/base/Number.h"
 #include "core/deviation/SmithFit.h"
 #include "core/nmea/HeadingLine.h"
@@ -174,8 +175,8 @@ void SwingOfLog::findWind()
     wind->takenOut = shows && flies;
     if (wind->takenOut)
         tellLimit({MARKED("core", "wind from %1° true at %2 ± %3 kt, airspeed %4 kt, is taken out of the tracks"),
-            figureText(wind->from_deg(), 0), figureText(wind->speed_kt(), 1), figureText(wind->standardError_kt(), 1),
-            figureText(wind->airspeed_kt, 1)});
+            figureText(printedHeading_deg(wind->from_deg(), 0), 0), figureText(wind->speed_kt(), 1),
+            figureText(wind->standardError_kt(), 1), figureText(wind->airspeed_kt, 1)});
     else if (shows)
         tellLimit({MARKED("core",
                        "the ground speed varies with the track, as if wind or current of %1 kt carried it: on wheels that is the driver; "

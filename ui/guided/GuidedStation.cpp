@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
+#include "core/angle/PrintedHeading.h"
 #include "ui/guided/BigWidgets.h"
 #include "ui/guided/GuidedWords.h"
 #include "ui/kit/Words.h"
@@ -227,10 +228,13 @@ void GuidedStation::focusField() { firstEmpty()->setFocus(Qt::OtherFocusReason);
 void GuidedStation::setDatum(double heading_deg)
 {
     if (!turning())
-        m_datum->setText(QString::number(heading_deg, 'f', 1));
+        m_datum->setText(QString::number(printedHeading_deg(heading_deg, 1), 'f', 1));
 }
 
-void GuidedStation::setCompass(double heading_deg) { (turning() ? m_after : m_compass)->setText(QString::number(heading_deg, 'f', 1)); }
+void GuidedStation::setCompass(double heading_deg)
+{
+    (turning() ? m_after : m_compass)->setText(QString::number(printedHeading_deg(heading_deg, 1), 'f', 1));
+}
 
 void GuidedStation::say(const QString& message, bool urgent)
 {

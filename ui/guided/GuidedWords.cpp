@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/angle/PrintedHeading.h"
 #include "core/base/Number.h"
 #include "core/procedure/SkipCost.h"
 #include "ui/guided/GuidedJob.h"
@@ -78,8 +79,7 @@ QString stationHeading(double nominal_deg)
 
 QString figureText(double heading_deg)
 {
-    const double tenth = std::round(wrap360(heading_deg) * 10.0) / 10.0;
-    const double shown = tenth >= 360.0 ? 0.0 : tenth;
+    const double shown = std::round(printedHeading_deg(heading_deg, 1) * 10.0) / 10.0;
     const bool whole = shown == std::round(shown);
     return QStringLiteral("%1").arg(shown, whole ? 3 : 5, 'f', whole ? 0 : 1, QChar('0'));
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/angle/AngleText.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/inflight/InflightSwing.h"
 #include "core/swing/SwingResult.h"
 #include "ui/kit/Words.h"
@@ -46,7 +47,7 @@ Result<FlightLog> readFlightLog(const std::string& path, const LegsOptions& legs
 QStringList wordsOf(const LegsSolution& solution)
 {
     QStringList lines{FlightLogPage::tr("Wind from %1° at %2 kt ± %3 kt, airspeed %4 kt ± %5 kt, %6 legs.")
-                          .arg(plainNumber(solution.air.from_deg(), 0), plainNumber(solution.air.speed_kt(), 1),
+                          .arg(plainNumber(printedHeading_deg(solution.air.from_deg(), 0), 0), plainNumber(solution.air.speed_kt(), 1),
                               plainNumber(solution.air.standardError_kt(), 1), plainNumber(solution.air.airspeed_kt, 1),
                               plainNumber(solution.air.airspeedError_kt, 1))
                           .arg(solution.legs.size())};

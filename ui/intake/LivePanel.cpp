@@ -11,6 +11,7 @@
 
 #include <cmath>
 
+#include "core/angle/PrintedHeading.h"
 #include "core/nmea/NmeaDelay.h"
 #include "ui/kit/Words.h"
 
@@ -213,7 +214,7 @@ QString LivePanel::words(const QString& channel) const
     if (channel.isEmpty() || !heading)
         return QStringLiteral("—");
     return tr("%1° %2")
-        .arg(heading->mean_deg, 5, 'f', 1, QChar('0'))
+        .arg(printedHeading_deg(heading->mean_deg, 1), 5, 'f', 1, QChar('0'))
         .arg((heading->settled ? tr("✓ ±%1") : tr("±%1")).arg(heading->spread_deg / 2, 0, 'f', 1));
 }
 

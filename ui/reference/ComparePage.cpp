@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 
+#include "core/angle/PrintedHeading.h"
 #include "core/check/History.h"
 #include "core/earth/FieldModel.h"
 #include "core/format/reference/PairCsv.h"
@@ -170,9 +171,10 @@ void ComparePage::showPairs(const std::vector<PairReading>& pairs)
     m_table->setRowCount(std::max(kLeastPairRows, static_cast<int>(pairs.size()) + 1));
     for (int row = 0; row < static_cast<int>(pairs.size()); ++row) {
         const PairReading& pair = pairs[static_cast<std::size_t>(row)];
-        m_table->setItem(row, 0, new QTableWidgetItem(plainNumber(pair.first.degrees(), 1)));
-        m_table->setItem(row, 1, new QTableWidgetItem(plainNumber(pair.second.degrees(), 1)));
-        m_table->setItem(row, 2, new QTableWidgetItem(pair.datum ? plainNumber(pair.datum->degrees(), 1) : QString()));
+        m_table->setItem(row, 0, new QTableWidgetItem(plainNumber(printedHeading_deg(pair.first.degrees(), 1), 1)));
+        m_table->setItem(row, 1, new QTableWidgetItem(plainNumber(printedHeading_deg(pair.second.degrees(), 1), 1)));
+        m_table->setItem(
+            row, 2, new QTableWidgetItem(pair.datum ? plainNumber(printedHeading_deg(pair.datum->degrees(), 1), 1) : QString()));
     }
     m_showing = false;
     judge();
@@ -280,8 +282,9 @@ void ComparePage::writeReport()
         {}};
     if (const auto typed = pairs())
         for (const PairReading& pair : *typed)
-            sheet.table.rows.push_back({{plainNumber(pair.first.degrees(), 1), plainNumber(pair.second.degrees(), 1),
-                pair.datum ? plainNumber(pair.datum->degrees(), 1) : QString()}});
+            sheet.table.rows.push_back(
+                {{plainNumber(printedHeading_deg(pair.first.degrees(), 1), 1), plainNumber(printedHeading_deg(pair.second.degrees(), 1), 1),
+                    pair.datum ? plainNumber(printedHeading_deg(pair.datum->degrees(), 1), 1) : QString()}});
     sheet.madeAtUtc = toText(m_stores.clock().nowUtc());
     if (const auto written = writeReferenceSheet(sheet, path); !written)
         emit failed(messageOf(written.error()));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/angle/PrintedHeading.h"
 #include "core/earth/FieldModel.h"
 #include "core/procedure/SunDatum.h"
 #include "core/reference/Grid.h"
@@ -25,7 +26,7 @@ struct DatumWords {
 
 QString headingWords(double heading_deg, int decimals = 1)
 {
-    return QStringLiteral("%1°").arg(wrap360(heading_deg), 4 + decimals, 'f', decimals, QChar('0'));
+    return QStringLiteral("%1°").arg(printedHeading_deg(heading_deg, decimals), 4 + decimals, 'f', decimals, QChar('0'));
 }
 
 Date dayOf(UtcTime time) { return Date(std::chrono::year_month_day(std::chrono::floor<std::chrono::days>(time))); }

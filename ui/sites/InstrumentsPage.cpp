@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "core/angle/PrintedHeading.h"
 #include "core/procedure/SunDatum.h"
 #include "core/record/DefaultNames.h"
 #include "ui/earth/FieldText.h"
@@ -45,7 +46,7 @@ QString datumExample(const DatumInstrument& instrument)
         return messageOf(heading.error());
     QString text = InstrumentsPage::tr("Where it shows %1, the aircraft heads %2° magnetic")
                        .arg(kExampleFigure_deg)
-                       .arg(heading->magnetic.degrees(), 0, 'f', 1);
+                       .arg(printedHeading_deg(heading->magnetic.degrees(), 1), 0, 'f', 1);
     if (instrument.givesTrue)
         text += InstrumentsPage::tr(" at a variation of %1° east").arg(kExampleVariation_deg);
     return text + '.';

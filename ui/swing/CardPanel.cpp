@@ -11,6 +11,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "core/angle/PrintedHeading.h"
 #include "core/swing/CardRemarks.h"
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/SideBySide.h"
@@ -24,7 +25,10 @@ namespace {
 enum CardColumnOfPage { Even, Figure, Residual, Band, kCardColumns };
 constexpr int kCardPanelHeight_px = 210, kCardRow_px = 20;
 
-QString threeDigitsAndTenth(double heading_deg) { return QStringLiteral("%1").arg(heading_deg, 5, 'f', 1, QChar('0')); }
+QString threeDigitsAndTenth(double heading_deg)
+{
+    return QStringLiteral("%1").arg(printedHeading_deg(heading_deg, 1), 5, 'f', 1, QChar('0'));
+}
 
 } // namespace
 

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "core/angle/PrintedHeading.h"
 #include "core/deviation/Derivation.h"
 #include "ui/kit/Words.h"
 
@@ -74,9 +75,10 @@ QString derivationTable(const Analysis& analysis, const Derivation& derivation, 
     for (std::size_t i = 0; i < derivation.terms.size() && i < kMostTerms; ++i) {
         const DerivationTerm& term = derivation.terms[i];
         const AnalysedReading& reading = analysis.readings[term.reading];
-        html += derivationRow({QString::number(reading.magnetic.degrees(), 'f', 1) + u'°',
-                                  QString::number(reading.compass.degrees(), 'f', 1) + u'°', signedNumber(term.quantity * scale, decimals),
-                                  signedNumber(term.weight, 4), signedNumber(term.product() * scale, decimals)},
+        html += derivationRow({QString::number(printedHeading_deg(reading.magnetic.degrees(), 1), 'f', 1) + u'°',
+                                  QString::number(printedHeading_deg(reading.compass.degrees(), 1), 'f', 1) + u'°',
+                                  signedNumber(term.quantity * scale, decimals), signedNumber(term.weight, 4),
+                                  signedNumber(term.product() * scale, decimals)},
             "td");
     }
     html += derivationRow(

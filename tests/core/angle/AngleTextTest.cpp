@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/angle/AngleText.h"
+#include "core/angle/PrintedHeading.h"
 
 namespace lubberline::test {
 
@@ -188,6 +189,16 @@ TEST(FormatHeading, hasThreeFiguresAndNeverThreeHundredAndSixty)
     EXPECT_EQ(formatHeading(359.6, AngleStyle::DecimalDegrees, 0), "000\u00B0");
     EXPECT_EQ(formatHeading(360), "000.0\u00B0");
     EXPECT_EQ(formatHeading(-0.01), "000.0\u00B0");
+}
+
+TEST(AngleText, PrintedHeadingsAreBelow360WithTheirDecimals)
+{
+    EXPECT_EQ(printedHeading_deg(359.996, 2), 0.0);
+    EXPECT_EQ(printedHeading_deg(359.994, 2), 359.994);
+    EXPECT_EQ(printedHeading_deg(359.5, 0), 0.0);
+    EXPECT_EQ(printedHeading_deg(359.4, 0), 359.4);
+    EXPECT_EQ(printedHeading_deg(-1e-6, 3), 0.0);
+    EXPECT_EQ(printedHeading_deg(540.25, 1), 180.25);
 }
 
 TEST(FormatHeading, minutesCarryIntoTheDegrees)

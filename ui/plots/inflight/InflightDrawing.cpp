@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/angle/Angle.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/fleet/Proportion.h"
 #include "core/inflight/WindVector.h"
 #include "ui/plots/drawn/DrawnAxes.h"
@@ -23,7 +24,7 @@ struct InflightWords {
     Q_DECLARE_TR_FUNCTIONS(lubberline::ui::InflightWords)
 };
 
-QString headingText(double heading_deg) { return QStringLiteral("%1°").arg(wrap360(heading_deg), 3, 'f', 0, QChar('0')); }
+QString headingText(double heading_deg) { return QStringLiteral("%1°").arg(printedHeading_deg(heading_deg, 0), 3, 'f', 0, QChar('0')); }
 
 WindRow rowOfHeading(double heading_deg, int columns)
 {

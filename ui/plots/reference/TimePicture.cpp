@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/angle/Angle.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/reference/LevellingLoop.h"
 #include "ui/plots/drawn/DrawnAxes.h"
 #include "ui/text/NumberText.h"
@@ -55,7 +56,7 @@ void paintDial(QPainter& painter, const QRectF& rect, double heading_deg, const 
     painter.restore();
     painter.setPen(colours.text);
     painter.drawText(QRectF(rect.left(), centre.y() + size / 2 + 2, rect.width(), 1.2 * line), Qt::AlignCenter,
-        QStringLiteral("%1°").arg(wrap360(heading_deg), 5, 'f', 1, QChar('0')));
+        QStringLiteral("%1°").arg(printedHeading_deg(heading_deg, 1), 5, 'f', 1, QChar('0')));
 }
 
 } // namespace

@@ -154,8 +154,8 @@ Table exactFigures(const CardInput& input)
         for (const CardColumn& column : input.columns) {
             const CardRow& here = column.card.rows[i];
             const auto& curve_deg = here.halfway.curve_deg;
-            row.cells << figure(byCompass ? here.magnetic.degrees() : here.steer.degrees(), 2) + markOf(here, column)
-                      << signedFigure(here.residual.degrees(), 2) << figure(inDegrees(here.band_rad), 2) << figure(curve_deg, 2)
+            row.cells << headingFigure(byCompass ? here.magnetic.degrees() : here.steer.degrees(), 2) + markOf(here, column)
+                      << signedFigure(here.residual.degrees(), 2) << figure(inDegrees(here.band_rad), 2) << headingFigure(curve_deg, 2)
                       << (curve_deg ? signedFigure(wrap180(here.halfway.interpolated_deg - *curve_deg), 2) : dash());
             if (!markOf(here, column).isEmpty())
                 row.look = TableRow::Look::Marked;

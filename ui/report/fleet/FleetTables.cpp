@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/angle/PrintedHeading.h"
 #include "ui/report/page/Figures.h"
 #include "ui/report/page/Words.h"
 
@@ -15,7 +16,7 @@ using Align = TableColumn::Align;
 
 QString letterAt(std::size_t c) { return QString(QLatin1Char(letterOf(kCoefficients[c]))); }
 QString dayText(int day) { return QString::fromStdString(dateOfDay(day)); }
-QString heading(double heading_deg) { return QStringLiteral("%1").arg(heading_deg, 5, 'f', 1, QChar('0')); }
+QString heading(double heading_deg) { return QStringLiteral("%1").arg(printedHeading_deg(heading_deg, 1), 5, 'f', 1, QChar('0')); }
 QString percent(double share, int decimals = 1) { return figure(100 * share, decimals); }
 
 QString headings(const std::vector<double>& all_deg)

@@ -35,8 +35,9 @@ ReferenceSheet legsSheet(const LegsSolution& solution, const QString& source, co
     sheet.subject = source;
     sheet.text
         << Words::tr("Wind from %1° at %2 kt ± %3 kt, airspeed %4 kt ± %5 kt (one standard error).")
-               .arg(figure(solution.air.from_deg(), 0), figure(solution.air.speed_kt(), 1), figure(solution.air.standardError_kt(), 1),
-                   figure(solution.air.airspeed_kt, 1), figure(solution.air.airspeedError_kt, 1))
+               .arg(headingFigure(solution.air.from_deg(), 0), figure(solution.air.speed_kt(), 1),
+                   figure(solution.air.standardError_kt(), 1), figure(solution.air.airspeed_kt, 1),
+                   figure(solution.air.airspeedError_kt, 1))
         << Words::tr(
                "Ground velocity = air velocity + wind: at one airspeed in one air mass the ground velocities of three headings or more lie on a "
                "circle about the wind whose radius is the airspeed; the heading of each leg is that of ground velocity − wind.")
@@ -49,9 +50,9 @@ ReferenceSheet legsSheet(const LegsSolution& solution, const QString& source, co
             {Words::tr("Compass"), {}, degrees, 20}, {Words::tr("Deviation"), {}, degrees, 20}},
         {}};
     for (const SolvedLeg& leg : solution.legs)
-        sheet.table.rows.push_back({{printable(leg.leg.name), figure(leg.leg.track_deg, 1), figure(leg.leg.groundSpeed_kt, 1),
-            figure(leg.trueHeading_deg, 1), figure(leg.standardError_deg, 2), figure(leg.magneticHeading_deg, 1),
-            figure(leg.leg.compassHeading_deg, 1), signedFigure(leg.deviation_deg, 2)}});
+        sheet.table.rows.push_back({{printable(leg.leg.name), headingFigure(leg.leg.track_deg, 1), figure(leg.leg.groundSpeed_kt, 1),
+            headingFigure(leg.trueHeading_deg, 1), figure(leg.standardError_deg, 2), headingFigure(leg.magneticHeading_deg, 1),
+            headingFigure(leg.leg.compassHeading_deg, 1), signedFigure(leg.deviation_deg, 2)}});
     return sheet;
 }
 

@@ -43,7 +43,7 @@ QString sightWords(const SightBudget& budget)
     return Words::tr("Looking at azimuth %1°, elevation %2° in the aircraft (helmet: heading %3°, pitch %4°, roll %5°), that is %6°, %7° "
                      "for the turret: off by %8° in azimuth and %9° in elevation there.")
         .arg(signedFigure(budget.truth.aircraft.azimuth_deg, 1), signedFigure(budget.truth.aircraft.elevation_deg, 1),
-            figure(budget.helmet.heading.degrees(), 1), signedFigure(toDegrees(budget.helmet.pitch_rad), 1),
+            headingFigure(budget.helmet.heading.degrees(), 1), signedFigure(toDegrees(budget.helmet.pitch_rad), 1),
             signedFigure(toDegrees(budget.helmet.roll_rad), 1), signedFigure(budget.truth.turret.azimuth_deg, 1),
             signedFigure(budget.truth.turret.elevation_deg, 1), figure(budget.whole.turret.azimuth_deg, kDecimals),
             figure(budget.whole.turret.elevation_deg, kDecimals));
@@ -57,7 +57,8 @@ ReferenceSheet sightSheet(const SightCase& given, const SightBudget& budget)
                << Words::tr("Field %1 nT, dip %2°; aircraft: heading %3°, pitch %4°, roll %5°. Noise of an axis %6 nT (aircraft) and %7 nT "
                             "(helmet); pitch and roll sure to %8° and %9°.")
                       .arg(figure(given.field.total_nT(), 0), signedFigure(toDegrees(given.field.inclination_rad()), 1),
-                          figure(given.aircraftAttitude.heading.degrees(), 1), signedFigure(toDegrees(given.aircraftAttitude.pitch_rad), 1),
+                          headingFigure(given.aircraftAttitude.heading.degrees(), 1),
+                          signedFigure(toDegrees(given.aircraftAttitude.pitch_rad), 1),
                           signedFigure(toDegrees(given.aircraftAttitude.roll_rad), 1), figure(given.aircraft.noise_nT, 0),
                           figure(given.helmet.noise_nT, 0), figure(given.aircraft.tiltError_deg, 2), figure(given.helmet.tiltError_deg, 2))
                << Words::tr("Turret: mount roll %1°, pitch %2°, yaw %3°, each sure to %4°. Field of the cockpit %5, %6, %7 nT.")

@@ -54,7 +54,7 @@ QStringList rowOf(const StyleSheet1613& sheet, std::size_t eighth)
     QStringList cells{QStringLiteral("%1 %2").arg(QString::fromLatin1(kNames[eighth])).arg(heading, 3, 'f', 0, QChar('0'))};
     const auto before = sheet.asFound ? nearest(*sheet.asFound, heading) : std::nullopt;
     const auto after = nearest(sheet.record.swing, heading);
-    const auto degrees = [](const auto& angle) { return figure(angle.degrees(), 1); };
+    const auto degrees = [](const auto& angle) { return headingFigure(angle.degrees(), 1); };
     cells << (before ? degrees(before->magnetic) : dash()) << (before ? degrees(before->compass) : dash())
           << (before ? signedFigure(indicatedLess(*before), 1) : dash());
     cells << (after ? degrees(after->magnetic) : dash()) << (after ? degrees(after->compass) : dash())

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle/PrintedHeading.h"
 #include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
@@ -41,6 +42,11 @@ QString dash() { return QStringLiteral("—"); }
 QString figure(std::optional<double> value, int decimals)
 {
     return value && std::isfinite(*value) ? plainNumber(*value, decimals) : dash();
+}
+
+QString headingFigure(std::optional<double> heading_deg, int decimals)
+{
+    return heading_deg && std::isfinite(*heading_deg) ? figure(printedHeading_deg(*heading_deg, decimals), decimals) : dash();
 }
 
 QString signedFigure(std::optional<double> value, int decimals)

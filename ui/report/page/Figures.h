@@ -15,6 +15,8 @@ namespace lubberline::ui {
 /// "+3.25", "−0.50"; zero has no sign, and neither has what rounds to it.
 [[nodiscard]] QString signedFigure(std::optional<double> value, int decimals);
 [[nodiscard]] QString figure(std::optional<double> value, int decimals);
+/// Never 360: what rounds up to it is north.
+[[nodiscard]] QString headingFigure(std::optional<double> heading_deg, int decimals);
 [[nodiscard]] std::optional<double> inDegrees(std::optional<double> angle_rad);
 /// "047.5°" and "+3.2°", with the unit, for sentences.
 [[nodiscard]] QString headingWords(double heading_deg, AngleStyle style);

@@ -70,8 +70,8 @@ Table asFoundTable(const SwingJob& job, const JobState& state, const Swing& left
             compass = reading.compass->degrees();
             deviation = deviationOf(*reading.magnetic, *reading.compass).degrees();
         }
-        table.rows.push_back({{figure(reading.nominal_deg, 0), figure(magnetic, 1), figure(compass, 1), signedFigure(deviation, 1),
-            signedFigure(leftOn(left, reading.nominal_deg), 1), printable(reading.note)}});
+        table.rows.push_back({{headingFigure(reading.nominal_deg, 0), headingFigure(magnetic, 1), headingFigure(compass, 1),
+            signedFigure(deviation, 1), signedFigure(leftOn(left, reading.nominal_deg), 1), printable(reading.note)}});
     }
     return table;
 }
@@ -120,8 +120,8 @@ Table interferenceTable(const SwingJob& job)
         {}};
     for (const auto& event : job.events)
         if (const auto* read = std::get_if<job::InterferenceRead>(&event.what))
-            table.rows.push_back({{figure(read->heading_deg, 0), printable(read->load), figure(read->off_deg, 1), figure(read->on_deg, 1),
-                signedFigure(wrap180(read->on_deg - read->off_deg), 1)}});
+            table.rows.push_back({{headingFigure(read->heading_deg, 0), printable(read->load), figure(read->off_deg, 1),
+                figure(read->on_deg, 1), signedFigure(wrap180(read->on_deg - read->off_deg), 1)}});
     return table;
 }
 
