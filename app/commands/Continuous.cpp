@@ -41,9 +41,13 @@ void printContinuous(const ContinuousResult& result)
             put("%-16s %8s\n", result.names[i].c_str(), "-");
     for (const auto& direction : result.nullDirections)
         put("%s\n", direction.english().c_str());
-    for (const auto& alarm : result.alarms)
-        put("alarm at %.0f s: %s by %+.2f +- %.2f deg since %.0f s\n", alarm.time_s, alarm.coefficient.c_str(), alarm.change_deg,
+    for (const auto& alarm : result.alarms) {
+        put("alarm at %.0f s: %s by %+.2f +- %.2f deg since %.0f s", alarm.time_s, alarm.coefficient.c_str(), alarm.change_deg,
             alarm.standardError_deg, alarm.since_s);
+        for (const auto& other : alarm.orElse)
+            put("%s%s", &other == &alarm.orElse.front() ? ", if it is not " : ", ", other.c_str());
+        put("\n");
+    }
 }
 
 /// The state of the last flight; none where there is no such file yet.

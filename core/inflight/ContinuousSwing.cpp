@@ -18,8 +18,6 @@ constexpr double kDay_s = 86400.0;
 constexpr double kUntold_deg = 3.0; ///< a standard deviation above this says nothing of a coefficient
 constexpr double kOwnShare = 0.99;  ///< of a coefficient outside the null directions
 constexpr std::size_t kMostPoints = 500;
-constexpr std::int64_t kEnoughForCorrelation = 40;
-constexpr double kAfterAlarm_deg = 3.0;
 
 StateFilter filterOf(const ContinuousOptions& options)
 {
@@ -144,27 +142,6 @@ void ContinuousSwing::endLeg()
     update(mean.time_s, mean.compassHeading_deg, mean.deviation_deg, variance, current);
 }
 
-double ContinuousSwing::correlation() const
-{
-    if (m_pairs < kEnoughForCorrelation || m_square <= 0)
-        return 0;
-    const double rho = m_product / m_square;
-    const double chance = 2.6 / std::sqrt(static_cast<double>(m_pairs)); // 1 % of white innovations, two-sided
-    return rho > chance ? std::min(rho, 0.95) : 0.0;
-}
-
-/// By how much of the innovation before one is whitened. Few updates tell a correlation badly, and too small [Kendall 1954]; while none is
-/// told for sure, what they show is taken for one all the same: errors that last would else look like iron that changed.
-double ContinuousSwing::whitening() const
-{
-    if (m_pairs < 2 || m_square <= 0)
-        return 0;
-    const double own = m_product / m_square;
-    if (own <= 0 || (m_pairs >= kEnoughForCorrelation && correlation() == 0))
-        return 0;
-    return std::min(own + (1.0 + 3.0 * own) / static_cast<double>(m_pairs), 0.97);
-}
-
 void ContinuousSwing::update(double time_s, double compass_deg, double deviation_deg, double variance, const std::vector<double>& current_A)
 {
     if (m_options.drift_deg > 0 && m_last_s)
@@ -187,96 +164,6 @@ void ContinuousSwing::update(double time_s, double compass_deg, double deviation
         watch(kept, std::clamp(innovation.value / std::sqrt(innovation.variance), -kGate, kGate)); // one update alone names nothing
     }
     keepPoint(time_s);
-}
-
-void ContinuousSwing::watch(const Kept& kept, double white)
-{
-    ++m_whitened;
-    for (std::size_t lag = 1; lag <= std::min(m_recent.size(), m_lags.size()); ++lag)
-        m_lags[lag - 1] += white * m_recent[m_recent.size() - lag];
-    m_recent.push_back(white);
-    if (m_recent.size() > m_lags.size())
-        m_recent.pop_front();
-    const double rho = whitening();
-    const StateFilter::State row = kept.h / std::sqrt(kept.variance);
-    StateFilter::State whiteRow = row;
-    double whiter = white;
-    if (m_whitened > 1) {
-        m_product += white * m_previous;
-        ++m_pairs;
-        if (rho > 0) { // what a change would show is whitened with it
-            const double root = std::sqrt(1.0 - rho * rho);
-            // What may be left of a correlation that is known to ±√((1 − ρ²)/n): sums of many are so much wider.
-            const double left = std::min(0.9, 3.0 / std::sqrt(static_cast<double>(m_pairs)));
-            whiter = std::clamp((white - rho * m_previous) / root, -kGate, kGate) * std::sqrt((1 - left) / (1 + left));
-            whiteRow = (row - rho * m_previousRow) / root;
-        }
-    }
-    m_square += white * white;
-    m_previous = white;
-    m_previousRow = row;
-    m_kept.push_back(kept);
-    if (m_kept.size() > static_cast<std::size_t>(InnovationWatch::kWindows.back()))
-        m_kept.pop_front();
-    if (!m_naming.empty()) {
-        constexpr std::size_t kHeadingsToName = 30;
-        m_naming.push_back(kept);
-        if (m_naming.size() >= static_cast<std::size_t>(m_alarms.back().window) + kHeadingsToName) {
-            nameChange();
-            m_naming.clear();
-        }
-    }
-    if (const auto found = m_watch.take(whiteRow, whiter)) {
-        nameChange();
-        raise(found->window, found->p);
-    }
-}
-
-/// What changed, and since when: each coefficient alone, from each update on, against what it leaves of the state before the window. Within
-/// the few headings of its delay one may look like another, so the updates that come after the alarm have a say.
-void ContinuousSwing::nameChange()
-{
-    if (m_naming.empty())
-        return;
-    constexpr int kFewestSince = 4;
-    ContinuousAlarm& alarm = m_alarms.back();
-    const StateFilter::State reference = m_naming.front().before;
-    const double known = m_naming.front().variance - m_naming.front().noise; // how well the state was known
-    double most = -1;
-    for (int i = 0; i < m_filter.states(); ++i) {
-        double information = 0, product = 0;
-        int count = 0;
-        for (auto one = m_naming.rbegin(); one != m_naming.rend(); ++one) {
-            const double variance = one->noise + known;
-            information += one->h(i) * one->h(i) / variance;
-            product += one->h(i) * (one->z - one->h.dot(reference)) / variance;
-            const bool before = one->time_s <= alarm.time_s; // it began then
-            if (++count < kFewestSince || !before || information <= 0 || product * product / information <= most)
-                continue;
-            most = product * product / information;
-            alarm.coefficient = m_names[static_cast<std::size_t>(i)];
-            alarm.change_deg = product / information;
-            alarm.standardError_deg = 1.0 / std::sqrt(information);
-            alarm.since_s = one->time_s;
-        }
-    }
-}
-
-void ContinuousSwing::raise(int window, double p)
-{
-    const auto begin = m_kept.end() - window;
-    m_naming.assign(begin, m_kept.end());
-    m_alarms.push_back({m_kept.back().time_s, begin->time_s, window, p, {}, 0, 0});
-    nameChange();
-    m_kept.clear();
-    m_watch.forget();
-    // The filter is sure of what is no more: it learns anew.
-    m_filter.widen(StateFilter::State::Constant(m_filter.states(), kAfterAlarm_deg * kAfterAlarm_deg));
-    constexpr std::size_t kMostAlarms = 1000;
-    if (m_alarms.size() > kMostAlarms) {
-        m_alarms.resize(kMostAlarms);
-        m_naming.clear();
-    }
 }
 
 void ContinuousSwing::keepPoint(double time_s)
@@ -315,7 +202,7 @@ ContinuousResult ContinuousSwing::finish()
         }
     }
     if (const double rho = correlation(); rho > 0) {
-        result.widened = (1 + rho) / (1 - rho);
+        result.widened = widening();
         result.warnings.push_back(
             {MARKED("core",
                  "neighbouring innovations resemble each other (correlation %1): errors of the reference last longer than an update; standard errors are widened %2 times"),
@@ -346,10 +233,18 @@ ContinuousResult ContinuousSwing::finish()
     }
     if (result.told && m_last_s)
         result.state = {*m_last_s, m_before + m_updates, m_options.loads, m_filter.state(), m_filter.covariance()};
-    for (const auto& alarm : m_alarms)
-        result.warnings.push_back({MARKED("core", "the iron changed: %1 by %2\u00B0 \u00B1 %3\u00B0, between %4 s and %5 s"),
-            alarm.coefficient, signedFigureText(alarm.change_deg, 2), figureText(alarm.standardError_deg, 2), figureText(alarm.since_s, 0),
-            figureText(alarm.time_s, 0)});
+    for (const auto& alarm : m_alarms) {
+        Message words{MARKED("core", "the iron changed: %1 by %2\u00B0 \u00B1 %3\u00B0, between %4 s and %5 s"), alarm.coefficient,
+            signedFigureText(alarm.change_deg, 2), figureText(alarm.standardError_deg, 2), figureText(alarm.since_s, 0),
+            figureText(alarm.time_s, 0)};
+        if (!alarm.orElse.empty()) {
+            std::string others = alarm.orElse.front();
+            for (std::size_t i = 1; i < alarm.orElse.size(); ++i)
+                others += ", " + alarm.orElse[i];
+            words = {MARKED("core", "%1; or another coefficient did, which explains as much on the headings since: %2"), words, others};
+        }
+        result.warnings.push_back(words);
+    }
     if (result.nisMean && m_whitened > 40 && (*result.nisMean > 1.5 || *result.nisMean < 0.6))
         result.warnings.push_back(
             {MARKED("core",

@@ -1,0 +1,161 @@
+#include "core/inflight/ContinuousSwing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lubberline {
+
+namespace {
+
+constexpr std::int64_t kEnoughForCorrelation = 40;
+constexpr double kAfterAlarm_deg = 3.0;
+constexpr double kMostCorrelation = 0.995, kErrorsOfCorrelation = 2.0;
+constexpr double kClearly = 9.0; ///< of χ²: what explains less than the best by more than this is not what changed
+
+} // namespace
+
+double ContinuousSwing::correlation() const
+{
+    if (m_pairs < kEnoughForCorrelation || m_square <= 0)
+        return 0;
+    const double rho = m_product / m_square;
+    const double chance = 2.6 / std::sqrt(static_cast<double>(m_pairs)); // 1 % of white innovations, two-sided
+    return rho > chance ? std::min(rho, kMostCorrelation) : 0.0;
+}
+
+double ContinuousSwing::widening() const
+{
+    const double rho = correlation();
+    return (1 + rho) / (1 - rho);
+}
+
+/// By how much of the innovation before one is whitened. Few updates tell a correlation badly, and too small [Kendall 1954]; while none is
+/// told for sure, what they show is taken for one all the same: errors that last would else look like iron that changed.
+double ContinuousSwing::whitening() const
+{
+    if (m_pairs < 2 || m_square <= 0)
+        return 0;
+    const double own = m_product / m_square;
+    if (own <= 0 || (m_pairs >= kEnoughForCorrelation && correlation() == 0))
+        return 0;
+    return std::min(own + (1.0 + 3.0 * own) / static_cast<double>(m_pairs), kMostCorrelation);
+}
+
+/// By how much wider sums of whitened innovations may be: what is left of a correlation that is known to ±√((1 − ρ²)/n).
+double ContinuousSwing::leftOfCorrelation(double rho) const
+{
+    const auto n = static_cast<double>(m_pairs);
+    const double left = std::min(0.9, 3.0 / std::sqrt(n)), apart = 1.0 - rho;
+    // Near 1 a little more of it lasts much longer: sums of errors go with (1 + ρ)/(1 − ρ).
+    const double longest = std::max(apart - kErrorsOfCorrelation * std::sqrt((1.0 - rho * rho) / n), 0.1 * apart);
+    return std::max((1 + left) / (1 - left), apart / longest);
+}
+
+void ContinuousSwing::watch(const Kept& kept, double white)
+{
+    ++m_whitened;
+    for (std::size_t lag = 1; lag <= std::min(m_recent.size(), m_lags.size()); ++lag)
+        m_lags[lag - 1] += white * m_recent[m_recent.size() - lag];
+    m_recent.push_back(white);
+    if (m_recent.size() > m_lags.size())
+        m_recent.pop_front();
+    const double rho = whitening();
+    const StateFilter::State row = kept.h / std::sqrt(kept.variance);
+    StateFilter::State whiteRow = row;
+    double whiter = white;
+    if (m_whitened > 1) {
+        m_product += white * m_previous;
+        ++m_pairs;
+        if (rho > 0) { // what a change would show is whitened with it
+            const double root = std::sqrt(1.0 - rho * rho);
+            whiter = std::clamp((white - rho * m_previous) / root, -kGate, kGate) / std::sqrt(leftOfCorrelation(rho));
+            whiteRow = (row - rho * m_previousRow) / root;
+        }
+    }
+    m_square += white * white;
+    m_previous = white;
+    m_previousRow = row;
+    m_kept.push_back(kept);
+    if (m_kept.size() > static_cast<std::size_t>(InnovationWatch::kWindows.back()))
+        m_kept.pop_front();
+    if (!m_naming.empty()) {
+        constexpr std::size_t kUpdatesToName = 30, kMostToName = 1000;
+        constexpr int kHeadingsToName = 12;    // on one leg any coefficient explains a change, however many updates it has
+        constexpr double kOtherHeading = 0.97; // cosine of 14°
+        if (kept.h(1) * m_namedOn(1) + kept.h(2) * m_namedOn(2) < kOtherHeading) {
+            ++m_namedHeadings;
+            m_namedOn = kept.h;
+        }
+        m_naming.push_back(kept);
+        const std::size_t since = m_naming.size() - static_cast<std::size_t>(m_alarms.back().window);
+        if ((since >= kUpdatesToName && m_namedHeadings >= kHeadingsToName) || since >= kMostToName) {
+            nameChange();
+            m_naming.clear();
+        }
+    }
+    if (const auto found = m_watch.take(whiteRow, whiter)) {
+        nameChange();
+        raise(found->window, found->p);
+    }
+}
+
+/// What changed, and since when: each coefficient alone, from each update on, against what it leaves of the state before the window. Within
+/// the few headings of its delay one may look like another, so the updates that come after the alarm have a say.
+void ContinuousSwing::nameChange()
+{
+    if (m_naming.empty())
+        return;
+    constexpr int kFewestSince = 4;
+    ContinuousAlarm& alarm = m_alarms.back();
+    const StateFilter::State reference = m_naming.front().before;
+    const double known = m_naming.front().variance - m_naming.front().noise; // how well the state was known
+    const double widened = widening();
+    double most = -1;
+    StateFilter::State explained = StateFilter::State::Constant(m_filter.states(), -1);
+    for (int i = 0; i < m_filter.states(); ++i) {
+        double information = 0, product = 0;
+        int count = 0;
+        for (auto one = m_naming.rbegin(); one != m_naming.rend(); ++one) {
+            const double variance = one->noise + known;
+            information += one->h(i) * one->h(i) / variance;
+            product += one->h(i) * (one->z - one->h.dot(reference)) / variance;
+            const bool before = one->time_s <= alarm.time_s; // it began then
+            if (++count < kFewestSince || !before || information <= 0)
+                continue;
+            explained(i) = std::max(explained(i), product * product / information);
+            if (explained(i) <= most)
+                continue;
+            most = explained(i);
+            alarm.coefficient = m_names[static_cast<std::size_t>(i)];
+            alarm.change_deg = product / information;
+            alarm.standardError_deg = std::sqrt(widened / information);
+            alarm.since_s = one->time_s;
+        }
+    }
+    alarm.orElse.clear();
+    for (int i = 0; i < m_filter.states(); ++i)
+        if (const auto& name = m_names[static_cast<std::size_t>(i)];
+            name != alarm.coefficient && explained(i) > 0 && explained(i) > most - kClearly * widened)
+            alarm.orElse.push_back(name);
+}
+
+void ContinuousSwing::raise(int window, double p)
+{
+    const auto begin = m_kept.end() - window;
+    m_naming.assign(begin, m_kept.end());
+    m_namedHeadings = 0;
+    m_namedOn = m_kept.back().h;
+    m_alarms.push_back({m_kept.back().time_s, begin->time_s, window, p, {}, {}, 0, 0});
+    nameChange();
+    m_kept.clear();
+    m_watch.forget();
+    // The filter is sure of what is no more: it learns anew.
+    m_filter.widen(StateFilter::State::Constant(m_filter.states(), kAfterAlarm_deg * kAfterAlarm_deg));
+    constexpr std::size_t kMostAlarms = 1000;
+    if (m_alarms.size() > kMostAlarms) {
+        m_alarms.resize(kMostAlarms);
+        m_naming.clear();
+    }
+}
+
+} // namespace lubberline
