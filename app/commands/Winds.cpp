@@ -36,10 +36,11 @@ void printWinds(const WindResult& result)
         "after kt");
     for (const auto& one : result.aircraft) {
         const ClusteredFit& fit = one.fit.fit;
-        put("%-12s %7d %9lld  %s %s %s %6s  %9.1f %9s\n", inOneLine(one.aircraft).c_str(), one.flights, static_cast<long long>(one.used),
+        put("%-12s %7d %9lld  %s %s %s %6s  %9s %9s\n", inOneLine(one.aircraft).c_str(), one.flights, static_cast<long long>(one.used),
             figureOrDash(fit.told[1], fit.value(1)).c_str(), figureOrDash(fit.told[2], fit.value(2)).c_str(),
             figureOrDash(fit.told[0], fit.value(0)).c_str(),
-            fit.told[1] && fit.errorsTold ? text("%.2f", fit.standardError(1)).c_str() : "-", one.before.transverse_kt,
+            fit.told[1] && fit.errorsTold ? text("%.2f", fit.standardError(1)).c_str() : "-",
+            one.squaresBefore.count > 0 ? text("%.1f", one.before.transverse_kt).c_str() : "-",
             one.after ? text("%.1f", one.after->transverse_kt).c_str() : "-");
     }
 }

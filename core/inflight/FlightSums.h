@@ -18,10 +18,6 @@ struct FlightSums {
     WindMatrix normal = WindMatrix::Zero(); ///< Σ w x xᵀ, w robust and by airspeed squared
     WindRow product = WindRow::Zero();      ///< Σ w x e [deg]
     double squares = 0;                     ///< Σ w e² [deg²]
-    // Of the wind's error [kt]: a correction by β [rad] turns the air velocity, so across the track it is d + k xᵀβ.
-    WindMatrix turned = WindMatrix::Zero(), turnedAcross = WindMatrix::Zero(); ///< Σ (k² + d·V_A) x xᵀ
-    WindRow error = WindRow::Zero(), errorAcross = WindRow::Zero();            ///< Σ k d x
-    double squaredError = 0, squaredAcross = 0;                                ///< Σ d²
     // Airspeed reported less the airspeed in the reference wind [kt].
     double airspeedOffset = 0, airspeedSquares = 0, airspeed = 0;
     double declination = 0; ///< Σ [deg]
@@ -43,15 +39,27 @@ struct FlightSums::Report {
     double airspeedOffset = 0, airspeed = 0;
 };
 
+/// Of the wind's error [kt]: a correction by β [rad] turns the air velocity, so across the track it is d + k xᵀβ.
+struct WindForms {
+    std::int64_t count = 0;
+    WindMatrix turned = WindMatrix::Zero(), turnedAcross = WindMatrix::Zero(); ///< Σ (k² + d·V_A) x xᵀ
+    WindRow error = WindRow::Zero(), errorAcross = WindRow::Zero();            ///< Σ k d x
+    double squaredError = 0, squaredAcross = 0;                                ///< Σ d²
+
+    WindForms& operator+=(const WindForms& other);
+    void add(const FlightSums::Report& report);
+};
+
 struct WindRmse {
     double total_kt = 0, longitudinal_kt = 0, transverse_kt = 0;
 };
 struct WindSquares {
     double total = 0, across = 0;
     std::int64_t count = 0;
+    WindSquares& operator+=(const WindSquares& other);
     [[nodiscard]] WindRmse rmse() const;
 };
-/// Of a flight's wind errors once β [deg] of indication error is taken out of its headings; zero: as they are.
-[[nodiscard]] WindSquares windSquares(const FlightSums& sums, const WindRow& beta_deg);
+/// Of wind errors once β [deg] of indication error is taken out of the headings; zero: as they are.
+[[nodiscard]] WindSquares windSquares(const WindForms& forms, const WindRow& beta_deg);
 
 } // namespace lubberline

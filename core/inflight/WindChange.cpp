@@ -17,7 +17,7 @@ namespace {
 
 using Told = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 using ToldVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
-constexpr int kSimulated = 999;
+constexpr int kSimulated = 999, kEnough = 100;
 
 /// Flights in the directions that are told.
 struct ChangeSeries {
@@ -87,7 +87,8 @@ double tailOf(double statistic, int rank, double freedom)
     return cdf(complement(boost::math::chi_squared(rank), statistic));
 }
 
-/// Share of series without a change whose largest statistic is as large.
+/// Share of series without a change whose largest statistic is as large. Where that is no rare thing it is told by few of them: drawing
+/// ends with the hundredth (Besag and Clifford 1991).
 double simulatedChance(const ChangeSeries& series, double statistic, double freedom)
 {
     ContentSeed seed;
@@ -106,6 +107,8 @@ double simulatedChance(const ChangeSeries& series, double statistic, double free
         const double scale = freedom > 0 ? random.chiSquare(std::max(1, static_cast<int>(freedom))) / freedom : 1.0;
         if (series.largest(scores).first >= statistic * scale)
             ++beyond;
+        if (beyond == kEnough)
+            return static_cast<double>(kEnough) / (draw + 1.0);
     }
     return (beyond + 1.0) / (kSimulated + 1.0);
 }

@@ -67,20 +67,13 @@ void warnOfNorth(AircraftWinds& result, double slope, double slopeError, bool sl
 /// Weighted by the inverse of variances, with the variance between aircraft (DerSimonian and Laird's moment).
 bool inControl(const AircraftWinds& one, const std::string& control) { return one.group == control || one.aircraft == control; }
 
-void addTo(WindSquares& sum, const WindSquares& one)
-{
-    sum.total += one.total;
-    sum.across += one.across;
-    sum.count += one.count;
-}
-
 void addTo(WindGroup& group, const AircraftWinds& one)
 {
     ++group.aircraft;
-    addTo(group.before, one.squaresBefore);
+    group.before += one.squaresBefore;
     if (one.squaresAfter.count > 0)
         ++group.corrected;
-    addTo(group.after, one.squaresAfter);
+    group.after += one.squaresAfter;
 }
 
 /// @param control whose aircraft alone tell it; empty: all.
@@ -251,9 +244,15 @@ WindResult WindStudy::finish() const
     }
     result.bins = binsOf(result.aircraft);
     result.outliers = outliersOf(result.aircraft);
-    for (std::size_t i = 0; i < m_bands.size(); ++i)
-        if (m_bands[i].count > 0)
-            result.altitudes.push_back({1000.0 * static_cast<double>(i), 1000.0 * static_cast<double>(i + 1), m_bands[i]});
+    for (std::size_t i = 0; i < kWindBands; ++i) {
+        WindBand band{kWindBand_m * static_cast<double>(i), kWindBand_m * static_cast<double>(i + 1), {}, {}};
+        for (const auto& one : result.aircraft) {
+            band.before += one.bands[i].before;
+            band.after += one.bands[i].after;
+        }
+        if (band.before.count > 0)
+            result.altitudes.push_back(band);
+    }
     for (const auto& source : m_sources) {
         const auto n = static_cast<double>(source.count);
         result.sources.push_back({source.name, source.count, source.errors / n, std::sqrt(source.across / n)});

@@ -208,7 +208,6 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
             {flightName(order[after]->name, after), flightName(order[after + 1]->name, after + 1), change.p, change.step_deg});
 
     // Each part between changes by itself; the last one is what the aircraft is now.
-    WindSquares before, after;
     std::vector<std::size_t> begins{0};
     for (const auto& change : changes)
         begins.push_back(change.first + 1);
@@ -226,16 +225,12 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
         if (used.columns == 3)
             told = toldBy(own, scatter, shared, 3);
         for (std::size_t f = 0; f < own.size(); ++f) {
-            const WindSquares as = windSquares(*own[f], WindRow::Zero());
-            before.total += as.total;
-            before.across += as.across;
-            before.count += as.count;
-            if (own.size() < 2)
-                continue;
-            const WindSquares corrected = windSquares(*own[f], valueWithout(used, told[f]));
-            after.total += corrected.total;
-            after.across += corrected.across;
-            after.count += corrected.count;
+            const WindRow without = own.size() < 2 ? WindRow::Zero() : valueWithout(used, told[f]);
+            for (const auto& [band, forms] : order[begins[part] + f]->forms) {
+                result.bands[band].before += windSquares(forms, WindRow::Zero());
+                if (own.size() >= 2)
+                    result.bands[band].after += windSquares(forms, without);
+            }
         }
         if (part + 2 == begins.size())
             result.beforeChange = used;
@@ -248,11 +243,13 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
             airspeedOffset(own, result);
         }
     }
-    result.before = before.rmse();
-    result.squaresBefore = before;
-    result.squaresAfter = after;
-    if (after.count > 0)
-        result.after = after.rmse();
+    for (const WindBand& band : result.bands) {
+        result.squaresBefore += band.before;
+        result.squaresAfter += band.after;
+    }
+    result.before = result.squaresBefore.rmse();
+    if (result.squaresAfter.count > 0)
+        result.after = result.squaresAfter.rmse();
     result.fitted = result.fit.fit.rank > 0;
     return result;
 }

@@ -20,7 +20,6 @@ constexpr double kLeastSigma_deg = 1.25;
 constexpr std::int64_t kFirstFit = 32;                                 ///< reports, before which legs are not told from errors
 constexpr double kGapNamed_s = 6 * 3600.0, kGapNameless_s = 45 * 60.0; ///< a longer one begins another flight
 constexpr double kNear_s = 120.0;
-constexpr double kBand_m = 1000.0;
 
 bool known(double value) { return value == value; }
 
@@ -107,12 +106,15 @@ void WindStudy::mergeInto(Flight& flight, Aircraft& aircraft, double gap_s)
         if (&other == &flight || !known(other.from_s) || other.from_s > flight.to_s + gap_s || other.to_s < flight.from_s - gap_s)
             return false;
         flight.sums += other.sums;
+        for (const auto& [band, forms] : other.forms)
+            flight.formsOf(band) += forms;
         flight.from_s = std::min(flight.from_s, other.from_s);
         flight.to_s = std::max(flight.to_s, other.to_s);
         for (const std::uint64_t print : other.recent)
             if (print != 0)
                 flight.recent[flight.recentNext++ % flight.recent.size()] = print;
         other.sums = {};
+        other.forms.clear();
         other.from_s = other.to_s = kMissing;
         return true;
     });
@@ -256,17 +258,16 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
     one.airspeedOffset = (known(report.tas_kt) ? report.tas_kt : airspeed) - use.airReference.norm();
     one.airspeed = airspeed;
     flight.sums.add(one);
+    constexpr double kHighest = kWindBands - 1;
+    flight
+        .formsOf(known(report.altitude_m) ? static_cast<std::size_t>(std::clamp(std::floor(report.altitude_m / kWindBand_m), 0.0, kHighest))
+                                          : kWindBands)
+        .add(one);
     aircraft.add(one);
     ++aircraft.used;
     if (aircraft.used == aircraft.refitAt) {
         aircraft.running = runningFit(aircraft);
         aircraft.refitAt += aircraft.refitAt;
-    }
-    if (known(report.altitude_m)) {
-        auto& band = m_bands[static_cast<std::size_t>(std::clamp(std::floor(report.altitude_m / kBand_m), 0.0, 15.0))];
-        band.total += one.squaredError;
-        band.across += one.squaredAcross;
-        ++band.count;
     }
     if (!report.source.empty())
         tellSource(report, use, error_deg);

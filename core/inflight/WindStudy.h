@@ -78,6 +78,14 @@ struct WindSector {
     double heading_deg = 0, error_deg = 0; ///< means, of the heading read and of e
 };
 
+/// Of altitude; after: as far as aircraft have winds after.
+struct WindBand {
+    double from_m = 0, to_m = 0;
+    WindSquares before, after;
+};
+inline constexpr std::size_t kWindBands = 16; ///< reports above the last one stand in it
+inline constexpr double kWindBand_m = 1000.0;
+
 struct AircraftWinds {
     std::string aircraft;
     int flights = 0, flightsFitted = 0; ///< fitted: since the last change
@@ -93,7 +101,8 @@ struct AircraftWinds {
     std::int64_t fromPositions = 0; ///< reports whose ground velocity is that between positions
     double positionError_kt = 0;    ///< of these, rms, as far as the positions' steps make it
     WindSquares squaresBefore, squaresAfter;
-    std::vector<WindDot> dots; ///< some of its reports, spread over all
+    std::array<WindBand, kWindBands + 1> bands{}; ///< of them; the last: without an altitude
+    std::vector<WindDot> dots;                    ///< some of its reports, spread over all
     WindRmse before;
     std::optional<WindRmse> after;    ///< each flight corrected by what the others tell; none of one flight
     std::vector<FoundChange> changes; ///< in order of time
@@ -132,10 +141,6 @@ struct WindGroup {
 struct WindBin {
     double from_deg = 0, to_deg = 0; ///< of the size; the last has no end (infinite)
     int aircraft = 0;
-};
-struct WindBand {
-    double from_m = 0, to_m = 0;
-    WindSquares before;
 };
 struct WindSourceTold {
     std::string source;
@@ -189,7 +194,6 @@ private:
     Aircraft* m_last = nullptr;
     std::int64_t m_observations = 0;
     std::size_t m_flights = 0;
-    std::array<WindSquares, 16> m_bands{}; ///< of 1000 m
     struct Source;
     std::vector<Source> m_sources;
     double m_apart = 0;

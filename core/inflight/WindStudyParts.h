@@ -13,6 +13,8 @@ struct WindStudy::Flight {
     std::string name;
     double from_s = kMissing, to_s = kMissing;
     FlightSums sums;
+    std::vector<std::pair<std::size_t, WindForms>> forms; ///< by band of altitude, in which a flight has few
+    std::size_t lastForms = 0;
     double level_deg = 0; ///< running mean of what the aircraft's fit leaves: a report far from it counts less
     std::int64_t levelled = 0;
     // The report before.
@@ -21,6 +23,15 @@ struct WindStudy::Flight {
     std::optional<LeftOut> lastLeftOut;
     std::array<std::uint64_t, 64> recent{}; ///< fingerprints: a report that comes again is known among so many
     std::size_t recentNext = 0;
+
+    WindForms& formsOf(std::size_t band)
+    {
+        if (lastForms < forms.size() && forms[lastForms].first == band)
+            return forms[lastForms].second;
+        const auto found = std::find_if(forms.begin(), forms.end(), [band](const auto& one) { return one.first == band; });
+        lastForms = static_cast<std::size_t>(found - forms.begin());
+        return found == forms.end() ? forms.emplace_back(band, WindForms{}).second : found->second;
+    }
 };
 
 struct WindStudy::Aircraft {

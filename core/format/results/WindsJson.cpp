@@ -191,8 +191,9 @@ std::string toJson(const WindResult& result, TableFactor factor)
     json["control"] = result.control ? groupJson(*result.control) : WindJson();
     json["altitudes"] = WindJson::array();
     for (const auto& band : result.altitudes)
-        json["altitudes"].push_back(
-            {{"from_m", band.from_m}, {"to_m", band.to_m}, {"observations", band.before.count}, {"rmse_kt", rmseJson(band.before.rmse())}});
+        json["altitudes"].push_back({{"from_m", band.from_m}, {"to_m", band.to_m}, {"observations", band.before.count},
+            {"rmse_kt", rmseJson(band.before.rmse())}, {"after_observations", band.after.count},
+            {"after_rmse_kt", band.after.count > 0 ? rmseJson(band.after.rmse()) : WindJson()}});
     json["sources"] = WindJson::array();
     for (const auto& source : result.sources)
         json["sources"].push_back({{"source", source.source}, {"observations", source.observations},

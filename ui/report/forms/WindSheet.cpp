@@ -102,15 +102,18 @@ Table groupTable(const WindResult& result)
 Table altitudeTable(const WindResult& result)
 {
     const QString knots = QStringLiteral("kt");
-    Table table{Words::tr("Error of reported winds by altitude, before any correction"),
+    Table table{Words::tr("Error of reported winds by altitude, before and after the correction"),
         {{Words::tr("From"), {}, QStringLiteral("m"), 20}, {Words::tr("To"), {}, QStringLiteral("m"), 20},
-            {Words::tr("Reports"), {}, {}, 24}, {Words::tr("Total"), {}, knots, 24}, {Words::tr("Along"), {}, knots, 24},
-            {Words::tr("Across"), {}, knots, 24}},
+            {Words::tr("Reports"), {}, {}, 20}, {Words::tr("Total"), {}, knots, 20}, {Words::tr("Along"), {}, knots, 20},
+            {Words::tr("Across"), {}, knots, 20}, {Words::tr("Total"), Words::tr("after"), knots, 20},
+            {Words::tr("Along"), Words::tr("after"), knots, 20}, {Words::tr("Across"), Words::tr("after"), knots, 20}},
         {}};
     for (const auto& band : result.altitudes) {
-        const WindRmse rmse = band.before.rmse();
+        const WindRmse rmse = band.before.rmse(), after = band.after.rmse();
+        const auto corrected = [&](double figure_kt) { return band.after.count > 0 ? figure(figure_kt, 1) : dash(); };
         table.rows.push_back({{figure(band.from_m, 0), figure(band.to_m, 0), QString::number(band.before.count), figure(rmse.total_kt, 1),
-            figure(rmse.longitudinal_kt, 1), figure(rmse.transverse_kt, 1)}});
+            figure(rmse.longitudinal_kt, 1), figure(rmse.transverse_kt, 1), corrected(after.total_kt), corrected(after.longitudinal_kt),
+            corrected(after.transverse_kt)}});
     }
     return table;
 }
