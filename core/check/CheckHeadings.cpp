@@ -16,6 +16,7 @@ namespace {
 using Five = Eigen::Matrix<double, 5, 5>;
 using Row = Eigen::Matrix<double, 5, 1>;
 constexpr int kCandidates = 24;
+constexpr int kMostOfACheck = 3;
 constexpr double kStep_deg = 15;
 
 /// Second moment of the changes that a card does not survive; of all, where there are next to none of those.
@@ -44,11 +45,32 @@ Five worryingChanges(const CompassBelief& belief, const CheckOptions& options)
     return moment.diagonal().asDiagonal();
 }
 
-/// Mean over heading of xᵀ P x: 1, ½, ½, ½, ½.
-double leftOf(const Five& covariance)
+/// M = Σ w x xᵀ over heading, so that what is left of a covariance P is the sum over P·M: for the mean 1, ½, ½, ½, ½.
+Five allHeadingsAlike() { return Row(1, 0.5, 0.5, 0.5, 0.5).asDiagonal(); }
+
+Five whereTheCardFails(const CompassBelief& belief, const CheckOptions& options)
 {
-    return covariance(0, 0) + (covariance(1, 1) + covariance(2, 2) + covariance(3, 3) + covariance(4, 4)) / 2;
+    const FaultTest fault(belief.card, options.tolerance_deg, options.limit_deg);
+    Five weighted = Five::Zero();
+    double sum = 0, most = 0;
+    for (int i = 0; i < kCandidates; ++i) {
+        const Row row = rowAt(i * kStep_deg);
+        double chance = 0, weight = 0;
+        for (const PossibleChange& possible : belief.possible) {
+            const double variance = row.cwiseAbs2().dot(Eigen::Map<const Row>(possible.variance_deg2.data()));
+            chance += possible.weight * fault.chanceAt(i * kStep_deg, std::sqrt(variance));
+            weight += possible.weight;
+        }
+        chance /= weight;
+        most = std::max(most, chance);
+        weighted += chance * chance * row * row.transpose();
+        sum += chance * chance;
+    }
+    constexpr double kNextToNever = 1e-4;
+    return most < kNextToNever ? allHeadingsAlike() : Five(weighted / sum);
 }
+
+double leftOf(const Five& covariance, const Five& weight) { return covariance.cwiseProduct(weight).sum(); }
 
 Five after(const Five& covariance, double heading_deg, double error_deg)
 {
@@ -65,11 +87,11 @@ Five afterAll(Five covariance, const std::vector<double>& headings_deg, double e
 
 class Search {
 public:
-    Search(const Five& before, double error_deg) : m_before(before), m_error_deg(error_deg) {}
+    Search(const Five& before, const Five& weight, double error_deg) : m_before(before), m_weight(weight), m_error_deg(error_deg) {}
 
     [[nodiscard]] std::vector<double> best(int count)
     {
-        if (count <= 3) {
+        if (count <= kMostOfACheck) {
             tryFrom(m_before, 0, count);
             return m_best;
         }
@@ -93,7 +115,7 @@ private:
     void tryFrom(const Five& covariance, int from, int left)
     {
         if (left == 0) {
-            const double value = leftOf(covariance);
+            const double value = leftOf(covariance, m_weight);
             if (value < m_least - 1e-9) {
                 m_least = value;
                 m_best = m_trying;
@@ -113,7 +135,7 @@ private:
         for (int i = 0; i < kCandidates; ++i) {
             if (std::find(others.begin(), others.end(), i * kStep_deg) != others.end())
                 continue; // where it was read already, a shared fault of the ramp would be read twice
-            const double value = leftOf(after(covariance, i * kStep_deg, m_error_deg));
+            const double value = leftOf(after(covariance, i * kStep_deg, m_error_deg), m_weight);
             if (value < least - 1e-9) {
                 least = value;
                 best = i * kStep_deg;
@@ -122,7 +144,7 @@ private:
         return best;
     }
 
-    const Five& m_before;
+    const Five &m_before, &m_weight;
     double m_error_deg, m_least = 1e300;
     std::vector<double> m_best, m_trying;
 };
@@ -141,11 +163,15 @@ ChosenHeadings headingsFor(const CompassBelief& belief, int count, const CheckOp
 {
     LUBBERLINE_EXPECT(count >= 1 && count <= kCandidates, "1 to 24 headings are chosen");
     const Five before = worryingChanges(belief, options);
+    const Five weight = count <= kMostOfACheck ? whereTheCardFails(belief, options) : allHeadingsAlike();
+    const auto left_deg = [&](const std::vector<double>& headings_deg) {
+        return std::sqrt(leftOf(afterAll(before, headings_deg, options.readingError_deg), weight));
+    };
     ChosenHeadings chosen;
-    chosen.compass_deg = Search(before, options.readingError_deg).best(count);
-    chosen.left_deg = std::sqrt(leftOf(afterAll(before, chosen.compass_deg, options.readingError_deg)));
-    chosen.leftEven_deg = std::sqrt(leftOf(afterAll(before, evenHeadings(count), options.readingError_deg)));
-    chosen.before_deg = std::sqrt(leftOf(before));
+    chosen.compass_deg = Search(before, weight, options.readingError_deg).best(count);
+    chosen.left_deg = left_deg(chosen.compass_deg);
+    chosen.leftEven_deg = left_deg(evenHeadings(count));
+    chosen.before_deg = left_deg({});
     return chosen;
 }
 
