@@ -1,5 +1,6 @@
 #include "core/fleet/SoftIron.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -12,6 +13,8 @@ namespace {
 
 constexpr std::size_t kFirst = 3; ///< D; E follows
 constexpr int kFewestAircraft = 3;
+constexpr double kNormal95 = 1.959963984540054;
+constexpr double kLeastSpread_deg = 0.2; ///< stores and equipment move D by as much, however alike those aircraft are
 
 /// One aircraft's mean and the error of it.
 struct OfAircraft {
@@ -68,6 +71,20 @@ std::vector<SoftIronStandard> softIronOf(const FleetSwings& fleet, const FleetCu
             standards.push_back(std::move(standard));
     }
     return standards;
+}
+
+ExpectedCurve expectedOf(const SoftIronStandard& standard)
+{
+    ExpectedCurve expected = anyCurve();
+    const auto take = [](const std::optional<SoftIronCoefficient>& told, double& mean_rad, double& deviation_rad) {
+        if (!told)
+            return;
+        mean_rad = toRadians(told->mean_deg);
+        deviation_rad = toRadians(std::max((told->next95_deg.high - told->mean_deg) / kNormal95, kLeastSpread_deg));
+    };
+    take(standard.D, expected.mean.D_rad, expected.standardDeviation.D_rad);
+    take(standard.E, expected.mean.E_rad, expected.standardDeviation.E_rad);
+    return expected;
 }
 
 Message inWords(const SoftIronCoefficient& coefficient, char letter)

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/deviation/SlipCheck.h"
 #include "core/fleet/FleetCurves.h"
 #include "core/fleet/Proportion.h"
 
@@ -29,6 +30,10 @@ struct SoftIronStandard {
 
 /// By type and compass; kinds that tell neither are left out.
 [[nodiscard]] std::vector<SoftIronStandard> softIronOf(const FleetSwings& fleet, const FleetCurves& curves);
+
+/// How an aircraft of the type is expected to deviate before anybody has swung it: A, B and C as of any compass, D and E as its siblings
+/// have them, as wide as Student's factor for so few makes them.
+[[nodiscard]] ExpectedCurve expectedOf(const SoftIronStandard& standard);
 
 /// "D −2.21° ± 0.09° from 20 aircraft; the next aircraft within −2.40° to −2.02° (95 %)".
 [[nodiscard]] Message inWords(const SoftIronCoefficient& coefficient, char letter);

@@ -32,23 +32,40 @@ JobRowIn jobRowFrom(const Statement& row)
     return {row.integer(0), row.record(1), row.id<SwingId>(2), row.longText(3), row.as(4, JobStanding::Abandoned)};
 }
 
-/// What the years of its type say of D and E; none: too few aircraft tell them.
-Result<std::optional<TypeSoftIron>> softIronOfType(Database& database, const SwingRecord& record)
+/// D and E of its type out of the years; none: too few aircraft tell them.
+/// @param siblings without this aircraft itself, and out of as many swings as a page that opens has time for
+Result<std::optional<SoftIronStandard>> standardOfType(Database& database, const SwingRecord& record, bool siblings)
 {
+    constexpr int kManySwings = 500;
+    if (record.type.name.empty() || !record.swing.id.valid())
+        return std::optional<SoftIronStandard>();
     FleetSelection selection;
     selection.type = record.type.name;
     selection.compass = record.compass.name;
-    const auto fleet = PopulationStore(database).columns(selection);
+    auto fleet = PopulationStore(database).columns(selection, {}, siblings ? kManySwings : 0);
     if (!fleet)
         return fleet.error();
+    if (siblings)
+        std::erase_if(fleet->swings, [&](const FleetSwing& swing) {
+            return fleet->compasses[static_cast<std::size_t>(swing.compass)].aircraft == record.aircraft.registration;
+        });
     const auto curves = curvesOf(*fleet);
     if (!curves)
         return curves.error();
     const auto standards = softIronOf(*fleet, *curves);
-    if (standards.empty())
+    return standards.empty() ? std::nullopt : std::optional(standards.front());
+}
+
+/// What the years of its type say of D and E in the place of what its headings do not tell.
+Result<std::optional<TypeSoftIron>> softIronOfType(Database& database, const SwingRecord& record)
+{
+    const auto standardFound = standardOfType(database, record, false);
+    if (!standardFound)
+        return standardFound.error();
+    if (!*standardFound)
         return std::optional<TypeSoftIron>();
     TypeSoftIron type;
-    const auto& standard = standards.front();
+    const SoftIronStandard& standard = **standardFound;
     const auto estimate = [](const SoftIronCoefficient& one) {
         return Estimate{std::sin(toRadians(one.mean_deg)), toRadians(one.next_deg)}; // 𝔇 = sin D [P 5]
     };
@@ -184,7 +201,26 @@ Result<std::optional<JobRecord>> JobStore::jobOf(SwingId swing)
     return std::optional(JobRecord{(*row)->swing, std::move(*job)});
 }
 
+Result<std::optional<ExpectedCurve>> JobStore::siblingsOf(const SwingRecord& record)
+{
+    const auto before = SwingStore(m_database).previousRow(record.swing.id);
+    if (!before)
+        return before.error();
+    if (*before && historyOf(**before, record.swing))
+        return std::optional<ExpectedCurve>();
+    const auto standard = standardOfType(m_database, record, true);
+    if (!standard)
+        return standard.error();
+    return *standard ? std::optional(expectedOf(**standard)) : std::nullopt;
+}
+
 Result<SwingQuestion> JobStore::questionOf(const SwingRecord& record)
+{
+    const auto siblings = siblingsOf(record);
+    return siblings ? questionOf(record, *siblings) : Result<SwingQuestion>(siblings.error());
+}
+
+Result<SwingQuestion> JobStore::questionOf(const SwingRecord& record, const std::optional<ExpectedCurve>& siblings)
 {
     const auto job = jobOf(record.swing.id);
     if (!job)
@@ -192,8 +228,8 @@ Result<SwingQuestion> JobStore::questionOf(const SwingRecord& record)
     const auto before = SwingStore(m_database).previousRow(record.swing.id);
     if (!before)
         return before.error();
-    return lubberline::questionOf(
-        record, *job ? &(*job)->job : nullptr, {.history = *before ? historyOf(**before, record.swing) : std::nullopt});
+    const auto own = *before ? historyOf(**before, record.swing) : std::nullopt;
+    return lubberline::questionOf(record, *job ? &(*job)->job : nullptr, {.history = own ? own : siblings});
 }
 
 Result<SwingQuestion> JobStore::questionOf(SwingId swing)

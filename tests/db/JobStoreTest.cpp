@@ -140,6 +140,46 @@ TEST_F(JobStore, theSwingBeforeIsTheHistoryOfTheNext)
     }
 }
 
+TEST_F(JobStore, siblingsAreTheHistoryOfACompassThatWasNeverSwung)
+{
+    const auto swung = [this](const std::string& registration, double D_deg) {
+        Aircraft aircraft;
+        aircraft.type = m_stored.type;
+        aircraft.registration = registration;
+        CompassSystem compass;
+        compass.aircraft = *save(m_fleet, aircraft);
+        compass.name = "standby compass";
+        Stored there = m_stored;
+        there.compass = *save(m_fleet, compass);
+        Swing swing = swingOf(there);
+        swing.readings.clear();
+        for (int heading = 0; heading < 360; heading += 45)
+            swing.readings.push_back(reading(heading + D_deg * std::sin(2 * toRadians(heading)), heading));
+        return *save(m_swings, swing);
+    };
+    const SwingId own = swung("OWN", 5.0);
+    swung("ONE", -1.8);
+    swung("TWO", -2.0);
+    EXPECT_FALSE(m_jobs.questionOf(own)->options.history); // two aircraft are no type
+    swung("THREE", -2.2);
+    const auto question = m_jobs.questionOf(own);
+    ASSERT_TRUE(question && question->options.history);
+    EXPECT_NEAR(toDegrees(question->options.history->mean.D_rad), -2.0, 1e-9); // its own D tells nothing of itself
+    // s = 0.2 of three: 0.2/√3 in the mean beside 0.2 between them, times Student's 4.303 for 1.96.
+    EXPECT_NEAR(toDegrees(question->options.history->standardDeviation.D_rad), 0.2309 * 4.3027 / 1.95996, 0.01);
+    EXPECT_EQ(question->options.history->standardDeviation.B_rad, anyCurve().standardDeviation.B_rad);
+    const SwingRecord record = *m_swings.record(own);
+    EXPECT_EQ(m_jobs.questionOf(record, {})->options.history.has_value(), false);
+
+    Swing later = record.swing; // its last swing tells more than its siblings
+    later.id = {};
+    later.record = {};
+    later.date = "2026-11-25";
+    const SwingId next = *save(m_swings, later);
+    EXPECT_FALSE(*m_jobs.siblingsOf(*m_swings.record(next)));
+    EXPECT_NEAR(toDegrees(m_jobs.questionOf(next)->options.history->mean.D_rad), 5.0, 1e-6);
+}
+
 TEST_F(JobStore, aResultHasTheDivisionsOfItsJobOrIsRefused)
 {
     const SwingId id = *save(m_swings, worksheetSwing(m_stored));

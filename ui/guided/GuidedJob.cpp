@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/base/Number.h"
 #include "core/deviation/SlipWords.h"
 #include "core/procedure/Plan.h"
@@ -43,8 +44,8 @@ Result<std::vector<double>> parseFigures(const QString& text)
 
 GuidedJob::GuidedJob(GuidedServices services, QObject* parent) : QObject(parent), m_services(std::move(services)) {}
 
-Result<void> GuidedJob::open(
-    SwingJob job, const SwingRecord& record, std::shared_ptr<const Analysis> previous, const QString& previousLabel)
+Result<void> GuidedJob::open(SwingJob job, const SwingRecord& record, std::shared_ptr<const Analysis> previous,
+    const QString& previousLabel, const std::optional<ExpectedCurve>& siblings)
 {
     auto state = stateOf(job);
     if (!state)
@@ -54,6 +55,7 @@ Result<void> GuidedJob::open(
     m_record = record;
     m_previous = std::move(previous);
     m_previousLabel = previousLabel;
+    m_siblings = siblings;
     m_open = true;
     emit changed();
     return {};
@@ -148,7 +150,7 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     if (off > reachOfStation_deg(m_job.plan))
         return Error{ErrorCode::InvalidInput,
             said(tr("the datum says %1°, which is no reading on %2°; turn there, or skip this heading with a reason (F4)")
-                     .arg(heading->magnetic.degrees(), 0, 'f', 1)
+                     .arg(printedHeading_deg(heading->magnetic.degrees(), 1), 0, 'f', 1)
                      .arg(here->station.nominal_deg, 3, 'f', 0, QChar('0')))};
 
     Prepared prepared;
@@ -173,6 +175,8 @@ Result<GuidedJob::Prepared> GuidedJob::prepare(const Entry& entry) const
     SlipContext context;
     if (m_previous && m_previous->approximate.parameters == static_cast<int>(kCoefficientCount))
         context.expected = curveAfter(m_previous->approximate.smith());
+    else if (m_siblings)
+        context.expected = *m_siblings;
     context.earlier = earlier;
     context.resolution_deg = m_job.resolution_deg;
     context.nominal_deg = here->station.nominal_deg;

@@ -37,8 +37,10 @@ public:
     explicit GuidedJob(GuidedServices services, QObject* parent = nullptr);
 
     /// Takes up a job where it stands. @param record the swing that it belongs to, with aircraft, compass and limits.
+    /// @param siblings what is expected where there is no swing before (db::JobStore::siblingsOf()).
     /// Errors: those of stateOf(): nothing is changed then.
-    Result<void> open(SwingJob job, const SwingRecord& record, std::shared_ptr<const Analysis> previous, const QString& previousLabel);
+    Result<void> open(SwingJob job, const SwingRecord& record, std::shared_ptr<const Analysis> previous, const QString& previousLabel,
+        const std::optional<ExpectedCurve>& siblings = {});
     void close() { m_open = false; }
 
     [[nodiscard]] bool isOpen() const { return m_open; }
@@ -93,6 +95,7 @@ private:
     SwingRecord m_record;
     std::shared_ptr<const Analysis> m_previous;
     QString m_previousLabel;
+    std::optional<ExpectedCurve> m_siblings;
     bool m_open = false;
 };
 

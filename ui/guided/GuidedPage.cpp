@@ -193,8 +193,11 @@ Result<void> GuidedPage::takeUp(SwingId swing)
             analysis = std::make_shared<const Analysis>(std::move(made.value()));
             label = toText((*previous)->date);
         }
+    const auto siblings = m_stores.jobs.siblingsOf(*record);
+    if (!siblings)
+        return siblings.error();
     m_swing = swing;
-    if (auto opened = m_job->open((*found)->job, *record, std::move(analysis), label); !opened)
+    if (auto opened = m_job->open((*found)->job, *record, std::move(analysis), label, *siblings); !opened)
         return opened;
     m_pages->setCurrentWidget(m_work);
     refresh();

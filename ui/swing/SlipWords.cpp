@@ -85,6 +85,8 @@ SlipJudgement judgeRow(const SwingEditor& editor, int row)
     const auto& previous = editor.previousAnalysis();
     if (previous && previous->approximate.parameters == kCoefficientCount)
         context.expected = curveAfter(previous->approximate.smith());
+    else if (editor.siblings())
+        context.expected = *editor.siblings();
     context.earlier = others;
     context.resolution_deg = editor.record().compass.resolution_deg;
     const Reading& reading = readings[static_cast<std::size_t>(row)];

@@ -67,6 +67,7 @@ Result<void> SwingEditor::open(SwingId id)
         return record.error();
     m_record = std::move(record.value());
     m_analysis.reset();
+    readSiblings();
     analyseRecord();
     analysePrevious();
     emit opened();
@@ -80,6 +81,7 @@ void SwingEditor::close()
     analyseRecord();
     m_previous.reset();
     m_previousAnalysis.reset();
+    m_siblings.reset();
     emit closed();
 }
 
@@ -120,16 +122,27 @@ void SwingEditor::readAgain()
         return;
     const bool otherPrevious = record->swing.date != m_record.swing.date || record->swing.compass != m_record.swing.compass;
     m_record = std::move(record.value());
+    if (otherPrevious)
+        readSiblings();
     analyseRecord();
     if (otherPrevious)
         analysePrevious();
     emit changed();
 }
 
+void SwingEditor::readSiblings()
+{
+    m_siblings.reset();
+    if (auto siblings = m_context.stores.jobs.siblingsOf(m_record))
+        m_siblings = *siblings;
+    else
+        m_context.failed(siblings.error());
+}
+
 void SwingEditor::analyseRecord()
 {
     m_used = usedReadings(m_record.swing);
-    auto question = m_context.stores.jobs.questionOf(m_record);
+    auto question = m_context.stores.jobs.questionOf(m_record, m_siblings);
     if (!question) {
         take(question.error());
         return;

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] int analysedIndex(int row) const;
     [[nodiscard]] const std::optional<SwingRow>& previous() const { return m_previous; }
     [[nodiscard]] const std::shared_ptr<const Analysis>& previousAnalysis() const { return m_previousAnalysis; }
+    /// What the other aircraft of its type let expect of a compass without a swing before (db::JobStore::siblingsOf()).
+    [[nodiscard]] const std::optional<ExpectedCurve>& siblings() const { return m_siblings; }
 
     /// Why nothing can be changed: signed, complete, or a database that can only be read. Empty: it can.
     [[nodiscard]] QString whyReadOnly() const;
@@ -81,6 +83,7 @@ private:
     void onSwingChanged(SwingId id, ReadingId only = {});
     void readAgain();
     bool readAgain(ReadingId only);
+    void readSiblings();
     void analyseRecord();
     void take(Result<Analysis> result);
     void analysePrevious();
@@ -95,6 +98,7 @@ private:
     bool m_computing = false, m_previousComputing = false;
     std::optional<SwingRow> m_previous;
     std::shared_ptr<const Analysis> m_previousAnalysis;
+    std::optional<ExpectedCurve> m_siblings;
     QString m_failure;
     bool m_waits = false;
     bool m_lost = false; ///< the last failure was of the drive, not of what was typed

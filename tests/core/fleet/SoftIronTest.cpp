@@ -52,6 +52,21 @@ TEST(SoftIron, saysNothingOfAFewAircraftOrOfCardinals)
     EXPECT_TRUE(standards[0].E);
 }
 
+TEST(SoftIron, isWhatIsExpectedOfTheNextAircraftBeforeItIsSwung)
+{
+    const ExpectedCurve any = anyCurve();
+    SoftIronStandard standard;
+    standard.D = SoftIronCoefficient{3, -2, 0.06, 0.1, 0.1, {-2.43, -1.57}}; // Student's 4.303 of two degrees
+    const ExpectedCurve expected = expectedOf(standard);
+    EXPECT_NEAR(toDegrees(expected.mean.D_rad), -2, 1e-12);
+    EXPECT_NEAR(toDegrees(expected.standardDeviation.D_rad), 0.43 / 1.96, 1e-4);
+    EXPECT_EQ(expected.standardDeviation.A_rad, any.standardDeviation.A_rad);
+    EXPECT_EQ(expected.mean.E_rad, 0);
+    EXPECT_EQ(expected.standardDeviation.E_rad, any.standardDeviation.E_rad);
+    standard.D->next95_deg = {-2, -2}; // all alike: not sure without end
+    EXPECT_NEAR(toDegrees(expectedOf(standard).standardDeviation.D_rad), 0.2, 1e-12);
+}
+
 TEST(SoftIron, isSaidInOneLine)
 {
     const SoftIronCoefficient D{20, -2.214, 0.041, 0.08, 0.09, {-2.40, -2.03}};
