@@ -33,6 +33,13 @@ double worst(const std::vector<double>& errors_rad)
     return toDegrees(most);
 }
 
+/// [deg], of which what rounds to zero has no sign.
+double shown_deg(double error_rad)
+{
+    const double error_deg = toDegrees(error_rad);
+    return std::abs(error_deg) < 0.0005 ? 0.0 : error_deg;
+}
+
 void printTable(const Scenario& scenario, const ReferenceRun& run)
 {
     put("error of the heading shown = read - magnetic (deg); a share is the run with all less the run without it\n");
@@ -42,9 +49,9 @@ void printTable(const Scenario& scenario, const ReferenceRun& run)
     put("\n");
     for (const std::size_t i : pointsOf(run, std::max<std::size_t>(1, run.time_s.size() / 24))) {
         put("%10.1f %9.2f %9.3f %+9.3f", run.time_s[i], printedHeading_deg(toDegrees(run.heading_rad[i]), 2),
-            toDegrees(std::hypot(run.tilt[i].forward_rad, run.tilt[i].starboard_rad)), toDegrees(run.headingError_rad[i]));
+            toDegrees(std::hypot(run.tilt[i].forward_rad, run.tilt[i].starboard_rad)), shown_deg(run.headingError_rad[i]));
         for (const ErrorShare& share : run.shares)
-            put(" %+9.3f", toDegrees(share.error_rad[i]));
+            put(" %+9.3f", shown_deg(share.error_rad[i]));
         put("\n");
     }
     put("%10s %9s %9s %9.3f", "largest", "", "", worst(run.headingError_rad));

@@ -8,6 +8,12 @@
 
 namespace lubberline {
 
+namespace {
+
+constexpr double kNoHeading_deg = 20.0; ///< one that is uncertain by more
+
+} // namespace
+
 Result<LegsSolution> solveLegs(std::span<const Leg> legs, const LegsOptions& options)
 {
     if (legs.size() < 3)
@@ -17,10 +23,11 @@ Result<LegsSolution> solveLegs(std::span<const Leg> legs, const LegsOptions& opt
     for (const auto& leg : legs)
         velocities.push_back({leg.track_deg, leg.groundSpeed_kt});
     const auto air = airMassOf(velocities, {3, false, options.speedError_kt, false});
+    const Error untold{ErrorCode::Numeric,
+        MARKED("core",
+            "the legs do not tell the wind: their directions over ground lie on too short an arc; expected them all round, as 120\u00B0 apart")};
     if (!air)
-        return Error{ErrorCode::Numeric,
-            MARKED("core",
-                "the legs do not tell the wind: their directions over ground lie on too short an arc; expected them all round, as 120\u00B0 apart")};
+        return untold;
     LegsSolution solution;
     solution.air = *air;
     bool anyVariation = true;
@@ -31,6 +38,8 @@ Result<LegsSolution> solveLegs(std::span<const Leg> legs, const LegsOptions& opt
         const Eigen::Vector2d turned = turnedByWind_deg(*air, leg.track_deg, leg.groundSpeed_kt);
         const double own_deg = toDegrees(options.speedError_kt / std::max(air->airspeed_kt, 1e-9));
         solved.standardError_deg = std::sqrt(turned.dot(air->covariance * turned) + own_deg * own_deg);
+        if (solved.standardError_deg > kNoHeading_deg) // any three points lie on some circle
+            return untold;
         solved.offCircle_kt = (velocityOf(leg.track_deg, leg.groundSpeed_kt) - air->toward_kt).norm() - air->airspeed_kt;
         const auto variation_deg = leg.variation_deg ? leg.variation_deg : options.variation_deg;
         if (variation_deg) {

@@ -32,6 +32,18 @@ TEST(ReferenceCommand, kaytonsFirstOrderLoop)
     EXPECT_EQ(few.json().at("time_s").size(), 6u);
 }
 
+TEST(ReferenceCommand, northIsZeroAndNothingHasNoSign)
+{
+    const Sandbox sandbox;
+    const auto file = sandbox.path("scenario.json");
+    write(file, R"({"step_s": 1, "duration_s": 30, "heading_deg": 1, "dip_deg": 60,
+                    "manoeuvres": [{"from_s": 0, "to_s": 10, "turn_rate_deg_s": -0.1003}]})");
+    const auto run = sandbox.run({"reference", file});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.out.find("360.00"), std::string::npos) << run.out; // 359.997°
+    EXPECT_EQ(run.out.find("-0.000"), std::string::npos) << run.out;
+}
+
 TEST(ReferenceCommand, theExampleAndItsTable)
 {
     const Sandbox sandbox;

@@ -76,6 +76,11 @@ TEST(Legs, whatLegsCannotTellIsAnError)
     const auto arc = solveLegs(std::vector<Leg>{legOf(10, 60, wind), legOf(20, 60, wind), legOf(30, 60, wind)}, {});
     ASSERT_FALSE(arc);
     EXPECT_NE(arc.error().message.english().find("too short an arc"), std::string::npos);
+    // 010, 011 and 012 with 0.3 kt of error lie on a circle of 1 kt: no airspeed, and no heading either.
+    const auto near
+        = solveLegs(std::vector<Leg>{{"1", 19.03, 57.68, {}, {}}, {"2", 19.94, 57.09, {}, {}}, {"3", 20.57, 57.35, {}, {}}}, {});
+    ASSERT_FALSE(near);
+    EXPECT_EQ(near.error().message.english(), arc.error().message.english());
     const auto noVariation = solveLegs(std::vector<Leg>{legOf(0, 60, wind), legOf(120, 60, wind), legOf(240, 60, wind)}, {});
     ASSERT_TRUE(noVariation);
     EXPECT_FALSE(noVariation->legs[0].deviation_deg.has_value());
