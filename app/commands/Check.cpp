@@ -152,6 +152,8 @@ int checkCommand(const CheckArguments& options, const std::string& database)
         return fail(compass.error());
     const ChosenHeadings chosen = headingsFor(compass->belief, options.headings, compass->options);
     if (options.readings.empty()) {
+        if (const Message unknown = whatIsUnknown(compass->belief); !unknown.empty())
+            warn(std::vector{unknown});
         if (options.json)
             put("%s\n", toJson(compass->belief, compass->swings, chosen, compass->options).c_str());
         else

@@ -171,6 +171,10 @@ ChosenHeadings headingsFor(const CompassBelief& belief, int count, const CheckOp
     chosen.compass_deg = Search(before, weight, options.readingError_deg).best(count);
     chosen.left_deg = left_deg(chosen.compass_deg);
     chosen.leftEven_deg = left_deg(evenHeadings(count));
+    if (chosen.leftEven_deg < chosen.left_deg) { // exchange ends where no single heading is better, and its headings are those of 15°
+        chosen.compass_deg = evenHeadings(count);
+        chosen.left_deg = chosen.leftEven_deg;
+    }
     chosen.before_deg = left_deg({});
     return chosen;
 }

@@ -63,6 +63,15 @@ double chanceOfFault(const CompassBelief& belief, std::span<const Observation> r
     return chanceOf(belief, readingsOf(belief, readings, options), options);
 }
 
+Message whatIsUnknown(const CompassBelief& belief)
+{
+    if (belief.hasHistory)
+        return {};
+    return MARKED("core",
+        "this compass has no swing on record: the check cannot know its card, and holds what was read against no deviation at all and "
+        "the sizes that compasses of its kind have");
+}
+
 Result<CheckVerdict> verdictOf(const CompassBelief& belief, std::span<const Observation> readings, const CheckOptions& options)
 {
     if (readings.empty())
@@ -84,10 +93,8 @@ Result<CheckVerdict> verdictOf(const CompassBelief& belief, std::span<const Obse
             verdict.at_deg = reading.compass.degrees();
         }
     }
-    if (!belief.hasHistory)
-        verdict.warnings.push_back(MARKED("core",
-            "this compass has no swing on record: the check cannot know its card, and holds what was read against no deviation at all and "
-            "the sizes that compasses of its kind have"));
+    if (Message unknown = whatIsUnknown(belief); !unknown.empty())
+        verdict.warnings.push_back(std::move(unknown));
     if (verdict.reachable > options.accepted)
         verdict.warnings.push_back(
             {MARKED("core",

@@ -28,6 +28,8 @@ struct CheckVerdict {
     std::vector<double> differences_deg; ///< read − card, one a reading
     std::vector<Message> warnings;       ///< what the check cannot know
 };
+/// Of a compass without history; empty: with one.
+[[nodiscard]] Message whatIsUnknown(const CompassBelief& belief);
 /// Errors: InvalidInput (no reading).
 Result<CheckVerdict> verdictOf(const CompassBelief& belief, std::span<const Observation> readings, const CheckOptions& options);
 

@@ -96,12 +96,19 @@ TEST(CheckHeadings, looksWhereThisCompassWanders)
     for (const double heading : chosen.compass_deg) // C is cos: north and south tell it
         EXPECT_GT(std::abs(std::cos(toRadians(heading))), 0.85) << heading;
     EXPECT_LT(chosen.left_deg, chosen.before_deg);
-    for (const int count : {1, 2, 3, 4, 8, 24}) {
-        const auto any = headingsFor(beliefOf(quietHistory(10), 2025, {}), count, {});
-        EXPECT_EQ(any.compass_deg.size(), static_cast<std::size_t>(count));
-        EXPECT_LE(any.left_deg, any.leftEven_deg + 1e-6) << count;
-        EXPECT_TRUE(std::is_sorted(any.compass_deg.begin(), any.compass_deg.end()));
-    }
+    auto eastWest = quietHistory(10);
+    for (std::size_t i = 0; i < eastWest.size(); ++i)
+        eastWest[i].value_deg[1] = i % 2 == 0 ? 3.0 : 1.4;
+    const auto ofEastWest = headingsFor(beliefOf(eastWest, 2026, {}), 2, {});
+    EXPECT_NEAR(std::abs(std::sin(toRadians(ofEastWest.compass_deg[0]))), 1, 0.05);
+    EXPECT_LT(ofEastWest.left_deg, 0.6 * ofEastWest.leftEven_deg); // north and south tell nothing of B
+    for (const auto& of : {quietHistory(10), eastWest})
+        for (const int count : {1, 2, 3, 4, 5, 7, 8, 12, 24}) {
+            const auto any = headingsFor(beliefOf(of, 2025, {}), count, {});
+            EXPECT_EQ(any.compass_deg.size(), static_cast<std::size_t>(count));
+            EXPECT_LE(any.left_deg, any.leftEven_deg + 1e-6) << count;
+            EXPECT_TRUE(std::is_sorted(any.compass_deg.begin(), any.compass_deg.end()));
+        }
 }
 
 /// A few of what a program of its own does for 2,000.

@@ -294,8 +294,7 @@ void paintDials(
     painter.setPen(colours.text);
     painter.drawText(QRectF(rect.left(), rect.bottom() - 1.2 * line, rect.width(), 1.2 * line), Qt::AlignCenter,
         ReferenceWords::tr("vertical: %1° forward, %2° to starboard")
-            .arg(toDegrees(tilt.forward_rad), 0, 'f', 2)
-            .arg(toDegrees(tilt.starboard_rad), 0, 'f', 2));
+            .arg(plainNumber(toDegrees(tilt.forward_rad), 2), plainNumber(toDegrees(tilt.starboard_rad), 2)));
     painter.restore();
 }
 
