@@ -10,7 +10,7 @@ namespace {
 constexpr std::int64_t kEnoughForCorrelation = 40;
 constexpr double kAfterAlarm_deg = 3.0;
 constexpr double kMostCorrelation = 0.995, kErrorsOfCorrelation = 2.0;
-constexpr double kClearly = 9.0; ///< of χ²: what explains less than the best by more than this is not what changed
+constexpr double kClearlyLess = 9.0; ///< of χ²: what explains less than the best by more than this is not what changed
 
 } // namespace
 
@@ -135,7 +135,7 @@ void ContinuousSwing::nameChange()
     alarm.orElse.clear();
     for (int i = 0; i < m_filter.states(); ++i)
         if (const auto& name = m_names[static_cast<std::size_t>(i)];
-            name != alarm.coefficient && explained(i) > 0 && explained(i) > most - kClearly * widened)
+            name != alarm.coefficient && explained(i) > 0 && explained(i) > most - kClearlyLess * widened)
             alarm.orElse.push_back(name);
 }
 
