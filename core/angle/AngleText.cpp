@@ -60,6 +60,7 @@ public:
             return figures.size() != before;
         };
         takeDigits();
+        m_twoDigits = figures.size() >= 2;
         for (; length < m_rest.size() && (m_rest[length] == '.' || m_rest[length] == ','); ++marks) {
             figures += '.';
             ++length;
@@ -80,6 +81,7 @@ public:
         return number.value;
     }
     [[nodiscard]] bool lastNumberWasWhole() const { return m_wholeNumber; }
+    [[nodiscard]] bool lastNumberBeganWithTwoDigits() const { return m_twoDigits; }
     /// Letters of ASCII, as capitals.
     std::string takeLetters()
     {
@@ -94,7 +96,7 @@ private:
     static bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
     std::string_view m_rest;
-    bool m_wholeNumber = false;
+    bool m_wholeNumber = false, m_twoDigits = false;
 };
 
 /// Degree sign, ordinal indicator, ring above, ring operator: keyboards have one or the other.
@@ -179,9 +181,12 @@ std::optional<TypedAngle> scanAngle(std::string_view text, std::string_view befo
         return {};
     angle.magnitude_deg = *degrees;
     const bool wholeDegrees = scanner.lastNumberWasWhole();
-    const bool divided = takeDivider(scanner, kDegreeSigns).divides;
-    if (const auto minutes = divided ? scanner.takeNumber() : std::nullopt) {
+    const Divider divider = takeDivider(scanner, kDegreeSigns);
+    if (const auto minutes = divider.divides ? scanner.takeNumber() : std::nullopt) {
         if (!wholeDegrees || *minutes >= 60.0)
+            return {};
+        // "8 4" may be 84, 8.4 or 8°04': minutes that only a space parts from the degrees have their two digits.
+        if (!divider.marked && !scanner.lastNumberBeganWithTwoDigits())
             return {};
         angle.magnitude_deg += *minutes / 60.0;
         if (!takeSeconds(scanner, angle.magnitude_deg))

@@ -14,7 +14,7 @@ enum class AngleStyle { DecimalDegrees, DegreesMinutes };
 
 /// Reads a signed angle [deg, east positive]: `3.25`, `-3.25`, `+3.25`, `3.25W`, `3.25 E`, `W 3.25`, `3.25 west`, `3°15'W`, `3 15 W`,
 /// `3:15W`, `3°15'30"W`, `−3,25` (decimal comma, Unicode minus). W makes negative; a sign together with E or W is an error, as are
-/// minutes ≥ 60. Any space of core/base/FileText.h may stand between the parts.
+/// minutes ≥ 60, and minutes of one digit behind a space alone (`8 4` may be 84). Any space of core/base/FileText.h may stand between the parts.
 /// @return degrees within [−180, 180]. Errors: InvalidInput, naming the text (what cannot be seen in it by its code point) and what was
 /// expected; an O, which is east in German and west in French, is refused by that reason.
 Result<double> parseSignedAngle_deg(std::string_view text);

@@ -69,7 +69,7 @@ void NmeaLog::take(const NmeaSentence& sentence)
 void NmeaLog::take(const NmeaCompass& compass)
 {
     const NmeaSource source{compass.talker, compass.type};
-    takeVariation(source, compass.variation);
+    takeVariation(source, compass.variation, compass.unread);
     if (compass.deviation && compass.deviation->degrees() != 0.0) {
         ++deviations;
         if (!largestDeviation || std::abs(compass.deviation->degrees()) > std::abs(largestDeviation->degrees()))
@@ -92,7 +92,7 @@ void NmeaLog::take(const NmeaTrack& track)
     const NmeaSource source{track.talker, track.type};
     ++(track.noFix ? noFixes : fixes);
     ++ofMode[static_cast<std::size_t>(track.mode)];
-    takeVariation(source, track.variation);
+    takeVariation(source, track.variation, track.unread);
     takeTime(source, track.time);
     takePlace(track.latitude_deg, track.longitude_deg);
     send(source, NmeaNorth::Track, track.track ? std::optional(track.track->degrees()) : std::nullopt, track.speed_kt);
@@ -126,8 +126,10 @@ void NmeaLog::takeTime(const NmeaSource& source, const std::optional<NmeaTime>& 
         clock->marks.push_back({m_place, time->secondsOfDay, m_date});
 }
 
-void NmeaLog::takeVariation(const NmeaSource& source, const std::optional<Variation>& variation)
+void NmeaLog::takeVariation(const NmeaSource& source, const std::optional<Variation>& variation, const std::string& unread)
 {
+    if (!unread.empty() && unreadAngles++ == 0)
+        firstUnread = unread;
     if (auto* told = variation ? entryOf(m_variations, source) : nullptr)
         told->told_deg.push_back(variation->degrees());
 }

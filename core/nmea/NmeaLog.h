@@ -69,6 +69,8 @@ public:
     std::array<std::int64_t, 4> ofMode{};                          ///< tracks and true headings by NmeaMode
     std::int64_t deviations = 0;                                   ///< HDG that state a deviation other than zero
     std::optional<Deviation> largestDeviation = {};                ///< of those
+    std::int64_t unreadAngles = 0;                                 ///< variations and deviations that are no size with its side
+    std::string firstUnread = {};                                  ///< of those, as it is written: "-15.2,W"
     std::int64_t headings = 0;                                     ///< of all compasses
     std::optional<double> latitude_deg, longitude_deg, altitude_m; ///< of the first fix
     Date firstDate;
@@ -80,7 +82,7 @@ private:
     void take(const NmeaFix& fix);
     void takePlace(std::optional<double> latitude, std::optional<double> longitude);
     void takeTime(const NmeaSource& source, const std::optional<NmeaTime>& time);
-    void takeVariation(const NmeaSource& source, const std::optional<Variation>& variation);
+    void takeVariation(const NmeaSource& source, const std::optional<Variation>& variation, const std::string& unread);
     void send(const NmeaSource& source, NmeaNorth north, std::optional<double> angle_deg, std::optional<double> speed_kt = {});
 
     std::vector<NmeaStream> m_streams;

@@ -189,6 +189,11 @@ std::vector<Message> toldOfLog(const NmeaLog& log)
         MARKED_N("core", "%n track(s) or heading(s) are estimated (mode E, dead reckoning): perhaps from the very compass that is swung"));
     tell(ofMode(NmeaMode::Manual), MARKED_N("core", "%n track(s) or heading(s) were typed in (mode M)"));
     tell(ofMode(NmeaMode::Simulated), MARKED_N("core", "%n track(s) or heading(s) come from a simulator (mode S)"));
+    if (log.unreadAngles > 0)
+        told.push_back({MARKED_N("core",
+                            "%n variation(s) or deviation(s) are written so that they tell no side, as '%1', and left out; expected a size "
+                            "without a sign, and E or W"),
+            static_cast<std::size_t>(log.unreadAngles), log.firstUnread});
     if (log.deviations > 0)
         told.push_back(
             {MARKED_N("core",

@@ -32,6 +32,12 @@ std::optional<Angle> sided(std::string_view size, std::string_view side)
     return Angle::fromDegrees(side == "W" ? -*value : *value);
 }
 
+/// A size and side that say something which sided() does not take, as they are written: "-15.2,W".
+std::string unreadOf(std::string_view size, std::string_view side)
+{
+    return size.empty() || sided<Variation>(size, side) ? std::string() : std::string(size) + "," + std::string(side);
+}
+
 /// ddmm.mmm or dddmm.mmm with its hemisphere, in degrees.
 std::optional<double> coordinate(std::string_view text, std::string_view hemisphere, char positive, char negative, double most)
 {
@@ -105,6 +111,9 @@ NmeaValue compassOf(const NmeaSentence& sentence)
     if (sentence.type == "HDG") {
         compass.deviation = sided<Deviation>(sentence.field(1), sentence.field(2));
         compass.variation = sided<Variation>(sentence.field(3), sentence.field(4));
+        compass.unread = unreadOf(sentence.field(3), sentence.field(4));
+        if (compass.unread.empty())
+            compass.unread = unreadOf(sentence.field(1), sentence.field(2));
     }
     return compass;
 }
@@ -154,8 +163,8 @@ NmeaValue recommendedMinimum(const NmeaSentence& sentence)
         return withoutFix(sentence);
     NmeaTrack track{sentence.talker, sentence.type, false, modeOf(sentence.field(11)), typed<TrueHeading>(headingOf(sentence.field(7))),
         number(sentence.field(6)), sided<Variation>(sentence.field(9), sentence.field(10)), timeOf(sentence.field(0)),
-        coordinate(sentence.field(2), sentence.field(3), 'N', 'S', 90.0),
-        coordinate(sentence.field(4), sentence.field(5), 'E', 'W', 180.0)};
+        coordinate(sentence.field(2), sentence.field(3), 'N', 'S', 90.0), coordinate(sentence.field(4), sentence.field(5), 'E', 'W', 180.0),
+        unreadOf(sentence.field(9), sentence.field(10))};
     if (track.time)
         track.time->date = shortDateOf(sentence.field(8));
     return track;

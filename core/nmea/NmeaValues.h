@@ -1,6 +1,7 @@
 #pragma once
 /// What a sentence says, with its senses: headings by their north, variation and deviation east positive, knots, UTC.
-/// Read: HDG, HDM, HDT, THS, VHW, RMC, VTG, GGA, ZDA. A field that is empty or unreadable is not there; nothing is guessed.
+/// Read: HDG, HDM, HDT, THS, VHW, RMC, VTG, GGA, ZDA. A field that is empty or unreadable is not there; nothing is guessed. An angle that
+/// is written and cannot be read (`-15.2,W`: east or west?) is kept as it is written, to be told.
 
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ struct NmeaCompass {
     CompassHeading heading;
     std::optional<Deviation> deviation; ///< that the instrument would apply; not applied here
     std::optional<Variation> variation;
+    std::string unread = {}; ///< a variation or deviation as it is written, where it is no size with its side
 };
 
 /// HDT, THS.
@@ -71,6 +73,7 @@ struct NmeaTrack {
     std::optional<Variation> variation;
     std::optional<NmeaTime> time;
     std::optional<double> latitude_deg, longitude_deg;
+    std::string unread = {}; ///< a variation as it is written, where it is no size with its side
 };
 
 /// GGA.

@@ -39,7 +39,8 @@ void remarkLimits(std::vector<Message>& remarks, const Card& card, const std::op
         return;
     const std::string& source = limits->document.empty() ? limits->name : limits->document;
     if (const auto over = headingsOf(card, [&](const CardRow& row) { return overLimit(row, limits); }); !over.empty())
-        remarks.push_back({MARKED("core", "OVER THE LIMIT of %1 (%2): the deviation on %3"),
+        remarks.push_back({card.options.by == CardBy::Magnetic ? MARKED("core", "OVER THE LIMIT of %1 (%2): the deviation on magnetic %3")
+                                                               : MARKED("core", "OVER THE LIMIT of %1 (%2): the deviation on compass %3"),
             shortestNumber(*limits->maxDeviation_deg) + "°", source, listed(over)});
     const auto [least, most] = std::minmax_element(
         card.rows.begin(), card.rows.end(), [](const CardRow& a, const CardRow& b) { return a.residual.degrees() < b.residual.degrees(); });
@@ -48,7 +49,7 @@ void remarkLimits(std::vector<Message>& remarks, const Card& card, const std::op
         remarks.push_back({MARKED("core", "OVER THE LIMIT of %1 (%2): the spread of the deviation, %3"),
             shortestNumber(*limits->maxSpread_deg) + "°", source, tenthsOfDegree(spread_deg)});
     if (limits->maxDeviation_deg && std::abs(card.largestReading.deviation.degrees()) > *limits->maxDeviation_deg + kRoundingOfLimits_deg)
-        remarks.push_back({MARKED("core", "OVER THE LIMIT of %1 (%2): the deviation that was read on %3, %4"),
+        remarks.push_back({MARKED("core", "OVER THE LIMIT of %1 (%2): the deviation that was read on magnetic %3, %4"),
             shortestNumber(*limits->maxDeviation_deg) + "°", source, remarkHeading(card.largestReading.at.degrees()),
             signedFigureText(card.largestReading.deviation.degrees(), 1) + "°"});
 }

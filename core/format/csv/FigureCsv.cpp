@@ -6,6 +6,7 @@
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/base/PlainNumber.h"
+#include "core/format/csv/ColumnName.h"
 
 namespace lubberline {
 
@@ -23,13 +24,6 @@ bool onlyAscii(std::string_view text)
     return together < 0x80;
 }
 
-std::string columnName(std::string_view cell)
-{
-    std::string name = inSmallLetters(trimmed(cell));
-    std::replace(name.begin(), name.end(), ' ', '_');
-    return name;
-}
-
 char separatorByKnown(const std::string& header, std::span<const std::string_view> known, char told)
 {
     if (told != 0)
@@ -41,7 +35,7 @@ char separatorByKnown(const std::string& header, std::span<const std::string_vie
         if (splitter.begin(header) != RowSplitter::State::Complete)
             continue;
         const auto found = std::count_if(splitter.cells().begin(), splitter.cells().end(), [&](const std::string& cell) {
-            const std::string name = columnName(cell);
+            const std::string name = csv::columnKey(cell);
             return std::any_of(known.begin(), known.end(), [&](std::string_view one) { return name.starts_with(one); });
         });
         if (found > most) {
@@ -144,7 +138,7 @@ Result<void> FigureCsv::readHeader(std::span<const std::string_view> known)
     if (const auto few = checkColumns(m_cells.size()); !few)
         return here(few.error().message);
     for (const auto cell : m_cells) {
-        std::string name = columnName(cell);
+        std::string name = csv::columnKey(cell);
         if (!name.empty() && std::find(m_columns.begin(), m_columns.end(), name) != m_columns.end())
             return here({MARKED("core", "the column %1 stands there twice; expected each once"), inQuotes(name)});
         m_columns.push_back(std::move(name));

@@ -5,6 +5,7 @@
 
 #include "core/angle/AngleText.h"
 #include "core/base/FileText.h"
+#include "core/format/csv/ColumnName.h"
 #include "core/format/csv/RowSplitter.h"
 #include "core/format/csv/TextCell.h"
 
@@ -18,8 +19,15 @@ constexpr Pattern kExpectedColumns = MARKED("core",
 
 std::optional<std::size_t> knownColumn(std::string_view name)
 {
-    std::string plain = inSmallLetters(trimmed(name));
-    std::replace(plain.begin(), plain.end(), ' ', '_');
+    // What spreadsheets call the two headings. A bare "deviation" is not among them: nobody said which side it is positive to.
+    static constexpr std::array<std::pair<std::string_view, Column>, 9> kOtherNames{
+        {{"magnetic_heading", Column::Magnetic}, {"magnetic_deg", Column::Magnetic}, {"compass_heading", Column::Compass},
+            {"compass_deg", Column::Compass}, {"compass_reading", Column::Compass}, {"compass_reading_deg", Column::Compass},
+            {"true_heading", Column::True}, {"pitch", Column::Pitch}, {"roll", Column::Roll}}};
+    const std::string plain = columnKey(name);
+    for (const auto& [other, column] : kOtherNames)
+        if (plain == other)
+            return static_cast<std::size_t>(column);
     const auto found = std::find(kColumnNames.begin(), kColumnNames.end(), plain);
     return found == kColumnNames.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - kColumnNames.begin()));
 }

@@ -38,7 +38,7 @@ struct Columns {
 /// A row above the header that says what the file is of: no cell names a column, and not all are figures.
 [[nodiscard]] bool isTitle(const std::vector<std::string>& cells);
 
-/// Names are known in any case, and with spaces for underscores. Columns without a name at the end are none: their cells are empty.
+/// Names are known in any case, with spaces for underscores, and with the unit in brackets ("Compass heading [°]"). Columns without a name at the end are none: their cells are empty.
 /// Errors (without file and line): Format (no header, a column without name), InvalidInput (missing or doubled columns).
 Result<Columns> columnsOf(const std::vector<std::string>& header);
 

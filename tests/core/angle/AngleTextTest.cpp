@@ -67,6 +67,19 @@ TEST(SignedAngle, refusesWhatIsNotOneNamingTheText)
     }
 }
 
+/// A slip of the thumb for 84, for 8.4 and for 8°04'.
+TEST(AngleText, refusesMinutesOfOneDigitBehindASpaceAlone)
+{
+    for (const char* text : {"8 4", "8 4W", "W 8 4", "8 4.5"})
+        EXPECT_FALSE(parseSignedAngle_deg(text)) << text;
+    EXPECT_FALSE(parseHeading_deg("27 4"));
+    EXPECT_FALSE(parseLatitude_deg("51 3 N"));
+    EXPECT_NEAR(*parseSignedAngle_deg("8 04"), 8 + 4 / 60.0, 1e-12);
+    EXPECT_NEAR(*parseSignedAngle_deg("8 04.5 W"), -8 - 4.5 / 60.0, 1e-12);
+    EXPECT_NEAR(*parseSignedAngle_deg("8°4'"), 8 + 4 / 60.0, 1e-12);
+    EXPECT_NEAR(*parseSignedAngle_deg("8:4"), 8 + 4 / 60.0, 1e-12);
+}
+
 TEST(SignedAngle, refusesASignTogetherWithALetter)
 {
     for (const char* text : {"-3W", "+3E", "-3E", "\u22123\u00B015'W"})

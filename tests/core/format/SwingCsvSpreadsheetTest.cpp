@@ -268,6 +268,26 @@ TEST(PublishedRules, byCompassHeadings)
     EXPECT_NEAR(toDegrees(*rules.D_rad), -2.0, 1e-9);
 }
 
+/// As workbooks head their columns; a unit that is not degrees makes another column of it.
+TEST(SwingCsvSpreadsheet, unitsInBracketsAreRead)
+{
+    for (const char* header : {"Magnetic heading (deg),Compass heading (deg)", "Magnetic Heading [°],Compass Heading [°]",
+             "MAGNETIC HEADING (degrees);Compass reading (°)", "magnetic heading,compass heading", "Magnetic (°),Compass (°)"}) {
+        const char separator = std::string(header).find(';') == std::string::npos ? ',' : ';';
+        const auto file = readCsv(std::string(header) + "\n359.5" + separator + "3\n90" + separator + "85.25\n");
+        ASSERT_TRUE(file) << header << ": " << describe(file.error());
+        EXPECT_THAT(magnetic_deg(*file), ElementsAre(359.5, 90.0)) << header;
+        EXPECT_THAT(compass_deg(*file), ElementsAre(3.0, 85.25)) << header;
+    }
+    for (const char* deviation : {"Deviation (°E)", "deviation [deg]", "Deviation (deg east)", "Deviation (east +)"}) {
+        const auto file = readCsv(std::string("Compass heading (°),") + deviation + "\n90,-2\n");
+        ASSERT_TRUE(file) << deviation << ": " << describe(file.error());
+        EXPECT_THAT(magnetic_deg(*file), ElementsAre(88.0)) << deviation;
+    }
+    for (const char* other : {"Deviation (°W)", "Deviation", "Deviation (rad)", "Magnetic heading (rad)", "Magnetic heading (mils)"})
+        EXPECT_FALSE(readCsv(std::string("Compass heading (°),") + other + "\n90,-2\n").ok()) << other;
+}
+
 TEST(SwingCsvSpreadsheet, aTitleAboveTheHeaderIsKeptInTheNote)
 {
     for (const std::string title :

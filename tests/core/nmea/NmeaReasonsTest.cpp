@@ -18,6 +18,8 @@ using testing::Not;
 struct Turn {
     double compassRate_deg_s = 1.0, trackRate_deg_s = 1.0, speed_kt = 6.0;
     const char* date = "201125";
+    const char* variation = "15.2,E";
+    const char* ofCompass = ",,,"; ///< deviation and variation of HDG
 };
 
 Result<NmeaSwing> swingOf(const Turn& turn)
@@ -25,10 +27,10 @@ Result<NmeaSwing> swingOf(const Turn& turn)
     std::string log;
     char text[160];
     for (int second = 0; second < 300; ++second) {
-        std::snprintf(text, sizeof text, "HCHDG,%.2f,,,,", 0.1 + turn.compassRate_deg_s * second);
+        std::snprintf(text, sizeof text, "HCHDG,%.2f,%s", 0.1 + turn.compassRate_deg_s * second, turn.ofCompass);
         log += makeNmea(text) + "\r\n";
-        std::snprintf(text, sizeof text, "GPRMC,09%02d%02d.00,A,4736.0,N,12218.0,W,%.1f,%.1f,%s,15.2,E,A", second / 60, second % 60,
-            turn.speed_kt, turn.trackRate_deg_s * second, turn.date);
+        std::snprintf(text, sizeof text, "GPRMC,09%02d%02d.00,A,4736.0,N,12218.0,W,%.1f,%.1f,%s,%s,A", second / 60, second % 60,
+            turn.speed_kt, turn.trackRate_deg_s * second, turn.date, turn.variation);
         log += makeNmea(text) + "\r\n";
     }
     std::istringstream stream(log);
@@ -51,6 +53,23 @@ TEST(NmeaReasons, whyNothingIsLeftIsSaid)
     EXPECT_THAT(inEnglish(slow->warnings), Contains(HasSubstr("never moves faster than 0.4 kt")));
     EXPECT_THAT(inEnglish(slow->warnings), Not(Contains(HasSubstr("too uneven"))));
     EXPECT_THAT(inEnglish(swingOf({})->warnings), Not(Contains(HasSubstr("never moves"))));
+}
+
+/// "-15.2,W" may be 15.2° west, written twice, or 15.2° east: neither is taken, and that is said.
+TEST(NmeaReasons, aVariationWithASignAndASideIsToldAndNotTaken)
+{
+    for (const char* written : {"-15.2,W", "-15.2,E", "15.2,", "15.2,X", "abc,E", "215.2,E", "15.2,w"}) {
+        const auto swing = swingOf({.variation = written});
+        ASSERT_TRUE(swing) << written;
+        EXPECT_NE(swing->variationSource, "log") << written;
+        EXPECT_THAT(inEnglish(swing->warnings),
+            Contains(HasSubstr("300 variations or deviations are written so that they tell no side, as '" + std::string(written) + "'")));
+    }
+    const auto ofCompass = swingOf({.variation = ",", .ofCompass = "2.0,W,-3,E"});
+    ASSERT_TRUE(ofCompass);
+    EXPECT_THAT(inEnglish(ofCompass->warnings), Contains(HasSubstr("as '-3,E'")));
+    EXPECT_THAT(inEnglish(swingOf({})->warnings), Not(Contains(HasSubstr("no side"))));
+    EXPECT_THAT(inEnglish(swingOf({.variation = ","})->warnings), Not(Contains(HasSubstr("no side"))));
 }
 
 TEST(NmeaReasons, aVariationThatNoModelCanCheckIsSaid)

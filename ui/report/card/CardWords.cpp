@@ -131,7 +131,7 @@ QString qualityLine(const CardColumn& column)
 QString largestLine(const CardColumn& column)
 {
     const auto there = [](const DeviationThere& one) {
-        return Words::tr("%1° on %2").arg(signedFigure(one.deviation.degrees(), 1), headingFigures(one.at.degrees()));
+        return Words::tr("%1° on %2 magnetic").arg(signedFigure(one.deviation.degrees(), 1), headingFigures(one.at.degrees()));
     };
     return Words::tr("Largest residual %1; largest reading %2").arg(there(column.card.largestResidual), there(column.card.largestReading));
 }

@@ -21,7 +21,7 @@ namespace lubberline::ui {
 [[nodiscard]] QStringList signatureLinesOf(const CardColumn& column);
 /// "by the exact fit, 95 % band ±0.8°".
 [[nodiscard]] QString qualityLine(const CardColumn& column);
-/// "Largest residual −2.4° on 330; largest reading +3.0° on 047".
+/// "Largest residual −2.4° on 330 magnetic; largest reading +3.0° on 047 magnetic".
 [[nodiscard]] QString largestLine(const CardColumn& column);
 /// What a pilot must know, short: marks of rows, suspect readings, the attitude, what interpolation misses.
 [[nodiscard]] QStringList shortRemarks(const CardColumn& column);

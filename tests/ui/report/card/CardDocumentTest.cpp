@@ -89,7 +89,7 @@ TEST(Card, namesTheLargestResidualWithItsHeading)
         if (std::abs(row.residual.degrees()) > std::abs(largest->residual.degrees()))
             largest = &row;
     EXPECT_NEAR(toDegrees(input.columns[0].card.residualMaxAbs_rad), std::abs(largest->residual.degrees()), 1e-9);
-    const QString words = QString::fromUtf8("Largest residual %1%2° on %3; largest reading")
+    const QString words = QString::fromUtf8("Largest residual %1%2° on %3 magnetic; largest reading")
                               .arg(largest->residual.degrees() < 0 ? QString::fromUtf8("−") : QString("+"))
                               .arg(std::abs(largest->residual.degrees()), 0, 'f', 1)
                               .arg(qRound(largest->magnetic.degrees()), 3, 10, QChar('0'));
