@@ -2519,16 +2519,8 @@
         <translation>brak tablicy: gdy statek powietrzny obraca się od %1 do %2 (magnetycznie), busola cofa się od %3 do %4, więc jeden odczyt oznacza więcej niż jeden kurs; oczekiwano busoli rosnącej w pełnym okręgu</translation>
     </message>
     <message>
-        <source>OVER THE LIMIT of %1 (%2): the deviation on %3</source>
-        <translation>PONAD GRANICĘ %1 (%2): dewiacja na %3</translation>
-    </message>
-    <message>
         <source>OVER THE LIMIT of %1 (%2): the spread of the deviation, %3</source>
         <translation>PONAD GRANICĘ %1 (%2): rozrzut dewiacji, %3</translation>
-    </message>
-    <message>
-        <source>OVER THE LIMIT of %1 (%2): the deviation that was read on %3, %4</source>
-        <translation>PONAD GRANICĘ %1 (%2): dewiacja odczytana na %3, %4</translation>
     </message>
     <message>
         <source>NOT LEVEL: swung at pitch %1, roll %2; these are not the figures of level flight</source>
@@ -4597,6 +4589,30 @@
     <message>
         <source>a sensor model with its calibration&apos;s uncertainty</source>
         <translation>model czujnika z niepewnością jego kalibracji</translation>
+    </message>
+    <message>
+        <source>%1; or another coefficient did, which explains as much on the headings since: %2</source>
+        <translation>%1; albo zmienił się inny współczynnik, który na kursach od tego czasu wyjaśnia tyle samo: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n variation(s) or deviation(s) are written so that they tell no side, as &apos;%1&apos;, and left out; expected a size without a sign, and E or W</source>
+        <translation>
+            <numerusform>%n deklinacja lub dewiacja jest zapisana tak, że nie wiadomo, w którą stronę, np. „%1”, i została pominięta; oczekiwano wartości bez znaku oraz E lub W</numerusform>
+            <numerusform>%n deklinacje lub dewiacje są zapisane tak, że nie wiadomo, w którą stronę, np. „%1”, i zostały pominięte; oczekiwano wartości bez znaku oraz E lub W</numerusform>
+            <numerusform>%n deklinacji lub dewiacji jest zapisanych tak, że nie wiadomo, w którą stronę, np. „%1”, i zostało pominiętych; oczekiwano wartości bez znaku oraz E lub W</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>OVER THE LIMIT of %1 (%2): the deviation on magnetic %3</source>
+        <translation>PONAD GRANICĘ %1 (%2): dewiacja na kursie magnetycznym %3</translation>
+    </message>
+    <message>
+        <source>OVER THE LIMIT of %1 (%2): the deviation on compass %3</source>
+        <translation>PONAD GRANICĘ %1 (%2): dewiacja na kursie busoli %3</translation>
+    </message>
+    <message>
+        <source>OVER THE LIMIT of %1 (%2): the deviation that was read on magnetic %3, %4</source>
+        <translation>PONAD GRANICĘ %1 (%2): dewiacja odczytana na kursie magnetycznym %3, %4</translation>
     </message>
 </context>
 <context>
@@ -9032,10 +9048,6 @@ soft iron S:</source>
         <translation>%1, pas nieznany</translation>
     </message>
     <message>
-        <source>%1° on %2</source>
-        <translation>%1° na %2</translation>
-    </message>
-    <message>
         <source>Largest residual %1; largest reading %2</source>
         <translation>Największa reszta %1; największy odczyt %2</translation>
     </message>
@@ -10080,10 +10092,6 @@ soft iron S:</source>
         <translation>porównano z: %1</translation>
     </message>
     <message>
-        <source>Error of reported winds by altitude, before any correction</source>
-        <translation>Błąd meldowanych wiatrów według wysokości, przed poprawieniem</translation>
-    </message>
-    <message>
         <source>Reported winds against each reference</source>
         <translation>Wiatry meldowane wobec każdego źródła odniesienia</translation>
     </message>
@@ -10354,6 +10362,14 @@ soft iron S:</source>
     <message>
         <source>Turret: mount roll %1°, pitch %2°, yaw %3°, each sure to %4°. Field of the cockpit %5, %6, %7 nT.</source>
         <translation>Wieżyczka: przechylenie mocowania %1°, pochylenie %2°, odchylenie %3°, każde pewne do %4°. Pole kabiny %5, %6, %7 nT.</translation>
+    </message>
+    <message>
+        <source>%1° on %2 magnetic</source>
+        <translation>%1° na kursie magnetycznym %2</translation>
+    </message>
+    <message>
+        <source>Error of reported winds by altitude, before and after the correction</source>
+        <translation>Błąd podawanych wiatrów według wysokości, przed poprawką i po niej</translation>
     </message>
 </context>
 <context>
@@ -12973,7 +12989,7 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     <name>lubberline::ui::LineOfSightPage</name>
     <message>
         <source>&amp;Line of sight of a helmet…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Linia celowania hełmu…</translation>
     </message>
     <message>
         <source>Ctrl+Alt+H</source>
@@ -12989,7 +13005,7 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     </message>
     <message>
         <source>“%1”: %2; expected %3 number(s) from %4 to %5</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1”: %2; oczekiwano liczb w ilości %3, od %4 do %5</translation>
     </message>
     <message>
         <source>Line of sight</source>
@@ -13080,11 +13096,11 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     <name>lubberline::ui::LiveActions</name>
     <message>
         <source>Start &amp;with the log</source>
-        <translation type="unfinished"></translation>
+        <translation>Zacznij &amp;z zapisem</translation>
     </message>
     <message>
         <source>Sa&amp;ve the actions…</source>
-        <translation type="unfinished"></translation>
+        <translation>Za&amp;pisz czynności…</translation>
     </message>
     <message>
         <source>Clear</source>
