@@ -4,8 +4,8 @@
 #include "app/Console.h"
 #include "app/LogOptions.h"
 #include "app/Outputs.h"
-#include "app/Paths.h"
 #include "app/QtSession.h"
+#include "app/SheetOutput.h"
 #include "core/base/Number.h"
 #include "core/base/OutputFile.h"
 #include "core/base/TerminalText.h"
@@ -52,17 +52,6 @@ void printSpectrum(const LogSpectrum& spectrum, const SensorLog& log)
             notches.empty() ? " -" : notches.c_str(), filter->lowPass_hz ? text("%.1f Hz", *filter->lowPass_hz).c_str() : "-",
             filter->left_rms, filter->before_rms, unit.c_str(), filter->from_hz);
     }
-}
-
-/// A report as PDF, with the time.
-int writeSheet(ui::ReferenceSheet sheet, const Output& output)
-{
-    const auto session = makeDrawingSession();
-    sheet.madeAtUtc = nowUtc();
-    if (const auto written = ui::writeReferenceSheet(sheet, QString::fromStdString(output.path)); !written)
-        return fail(written.error());
-    sayWritten(output);
-    return kDone;
 }
 
 bool isSpectrumPlot(const Output& output) { return output.kind == ".png" || output.kind == ".svg"; }

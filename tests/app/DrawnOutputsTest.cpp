@@ -71,6 +71,45 @@ TEST(DrawnOutputs, testsOfASensorAreDocuments)
     expectFiles(sandbox, {"interference", file, "--actions", sandbox.write("actions.csv", "time_s,action\n8.5,landing light\n")}, {"pdf"});
 }
 
+TEST(DrawnOutputs, checksOfAnInstallationAreDocuments)
+{
+    const Sandbox sandbox;
+    std::string stray = "x_m,y_m,z_m,bx_nT,by_nT,bz_nT\n";
+    for (int i = 0; i < 12; ++i) { // a moment of 10 A m² along x at the origin: 100 (3 n (m.n) - m)/d^3 nT
+        const double x = 1.2 * std::cos(kTurn * i / 12), y = 1.2 * std::sin(kTurn * i / 12), z = i % 3 * 0.4;
+        const double d2 = x * x + y * y + z * z, d3 = d2 * std::sqrt(d2);
+        stray += std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + ","
+            + std::to_string(1000 * (3 * x * x / d2 - 1) / d3) + "," + std::to_string(3000 * x * y / d2 / d3) + ","
+            + std::to_string(3000 * x * z / d2 / d3) + "\n";
+    }
+    std::string clockwise = "compass_heading_deg,magnetic_heading_deg\n", other = clockwise;
+    for (int i = 0; i < 12; ++i) {
+        clockwise += std::to_string(30 * i) + "," + std::to_string(30 * i + 0.4 + i % 2 * 0.1) + "\n";
+        other += std::to_string(30 * i) + "," + std::to_string(30 * i + i % 3 * 0.1) + "\n";
+    }
+    expectFiles(sandbox, {"locate", sandbox.write("stray.csv", stray)}, {"pdf"});
+    expectFiles(sandbox, {"site-check", sandbox.write("cw.csv", clockwise), sandbox.write("ccw.csv", other)}, {"pdf"});
+    expectFiles(sandbox, {"distances", "--measured", "1=3.2"}, {"pdf"});
+}
+
+/// The maker's list with what was measured; nothing is taken for granted that was not looked at.
+TEST(Distances, areAChecklist)
+{
+    const Sandbox sandbox;
+    const auto plain = sandbox.run({"distances"});
+    EXPECT_EQ(plain.status, 0) << plain.err;
+    EXPECT_THAT(plain.out, HasSubstr("1   3.0 m  electric motors"));
+    EXPECT_THAT(plain.out, testing::Not(HasSubstr("not looked at")));
+    const auto outcome = sandbox.run({"distances", "--measured", "1=3.0", "--measured", "2=2.1"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("loudspeakers: 3.00 m, kept\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("more than 1 kg: 2.10 m, TOO NEAR by 0.40 m\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("another flux gate: not looked at\n"));
+    for (const char* bad : {"7=1", "0=1", "1.5=1", "1", "=", "1=", "1=-1", "1=nan", "1=1001", "x=1", ""})
+        EXPECT_EQ(sandbox.run({"distances", std::string("--measured=") + bad}).status == 0, false) << bad;
+    EXPECT_THAT(sandbox.run({"distances", "--measured", "1=1", "--measured", "1=2"}).err, HasSubstr("named twice"));
+}
+
 TEST(DrawnOutputs, windsAreHeldAgainstAControl)
 {
     const Sandbox sandbox;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "ui/plots/drawn/DrawnAxes.h"
 #include "ui/plots/map/DivergingMap.h"
@@ -19,6 +20,8 @@ namespace {
 struct ErrorMapWords {
     Q_DECLARE_TR_FUNCTIONS(lubberline::ui::ErrorMapWords)
 };
+
+constexpr double kHatchSpacing = 8;
 
 struct ShownErrors {
     std::vector<ErrorCell> cells;
@@ -39,16 +42,27 @@ DrawnAxes errorAxes(const ShownErrors& shown, const QRectF& rect, const QFont& f
         {shown.lowest_deg, shown.highest_deg, ErrorMapWords::tr("pitch (°)"), false, true}};
 }
 
+/// No samples are no deviation of 0°: hatched, by lines of our own as in the other maps (a brush pattern would be an image on paper).
+void paintHatch(QPainter& painter, const QRectF& area, const QColor& colour)
+{
+    painter.setPen(QPen(colour, 0));
+    for (double x = area.left() - area.height(); x < area.right(); x += kHatchSpacing)
+        painter.drawLine(QPointF(x, area.bottom()), QPointF(x + area.height(), area.top()));
+}
+
 void paintHalf(QPainter& painter, const QRectF& rect, const ShownErrors& shown, const DrawnLook& look, bool after)
 {
     const DrawnAxes axes = errorAxes(shown, rect, painter.font());
     axes.paint(painter, look.colours);
     painter.save();
     painter.setClipRect(axes.inside());
+    paintHatch(painter, axes.inside(), look.colours.hatch);
     painter.setPen(Qt::NoPen);
     for (const ErrorCell& cell : shown.cells) {
-        const double value = after ? cell.after_deg.value_or(0.0) : cell.before_deg;
-        painter.setBrush(divergingColour(value / std::max(shown.most_deg, 1e-9)));
+        const std::optional<double> value = after ? cell.after_deg : cell.before_deg;
+        if (!value)
+            continue;
+        painter.setBrush(divergingColour(*value / std::max(shown.most_deg, 1e-9)));
         painter.drawRect(QRectF(axes.at(cell.heading_deg - kCellHeading_deg / 2, cell.pitch_deg + kCellPitch_deg / 2),
             axes.at(cell.heading_deg + kCellHeading_deg / 2, cell.pitch_deg - kCellPitch_deg / 2)));
     }
@@ -57,7 +71,7 @@ void paintHalf(QPainter& painter, const QRectF& rect, const ShownErrors& shown, 
     const double line = QFontMetricsF(painter.font()).height();
     painter.drawText(QPointF(axes.inside().left(), rect.top() - 0.3 * line),
         after ? ErrorMapWords::tr("after: up to %1°").arg(plainNumber(shown.mostAfter_deg, 2))
-              : ErrorMapWords::tr("before: up to %1° (colours: west blue, east red, to this size in both)")
+              : ErrorMapWords::tr("before: up to %1° (west blue, east red, to this size in both; hatched: no samples)")
                     .arg(plainNumber(shown.most_deg, 2)));
 }
 
@@ -80,6 +94,8 @@ QString errorReadOut(const ShownErrors& shown, const QRectF& rect, const QFont& 
                     text += ErrorMapWords::tr(", sure to %1° (95 %)").arg(plainNumber(1.96 * *cell.sigma_deg, 2));
                 return text + ErrorMapWords::tr("; %1 samples").arg(cell.samples);
             }
+        return ErrorMapWords::tr("heading %1°, pitch %2°: no samples")
+            .arg(plainNumber(std::max(std::round(value.x() / kCellHeading_deg), 0.0) * kCellHeading_deg, 0), signedNumber(value.y(), 0));
     }
     return {};
 }

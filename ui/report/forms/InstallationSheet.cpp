@@ -48,4 +48,57 @@ ReferenceSheet distancesSheet(const std::vector<std::optional<double>>& measured
     return sheet;
 }
 
+ReferenceSheet dipoleSheet(const DipoleSource& found, std::size_t readings, const QString& source)
+{
+    ReferenceSheet sheet;
+    sheet.title = Words::tr("Source of a stray field");
+    sheet.subject = source;
+    sheet.text << Words::tr("One dipole and a uniform field, by least squares from %1 readings; %2 nT rms of a component are left. The "
+                            "nearest reading stands %3 m from the source; standard errors are one sigma.")
+                      .arg(readings)
+                      .arg(figure(found.rms_nT, 1), figure(found.nearest_m, 2));
+    for (const Message& warning : found.warnings)
+        sheet.text << printable(warning);
+    sheet.table = {Words::tr("Source"),
+        {{Words::tr("Quantity"), {}, {}, 76, TableColumn::Align::Left}, {QStringLiteral("x"), {}, {}, 30},
+            {QStringLiteral("y"), {}, {}, 30}, {QStringLiteral("z"), {}, {}, 30}},
+        {}};
+    const auto add = [&sheet](const QString& what, const Eigen::Vector3d& values, int decimals) {
+        sheet.table.rows.push_back(
+            {{what, signedFigure(values.x(), decimals), signedFigure(values.y(), decimals), signedFigure(values.z(), decimals)}});
+    };
+    add(Words::tr("place (m)"), found.at_m, 3);
+    sheet.table.rows.push_back({{Words::tr("its standard error (m)"), figure(found.atError_m.x(), 3), figure(found.atError_m.y(), 3),
+        figure(found.atError_m.z(), 3)}});
+    add(Words::tr("moment (A m²)"), found.moment_A_m2, 3);
+    add(Words::tr("uniform field (nT)"), found.uniform_nT, 0);
+    sheet.text
+        << Words::tr("Size of the moment: %1 ± %2 A m².").arg(figure(found.moment_A_m2.norm(), 3), figure(found.momentError_A_m2, 3));
+    sheet.signatures = true;
+    return sheet;
+}
+
+ReferenceSheet siteCheckSheet(const BothWays& both, const QString& sources)
+{
+    ReferenceSheet sheet;
+    sheet.title = Words::tr("Site check");
+    sheet.subject = sources;
+    sheet.text << Words::tr("A run clockwise held against one counter-clockwise: what differs is no deviation.")
+               << (both.passes ? Words::tr("● The largest difference, %1°, is within %2°.")
+                               : Words::tr("▲ The largest difference, %1°, is MORE THAN %2°."))
+                      .arg(figure(both.largest_deg, 2), figure(both.limit_deg, 2));
+    for (const Message& finding : both.findings)
+        sheet.text << printable(finding);
+    sheet.text << Words::tr("%1° rms are left.").arg(figure(both.residual_deg, 2));
+    sheet.table = {Words::tr("Clockwise − counter-clockwise"),
+        {{Words::tr("Part"), {}, {}, 76, TableColumn::Align::Left}, {Words::tr("Difference"), {}, QStringLiteral("°"), 40},
+            {Words::tr("Standard error"), {}, QStringLiteral("°"), 40}},
+        {}};
+    const QString parts[] = {Words::tr("constant"), Words::tr("with sin of heading"), Words::tr("with cos of heading")};
+    for (std::size_t i = 0; i < std::size(parts); ++i)
+        sheet.table.rows.push_back({{parts[i], signedFigure(both.difference_deg[i], 2), figure(both.standardError_deg[i], 2)}});
+    sheet.signatures = true;
+    return sheet;
+}
+
 } // namespace lubberline::ui
