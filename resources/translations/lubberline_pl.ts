@@ -331,6 +331,14 @@
         <source>a line of sight needs the field: --field-nT and --dip-deg, or --lat, --lon and --date</source>
         <translation>linia wzroku potrzebuje pola: --field-nT i --dip-deg albo --lat, --lon i --date</translation>
     </message>
+    <message>
+        <source>--measured %1: expected the number of a thing, 1 to %2, and metres, 0 to 1000, as 2=1.30</source>
+        <translation>--measured %1: oczekiwano numeru rzeczy, od 1 do %2, i metrów, od 0 do 1000, np. 2=1.30</translation>
+    </message>
+    <message>
+        <source>--measured %1: that thing is named twice</source>
+        <translation>--measured %1: ta rzecz jest podana dwa razy</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -10371,6 +10379,78 @@ soft iron S:</source>
         <source>Error of reported winds by altitude, before and after the correction</source>
         <translation>Błąd podawanych wiatrów według wysokości, przed poprawką i po niej</translation>
     </message>
+    <message>
+        <source>Source of a stray field</source>
+        <translation>Źródło pola rozproszonego</translation>
+    </message>
+    <message>
+        <source>One dipole and a uniform field, by least squares from %1 readings; %2 nT rms of a component are left. The nearest reading stands %3 m from the source; standard errors are one sigma.</source>
+        <translation>Jeden dipol i pole jednorodne, metodą najmniejszych kwadratów z %1 odczytów; pozostaje %2 nT (wartość skuteczna składowej). Najbliższy odczyt leży %3 m od źródła; błędy standardowe to jedna sigma.</translation>
+    </message>
+    <message>
+        <source>place (m)</source>
+        <translation>miejsce (m)</translation>
+    </message>
+    <message>
+        <source>its standard error (m)</source>
+        <translation>jego błąd standardowy (m)</translation>
+    </message>
+    <message>
+        <source>moment (A m²)</source>
+        <translation>moment (A m²)</translation>
+    </message>
+    <message>
+        <source>uniform field (nT)</source>
+        <translation>pole jednorodne (nT)</translation>
+    </message>
+    <message>
+        <source>Size of the moment: %1 ± %2 A m².</source>
+        <translation>Wielkość momentu: %1 ± %2 A m².</translation>
+    </message>
+    <message>
+        <source>Site check</source>
+        <translation>Sprawdzenie miejsca</translation>
+    </message>
+    <message>
+        <source>A run clockwise held against one counter-clockwise: what differs is no deviation.</source>
+        <translation>Obrót w prawo porównany z obrotem w lewo: to, co się różni, nie jest dewiacją.</translation>
+    </message>
+    <message>
+        <source>● The largest difference, %1°, is within %2°.</source>
+        <translation>● Największa różnica, %1°, mieści się w %2°.</translation>
+    </message>
+    <message>
+        <source>▲ The largest difference, %1°, is MORE THAN %2°.</source>
+        <translation>▲ Największa różnica, %1°, to WIĘCEJ NIŻ %2°.</translation>
+    </message>
+    <message>
+        <source>%1° rms are left.</source>
+        <translation>Pozostaje %1° (wartość skuteczna).</translation>
+    </message>
+    <message>
+        <source>Clockwise − counter-clockwise</source>
+        <translation>W prawo − w lewo</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Część</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Różnica</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>stała</translation>
+    </message>
+    <message>
+        <source>with sin of heading</source>
+        <translation>z sinusem kursu</translation>
+    </message>
+    <message>
+        <source>with cos of heading</source>
+        <translation>z cosinusem kursu</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::DueBadge</name>
@@ -10954,10 +11034,6 @@ soft iron S:</source>
         <translation>po: do %1°</translation>
     </message>
     <message>
-        <source>before: up to %1° (colours: west blue, east red, to this size in both)</source>
-        <translation>przed: do %1° (barwy: zachodnia niebieska, wschodnia czerwona, do tej wielkości w obu)</translation>
-    </message>
-    <message>
         <source>heading %1°, pitch %2°: deviation %3° before</source>
         <translation>kurs %1°, pochylenie %2°: dewiacja %3° przed</translation>
     </message>
@@ -10976,6 +11052,14 @@ soft iron S:</source>
     <message>
         <source>No headings: nothing is compensated yet.</source>
         <translation>Brak kursów: niczego jeszcze nie skompensowano.</translation>
+    </message>
+    <message>
+        <source>before: up to %1° (west blue, east red, to this size in both; hatched: no samples)</source>
+        <translation>przed: do %1° (zachód niebieski, wschód czerwony, do tej wielkości na obu; kreskowane: brak próbek)</translation>
+    </message>
+    <message>
+        <source>heading %1°, pitch %2°: no samples</source>
+        <translation>kurs %1°, pochylenie %2°: brak próbek</translation>
     </message>
 </context>
 <context>
