@@ -37,7 +37,7 @@ JobRowIn jobRowFrom(const Statement& row)
 Result<std::optional<SoftIronStandard>> standardOfType(Database& database, const SwingRecord& record, bool siblings)
 {
     constexpr int kManySwings = 500;
-    if (record.type.name.empty() || !record.swing.id.valid())
+    if (record.type.name.empty() || (siblings && !record.swing.id.valid()))
         return std::optional<SoftIronStandard>();
     FleetSelection selection;
     selection.type = record.type.name;

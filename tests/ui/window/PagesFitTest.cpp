@@ -163,6 +163,9 @@ int lookAtAll(int argc, char** argv)
     }
     QSet<QString> said;
     everyPage(open, fleet, [&](const QString& where) {
+        // What a worker has just brought (an icon, a count) is laid out before it is looked at, as a person would see it.
+        for (int nested = 0; nested < 3; ++nested)
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         for (const QString& what : misfitsOf(open.window))
             if (!said.contains(where.section(',', 0, 0) + what)) {
                 said.insert(where.section(',', 0, 0) + what);

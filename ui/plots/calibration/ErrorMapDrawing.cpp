@@ -95,7 +95,8 @@ QString errorReadOut(const ShownErrors& shown, const QRectF& rect, const QFont& 
                 return text + ErrorMapWords::tr("; %1 samples").arg(cell.samples);
             }
         return ErrorMapWords::tr("heading %1°, pitch %2°: no samples")
-            .arg(plainNumber(std::max(std::round(value.x() / kCellHeading_deg), 0.0) * kCellHeading_deg, 0), signedNumber(value.y(), 0));
+            .arg(plainNumber(std::max(std::round(value.x() / kCellHeading_deg), 0.0) * kCellHeading_deg, 0),
+                signedNumber(std::round(value.y() / kCellPitch_deg) * kCellPitch_deg, 0)); // of the cell, as the heading
     }
     return {};
 }
