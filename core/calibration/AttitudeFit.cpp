@@ -1,8 +1,10 @@
 #include "core/calibration/AttitudeFit.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 
+#include "core/algebra/Products.h"
+#include "core/algebra/Spectra.h"
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 #include "core/calibration/AttitudeParts.h"
@@ -124,12 +126,11 @@ std::optional<HeldOut> heldOut(const SensorLog& log, const std::vector<std::uint
 
 void misalign(AttitudeResult& result)
 {
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
-        Eigen::Matrix3d::Identity() + result.model.softIron, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
+    const SingularParts parts = singularParts(Eigen::Matrix3d::Identity() + result.model.softIron);
+    const Eigen::Matrix3d turn = product(parts.U, parts.V.transpose());
     if (turn.determinant() < 0)
         return; // mirrored: no rotation
-    result.symmetric = svd.matrixV() * svd.singularValues().asDiagonal() * svd.matrixV().transpose() - Eigen::Matrix3d::Identity();
+    result.symmetric = composed(parts.V, parts.values) - Eigen::Matrix3d::Identity();
     result.misalignment.pitch_rad = -std::asin(std::clamp(turn(0, 2), -1.0, 1.0));
     result.misalignment.yaw_rad = std::atan2(turn(0, 1), turn(0, 0));
     result.misalignment.roll_rad = std::atan2(turn(1, 2), turn(2, 2));

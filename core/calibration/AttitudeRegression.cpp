@@ -1,7 +1,10 @@
 #include "core/calibration/AttitudeRegression.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
+#include "core/algebra/Products.h"
+#include "core/algebra/Solve.h"
+#include "core/algebra/Spectra.h"
 #include "core/angle/Angle.h"
 #include "core/sensor/Attitude.h"
 
@@ -98,12 +101,12 @@ Regression regress(const RegressionMoments& moments, double attitudeError_rad)
     across.topRows<3>() /= 1.0 - s2;
 
     Regression result;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(design);
-    const double largest = eigen.eigenvalues().maxCoeff();
+    const SymmetricParts parts = symmetricParts(design);
+    const double largest = parts.values.maxCoeff();
     // What moves the field in body axes by less than the attitude's own error is drowned in it.
     const double limit = std::max(kNullPart * largest, s2);
-    const auto nulls = static_cast<Eigen::Index>((eigen.eigenvalues().array() < limit).count());
-    result.null = reducedDirections(eigen.eigenvectors().leftCols(nulls).transpose());
+    const auto nulls = static_cast<Eigen::Index>((parts.values.array() < limit).count());
+    result.null = reducedDirections(parts.vectors.leftCols(nulls).transpose());
     result.told.assign(static_cast<std::size_t>(size), true);
     std::vector<Eigen::Index> kept;
     std::vector<bool> pivot(static_cast<std::size_t>(size), false);
@@ -124,9 +127,7 @@ Regression regress(const RegressionMoments& moments, double attitudeError_rad)
     const Eigen::MatrixXd reduced = design(kept, kept);
     Eigen::MatrixXd wanted = across;
     wanted -= design.leftCols<3>(); // of m − B: what is not told is then no iron
-    const Eigen::LDLT<Eigen::MatrixXd> solver(reduced);
-    const Eigen::MatrixXd solved = solver.solve(wanted(kept, Eigen::all));
-    const Eigen::MatrixXd inverse = solver.solve(Eigen::MatrixXd::Identity(reduced.rows(), reduced.cols()));
+    const Eigen::MatrixXd solved = solvePositive(reduced, wanted(kept, Eigen::all)), inverse = inversePositive(reduced);
     result.solution = Eigen::MatrixXd::Zero(size, 3);
     result.covariance = Eigen::MatrixXd::Zero(size, size);
     for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -135,14 +136,14 @@ Regression regress(const RegressionMoments& moments, double attitudeError_rad)
             result.covariance(kept[i], kept[j]) = inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) / moments.rows;
     }
     const Eigen::VectorXd scale = reduced.diagonal().cwiseSqrt();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> told(scale.asDiagonal().inverse() * reduced * scale.asDiagonal().inverse());
-    result.condition = std::sqrt(told.eigenvalues().maxCoeff() / std::max(told.eigenvalues().minCoeff(), 1e-300));
+    const Eigen::VectorXd told = symmetricValues(scale.asDiagonal().inverse() * reduced * scale.asDiagonal().inverse());
+    result.condition = std::sqrt(told.maxCoeff() / std::max(told.minCoeff(), 1e-300));
 
     // Residuals of what was read against what was stated, by the moments as they are.
     Eigen::MatrixXd all = result.solution;
     all.topRows<3>() += Eigen::Matrix3d::Identity();
-    const Eigen::Matrix3d rest
-        = moments.own - all.transpose() * moments.across - moments.across.transpose() * all + all.transpose() * moments.design * all;
+    const Eigen::Matrix3d rest = moments.own - product(all.transpose(), moments.across) - product(moments.across.transpose(), all)
+        + carried(all.transpose(), moments.design);
     result.variance = std::max(0.0, rest.trace() / 3.0) / std::max(1.0, moments.rows - static_cast<double>(kept.size()));
     return result;
 }

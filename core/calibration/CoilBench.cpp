@@ -1,8 +1,11 @@
 #include "core/calibration/CoilBench.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 
+#include "core/algebra/Products.h"
+#include "core/algebra/Solve.h"
+#include "core/algebra/Spectra.h"
 #include "core/angle/Angle.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
@@ -89,10 +92,10 @@ double takeNonlinearity(Eigen::VectorXd& residual, const Eigen::VectorXd& along)
     Eigen::MatrixXd curve(residual.size(), 4);
     const Eigen::VectorXd u = along / range;
     curve << Eigen::VectorXd::Ones(u.size()), u, u.cwiseAbs2(), u.cwiseProduct(u.cwiseAbs2());
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(curve);
-    if (solver.rank() < 4)
+    const PivotedSolution fit = pivotedSolve(curve, residual);
+    if (fit.rank < 4)
         return 0;
-    const Eigen::VectorXd bent = curve * solver.solve(residual);
+    const Eigen::VectorXd bent = curve * fit.solution;
     residual -= bent;
     return bent.cwiseAbs().maxCoeff();
 }
@@ -107,8 +110,8 @@ void takeAxes(CoilResult& result)
     const auto lean
         = [&](Eigen::Index i, Eigen::Index j) { return toDegrees(std::asin(std::clamp(axes.row(i).dot(axes.row(j)), -1.0, 1.0))); };
     result.nonOrthogonality_deg = {lean(0, 1), lean(0, 2), lean(1, 2)};
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(axes, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
+    const SingularParts parts = singularParts(axes);
+    const Eigen::Matrix3d turn = product(parts.U, parts.V.transpose());
     if (turn.determinant() < 0) {
         result.warnings.push_back({MARKED("core",
             "an odd number of the sensor's axes runs against the coil's: its frame is left-handed, and no rotation describes its mount")});
@@ -158,15 +161,15 @@ Result<CoilResult> coilBench(const SensorLog& log)
             measured[i] = log.field[static_cast<std::size_t>(axis)][row];
         }
         Eigen::VectorXd scale = design.colwise().norm().transpose().cwiseMax(1e-300);
-        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(design * scale.asDiagonal().inverse());
-        if (solver.rank() < columns)
+        const PivotedSolution fit = pivotedSolve(design * scale.asDiagonal().inverse(), measured);
+        if (fit.rank < columns)
             return Error{ErrorCode::Numeric,
                 MARKED("core",
                     "the applied field does not go through all three axes by itself (and temperature, where there is one); expected steps along x, y and z")};
-        const Eigen::VectorXd solved = scale.asDiagonal().inverse() * solver.solve(measured);
+        const Eigen::VectorXd solved = scale.asDiagonal().inverse() * fit.solution.col(0);
         Eigen::VectorXd residual = measured - design * solved;
         const double scatter = residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, count - columns));
-        const Eigen::MatrixXd inverse = (design.transpose() * design).inverse();
+        const Eigen::MatrixXd inverse = inversePositive(product(design.transpose(), design));
         result.gain.row(axis) = solved.head<3>().transpose();
         result.bias_nT[axis] = solved[3];
         result.biasError_nT[axis] = std::sqrt(scatter * inverse(3, 3));

@@ -1,10 +1,11 @@
 #include "core/calibration/Compensation.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <charconv>
 #include <map>
 
+#include "core/algebra/Solve.h"
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 #include "core/calibration/LogQuality.h"
@@ -49,7 +50,7 @@ HeadingErrors errorsOf(const std::vector<double>& read_deg, const std::vector<do
     std::sort(sizes.begin(), sizes.end());
     errors.p95_deg = sizes[static_cast<std::size_t>(0.95 * (count - 1))];
     errors.max_deg = sizes.back();
-    const Eigen::Matrix<double, 9, 1> solved = normal.completeOrthogonalDecomposition().solve(right);
+    const Eigen::Matrix<double, 9, 1> solved = leastNorm(normal, right);
     std::copy(solved.begin(), solved.end(), errors.harmonics_deg.begin());
     return errors;
 }

@@ -1,12 +1,12 @@
 #include "core/calibration/DipoleSource.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
-
+#include "core/algebra/Products.h"
+#include "core/algebra/Solve.h"
 #include "core/base/Number.h"
 
 namespace lubberline {
@@ -47,7 +47,7 @@ LinearPart solveAt(std::span<const StrayReading> readings, const Eigen::VectorXd
     // Columns of one length: a moment of one A·m² far away is little beside a nanotesla.
     const Eigen::VectorXd scale = design.colwise().norm().transpose().cwiseMax(1e-30);
     LinearPart part;
-    part.value = (design * scale.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(fields).cwiseQuotient(scale);
+    part.value = pivotedSolve(design * scale.cwiseInverse().asDiagonal(), fields).solution.col(0).cwiseQuotient(scale);
     part.residual = fields - design * part.value;
     return part;
 }
@@ -75,10 +75,10 @@ Placed descendFrom(std::span<const StrayReading> readings, const Eigen::VectorXd
     constexpr int kMostSteps = 60;
     for (int step = 0; step < kMostSteps && damping < 1e8; ++step) {
         const Eigen::MatrixXd slope = slopeAt(readings, fields, now, 1e-5 * size_m);
-        Eigen::Matrix3d normal = slope.transpose() * slope;
+        Eigen::Matrix3d normal = product(slope.transpose(), slope);
         normal.diagonal() *= 1 + damping;
         normal.diagonal().array() += 1e-30;
-        const Eigen::Vector3d tried = now.at_m - normal.ldlt().solve(slope.transpose() * now.part.residual);
+        const Eigen::Vector3d tried = now.at_m - solvePositive(normal, slope.transpose() * now.part.residual);
         LinearPart there = solveAt(readings, fields, tried);
         if (!(there.squares() < now.part.squares())) {
             damping *= 10;
@@ -163,7 +163,7 @@ Result<DipoleSource> locateDipole(std::span<const StrayReading> readings, double
     whole << slopeAt(readings, fields, *best, 1e-5 * size_m), design;
     const Eigen::VectorXd scale = whole.colwise().norm().transpose().cwiseMax(1e-30);
     const Eigen::MatrixXd scaled = whole * scale.cwiseInverse().asDiagonal();
-    const Eigen::MatrixXd inverse = (scaled.transpose() * scaled).completeOrthogonalDecomposition().pseudoInverse();
+    const Eigen::MatrixXd inverse = pseudoInverse(product(scaled.transpose(), scaled));
     const auto errorOf = [&](Eigen::Index i) { return source.rms_nT * std::sqrt(std::max(0.0, inverse(i, i))) / scale[i]; };
     source.atError_m = {errorOf(0), errorOf(1), errorOf(2)};
     source.momentError_A_m2 = std::hypot(errorOf(3), errorOf(4), errorOf(5));

@@ -1,9 +1,10 @@
 #include "core/calibration/Ellipsoid.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <random>
 
+#include "core/algebra/Solve.h"
 #include "core/angle/Angle.h"
 #include "core/base/Middle.h"
 #include "core/base/Number.h"
@@ -61,7 +62,10 @@ std::optional<Quadric> consensusSphere(const SensorLog& log, const std::vector<s
             system.row(i) << 2.0 * m.transpose(), 1.0;
             squares[i] = m.squaredNorm();
         }
-        const Eigen::Vector4d solved = system.fullPivLu().solve(squares);
+        const auto solution = solveSquare(system, squares);
+        if (!solution)
+            continue;
+        const Eigen::Vector4d solved = *solution;
         const double radius2 = solved[3] + solved.head<3>().squaredNorm();
         if (!solved.allFinite() || !(radius2 > 0))
             continue;

@@ -1,6 +1,8 @@
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 
+#include "core/algebra/Products.h"
+#include "core/algebra/Spectra.h"
 #include "core/base/Number.h"
 #include "core/calibration/EllipsoidParts.h"
 #include "core/calibration/SlowResidual.h"
@@ -107,9 +109,9 @@ Spread spreadOf(const SensorLog& log, const std::vector<std::size_t>& rows)
         const Eigen::Vector3d off = log.at(row) - spread.centre;
         covariance += off * off.transpose() / static_cast<double>(rows.size());
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
-    spread.axes = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
-    spread.thinnest = eigen.eigenvectors().col(0);
+    const SymmetricParts parts = symmetricParts(covariance);
+    spread.axes = parts.values.cwiseMax(0).cwiseSqrt();
+    spread.thinnest = parts.vectors.col(0);
     spread.scale = std::max(spread.axes[2], 1e-300);
     return spread;
 }
@@ -147,21 +149,18 @@ EllipsoidFit fitOf(
     fit.sigma = std::sqrt(weighted / std::max(1.0, some - static_cast<double>(freeOf(shape))));
     fit.coverage = coverageOf(directions);
 
-    const Eigen::MatrixXd reduced = free.transpose() * normal * free;
+    const Eigen::MatrixXd reduced = carried(free.transpose(), normal);
     const Eigen::VectorXd scale = reduced.diagonal().cwiseSqrt().cwiseMax(1e-300);
     const Eigen::MatrixXd normalised = scale.asDiagonal().inverse() * reduced * scale.asDiagonal().inverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(normalised);
-    const double largest = eigen.eigenvalues().maxCoeff(), smallest = std::max(eigen.eigenvalues().minCoeff(), 1e-15 * largest);
+    const SymmetricParts parts = symmetricParts(normalised);
+    const double largest = parts.values.maxCoeff(), smallest = std::max(parts.values.minCoeff(), 1e-15 * largest);
     fit.condition = std::sqrt(largest / smallest);
-    fit.rank = static_cast<int>((eigen.eigenvalues().array() > 1e-12 * largest).count());
+    fit.rank = static_cast<int>((parts.values.array() > 1e-12 * largest).count());
     fit.gate = fit.condition * fit.sigma / fit.field;
-    const Eigen::MatrixXd inverse = scale.asDiagonal().inverse() * eigen.eigenvectors()
-        * eigen.eigenvalues().cwiseMax(smallest).cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose()
-        * scale.asDiagonal().inverse();
+    const Eigen::MatrixXd inverse = composed(scale.asDiagonal().inverse() * parts.vectors, parts.values.cwiseMax(smallest).cwiseInverse());
     const double slow = rows.size() == static_cast<std::size_t>(count) ? slowResidualFactor(residuals) : 1.0;
     const auto by = reportedBy(w, fit.field, field.has_value());
-    const Eigen::Matrix<double, 10, 10> covariance
-        = fit.sigma * fit.sigma * slow * (some / count) * by * free * inverse * free.transpose() * by.transpose();
+    const Eigen::Matrix<double, 10, 10> covariance = fit.sigma * fit.sigma * slow * (some / count) * carried(by, carried(free, inverse));
     describeParameters(fit, covariance, field.has_value(), log.figureUnit());
     constexpr std::array<int, kUncertainParameters> kFrom{0, 1, 2, 1, 3, 4, 2, 4, 5, 6, 7, 8}; // of a … R in the ten
     for (int i = 0; i < kUncertainParameters; ++i)

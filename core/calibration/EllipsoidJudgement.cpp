@@ -1,4 +1,4 @@
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "core/base/Number.h"

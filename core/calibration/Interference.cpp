@@ -1,8 +1,9 @@
 #include "core/calibration/Interference.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 
+#include "core/algebra/Solve.h"
 #include "core/base/FileText.h"
 #include "core/base/Middle.h"
 #include "core/base/Number.h"
@@ -56,16 +57,15 @@ void fitCircuits(InterferenceResult& result, const SensorLog& log)
         normal += x * x.transpose();
         right += x * log.at(row).transpose();
     }
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(normal);
-    if (solver.rank() < size) {
+    const PivotedSolution fit = pivotedSolve(normal, right);
+    if (fit.rank < size) {
         result.warnings.push_back({MARKED("core", "the currents changed together only: their fields per ampere cannot be told apart")});
         return;
     }
-    const Eigen::MatrixXd solved = solver.solve(right);
     for (std::size_t k = 0; k < changing.size(); ++k) {
         Circuit circuit;
         circuit.name = log.currents[changing[k]].name;
-        circuit.field_nT_per_A = solved.row(static_cast<Eigen::Index>(k + 1)).transpose();
+        circuit.field_nT_per_A = fit.solution.row(static_cast<Eigen::Index>(k + 1)).transpose();
         for (const double value : log.currents[changing[k]].values)
             if (std::isfinite(value) && std::abs(value) > std::abs(circuit.current_A))
                 circuit.current_A = value;

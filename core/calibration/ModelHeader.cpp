@@ -1,8 +1,9 @@
 #include "core/calibration/ModelHeader.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
 
+#include "core/algebra/Solve.h"
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 
@@ -79,10 +80,10 @@ static inline int lubberline_self_test(void)
 Result<FieldCompensator> compensatorOf(const SensorModel& model)
 {
     const SensorResponse response = responseOf(model);
-    const Eigen::FullPivLU<Eigen::Matrix3d> solver(response.gain);
-    if (!response.gain.allFinite() || !response.offset_nT.allFinite() || !solver.isInvertible())
+    const auto inverse = solveSquare(response.gain, Eigen::Matrix3d::Identity());
+    if (!response.gain.allFinite() || !response.offset_nT.allFinite() || !inverse)
         return Error{ErrorCode::Numeric, MARKED("core", "the model's soft iron cannot be taken out: 1 + S has no inverse")};
-    return FieldCompensator{solver.inverse(), response.offset_nT};
+    return FieldCompensator{*inverse, response.offset_nT};
 }
 
 double headingOf_deg(const Eigen::Vector3d& field, double pitch_deg, double roll_deg)

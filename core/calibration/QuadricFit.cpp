@@ -1,13 +1,16 @@
 #include "core/calibration/QuadricFit.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
+
+#include "core/algebra/Products.h"
+#include "core/algebra/Solve.h"
+#include "core/algebra/Spectra.h"
 
 namespace lubberline {
 
 namespace {
 
-// Of dynamic size, though the sizes are known: unrolled, their decompositions took a minute to compile and no less time to run.
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -77,19 +80,20 @@ std::optional<Quadric> quadricOf(const VectorXd& q, const FieldMoments& moments,
     Eigen::Matrix3d a;
     a << q[0], q[1] / 2, q[2] / 2, q[1] / 2, q[3], q[4] / 2, q[2] / 2, q[4] / 2, q[5];
     const Eigen::Vector3d b(q[6], q[7], q[8]);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(a);
-    const Eigen::Vector3d& values = axes.eigenvalues();
+    const SymmetricParts axes = symmetricParts(a);
+    const Eigen::Vector3d values = axes.values;
+    const Eigen::Matrix3d directions = axes.vectors;
     if (!values.allFinite() || values.minCoeff() * values.maxCoeff() <= 0
         || values.cwiseAbs().minCoeff() < 1e-9 * values.cwiseAbs().maxCoeff())
         return {};
-    const Eigen::Vector3d centre = -0.5 * axes.eigenvectors() * (axes.eigenvectors().transpose() * b).cwiseQuotient(values);
+    const Eigen::Vector3d centre = -0.5 * directions * (directions.transpose() * b).cwiseQuotient(values);
     const double level = centre.dot(a * centre) - q[9];
     const Eigen::Vector3d scaled = values / level;
     if (!(scaled.minCoeff() > 0) || !scaled.allFinite())
         return {};
     Quadric quadric;
     quadric.centre = moments.centre + moments.scale * centre;
-    quadric.toUnit = axes.eigenvectors() * scaled.cwiseSqrt().asDiagonal() * axes.eigenvectors().transpose() / moments.scale;
+    quadric.toUnit = directions * scaled.cwiseSqrt().asDiagonal() * directions.transpose() / moments.scale;
     quadric.sigma = sigma * moments.scale;
     return quadric;
 }
@@ -104,11 +108,11 @@ std::optional<Quadric> adjustedQuadric(const FieldMoments& moments, EllipsoidSha
     double v = 0;
     VectorXd null;
     for (int step = 0; step < 60; ++step) {
-        const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(free.transpose() * corrected.at(v) * free);
-        if (eigen.info() != Eigen::Success)
+        const SymmetricParts parts = symmetricParts(carried(free.transpose(), corrected.at(v)));
+        if (!parts.values.allFinite())
             return {};
-        null = eigen.eigenvectors().col(0);
-        const double least = eigen.eigenvalues()[0], slope = null.dot(free.transpose() * corrected.slope(v) * free * null);
+        null = parts.vectors.col(0);
+        const double least = parts.values[0], slope = VectorXd(free * null).dot(corrected.slope(v) * VectorXd(free * null));
         if (!(slope < 0))
             break;
         const double next = std::max(0.0, v - least / slope);
@@ -130,26 +134,26 @@ std::optional<Quadric> constrainedQuadric(const FieldMoments& moments)
             constraint(i, j) = i == j ? -1.0 : 1.0;
     for (const Eigen::Index i : {1, 2, 4})
         constraint(i, i) = -1.0;
-    const Eigen::FullPivLU<MatrixXd> inverse(design.bottomRightCorner(4, 4));
-    if (!inverse.isInvertible())
-        return {};
     const MatrixXd across = design.bottomLeftCorner(4, 6);
-    const MatrixXd reduced = design.topLeftCorner(6, 6) - across.transpose() * inverse.solve(across);
-    const Eigen::EigenSolver<MatrixXd> eigen(constraint.fullPivLu().solve(reduced));
-    if (eigen.info() != Eigen::Success)
+    const auto rest = solveSquare(design.bottomRightCorner(4, 4), across); // of the other four by the six
+    if (!rest)
+        return {};
+    const MatrixXd reduced = design.topLeftCorner(6, 6) - product(across.transpose(), *rest);
+    const auto inside = solveSquare(constraint, reduced);
+    const auto parts = inside ? generalParts(*inside) : std::nullopt;
+    if (!parts)
         return {};
     std::optional<Quadric> best;
     double largest = 0;
     for (Eigen::Index i = 0; i < 6; ++i) {
-        if (std::abs(eigen.eigenvalues()[i].imag()) > 1e-9 || eigen.eigenvalues()[i].real() <= 0
-            || eigen.eigenvalues()[i].real() <= largest)
+        if (std::abs(parts->values[i].imag()) > 1e-9 || parts->values[i].real() <= 0 || parts->values[i].real() <= largest)
             continue;
-        const VectorXd second = eigen.eigenvectors().col(i).real();
+        const VectorXd second = parts->vectors.col(i).real();
         VectorXd q(10);
-        q << second, -inverse.solve(across * second);
+        q << second, -*rest * second;
         if (auto quadric = quadricOf(q, moments, 0.0)) {
             best = std::move(quadric);
-            largest = eigen.eigenvalues()[i].real();
+            largest = parts->values[i].real();
         }
     }
     return best;

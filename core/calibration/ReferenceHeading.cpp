@@ -1,8 +1,9 @@
 #include "core/calibration/ReferenceHeading.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 
+#include "core/algebra/Solve.h"
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 #include "core/calibration/ModelHeader.h"
@@ -52,7 +53,7 @@ bool smoothedOwn(const SensorLog& log, const std::vector<std::uint8_t>& used)
     if (rows < 200)
         return false;
     const double mean = sizes / rows, iron_deg = toDegrees(std::sqrt(std::max(0.0, sizeSquares / rows - mean * mean)) / mean);
-    const Row solved = normal.completeOrthogonalDecomposition().solve(right);
+    const Row solved = leastNorm(normal, right);
     const double left_deg = std::sqrt(std::max(0.0, squares - solved.dot(right)) / rows);
     const double turned_deg = std::hypot(solved[3], solved[4]) + std::hypot(solved[5], solved[6]);
     return iron_deg >= 1.0 && turned_deg < 0.1 * iron_deg && left_deg < 0.3 * iron_deg;

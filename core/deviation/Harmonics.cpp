@@ -1,7 +1,6 @@
 #include "core/deviation/Harmonics.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <boost/math/distributions/fisher_f.hpp>
 
 #include <algorithm>
@@ -11,8 +10,10 @@
 #include <map>
 #include <mutex>
 
+#include "core/algebra/LeastSquares.h"
+#include "core/algebra/Solve.h"
+#include "core/algebra/Spectra.h"
 #include "core/deviation/FourierPlan.h"
-#include "core/deviation/LeastSquares.h"
 #include "core/deviation/SmithFit.h"
 #include "core/deviation/ToldCoefficients.h"
 
@@ -172,10 +173,10 @@ Squares squaresBySums(const std::vector<HarmonicSample>& samples)
     const NormalEquations all = normalEquationsOf(samples, highestFor(samples));
     for (Eigen::Index columns = all.side.size(); columns > 1; columns -= 2) {
         const Eigen::MatrixXd normal = all.matrix.topLeftCorner(columns, columns);
-        const Eigen::VectorXd squared = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(normal, Eigen::EigenvaluesOnly).eigenvalues();
+        const Eigen::VectorXd squared = symmetricValues(normal);
         const double condition = std::sqrt(squared(columns - 1) / std::max(squared(0), std::numeric_limits<double>::min()));
         if (condition <= kConditionLimit)
-            return {static_cast<int>(columns / 2), condition, normal.llt().solve(all.side.head(columns))};
+            return {static_cast<int>(columns / 2), condition, solvePositive(normal, all.side.head(columns))};
     }
     return {0, 1, Eigen::VectorXd::Constant(1, all.side(0) / all.matrix(0, 0))};
 }

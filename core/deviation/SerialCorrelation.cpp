@@ -1,13 +1,13 @@
 #include "core/deviation/SerialCorrelation.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Cholesky>
-
+#include "core/algebra/Cholesky.h"
 #include "core/base/Contract.h"
 
 namespace lubberline {
@@ -56,11 +56,11 @@ Likelihood likelihoodOf(const FilterRows& rows, Eigen::Index p, double rho, doub
         variance = rho * rho * variance * (1.0 - gain) + (1.0 - rho * rho) * (1.0 - white);
     }
     const Eigen::MatrixXd whole = normal;
-    const Eigen::LLT<Eigen::MatrixXd> solver(whole.topLeftCorner(p, p));
-    const Eigen::VectorXd side = whole.col(p).head(p);
-    const double squares = std::max(whole(p, p) - side.dot(solver.solve(side)), 1e-30);
+    const Eigen::MatrixXd factor = choleskyFactor(whole.topLeftCorner(p, p));
+    const Eigen::VectorXd half = whitened(factor, whole.col(p).head(p));
+    const double squares = std::max(whole(p, p) - half.squaredNorm(), 1e-30);
     const double freedom = static_cast<double>(static_cast<Eigen::Index>(rows.size()) - p);
-    const double normalDeterminant = 2.0 * solver.matrixLLT().diagonal().array().log().sum();
+    const double normalDeterminant = 2.0 * factor.diagonal().array().log().sum();
     return {-(freedom * std::log(squares) + logDeterminant + normalDeterminant), squares / freedom};
 }
 

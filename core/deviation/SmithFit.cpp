@@ -10,8 +10,8 @@
 #include <numeric>
 #include <string>
 
+#include "core/algebra/LeastSquares.h"
 #include "core/angle/Circle.h"
-#include "core/deviation/LeastSquares.h"
 #include "core/deviation/SerialCorrelation.h"
 #include "core/deviation/SmithRows.h"
 #include "core/deviation/ToldCoefficients.h"

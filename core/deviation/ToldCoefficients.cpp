@@ -4,10 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
-
-#include "core/deviation/LeastSquares.h"
+#include "core/algebra/LeastSquares.h"
+#include "core/algebra/Spectra.h"
 
 namespace lubberline {
 
@@ -18,11 +16,7 @@ namespace {
 int ownDirection(const Eigen::MatrixXd& design)
 {
     constexpr double kOwn = 0.92; // cosine of the angle between the direction and the coefficient's axis
-    const Eigen::MatrixXd small = design.rows() > 5
-        ? Eigen::MatrixXd(Eigen::HouseholderQR<Eigen::MatrixXd>(design).matrixQR().topRows(5).triangularView<Eigen::Upper>())
-        : design;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(small, Eigen::ComputeFullV);
-    const Eigen::VectorXd worst = svd.matrixV().col(4);
+    const Eigen::VectorXd worst = singularParts(design.rows() > 5 ? upperFactor(design) : design).V.col(4);
     for (const int column : {3, 4})
         if (std::abs(worst(column)) >= kOwn)
             return column;

@@ -1,11 +1,11 @@
 #include "core/deviation/TurnedBothWays.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-
+#include "core/algebra/Products.h"
+#include "core/algebra/Solve.h"
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 
@@ -26,7 +26,7 @@ Result<BothWays> turnedBothWays(std::span<const Observation> clockwise, std::spa
             {MARKED("core", "%1 readings clockwise and %2 counter-clockwise; expected %3 or more of each"), clockwise.size(),
                 counterClockwise.size(), kFewestOfARun}};
     const auto count = static_cast<Eigen::Index>(clockwise.size() + counterClockwise.size());
-    Eigen::Matrix<double, Eigen::Dynamic, kBothWays> rows(count, kBothWays);
+    Eigen::MatrixXd rows(count, kBothWays);
     Eigen::VectorXd deviations(count);
     Eigen::Index row = 0;
     for (const auto& [run, half] : {std::pair(clockwise, 0.5), std::pair(counterClockwise, -0.5)})
@@ -35,16 +35,16 @@ Result<BothWays> turnedBothWays(std::span<const Observation> clockwise, std::spa
             rows.row(row) << 1, s, c, std::sin(2 * heading), std::cos(2 * heading), half, half * s, half * c;
             deviations[row++] = wrap180(deviationOf(read.magnetic, read.compass).degrees());
         }
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(rows);
-    if (solver.rank() < kBothWays)
+    const PivotedSolution solved = pivotedSolve(rows, deviations);
+    if (solved.rank < kBothWays)
         return Error{ErrorCode::Numeric,
             MARKED("core", "the headings of both runs do not tell what differs between them; expected them all around")};
-    const Eigen::VectorXd fit = solver.solve(deviations);
+    const Eigen::VectorXd fit = solved.solution;
     BothWays both;
     both.limit_deg = limit_deg;
     const double squares = (deviations - rows * fit).squaredNorm();
     both.residual_deg = std::sqrt(squares / static_cast<double>(std::max<Eigen::Index>(count - kBothWays, 1)));
-    const Eigen::MatrixXd inverse = (rows.transpose() * rows).eval().inverse();
+    const Eigen::MatrixXd inverse = inversePositive(product(rows.transpose(), rows));
     for (int i = 0; i < 3; ++i) {
         both.difference_deg[static_cast<std::size_t>(i)] = fit[5 + i];
         both.standardError_deg[static_cast<std::size_t>(i)] = both.residual_deg * std::sqrt(inverse(5 + i, 5 + i));

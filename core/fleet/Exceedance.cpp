@@ -1,11 +1,11 @@
 #include "core/fleet/Exceedance.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include <Eigen/Dense>
-
+#include "core/algebra/Spectra.h"
 #include "core/fleet/FleetRandom.h"
 #include "core/fleet/Pattern.h"
 
@@ -95,8 +95,8 @@ FoundPopulation populationOf(const FleetCurves& curves, std::span<const Inspecti
 /// Square root of a covariance that may be short of rank.
 Eigen::Matrix<double, 5, 5> rootOf(const Eigen::Matrix<double, 5, 5>& covariance)
 {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 5, 5>> solver(covariance);
-    return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+    const SymmetricParts parts = symmetricParts(covariance);
+    return parts.vectors * parts.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 double expectedBeyond(const FoundPopulation& population, double limit_deg, int grid)

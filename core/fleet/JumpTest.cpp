@@ -1,11 +1,12 @@
 #include "core/fleet/JumpTest.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
 #include <boost/math/distributions/students_t.hpp>
 
+#include "core/algebra/Cholesky.h"
 #include "core/fleet/FleetRandom.h"
 #include "core/fleet/FleetSwings.h"
 
@@ -49,8 +50,7 @@ Eigen::MatrixXd whitenerOf(std::span<const DatedValue> series, double walk_year)
             const auto& first = series[static_cast<std::size_t>(j)];
             covariance(i, j) = walk_year * (first.day - series.front().day) / kDaysPerYear + (i == j ? first.variance : 0.0);
         }
-    const Eigen::LLT<Eigen::MatrixXd> whole(covariance); // looks at the lower half
-    return whole.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
+    return whitened(choleskyFactor(covariance), Eigen::MatrixXd::Identity(n, n));
 }
 
 Eigen::VectorXd stepAt(const Eigen::MatrixXd& whitener, std::size_t place)

@@ -1,10 +1,10 @@
 #include "core/fleet/SwingCurve.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
+#include "core/algebra/Spectra.h"
 #include "core/base/Contract.h"
 #include "core/deviation/SmithFit.h"
 #include "core/deviation/ToldCoefficients.h"
@@ -84,7 +84,7 @@ bool wellConditioned(const Matrix5& matrix, const Matrix5& inverse, const Five& 
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j)
             part(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = matrix[picked[std::min(i, j)]][picked[std::max(i, j)]];
-    const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(part, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::VectorXd values = symmetricValues(part);
     return values[static_cast<Eigen::Index>(n) - 1] <= limit * values[0];
 }
 

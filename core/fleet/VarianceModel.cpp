@@ -1,6 +1,10 @@
 #include "core/fleet/VarianceModel.h"
 
+#include <Eigen/Core>
 #include <cmath>
+
+#include "core/algebra/Cholesky.h"
+#include "core/algebra/Products.h"
 
 namespace lubberline {
 
@@ -76,10 +80,10 @@ VarianceModel::Value VarianceModel::at(const std::array<double, 3>& lambda) cons
         root.tail(m_sites).setConstant(std::sqrt(lambda[2]));
         Eigen::MatrixXd matrix = root.asDiagonal() * left.topLeftCorner(levels, levels) * root.asDiagonal();
         matrix.diagonal().array() += 1.0;
-        const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-        value.logDeterminant += 2 * factor.matrixLLT().diagonal().array().log().sum();
-        const Eigen::MatrixXd half = factor.matrixL().solve(root.asDiagonal() * left.topRightCorner(levels, 2));
-        rest -= half.transpose() * half;
+        const Eigen::MatrixXd factor = choleskyFactor(matrix);
+        value.logDeterminant += 2 * factor.diagonal().array().log().sum();
+        const Eigen::MatrixXd half = whitened(factor, root.asDiagonal() * left.topRightCorner(levels, 2));
+        rest -= product(half.transpose(), half);
     }
     value.weight = rest(0, 0);
     value.mean = m_shift + rest(0, 1) / rest(0, 0);

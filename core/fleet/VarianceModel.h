@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "core/fleet/VarianceComponents.h"
 

@@ -1,11 +1,11 @@
 #include "core/inflight/AirMass.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "core/algebra/Solve.h"
+#include "core/algebra/Spectra.h"
 #include "core/base/Middle.h"
 #include "core/inflight/WindVector.h"
 
@@ -38,7 +38,7 @@ Circle linearCircle(const std::vector<Velocity2>& points)
         design.row(row) << 2.0 * points[i].x(), 2.0 * points[i].y(), 1.0;
         squares(row) = points[i].squaredNorm();
     }
-    const Eigen::Vector3d found = design.colPivHouseholderQr().solve(squares);
+    const Eigen::Vector3d found = pivotedSolve(design, squares).solution.col(0);
     return {{found.x(), found.y()}, std::sqrt(std::max(0.0, found.z() + found.head<2>().squaredNorm()))};
 }
 
@@ -78,7 +78,7 @@ Circle refined(const std::vector<Velocity2>& points, Circle circle)
     for (int round = 0; round < kCircleRounds; ++round) {
         Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
         const Eigen::Matrix3d normal = normalOf(points, circle, &gradient);
-        const Eigen::Vector3d step = normal.colPivHouseholderQr().solve(-gradient);
+        const Eigen::Vector3d step = pivotedSolve(normal, -gradient).solution.col(0);
         circle.centre += step.head<2>();
         circle.radius += step.z();
     }
@@ -112,10 +112,7 @@ double repeatedness(const std::vector<double>& off)
 
 double AirMass::from_deg() const { return wrap360(toDegrees(std::atan2(-toward_kt.x(), -toward_kt.y()))); }
 
-double AirMass::standardError_kt() const
-{
-    return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues().maxCoeff()));
-}
+double AirMass::standardError_kt() const { return std::sqrt(std::max(0.0, symmetricValues(covariance).maxCoeff())); }
 
 double AirMass::drift_deg() const { return toDegrees(std::asin(std::min(1.0, speed_kt() / std::max(airspeed_kt, 1e-9)))); }
 
@@ -135,8 +132,7 @@ std::optional<AirMass> airMassOf(std::span<const GroundVelocity> velocities, con
         circle = refined(points, circle);
     }
     const Eigen::Matrix3d normal = normalOf(points, circle);
-    const double spread
-        = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normal).eigenvalues().minCoeff() / static_cast<double>(points.size());
+    const double spread = symmetricValues(normal).minCoeff() / static_cast<double>(points.size());
     if (!circle.centre.allFinite() || circle.radius <= 0.0 || spread < kLeastSpread)
         return {};
     const auto off = distancesFrom(points, circle);

@@ -1,14 +1,15 @@
 #include "core/inflight/ClusteredFit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <boost/math/distributions/fisher_f.hpp>
+
+#include "core/algebra/Products.h"
+#include "core/algebra/Solve.h"
+#include "core/algebra/Spectra.h"
 
 namespace lubberline {
 
@@ -49,14 +50,14 @@ Small toldDirections(const Small& normal)
         scaled.row(i) *= std::sqrt(2.0);
         scaled.col(i) *= std::sqrt(2.0);
     }
-    const Eigen::SelfAdjointEigenSolver<Small> solver(scaled);
+    const SymmetricParts parts = symmetricParts(scaled);
     const int columns = static_cast<int>(normal.rows());
     int left = 0;
-    while (left < columns && solver.eigenvalues()(left) < kLeastTold)
+    while (left < columns && parts.values(left) < kLeastTold)
         ++left;
     Small directions(columns, columns - left);
     for (int i = left; i < columns; ++i)
-        directions.col(i - left) = solver.eigenvectors().col(i);
+        directions.col(i - left) = parts.vectors.col(i);
     for (int i = 1; i < columns; ++i)
         directions.row(i) *= std::sqrt(2.0);
     return directions;
@@ -64,10 +65,8 @@ Small toldDirections(const Small& normal)
 
 SmallVector solveIn(const Small& directions, const Small& information, const SmallVector& score)
 {
-    const Small inside = directions.transpose() * information * directions;
     const SmallVector along = directions.transpose() * score;
-    const SmallVector solved = inside.ldlt().solve(along);
-    return directions * solved;
+    return directions * SmallVector(solvePositive(carried(directions.transpose(), information), along));
 }
 
 /// −2 log of the restricted likelihood of a run of flights with coefficients of their own.
@@ -91,11 +90,11 @@ double deviance(std::span<const FlightSums* const> run, double scatter, const Sh
         score += told;
     }
     // Directions that the run does not tell are in no term.
-    const Eigen::SelfAdjointEigenSolver<Small> solver(sum);
-    const double least = 1e-9 * std::max(solver.eigenvalues()(columns - 1), 1e-300);
+    const SymmetricParts parts = symmetricParts(sum);
+    const double least = 1e-9 * std::max(parts.values(columns - 1), 1e-300);
     for (int i = 0; i < columns; ++i)
-        if (const double eigenvalue = solver.eigenvalues()(i); eigenvalue > least)
-            value += std::log(eigenvalue) - std::pow(solver.eigenvectors().col(i).dot(score), 2) / eigenvalue;
+        if (const double eigenvalue = parts.values(i); eigenvalue > least)
+            value += std::log(eigenvalue) - std::pow(parts.vectors.col(i).dot(score), 2) / eigenvalue;
     return value;
 }
 
@@ -106,12 +105,12 @@ double scatterWithin(std::span<const FlightSums* const> flights, int columns)
     double squares = 0, freedom = 0;
     for (const FlightSums* flight : flights) {
         const Small normal = full(flight->normal, columns);
-        const Eigen::SelfAdjointEigenSolver<Small> solver(normal);
+        const SymmetricParts parts = symmetricParts(normal);
         const double least = 1e-3 * std::max(normal(0, 0), 1e-300);
         double left = flight->squares, rank = 0;
         for (int i = 0; i < columns; ++i)
-            if (const double eigenvalue = solver.eigenvalues()(i); eigenvalue > least) {
-                left -= std::pow(solver.eigenvectors().col(i).dot(flight->product.head(columns)), 2) / eigenvalue;
+            if (const double eigenvalue = parts.values(i); eigenvalue > least) {
+                left -= std::pow(parts.vectors.col(i).dot(flight->product.head(columns)), 2) / eigenvalue;
                 ++rank;
             }
         if (static_cast<double>(flight->count) <= rank)
@@ -240,14 +239,13 @@ ClusteredFit fitFlights(std::span<const FlightTold> flights, const FlightSums& s
     fit.score.head(columns) = score;
     fit.directions.topLeftCorner(columns, fit.rank) = directions;
     // A coefficient is told where moving it alone is moving along the directions that are told.
-    const Small onto = directions * (directions.transpose() * directions).ldlt().solve(Small(directions.transpose()));
+    const Small onto = product(directions, pseudoInverse(directions));
     constexpr double kOwn = 0.99;
     for (int i = 0; i < columns; ++i) {
         fit.told[i] = onto(i, i) > kOwn;
         fit.value(i) = fit.told[i] ? value(i) : 0.0;
     }
-    const Small inside = directions.transpose() * information * directions;
-    Small covariance = directions * inside.ldlt().solve(Small(directions.transpose()));
+    Small covariance = carried(directions, inversePositive(carried(directions.transpose(), information)));
     fit.errorsTold = sharedKnown;
     const auto count = static_cast<double>(flights.size());
     if (flights.size() > 1) {
@@ -299,7 +297,7 @@ double chanceOfNoSecondOrder(const ClusteredFit& fit)
         return 1.0;
     const Eigen::Matrix2d covariance = fit.covariance.bottomRightCorner<2, 2>();
     const Eigen::Vector2d value = fit.value.tail<2>();
-    const double statistic = 0.5 * value.dot(covariance.ldlt().solve(value));
+    const double statistic = 0.5 * value.dot(solvePositive(covariance, value).col(0));
     if (!std::isfinite(statistic) || statistic <= 0)
         return 1.0;
     return cdf(complement(boost::math::fisher_f(2, fit.flights - 1), statistic));

@@ -1,12 +1,12 @@
 #include "core/inflight/ContinuousSwing.h"
 
-#include <Eigen/Eigenvalues>
-
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include <boost/math/distributions/chi_squared.hpp>
 
+#include "core/algebra/Spectra.h"
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 
@@ -210,12 +210,11 @@ ContinuousResult ContinuousSwing::finish()
     }
 
     // What the headings tell, and what not.
-    const auto information = m_filter.information();
-    const Eigen::SelfAdjointEigenSolver<StateFilter::Covariance> solver(information);
+    const SymmetricParts parts = symmetricParts(m_filter.information());
     StateFilter::Covariance untold = StateFilter::Covariance::Zero(m_filter.states(), m_filter.states());
     for (int i = 0; i < m_filter.states(); ++i)
-        if (solver.eigenvalues()(i) < 1.0 / (kUntold_deg * kUntold_deg)) {
-            const StateFilter::State direction = solver.eigenvectors().col(i);
+        if (parts.values(i) < 1.0 / (kUntold_deg * kUntold_deg)) {
+            const StateFilter::State direction = parts.vectors.col(i);
             untold += direction * direction.transpose();
             result.nullDirections.push_back(
                 {MARKED("core", "%1 is not told by the headings and loads so far"), directionText(direction, m_names)});
@@ -225,8 +224,8 @@ ContinuousResult ContinuousSwing::finish()
         const bool told = 1.0 - untold(i, i) > kOwnShare;
         double variance = 0;
         for (int j = 0; j < m_filter.states(); ++j)
-            if (solver.eigenvalues()(j) >= 1.0 / (kUntold_deg * kUntold_deg))
-                variance += std::pow(solver.eigenvectors()(i, j), 2) / solver.eigenvalues()(j);
+            if (parts.values(j) >= 1.0 / (kUntold_deg * kUntold_deg))
+                variance += std::pow(parts.vectors(i, j), 2) / parts.values(j);
         variance += untold(i, i) * 4.0; // a usual size of what is not told leaks
         result.state_deg.push_back(told ? std::optional(partial(i)) : std::nullopt);
         result.standardError_deg.push_back(told ? std::optional(std::sqrt(variance * result.widened)) : std::nullopt);

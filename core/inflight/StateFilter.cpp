@@ -1,9 +1,10 @@
 #include "core/inflight/StateFilter.h"
 
-#include <Eigen/Eigenvalues>
-
+#include <Eigen/Core>
 #include <cmath>
 
+#include "core/algebra/Products.h"
+#include "core/algebra/Spectra.h"
 #include "core/base/Contract.h"
 
 namespace lubberline {
@@ -52,11 +53,11 @@ void StateFilter::gather(const State& h, double z, double variance)
     }
     if (m_root.diagonal().cwiseAbs().minCoeff() == 0.0)
         return;
-    const Covariance information = m_root.transpose() * m_root;
+    const Covariance information = product(m_root.transpose(), m_root);
     const State scale = information.diagonal().cwiseSqrt().cwiseInverse();
     const Covariance scaled = scale.asDiagonal() * information * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Covariance> solver(scaled, Eigen::EigenvaluesOnly);
-    if (solver.eigenvalues()(0) < kToldRatio * solver.eigenvalues()(m_states - 1))
+    const Eigen::VectorXd values = symmetricValues(scaled);
+    if (values(0) < kToldRatio * values(m_states - 1))
         return;
     m_state = m_root.triangularView<Eigen::Upper>().solve(m_right);
     const Covariance inverse = m_root.triangularView<Eigen::Upper>().solve(Covariance::Identity(m_states, m_states));
@@ -100,23 +101,23 @@ void StateFilter::widen(const State& variances)
 StateFilter::Covariance StateFilter::information() const
 {
     if (!m_told)
-        return m_root.transpose() * m_root;
-    const Eigen::SelfAdjointEigenSolver<Covariance> solver(m_covariance);
-    return solver.eigenvectors() * solver.eigenvalues().cwiseMax(1e-30).cwiseInverse().asDiagonal() * solver.eigenvectors().transpose();
+        return product(m_root.transpose(), m_root);
+    const SymmetricParts parts = symmetricParts(m_covariance);
+    return composed(parts.vectors, parts.values.cwiseMax(1e-30).cwiseInverse());
 }
 
 StateFilter::State StateFilter::partial() const
 {
     if (m_told)
         return m_state;
-    const Covariance information = m_root.transpose() * m_root;
-    const Eigen::SelfAdjointEigenSolver<Covariance> solver(information);
-    const double least = kToldRatio * solver.eigenvalues()(m_states - 1);
+    const Covariance information = product(m_root.transpose(), m_root);
+    const SymmetricParts parts = symmetricParts(information);
+    const double least = kToldRatio * parts.values(m_states - 1);
     State solution = State::Zero(m_states);
     const State right = m_root.transpose() * m_right;
     for (int i = 0; i < m_states; ++i)
-        if (solver.eigenvalues()(i) > least && least > 0)
-            solution += solver.eigenvectors().col(i) * (solver.eigenvectors().col(i).dot(right) / solver.eigenvalues()(i));
+        if (parts.values(i) > least && least > 0)
+            solution += parts.vectors.col(i) * (parts.vectors.col(i).dot(right) / parts.values(i));
     return solution;
 }
 

@@ -1,14 +1,15 @@
 #include "core/inflight/WindChange.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 
+#include "core/algebra/Products.h"
+#include "core/algebra/Solve.h"
+#include "core/algebra/Spectra.h"
 #include "core/fleet/FleetRandom.h"
 
 namespace lubberline {
@@ -55,27 +56,24 @@ ChangeSeries changeSeriesOf(std::span<const FlightTold> flights, const Clustered
     const Told u = fit.directions.topLeftCorner(3, fit.rank);
     Told all = Told::Zero(fit.rank, fit.rank);
     for (const auto& flight : flights) {
-        const Told information = u.transpose() * flight.information.topLeftCorner<3, 3>() * u;
+        const Told information = carried(u.transpose(), flight.information.topLeftCorner<3, 3>());
         series.information.push_back(information);
         series.score.push_back(u.transpose() * flight.score.head<3>());
-        const Eigen::SelfAdjointEigenSolver<Told> solver(information);
-        series.root.push_back(solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal());
+        const SymmetricParts parts = symmetricParts(information);
+        series.root.push_back(parts.vectors * parts.values.cwiseMax(0.0).cwiseSqrt().asDiagonal());
         all += information;
     }
-    const Eigen::LDLT<Told> solver(all);
     Told sum = Told::Zero(fit.rank, fit.rank);
     for (std::size_t k = 0; k + 1 < flights.size(); ++k) {
         sum += series.information[k];
-        const Told share = solver.solve(sum).transpose(); // M₁ M⁻¹
+        const Told share = solvePositive(all, sum).transpose(); // M₁ M⁻¹
         const Told w = sum - share * sum;
-        const Eigen::SelfAdjointEigenSolver<Told> own(w);
+        const SymmetricParts own = symmetricParts(w);
         // Both sides have to tell all directions, if badly.
-        const bool possible = own.eigenvalues()(0) > 1e-6 * own.eigenvalues()(fit.rank - 1);
+        const bool possible = own.values(0) > 1e-6 * own.values(fit.rank - 1);
         series.possible.push_back(possible);
         series.before.push_back(share);
-        series.within.push_back(possible
-                ? Told(own.eigenvectors() * own.eigenvalues().cwiseInverse().asDiagonal() * own.eigenvectors().transpose())
-                : Told(Told::Zero(fit.rank, fit.rank)));
+        series.within.push_back(possible ? Told(composed(own.vectors, own.values.cwiseInverse())) : Told(Told::Zero(fit.rank, fit.rank)));
     }
     return series;
 }

@@ -1,12 +1,12 @@
 #include "core/nmea/NmeaDelay.h"
 
 #include <Eigen/Core>
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/algebra/Products.h"
+#include "core/algebra/Solve.h"
 #include "core/angle/Angle.h"
 #include "core/base/Middle.h"
 
@@ -104,37 +104,24 @@ Turn turnAt(std::span<const TimedHeading> compass, const HeadingLine& reference,
     return turn;
 }
 
-/// What no deviation curve explains: harmonics up to the fourth where the headings go round, else up to the second.
-class Unexplained {
-public:
-    explicit Unexplained(const Turn& turn)
-    {
-        std::vector<bool> sectors(12, false);
-        for (const double heading : turn.heading_rad)
-            sectors[static_cast<std::size_t>(heading / (2.0 * kPi) * 12.0) % 12] = true;
-        const int orders = std::count(sectors.begin(), sectors.end(), true) == 12 ? 4 : 2;
-        Eigen::MatrixXd design(turn.heading_rad.size(), 1 + 2 * orders);
-        for (std::size_t i = 0; i < turn.heading_rad.size(); ++i) {
-            const auto row = static_cast<Eigen::Index>(i);
-            design(row, 0) = 1.0;
-            for (int order = 1; order <= orders; ++order) {
-                design(row, 2 * order - 1) = std::sin(order * turn.heading_rad[i]);
-                design(row, 2 * order) = std::cos(order * turn.heading_rad[i]);
-            }
+/// What no deviation curve explains of the columns: harmonics up to the fourth where the headings go round, else up to the second.
+Eigen::MatrixXd unexplained(const std::vector<double>& headings_rad, const Eigen::MatrixXd& columns)
+{
+    std::vector<bool> sectors(12, false);
+    for (const double heading : headings_rad)
+        sectors[static_cast<std::size_t>(heading / (2.0 * kPi) * 12.0) % 12] = true;
+    const int orders = std::count(sectors.begin(), sectors.end(), true) == 12 ? 4 : 2;
+    Eigen::MatrixXd design(columns.rows(), 1 + 2 * orders);
+    for (Eigen::Index row = 0; row < columns.rows(); ++row) {
+        design(row, 0) = 1.0;
+        for (int order = 1; order <= orders; ++order) {
+            const double angle = order * headings_rad[static_cast<std::size_t>(row)];
+            design(row, 2 * order - 1) = std::sin(angle);
+            design(row, 2 * order) = std::cos(angle);
         }
-        m_design = std::move(design);
-        m_solver.compute(m_design);
     }
-    [[nodiscard]] Eigen::VectorXd of(const std::vector<double>& values) const
-    {
-        const auto column = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-        return column - m_design * m_solver.solve(column);
-    }
-
-private:
-    Eigen::MatrixXd m_design;
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> m_solver;
-};
+    return columns - product(design, pivotedSolve(design, columns).solution);
+}
 
 struct Estimate {
     double seconds = 0, standardError_s = 0, variation_deg_s = 0;
@@ -146,8 +133,11 @@ std::optional<Estimate> estimate(const Turn& turn)
     constexpr std::size_t kFewest = 20;
     if (turn.seconds.size() < kFewest)
         return {};
-    const Unexplained unexplained(turn);
-    const Eigen::VectorXd rate = unexplained.of(turn.rate_deg_s), deviation = unexplained.of(turn.deviation_deg);
+    Eigen::MatrixXd columns(turn.seconds.size(), 2);
+    columns << Eigen::Map<const Eigen::VectorXd>(turn.rate_deg_s.data(), columns.rows()),
+        Eigen::Map<const Eigen::VectorXd>(turn.deviation_deg.data(), columns.rows());
+    const Eigen::MatrixXd left = unexplained(turn.heading_rad, columns);
+    const Eigen::VectorXd rate = left.col(0), deviation = left.col(1);
     const double squares = rate.squaredNorm();
     Estimate found;
     found.variation_deg_s = std::sqrt(squares / static_cast<double>(turn.seconds.size()));
@@ -188,7 +178,7 @@ double inA(std::span<const TimedHeading> compass, const std::vector<double>& rat
         design.row(static_cast<Eigen::Index>(i)) << 1.0, std::sin(heading), std::cos(heading), std::sin(2 * heading), std::cos(2 * heading);
     }
     const auto column = Eigen::Map<const Eigen::VectorXd>(rates.data(), static_cast<Eigen::Index>(rates.size()));
-    return -design.colPivHouseholderQr().solve(column)(0);
+    return -pivotedSolve(design, column).solution(0);
 }
 
 } // namespace

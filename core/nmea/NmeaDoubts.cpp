@@ -1,10 +1,9 @@
 #include "core/nmea/NmeaDoubts.h"
 
 #include <Eigen/Core>
-#include <Eigen/QR>
-
 #include <cmath>
 
+#include "core/algebra/Solve.h"
 #include "core/deviation/ToldCoefficients.h"
 
 namespace lubberline {
@@ -37,7 +36,7 @@ SharedErrors sharedErrorsOf(const NmeaSwing& swing)
     if (told.columns.empty())
         return shared;
     // The exact coefficients are the approximate ones to the first order, and a doubt is no better known than that.
-    const Eigen::MatrixXd shifts = design(Eigen::all, told.columns).colPivHouseholderQr().solve(turned);
+    const Eigen::MatrixXd shifts = pivotedSolve(design(Eigen::all, told.columns), turned).solution;
     for (std::size_t i = 0; i < told.columns.size(); ++i)
         shared.of_deg[static_cast<std::size_t>(told.columns[i])] = rounded(shifts.row(static_cast<Eigen::Index>(i)).norm());
     return shared;

@@ -1,11 +1,12 @@
 #include "core/reference/LevellingLoop.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
-#include <unsupported/Eigen/MatrixFunctions>
-
+#include "core/algebra/Exponential.h"
+#include "core/algebra/Spectra.h"
 #include "core/base/Number.h"
 
 namespace lubberline {
@@ -47,9 +48,11 @@ LoopCharacter characterOf(const VerticalGyro& loop)
         // The companion matrix of s³ + s²/τ2 + s/(τ1τ2) + 1/(τ1τ2τ3).
         Eigen::Matrix3d companion;
         companion << 0, 1, 0, 0, 0, 1, -1 / (tau1 * tau2 * tau3), -1 / (tau1 * tau2), -1 / tau2;
-        const Eigen::Vector3cd poles = companion.eigenvalues();
-        std::complex<double> slowest = poles[0];
-        for (const auto& pole : poles)
+        const auto poles = generalParts(companion);
+        if (!poles)
+            break;
+        std::complex<double> slowest = poles->values[0];
+        for (const auto& pole : poles->values)
             if (pole.real() > slowest.real())
                 slowest = pole;
         character.natural_rad_s = std::abs(slowest);
@@ -83,7 +86,7 @@ LinearLoop::LinearLoop(const VerticalGyro& loop, double step_s) : m_damped(hasDa
         rate.row(0) << -per1, 0, -per1 * per3, per1, 1;
         rate.row(2) << 1, 0, 0, -1, 0;
     }
-    m_step = (rate * step_s).exp().topRows<3>();
+    m_step = exponential(rate * step_s).topRows<3>();
 }
 
 LoopState LinearLoop::next(const LoopState& state, double apparentTilt_rad, double driftLessRate_rad_s) const

@@ -1,10 +1,10 @@
 #include "core/sensor/Compensator.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
+#include "core/algebra/Solve.h"
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 
@@ -110,7 +110,7 @@ private:
             const Five gradient = slope.transpose() * (m_weights.asDiagonal() * deviation);
             Eigen::Matrix<double, 5, 5> damped = normal;
             damped.diagonal().array() += damping * (normal.diagonal().array() + 1e-12 * (1 + normal.trace()));
-            const Five tried = within(x - damped.ldlt().solve(gradient).cwiseProduct(m_reach));
+            const Five tried = within(x - solvePositive(damped, gradient).col(0).cwiseProduct(m_reach));
             const Eigen::VectorXd there = at(tried);
             const double cheaper = cost(there);
             if (!(cheaper < now)) {

@@ -1,14 +1,17 @@
 #include "core/swing/IronPosterior.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <random>
 
-#include <Eigen/Cholesky>
 #include <boost/math/distributions/chi_squared.hpp>
 
+#include "core/algebra/Cholesky.h"
+#include "core/algebra/Products.h"
+#include "core/algebra/Solve.h"
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 
@@ -116,9 +119,8 @@ double likelihood(std::span<const KnownSwing> swings, double size, const Assumed
         errors.block<2, 2>(2 * i, 2 * i) = swing.errors.block<2, 2>(1, 1);
         observed.segment<2>(2 * i) = swing.observed.segment<2>(1);
     }
-    const Eigen::LLT<Eigen::MatrixXd> factors(design * squaresOf(size, assumed).asDiagonal() * design.transpose() + errors);
-    const Eigen::MatrixXd lower = factors.matrixL();
-    return -lower.diagonal().array().log().sum() - lower.triangularView<Eigen::Lower>().solve(observed).squaredNorm() / 2;
+    const Eigen::MatrixXd lower = choleskyFactor(composed(design, squaresOf(size, assumed)) + errors);
+    return -lower.diagonal().array().log().sum() - whitened(lower, observed).squaredNorm() / 2;
 }
 
 /// Sizes that are equally likely beforehand, and how likely they are with the swings (sums to 1).
@@ -173,8 +175,7 @@ struct SwingWeight {
 
 SwingWeight weightOf(const KnownSwing& swing)
 {
-    const Eigen::LLT<CoefficientErrors> factors(swing.errors);
-    const CoefficientDesign weighted = factors.solve(swing.design);
+    const CoefficientDesign weighted = solvePositive(swing.errors, swing.design);
     return {swing.design.transpose() * weighted, weighted.transpose() * swing.observed, swing.degreesOfFreedom};
 }
 

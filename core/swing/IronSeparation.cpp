@@ -8,8 +8,8 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
+#include "core/algebra/LeastSquares.h"
 #include "core/base/Number.h"
-#include "core/deviation/LeastSquares.h"
 
 namespace lubberline {
 

@@ -6,8 +6,8 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 
+#include "core/algebra/LeastSquares.h"
 #include "core/base/Number.h"
-#include "core/deviation/LeastSquares.h"
 #include "core/deviation/ToldCoefficients.h"
 
 namespace lubberline {

@@ -1,11 +1,11 @@
 #include "core/format/results/InflightJson.h"
 
+#include <Eigen/Core>
 #include <cmath>
-
-#include <Eigen/Eigenvalues>
 
 #include <nlohmann/json.hpp>
 
+#include "core/algebra/Spectra.h"
 #include "core/base/Number.h"
 #include "core/format/csv/TextCell.h"
 #include "core/format/json/ReadObject.h"
@@ -132,9 +132,8 @@ Result<ContinuousState> readStateJson(std::string_view text, const std::string& 
         object.numbers("covariance_deg2", covariance);
         state.state_deg = Eigen::Map<const Eigen::VectorXd>(values.data(), states);
         state.covariance = Eigen::Map<const Eigen::MatrixXd>(covariance.data(), states, states);
-        const Eigen::SelfAdjointEigenSolver<StateFilter::Covariance> solver(state.covariance);
-        if (!state.covariance.isApprox(state.covariance.transpose(), 1e-9)
-            || solver.eigenvalues()(0) < -1e-9 * std::abs(solver.eigenvalues()(states - 1)))
+        const Eigen::VectorXd spectrum = symmetricValues(state.covariance);
+        if (!state.covariance.isApprox(state.covariance.transpose(), 1e-9) || spectrum(0) < -1e-9 * std::abs(spectrum(states - 1)))
             object.fault("covariance_deg2", MARKED("core", "is no covariance; expected a symmetric one that is not negative"));
         return state;
     });

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/algebra/LeastSquares.h"
 #include "core/deviation/Harmonics.h"
-#include "core/deviation/LeastSquares.h"
 #include "core/deviation/SmithFit.h"
 
 namespace lubberline {

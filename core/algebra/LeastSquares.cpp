@@ -1,4 +1,4 @@
-#include "core/deviation/LeastSquares.h"
+#include "core/algebra/LeastSquares.h"
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -9,22 +9,18 @@ namespace lubberline {
 
 namespace {
 
-using Upper = Eigen::MatrixXd;
-
-Upper upperFactor(const Eigen::MatrixXd& design, Eigen::HouseholderQR<Eigen::MatrixXd>& qr)
+Eigen::MatrixXd upperOf(const Eigen::HouseholderQR<Eigen::MatrixXd>& qr)
 {
-    qr.compute(design);
-    const auto p = design.cols();
-    return qr.matrixQR().topRows(p).triangularView<Eigen::Upper>();
+    return qr.matrixQR().topRows(qr.cols()).triangularView<Eigen::Upper>();
 }
 
 } // namespace
 
+Eigen::MatrixXd upperFactor(const Eigen::MatrixXd& design) { return upperOf(Eigen::HouseholderQR<Eigen::MatrixXd>(design)); }
+
 Eigen::VectorXd singularValues(const Eigen::MatrixXd& design)
 {
-    Eigen::HouseholderQR<Eigen::MatrixXd> qr;
-    const Upper upper = upperFactor(design, qr);
-    return Eigen::JacobiSVD<Eigen::MatrixXd>(upper).singularValues();
+    return Eigen::JacobiSVD<Eigen::MatrixXd>(upperFactor(design)).singularValues();
 }
 
 double conditionNumber(const Eigen::VectorXd& singularValues)
@@ -36,8 +32,8 @@ double conditionNumber(const Eigen::VectorXd& singularValues)
 LeastSquares solveLeastSquares(const Eigen::MatrixXd& design, const Eigen::VectorXd& observed)
 {
     const auto p = design.cols();
-    Eigen::HouseholderQR<Eigen::MatrixXd> qr;
-    const Upper upper = upperFactor(design, qr);
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(design);
+    const Eigen::MatrixXd upper = upperOf(qr);
     const Eigen::MatrixXd inverseUpper = upper.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(p, p));
     const Eigen::VectorXd rotated = (qr.householderQ().adjoint() * observed).head(p);
     LeastSquares result;

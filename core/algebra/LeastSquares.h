@@ -11,6 +11,9 @@ struct LeastSquares {
     Eigen::VectorXd leverage;      ///< diagonal of X (XᵀX)⁻¹ Xᵀ
 };
 
+/// R of X = Q R, p×p. @param design N×p, N ≥ p
+[[nodiscard]] Eigen::MatrixXd upperFactor(const Eigen::MatrixXd& design);
+
 /// Singular values of X (N×p, N ≥ p), largest first, by QR and the singular values of R.
 [[nodiscard]] Eigen::VectorXd singularValues(const Eigen::MatrixXd& design);
 
