@@ -32,9 +32,9 @@ struct Misfortune {
     double size_deg;
 };
 constexpr std::array<Misfortune, 3> kMisfortunes{{
-    {0, 1, 0, "lightning", "Struck on the nose in flight; exit burn at the fin tip.", 11.0},
-    {1, 2, 0, "load", "Steel pipes carried in the cabin for a week; lifted with a magnet crane.", 10.0},
-    {3, 0, 1, "repair", "Wing-tip fairing fastened with steel screws.", 2.6},
+    {0, 1, 0, "lightning strike", "Struck on the nose in flight; exit burn at the fin tip.", 11.0},
+    {1, 2, 0, "magnetic cargo", "Steel pipes carried in the cabin for a week; lifted with a magnet crane.", 10.0},
+    {3, 0, 1, "wing-tip fairing repaired", "Wing-tip fairing fastened with steel screws.", 2.6},
 }};
 
 Date dayOf(int year, int month, int day)

@@ -52,7 +52,7 @@ bool speaksOf(std::string_view text, std::string_view word)
 /// The crew's words, with the cause where they do not tell it.
 Message reasonOf(const Event& event)
 {
-    if (event.kind.empty())
+    if (event.kind.empty() || event.kind == fileWord(event.cause)) // as an exchange file has it
         return shownWord(event.cause);
     if (causeInWords(event.kind) == event.cause)
         return Message::verbatim(event.kind);

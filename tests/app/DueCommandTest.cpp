@@ -80,7 +80,7 @@ TEST(DueCommand, anEventIsAnsweredByASwingOrAWaiver)
     EXPECT_EQ(fleet.due("2026-06-09")[0]["state"], "not_due");
     EXPECT_EQ(fleet.due("2026-06-10")[0]["flags"].size(), 1u);
     EXPECT_EQ(fleet.due("2026-06-11")[0]["flags"].size(), 2u);
-    EXPECT_EQ(fleet.due("2026-06-11")[0]["flags"][0]["reason"], "lightning");
+    EXPECT_EQ(fleet.due("2026-06-11")[0]["flags"][0]["reason"], "lightning strike");
     const std::string event = struck.json()["event"];
     const auto listed = fleet.run({"due", "--today", "2026-06-11"});
     EXPECT_THAT(listed.out, testing::HasSubstr("[event " + event.substr(0, 8) + "], and 1 more"));

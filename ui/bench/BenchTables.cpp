@@ -1,13 +1,13 @@
 #include "ui/bench/BenchTables.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QTableWidget>
 #include <QVBoxLayout>
+
+#include "ui/kit/fit/FlowLayout.h"
 
 namespace lubberline::ui {
 
@@ -67,12 +67,8 @@ BenchTables::BenchTables(QWidget* parent) : QWidget(parent), m_sensor(new QLineE
         if (!m_filling && row >= 0)
             emit partChosen(partAt(row));
     });
-    auto* tools = new QHBoxLayout;
-    auto* label = new QLabel(tr("Sens&or x y z (m, forward, starboard, down):"));
-    label->setBuddy(m_sensor);
-    tools->addWidget(label);
-    tools->addWidget(m_sensor);
-    tools->addStretch(1);
+    auto* tools = new FlowLayout;
+    tools->addWidget(labelled(tr("Sens&or x y z (m, forward, starboard, down):"), m_sensor));
     tools->addWidget(button(tr("Add part"), "benchAddPart", [this] { add(*m_parts, m_parts->rowCount(), {newPart()}); }));
     tools->addWidget(
         button(tr("Add conductor"), "benchAddConductor", [this] { add(*m_conductors, m_conductors->rowCount(), {newConductor()}); }));

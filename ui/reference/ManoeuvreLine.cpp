@@ -349,7 +349,10 @@ void ManoeuvreLine::paintEvent(QPaintEvent*)
         painter.drawLine(QPointF(xOf(time), 0), QPointF(xOf(time), low));
         painter.setPen(colours.text);
         const QString text = time + step > m_duration_s * (1 + 1e-9) ? tr("%1 s").arg(plainTick(time, step)) : plainTick(time, step);
-        painter.drawText(QRectF(xOf(time) - 3 * line, low + 0.1 * line, 6 * line, 1.2 * line), Qt::AlignHCenter | Qt::AlignTop, text);
+        QRectF box(0, low + 0.1 * line, fontMetrics().horizontalAdvance(text) + 2, 1.2 * line);
+        box.moveCenter({xOf(time), box.center().y()});
+        box.moveRight(std::min(box.right(), static_cast<double>(width()))); // the last one and its unit
+        painter.drawText(box, Qt::AlignHCenter | Qt::AlignTop, text);
     }
     for (const Block& block : blocks()) {
         const bool chosen = m_chosen && *m_chosen == block;

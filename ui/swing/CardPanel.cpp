@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -23,7 +24,7 @@ namespace lubberline::ui {
 namespace {
 
 enum CardColumnOfPage { Even, Figure, Residual, Band, kCardColumns };
-constexpr int kCardPanelHeight_px = 210, kCardRow_px = 20;
+constexpr int kCardPanelHeight_px = 210, kCardRow_px = 20, kRemarkLines = 4;
 
 QString threeDigitsAndTenth(double heading_deg)
 {
@@ -107,23 +108,48 @@ void CardPanel::build()
     left->addLayout(form);
     left->addStretch();
     left->addWidget(m_write);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(m_remarks);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 4, 8, 4);
-    layout->addWidget(new SidePanel(choices));
+    m_scroll = new QScrollArea;
+    m_scroll->setWidget(m_remarks);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_choices = new SidePanel(choices);
     auto* middle = new QVBoxLayout;
     middle->addWidget(m_banner);
     middle->addWidget(m_table, 1);
-    layout->addLayout(middle, 3);
-    layout->addWidget(scroll, 3);
-    setFixedHeight(std::max(kCardPanelHeight_px, left->sizeHint().height() + 12));
+    m_parts = new QGridLayout(this);
+    m_parts->setContentsMargins(8, 4, 8, 4);
+    m_parts->addWidget(m_choices, 0, 0);
+    m_parts->addLayout(middle, 0, 1);
+    m_parts->setColumnStretch(1, 3);
+    m_parts->setRowStretch(0, 1);
+    placeRemarks(false);
     for (QComboBox* box : {m_step, m_by, m_from})
         connect(box, &QComboBox::currentIndexChanged, this, &CardPanel::refresh);
     connect(m_at, &QDoubleSpinBox::valueChanged, this, &CardPanel::showBetween);
     connect(m_write, &QPushButton::clicked, this, [this] { emit writeCard(options()); });
+}
+
+/// At the right of the card while there is room for lines that can be read, else under everything.
+void CardPanel::placeRemarks(bool beneath)
+{
+    m_beneath = beneath;
+    m_parts->removeWidget(m_scroll);
+    if (beneath)
+        m_parts->addWidget(m_scroll, 1, 0, 1, 2);
+    else
+        m_parts->addWidget(m_scroll, 0, 2);
+    m_parts->setColumnStretch(2, beneath ? 0 : 3);
+    const int lines = kRemarkLines * fontMetrics().lineSpacing();
+    m_scroll->setMinimumHeight(lines);
+    setFixedHeight(std::max(kCardPanelHeight_px, m_choices->sizeHint().height() + 12) + (beneath ? lines + m_parts->spacing() : 0));
+}
+
+void CardPanel::resizeEvent(QResizeEvent* event)
+{
+    const bool beneath = width() < m_choices->sizeHint().width() + 2 * m_table->minimumWidth();
+    if (beneath != m_beneath)
+        placeRemarks(beneath);
+    QFrame::resizeEvent(event);
 }
 
 CardOptions CardPanel::options() const

@@ -13,11 +13,15 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QTableWidget;
 
 namespace lubberline::ui {
+
+class SidePanel;
 
 class CardPanel : public QFrame {
     Q_OBJECT
@@ -36,6 +40,8 @@ signals:
 
 private:
     void build();
+    void placeRemarks(bool beneath);
+    void resizeEvent(QResizeEvent* event) override;
     void refresh();
     void showCard(const Card& card);
     void showBetween();
@@ -46,6 +52,10 @@ private:
     QDoubleSpinBox* m_at;
     QLabel *m_between, *m_banner, *m_remarks;
     QTableWidget* m_table;
+    SidePanel* m_choices = nullptr;
+    QScrollArea* m_scroll = nullptr;
+    QGridLayout* m_parts = nullptr;
+    bool m_beneath = false;
     QPushButton* m_write;
     SwingRecord m_record;
     std::shared_ptr<const Analysis> m_analysis;

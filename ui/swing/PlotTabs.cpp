@@ -6,6 +6,12 @@
 
 namespace lubberline::ui {
 
+namespace {
+
+constexpr int kLeastPlot_px = 320; ///< with its legend in four lines the polar plot can still be read; the page scrolls before
+
+} // namespace
+
 PlotTabs::PlotTabs(QWidget* parent) : QTabWidget(parent)
 {
     setObjectName(QStringLiteral("plotTabs"));
@@ -24,6 +30,7 @@ SwingPlot* PlotTabs::make(int tab)
 {
     static constexpr std::array makers{makePolarPlot, makeCurvePlot, makeSpectrumPlot, makeComponentsPlot};
     SwingPlot* plot = makers[static_cast<std::size_t>(tab)](widget(tab));
+    plot->setMinimumHeight(kLeastPlot_px);
     widget(tab)->layout()->addWidget(plot);
     connect(plot, &SwingPlot::rowSelected, this, &PlotTabs::rowSelected);
     connect(plot, &SwingPlot::readOut, this, &PlotTabs::readOut);

@@ -11,6 +11,7 @@
 
 #include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/TableFit.h"
 #include "ui/plots/swing/PictureOf.h"
 #include "ui/swing/CardPanel.h"
 #include "ui/swing/CoefficientsPanel.h"
@@ -30,6 +31,8 @@
 #include "ui/swing/readings/ReadingsTable.h"
 
 namespace lubberline::ui {
+
+constexpr int kLeastRows = 6; ///< of readings that are seen whatever panels are open: the page scrolls before
 
 SwingPage::SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
     : Page(parent)
@@ -83,25 +86,21 @@ void SwingPage::buildHeader()
     m_state->setObjectName(QStringLiteral("swingState"));
     m_state->setFrameShape(QFrame::StyledPanel);
     m_state->setMargin(2);
+    m_state->hide();
     m_showParticulars->setObjectName(QStringLiteral("showParticulars"));
     m_showParticulars->setText(tr("P&articulars"));
-    m_showParticulars->setCheckable(true);
-    m_showParticulars->setArrowType(Qt::RightArrow);
-    m_showParticulars->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_showParticulars->setFocusPolicy(Qt::StrongFocus);
     m_showSigning->setObjectName(QStringLiteral("showSigning"));
     m_showSigning->setText(tr("Si&gn"));
-    m_showSigning->setCheckable(true);
-    m_showSigning->setArrowType(Qt::RightArrow);
-    m_showSigning->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_showSigning->setFocusPolicy(Qt::StrongFocus);
     m_showCard->setObjectName(QStringLiteral("showCard"));
     m_showCard->setText(tr("Ca&rd"));
-    m_showCard->setCheckable(true);
-    m_showCard->setArrowType(Qt::RightArrow);
-    m_showCard->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_showCard->setFocusPolicy(Qt::StrongFocus);
+    for (QToolButton* opens : {m_showParticulars, m_showSigning, m_showCard}) {
+        opens->setCheckable(true);
+        opens->setArrowType(Qt::RightArrow);
+        opens->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        opens->setFocusPolicy(Qt::StrongFocus);
+    }
     m_complete->setObjectName(QStringLiteral("completeButton"));
+    m_complete->hide(); // without words until there is a swing
     m_readOnly->setObjectName(QStringLiteral("readOnlyReason"));
     m_readOnly->setWordWrap(true);
     m_computing->setObjectName(QStringLiteral("computing"));
@@ -126,6 +125,7 @@ QWidget* SwingPage::buildReadings()
     auto* layout = new QVBoxLayout(left);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
+    m_table->setMinimumHeight(heightOfRows(*m_table, kLeastRows));
     layout->addWidget(m_table, 1);
     layout->addWidget(&messageLine());
     layout->addWidget(m_exclusion);
@@ -221,6 +221,7 @@ void SwingPage::showRecord()
     const SwingRecord& record = m_editor->record();
     setTitle(titleOf(record) + (record.aircraft.demonstration ? tr(" · DEMONSTRATION") : QString()));
     m_state->setText(wordFor(record.swing.state));
+    m_state->show();
     QStringList standing{m_editor->whyReadOnly(), abandonedWords(m_context.stores, record.swing.id)};
     standing.removeAll(QString());
     const QString why = standing.join(QStringLiteral(" "));
@@ -228,6 +229,7 @@ void SwingPage::showRecord()
     m_readOnly->setVisible(!why.isEmpty());
     m_complete->setText(record.swing.state == SwingState::Draft ? tr("Mark &complete") : tr("Open &again…"));
     m_complete->setEnabled(m_editor->particularsEditable());
+    m_complete->show();
     showResults();
     if (m_signing && m_showSigning->isChecked())
         m_signing->show(m_meaning->text());

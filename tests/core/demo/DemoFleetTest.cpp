@@ -178,7 +178,7 @@ TEST(DemoFleet, hasSwingsOfEveryKindThatTheProgramShows)
     EXPECT_GT(on, 3);
     EXPECT_EQ(on, off);
     EXPECT_GT(trueHeadings, 10);
-    EXPECT_TRUE(std::any_of(fleet.events.begin(), fleet.events.end(), [](const Event& event) { return event.kind == "lightning"; }));
+    EXPECT_TRUE(std::any_of(fleet.events.begin(), fleet.events.end(), [](const Event& event) { return event.kind == "lightning strike"; }));
 }
 
 TEST(DemoFleet, readingsAreOfTheInstrumentsResolution)

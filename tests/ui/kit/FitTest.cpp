@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
@@ -27,6 +28,8 @@ private slots:
     void columnsStandAboveEachOtherWhereTheyMust();
     void headingsStandInLines();
     void theRoomIsSharedAndTextsGiveWay();
+    void headingsAreWholeWhateverComesFirst();
+    void aChoiceIsAsWideAsItsWords();
     void aChoiceSaysItsWholeTextAsATip();
 };
 
@@ -146,6 +149,55 @@ void FitTest::theRoomIsSharedAndTextsGiveWay()
     QTRY_VERIFY(table.columnWidth(2) > wants(2));
 }
 
+/// A table that is shown with its page, as narrow as its page is: no heading of it is cut, at once and when its words come later.
+void FitTest::headingsAreWholeWhateverComesFirst()
+{
+    QWidget page;
+    QVBoxLayout layout(&page);
+    QTableWidget table(1, 4);
+    table.setHorizontalHeaderLabels({"Largest (°)", "A (°)", "approximate", "comes from"});
+    table.horizontalHeader()->setStretchLastSection(true);
+    layout.addWidget(&table);
+    fitControls(page);
+    page.resize(200, 100);
+    page.show();
+    const auto whole = [&table] {
+        for (int column = 0; column < table.columnCount(); ++column)
+            if (table.columnWidth(column) < table.horizontalHeader()->sectionSizeHint(column))
+                return false;
+        return true;
+    };
+    QTRY_VERIFY(whole());
+    table.horizontalHeaderItem(1)->setText("coefficient");
+    QTRY_VERIFY(whole());
+    QFont larger = table.font();
+    larger.setPointSizeF(2 * larger.pointSizeF());
+    table.setFont(larger);
+    QTRY_VERIFY(whole());
+}
+
+/// Beneath its label where it must, and also when its words come after the page was laid out.
+void FitTest::aChoiceIsAsWideAsItsWords()
+{
+    QWidget page;
+    auto* form = new QFormLayout(&page);
+    auto* box = new QComboBox;
+    box->addItem("a");
+    auto* label = new QLabel("A label that is long enough:");
+    form->addRow(label, box);
+    fitControls(page);
+    page.resize(300, 80);
+    page.show();
+    QTRY_VERIFY(box->x() > label->geometry().right());
+    const QString words = "ellipsoid, the field's size";
+    box->addItem(words);
+    box->setCurrentIndex(1);
+    QTRY_VERIFY(box->width() > box->fontMetrics().horizontalAdvance(words));
+    QTRY_VERIFY(box->y() > label->geometry().bottom());
+    box->removeItem(1);
+    QTRY_VERIFY(box->minimumWidth() < box->fontMetrics().horizontalAdvance(words));
+}
+
 void FitTest::aChoiceSaysItsWholeTextAsATip()
 {
     QWidget page;
@@ -158,7 +210,8 @@ void FitTest::aChoiceSaysItsWholeTextAsATip()
     QCOMPARE(form->rowWrapPolicy(), QFormLayout::WrapLongRows);
     page.resize(260, 60);
     page.show();
-    QVERIFY(page.minimumSizeHint().width() < 260);
+    QVERIFY(box->sizeHint().width() > 500);
+    QVERIFY(page.minimumSizeHint().width() < 500); // no name makes a page wider than that
     QHelpEvent help(QEvent::ToolTip, {5, 5}, box->mapToGlobal(QPoint(5, 5)));
     QCoreApplication::sendEvent(box, &help);
     QCOMPARE(QToolTip::text(), QString(60, 'w') + "\nwhat it is for");

@@ -132,7 +132,7 @@ QStringList misfitsOf(MainWindow& window)
         if (!widget->isVisible())
             continue;
         for (const QString& what : {sideways(*widget), cutHeading(*widget), cutChoice(*widget)})
-            if (!what.isEmpty() && qEnvironmentVariableIsSet("LUBBERLINE_FIT_ALL"))
+            if (!what.isEmpty())
                 found
                     += nameOf(*(qobject_cast<const QHeaderView*>(widget) ? widget->parentWidget() : widget)) + QStringLiteral(": ") + what;
         if (widget->objectName().startsWith(QStringLiteral("qt_")) || inside<QAbstractItemView>(*widget) || inside<QComboBox>(*widget)

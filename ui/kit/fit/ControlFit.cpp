@@ -10,6 +10,7 @@
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QTableView>
+#include <QTimer>
 #include <QToolTip>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr int kLeastLetters = 9, kMostLetters = 48, kMostHint_px = 420;
+constexpr int kMostLetters = 66, kMostHint_px = 420;
 
 bool isCut(const QComboBox& box)
 {
@@ -73,12 +74,53 @@ protected:
     }
 };
 
+/// A choice is never narrower than its words. Its own least size is that of the words that it was made with: Qt keeps it whatever comes in.
+class ChoiceFit final : public QObject {
+public:
+    explicit ChoiceFit(QComboBox& box) : QObject(&box), m_box(box)
+    {
+        box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        m_soon.setSingleShot(true);
+        connect(&m_soon, &QTimer::timeout, this, &ChoiceFit::fit);
+        const auto soon = [this] { m_soon.start(); }; // once for all that come together
+        const auto* model = box.model();
+        connect(model, &QAbstractItemModel::dataChanged, this, soon);
+        connect(model, &QAbstractItemModel::rowsInserted, this, soon);
+        connect(model, &QAbstractItemModel::rowsRemoved, this, soon);
+        connect(model, &QAbstractItemModel::modelReset, this, soon);
+        box.installEventFilter(this);
+        fit();
+    }
+
+    [[nodiscard]] static bool stands(const QComboBox& box)
+    {
+        return std::any_of(box.children().begin(), box.children().end(), [](QObject* child) { return dynamic_cast<ChoiceFit*>(child); });
+    }
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange || event->type() == QEvent::Show)
+            m_soon.start();
+        return false;
+    }
+
+private:
+    void fit()
+    {
+        const int most = kMostLetters * m_box.fontMetrics().averageCharWidth() + m_box.fontMetrics().height() + 14;
+        m_box.setMinimumWidth(std::min(m_box.sizeHint().width(), most));
+        m_box.setMaximumWidth(most);
+    }
+
+    QComboBox& m_box;
+    QTimer m_soon;
+};
+
 void fitChoice(QComboBox& box)
 {
-    const int letter = box.fontMetrics().averageCharWidth(), arrow = box.fontMetrics().height() + 14;
-    box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    box.setMinimumWidth(kLeastLetters * letter + arrow);
-    box.setMaximumWidth(kMostLetters * letter + arrow);
+    if (!ChoiceFit::stands(box))
+        new ChoiceFit(box);
 }
 
 } // namespace

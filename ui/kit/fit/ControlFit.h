@@ -12,8 +12,8 @@ void finishControls(QWidget& page);
 /// As wide as what stands in it while it is empty.
 void showHint(QLineEdit& line);
 
-/// Below `page`: rows of forms put a field beneath its label where both are too long, choices are as wide as their words where there is room
-/// and say in a tip what is cut, columns of tables fit (see TableFit.h). What comes later is to be given here again; it does no harm twice.
+/// Below `page`: rows of forms put a field beneath its label where both are too long, choices are as wide as their words
+/// and say in a tip what is longer than any page, columns of tables fit (see TableFit.h). What comes later is to be given here again; it does no harm twice.
 void fitControls(QWidget& page);
 
 } // namespace lubberline::ui

@@ -3,6 +3,8 @@
 #include <QEvent>
 #include <QLayout>
 #include <QScrollBar>
+#include <QTabBar>
+#include <QTabWidget>
 
 #include <algorithm>
 
@@ -11,11 +13,25 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kLeastHeight = 260; ///< of a plot that stands beneath its fields
+constexpr int kTabFrame = 6;      ///< of a page behind a tab, both sides
 
 /// As Qt reckons it: a size that was set rules.
 int leastWidth(const QWidget& widget)
 {
     return widget.minimumWidth() > 0 ? widget.minimumWidth() : std::min(widget.minimumSizeHint().width(), widget.maximumWidth());
+}
+
+/// That words which wrap are read whole at a width; 0: none does. Qt does not ask behind tabs.
+int heightOfWords(const QWidget& widget, int width)
+{
+    if (const auto* tabs = qobject_cast<const QTabWidget*>(&widget)) {
+        int height = 0;
+        for (int i = 0; i < tabs->count(); ++i)
+            height = std::max(height, heightOfWords(*tabs->widget(i), width - kTabFrame));
+        return height > 0 ? height + tabs->tabBar()->sizeHint().height() + kTabFrame : 0;
+    }
+    const QLayout* layout = widget.layout();
+    return layout && layout->hasHeightForWidth() ? layout->minimumHeightForWidth(width) : 0;
 }
 
 } // namespace
@@ -113,8 +129,7 @@ void SideBySide::giveHeights()
     const bool above = orientation() == Qt::Vertical;
     for (int i = 0; i < count(); ++i) {
         const auto* panel = dynamic_cast<const SidePanel*>(widget(i));
-        const QLayout* layout = panel ? nullptr : widget(i)->layout();
-        const int words = layout && layout->hasHeightForWidth() ? layout->minimumHeightForWidth(widget(i)->width()) : 0;
+        const int words = panel ? 0 : heightOfWords(*widget(i), widget(i)->width());
         const int own = m_own.contains(widget(i)) ? m_own.value(widget(i)) : *m_own.insert(widget(i), widget(i)->minimumHeight());
         widget(i)->setMinimumHeight(std::max(own, !above ? words : panel ? panel->wholeHeight(width()) : std::max(words, kLeastHeight)));
     }

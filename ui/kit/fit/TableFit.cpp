@@ -88,8 +88,8 @@ protected:
     {
         if (event->type() == QEvent::Resize || event->type() == QEvent::Show)
             fit();
-        else if (event->type() == QEvent::FontChange)
-            m_soon.start();
+        if (event->type() == QEvent::FontChange || event->type() == QEvent::Show)
+            m_soon.start(); // the header is shown, and given its style, after what it stands above
         return false;
     }
 
@@ -119,7 +119,7 @@ private:
         for (int i = 0; i < header.count(); ++i) {
             if (header.isSectionHidden(i))
                 continue;
-            const int heading = header.isVisible() ? header.sectionSizeHint(i) : 0, content = view.sizeHintForColumn(i) + 1;
+            const int heading = !header.isHidden() ? header.sectionSizeHint(i) : 0, content = view.sizeHintForColumn(i) + 1;
             sections.push_back(i);
             least.push_back(std::max(heading, std::min(content, kLeastText * m_table.fontMetrics().averageCharWidth())));
             wanted.push_back(std::max(heading, content));

@@ -109,6 +109,7 @@ void CartesianPlot::setTitles(const QString& x, const QString& y)
 {
     for (const auto& [axis, text] : {std::pair{QwtAxis::XBottom, x}, {QwtAxis::YLeft, y}}) {
         QwtText title(text);
+        title.setRenderFlags(Qt::AlignCenter | Qt::TextWordWrap); // beside a low plot it stands in two lines
         title.setFont(m_font);
         title.setColor(m_colours.text);
         setAxisTitle(axis, title);

@@ -4,7 +4,10 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include <qwt_interval.h>
 #include <qwt_polar.h>
@@ -21,7 +24,6 @@ namespace {
 
 constexpr double kScaleGap = 9; ///< between the line to the north and the labels of the scale: a reading at 000 has room
 constexpr double kTick = 4;
-constexpr double kLeastWidthForCaptions = 240; ///< below it they would run into the headings
 
 QString rimName(int heading_deg)
 {
@@ -50,6 +52,16 @@ QRectF rimPlace(const QPointF& pole, double radius, int heading_deg, const QFont
     QRectF place(QPointF(), size);
     place.moveCenter(polarPlace(pole, heading_deg, radius + kTick + 2 + reach));
     return place;
+}
+
+struct Caption {
+    QString text;
+    std::array<Qt::Alignment, 2> corners; ///< the better one first
+};
+
+double nearestTo(const QPointF& point, const QRectF& box)
+{
+    return std::hypot(point.x() - std::clamp(point.x(), box.left(), box.right()), point.y() - std::clamp(point.y(), box.top(), box.bottom()));
 }
 
 /// Valid and inside the scale: otherwise Qwt clips by a region of whole pixels.
@@ -95,7 +107,7 @@ void PolarGround::draw(
         drawLimitEdge(*painter, radialMap, pole);
     drawHeadings(*painter, pole, radius);
     drawScale(*painter, radialMap, pole);
-    drawCaptions(*painter, canvasRect);
+    drawCaptions(*painter, canvasRect, pole, radius);
 }
 
 void PolarGround::drawLimit(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const
@@ -183,16 +195,26 @@ void PolarGround::drawScale(QPainter& painter, const QwtScaleMap& radialMap, con
     }
 }
 
-/// In the corners that the circle leaves free.
-void PolarGround::drawCaptions(QPainter& painter, const QRectF& within) const
+/// In corners that the circle and the names of its headings leave free; where none is, a caption is left out.
+void PolarGround::drawCaptions(QPainter& painter, const QRectF& within, const QPointF& pole, double radius) const
 {
-    if (within.width() < kLeastWidthForCaptions)
-        return;
-    const QRectF corners = within.adjusted(4, 2, -4, -2);
+    std::vector<QRectF> taken;
+    for (int heading_deg = 0; heading_deg < 360; heading_deg += 30)
+        taken.push_back(rimPlace(pole, radius, heading_deg, m_font));
+    const QRectF room = within.adjusted(4, 2, -4, -2);
     painter.setFont(m_font);
     painter.setPen(m_colours.faint);
-    painter.drawText(corners, Qt::AlignLeft | Qt::AlignBottom, deviationCaption());
-    painter.drawText(corners, Qt::AlignRight | Qt::AlignBottom, headingCaption());
+    for (const Caption& caption : {Caption{deviationCaption(), {Qt::AlignLeft | Qt::AlignBottom, Qt::AlignLeft | Qt::AlignTop}},
+             Caption{headingCaption(), {Qt::AlignRight | Qt::AlignBottom, Qt::AlignRight | Qt::AlignTop}}})
+        for (const Qt::Alignment corner : caption.corners) {
+            const QRectF box = painter.boundingRect(room, static_cast<int>(corner), caption.text);
+            if (!room.contains(box) || nearestTo(pole, box) < radius + kTick
+                || std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(box); }))
+                continue;
+            painter.drawText(box, static_cast<int>(corner), caption.text);
+            taken.push_back(box);
+            break;
+        }
 }
 
 PolarReadings::PolarReadings()

@@ -35,7 +35,7 @@ private:
     void drawGrid(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole, double radius) const;
     void drawHeadings(QPainter& painter, const QPointF& pole, double radius) const;
     void drawScale(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const;
-    void drawCaptions(QPainter& painter, const QRectF& within) const;
+    void drawCaptions(QPainter& painter, const QRectF& within, const QPointF& pole, double radius) const;
 
     NiceScale m_scale;
     std::optional<double> m_limit_deg;
