@@ -109,7 +109,8 @@ QStringList jumpsIn(QWidget& page)
         const bool another = qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget)
             || qobject_cast<const QAbstractItemView*>(widget) || qobject_cast<const QCheckBox*>(widget)
             || qobject_cast<const QToolButton*>(widget);
-        if (!(field || another) || widget->objectName().startsWith("qt_") || !page.isAncestorOf(widget) || !acceptsTab(*widget) || widget->focusProxy())
+        if (!(field || another) || widget->objectName().startsWith("qt_") || !page.isAncestorOf(widget) || !acceptsTab(*widget)
+            || widget->focusProxy())
             continue;
         if (before && before->parentWidget() == widget->parentWidget()) { // of one form
             const QPoint from = before->mapTo(&page, QPoint()), to = widget->mapTo(&page, QPoint());
@@ -169,8 +170,8 @@ void AccessibilityTest::theFocusIsSeen()
         auto& page = open.window.findChild<PageStack*>()->current();
         for (auto* widget : page.findChildren<QWidget*>()) {
             const bool control = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QLineEdit*>(widget)
-                || qobject_cast<QComboBox*>(widget) || widget->objectName() == "stationStrip"
-                || qobject_cast<QAbstractSlider*>(widget) || qobject_cast<QAbstractSpinBox*>(widget);
+                || qobject_cast<QComboBox*>(widget) || widget->objectName() == "stationStrip" || qobject_cast<QAbstractSlider*>(widget)
+                || qobject_cast<QAbstractSpinBox*>(widget);
             if (!control || !acceptsTab(*widget) || widget->focusProxy() || widget->objectName().startsWith("qt_")
                 || widget->visibleRegion().isEmpty())
                 continue;

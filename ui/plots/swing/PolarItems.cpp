@@ -61,7 +61,8 @@ struct Caption {
 
 double nearestTo(const QPointF& point, const QRectF& box)
 {
-    return std::hypot(point.x() - std::clamp(point.x(), box.left(), box.right()), point.y() - std::clamp(point.y(), box.top(), box.bottom()));
+    return std::hypot(
+        point.x() - std::clamp(point.x(), box.left(), box.right()), point.y() - std::clamp(point.y(), box.top(), box.bottom()));
 }
 
 /// Valid and inside the scale: otherwise Qwt clips by a region of whole pixels.
