@@ -23,7 +23,7 @@ Result<PlacedSwings> placedSwings(const std::string& database, const std::vector
             return Error{ErrorCode::InvalidInput, {MARKED("app", "swing %1 is of another compass; expected swings of one compass"), name}};
         compass = record->compass.id;
         placed.limits = record->limits;
-        auto swing = (*stores)->jobs.placeOf(*record);
+        auto swing = (*stores)->results.placeOf(*record);
         if (!swing)
             return Error{swing.error().code, {MARKED("app", "swing %1: %2"), name, swing.error().message}};
         placed.swings.push_back(std::move(swing.value()));

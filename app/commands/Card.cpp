@@ -122,7 +122,7 @@ Result<CardSheet> cardFromDatabase(db::Stores& stores, SwingId swing, const Card
         return input.error();
     CardSheet sheet{std::move(input.value()), {}, {}};
     for (const auto& column : sheet.input.columns) {
-        auto analysis = stores.jobs.resultOf(column.record);
+        auto analysis = stores.results.resultOf(column.record);
         if (!analysis)
             return analysis.error();
         sheet.analyses.push_back(std::move(analysis.value()));

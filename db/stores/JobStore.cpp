@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/fleet/SoftIron.h"
 #include "core/format/exchange/JobJson.h"
 #include "core/record/RecordWords.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
 #include "db/stores/Audit.h"
-#include "db/stores/PopulationStore.h"
 #include "db/stores/Saving.h"
 #include "db/stores/SwingStore.h"
 
@@ -30,54 +28,6 @@ struct JobRowIn {
 JobRowIn jobRowFrom(const Statement& row)
 {
     return {row.integer(0), row.record(1), row.id<SwingId>(2), row.longText(3), row.as(4, JobStanding::Abandoned)};
-}
-
-/// D and E of its type out of the years; none: too few aircraft tell them.
-/// @param siblings without this aircraft itself, and out of as many swings as a page that opens has time for
-Result<std::optional<SoftIronStandard>> standardOfType(Database& database, const SwingRecord& record, bool siblings)
-{
-    constexpr int kManySwings = 500;
-    if (record.type.name.empty() || (siblings && !record.swing.id.valid()))
-        return std::optional<SoftIronStandard>();
-    FleetSelection selection;
-    selection.type = record.type.name;
-    selection.compass = record.compass.name;
-    auto fleet = PopulationStore(database).columns(selection, {}, siblings ? kManySwings : 0);
-    if (!fleet)
-        return fleet.error();
-    if (siblings)
-        std::erase_if(fleet->swings, [&](const FleetSwing& swing) {
-            return fleet->compasses[static_cast<std::size_t>(swing.compass)].aircraft == record.aircraft.registration;
-        });
-    const auto curves = curvesOf(*fleet);
-    if (!curves)
-        return curves.error();
-    const auto standards = softIronOf(*fleet, *curves);
-    return standards.empty() ? std::nullopt : std::optional(standards.front());
-}
-
-/// What the years of its type say of D and E in the place of what its headings do not tell.
-Result<std::optional<TypeSoftIron>> softIronOfType(Database& database, const SwingRecord& record)
-{
-    const auto standardFound = standardOfType(database, record, false);
-    if (!standardFound)
-        return standardFound.error();
-    if (!*standardFound)
-        return std::optional<TypeSoftIron>();
-    TypeSoftIron type;
-    const SoftIronStandard& standard = **standardFound;
-    const auto estimate = [](const SoftIronCoefficient& one) {
-        return Estimate{std::sin(toRadians(one.mean_deg)), toRadians(one.next_deg)}; // 𝔇 = sin D [P 5]
-    };
-    if (standard.D) {
-        type.D = estimate(*standard.D);
-        type.words = inWords(*standard.D, 'D');
-    }
-    if (standard.E) {
-        type.E = estimate(*standard.E);
-        type.words = standard.D ? Message{MARKED("db", "%1; %2"), type.words, inWords(*standard.E, 'E')} : inWords(*standard.E, 'E');
-    }
-    return std::optional(std::move(type));
 }
 
 const QString kSelectJob = "SELECT j.id, j.record, j.swing_id, j.plan_json, j.state FROM swing_job j ";
@@ -153,17 +103,6 @@ Result<JobRowIn> openRowAt(Database& database, SwingId swing, std::size_t place)
     return row;
 }
 
-/// None where the swing before told less than five coefficients.
-std::optional<ExpectedCurve> historyOf(const SwingRow& before, const Swing& swing)
-{
-    const auto& c = before.coefficient_deg;
-    constexpr double kLargeIndex_deg = 45.0; // B and C of a compass so far out are of other headings
-    if (!std::all_of(c.begin(), c.end(), [](const auto& one) { return one.has_value(); }) || std::abs(*c[0]) > kLargeIndex_deg)
-        return std::nullopt;
-    return expectedAfter(
-        {toRadians(*c[0]), toRadians(*c[1]), toRadians(*c[2]), toRadians(*c[3]), toRadians(*c[4])}, before.kind, before.stage, swing);
-}
-
 } // namespace
 
 Result<std::vector<JobRow>> JobStore::open()
@@ -199,71 +138,6 @@ Result<std::optional<JobRecord>> JobStore::jobOf(SwingId swing)
     job->particulars = std::move(*owner);
     job->particulars.readings.clear();
     return std::optional(JobRecord{(*row)->swing, std::move(*job)});
-}
-
-Result<std::optional<ExpectedCurve>> JobStore::siblingsOf(const SwingRecord& record)
-{
-    const auto before = SwingStore(m_database).previousRow(record.swing.id);
-    if (!before)
-        return before.error();
-    if (*before && historyOf(**before, record.swing))
-        return std::optional<ExpectedCurve>();
-    const auto standard = standardOfType(m_database, record, true);
-    if (!standard)
-        return standard.error();
-    return *standard ? std::optional(expectedOf(**standard)) : std::nullopt;
-}
-
-Result<SwingQuestion> JobStore::questionOf(const SwingRecord& record)
-{
-    const auto siblings = siblingsOf(record);
-    return siblings ? questionOf(record, *siblings) : Result<SwingQuestion>(siblings.error());
-}
-
-Result<SwingQuestion> JobStore::questionOf(const SwingRecord& record, const std::optional<ExpectedCurve>& siblings)
-{
-    const auto job = jobOf(record.swing.id);
-    if (!job)
-        return job.error();
-    const auto before = SwingStore(m_database).previousRow(record.swing.id);
-    if (!before)
-        return before.error();
-    const auto own = *before ? historyOf(**before, record.swing) : std::nullopt;
-    return lubberline::questionOf(record, *job ? &(*job)->job : nullptr, {.history = own ? own : siblings});
-}
-
-Result<SwingQuestion> JobStore::questionOf(SwingId swing)
-{
-    const auto record = SwingStore(m_database).record(swing, ReadingParts::Headings);
-    return record ? questionOf(*record) : Result<SwingQuestion>(record.error());
-}
-
-Result<Analysis> JobStore::resultOf(const SwingRecord& record)
-{
-    const auto question = questionOf(record);
-    return question ? answerTo(*question) : Result<Analysis>(question.error());
-}
-
-Result<Analysis> JobStore::resultOf(SwingId swing)
-{
-    const auto question = questionOf(swing);
-    return question ? answerTo(*question) : Result<Analysis>(question.error());
-}
-
-Result<SwingAtPlace> JobStore::placeOf(const SwingRecord& record)
-{
-    const auto found = jobOf(record.swing.id);
-    if (!found)
-        return found.error();
-    const SwingJob* job = *found ? &(*found)->job : nullptr;
-    auto place = swingAtPlace(record, job);
-    if (place)
-        return place;
-    const auto result = lubberline::resultOf(record, job, {.maxOrder = 0, .findSlips = false});
-    if (!result || result->exact.parameters != static_cast<int>(kCoefficientCount) - 1)
-        return place;
-    const auto type = softIronOfType(m_database, record);
-    return type && *type ? swingAtPlace(record, job, *type) : std::move(place);
 }
 
 Result<std::vector<JobRecord>> JobStore::all()

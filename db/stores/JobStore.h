@@ -6,8 +6,6 @@
 
 #include "core/record/Fleet.h"
 #include "core/record/FleetRows.h"
-#include "core/swing/SwingPlaces.h"
-#include "core/swing/SwingResult.h"
 #include "db/engine/Database.h"
 
 namespace lubberline::db {
@@ -20,21 +18,6 @@ public:
     /// The job that belongs to the swing or made it. Its particulars are those of the swing that it belongs to.
     /// Errors: Corrupt (an event that does not read).
     Result<std::optional<JobRecord>> jobOf(SwingId swing);
-    /// What the result of a stored swing is computed from, with what its compass's last swing or its siblings let expect (for slips); answerTo() it on a worker where
-    /// there are many readings.
-    Result<SwingQuestion> questionOf(const SwingRecord& record);
-    Result<SwingQuestion> questionOf(SwingId swing);
-    /// How a compass that no swing before tells of is expected to deviate by its siblings: other aircraft of its type with the same compass.
-    /// None: a swing before tells it, or too few siblings do.
-    Result<std::optional<ExpectedCurve>> siblingsOf(const SwingRecord& record);
-    /// The same question with what siblingsOf() said when it was asked: it reads hundreds of swings, which no keystroke waits for.
-    Result<SwingQuestion> questionOf(const SwingRecord& record, const std::optional<ExpectedCurve>& siblings);
-    /// The one result of a stored swing (core/swing/SwingResult.h), with the divisions of the guided swing that it came from.
-    /// Errors: those of resultOf(); Corrupt when that guided swing does not read: without it the result would look surer than it is.
-    Result<Analysis> resultOf(const SwingRecord& record);
-    Result<Analysis> resultOf(SwingId swing);
-    /// Likewise: its coefficients with their errors, in its field. Errors: those of swingAtPlace() besides.
-    Result<SwingAtPlace> placeOf(const SwingRecord& record);
     Result<std::vector<JobRecord>> all(); ///< of every swing, without particulars: for the exchange file
 
     /// A new draft for the job, and the job with its first events; the particulars are those of the swing.

@@ -16,6 +16,7 @@
 #include "db/stores/FleetStore.h"
 #include "db/stores/JobStore.h"
 #include "db/stores/KeyStore.h"
+#include "db/stores/ResultStore.h"
 #include "db/stores/SensorStore.h"
 #include "db/stores/SigningStore.h"
 #include "db/stores/SiteStore.h"
@@ -55,6 +56,7 @@ public:
     SwingStore swings;
     SigningStore signing;
     JobStore jobs;
+    ResultStore results;
     SensorStore sensors;
     SiteStore sites;
     DueStore due;

@@ -139,8 +139,8 @@ protected:
                 if (const auto named = m_swings.recordOf(swing.id); tell(named))
                     tell(m_signing.auditOf(*named));
                 if (const auto record = m_swings.record(swing.id); tell(record)) {
-                    (void)m_jobs.resultOf(*record);
-                    (void)m_jobs.placeOf(*record);
+                    (void)m_results.resultOf(*record);
+                    (void)m_results.placeOf(*record);
                 }
             }
     }

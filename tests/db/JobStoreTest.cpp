@@ -1,6 +1,5 @@
 // Guided swings only grow, go to another machine and come back; the next one begins as the last was left.
 
-#include "core/earth/FieldModel.h"
 #include "tests/db/SwingStores.h"
 
 namespace lubberline::test {
@@ -114,99 +113,6 @@ TEST_F(JobStore, lastTimeIsAsItWasLeft)
     now.date = "2026-05-05";
     EXPECT_EQ(m_swings.previous(*save(m_swings, now))->value().id, leftId);
     EXPECT_EQ(m_swings.previous(leftId)->value().id, foundId); // nothing older: as it was found that day
-}
-
-TEST_F(JobStore, theSwingBeforeIsTheHistoryOfTheNext)
-{
-    Swing before = worksheetSwing(m_stored);
-    before.date = "2025-05-05";
-    const SwingId first = *save(m_swings, before);
-    Swing now = worksheetSwing(m_stored);
-    now.date = "2026-05-05";
-    const SwingId next = *save(m_swings, now);
-    const auto without = m_jobs.questionOf(first), with = m_jobs.questionOf(next);
-    ASSERT_TRUE(without && with);
-    EXPECT_FALSE(without->options.history);
-    ASSERT_TRUE(with->options.history);
-    const auto told = m_jobs.resultOf(first)->approximate.smith();
-    EXPECT_NEAR(with->options.history->mean.B_rad, told.B_rad, 1e-12);
-    EXPECT_NEAR(with->options.history->mean.E_rad, told.E_rad, 1e-12);
-    // Of its headings alone, it is the same question.
-    const auto byRecord = m_jobs.questionOf(*m_swings.record(next));
-    ASSERT_EQ(byRecord->readings.size(), with->readings.size());
-    for (std::size_t i = 0; i < with->readings.size(); ++i) {
-        EXPECT_EQ(byRecord->readings[i].magnetic, with->readings[i].magnetic);
-        EXPECT_EQ(byRecord->readings[i].compass, with->readings[i].compass);
-    }
-}
-
-TEST_F(JobStore, siblingsAreTheHistoryOfACompassThatWasNeverSwung)
-{
-    const auto swung = [this](const std::string& registration, double D_deg) {
-        Aircraft aircraft;
-        aircraft.type = m_stored.type;
-        aircraft.registration = registration;
-        CompassSystem compass;
-        compass.aircraft = *save(m_fleet, aircraft);
-        compass.name = "standby compass";
-        Stored there = m_stored;
-        there.compass = *save(m_fleet, compass);
-        Swing swing = swingOf(there);
-        swing.readings.clear();
-        for (int heading = 0; heading < 360; heading += 45)
-            swing.readings.push_back(reading(heading + D_deg * std::sin(2 * toRadians(heading)), heading));
-        const SwingId id = *save(m_swings, swing);
-        EXPECT_TRUE(m_signing.complete(id)); // drafts tell nothing of a type
-        return id;
-    };
-    const SwingId own = swung("OWN", 5.0);
-    swung("ONE", -1.8);
-    swung("TWO", -2.0);
-    EXPECT_FALSE(m_jobs.questionOf(own)->options.history); // two aircraft are no type
-    swung("THREE", -2.2);
-    const auto question = m_jobs.questionOf(own);
-    ASSERT_TRUE(question && question->options.history);
-    EXPECT_NEAR(toDegrees(question->options.history->mean.D_rad), -2.0, 1e-9); // its own D tells nothing of itself
-    // s = 0.2 of three: the mean's 0.2/√3, with as much of 0.2 beside it as their readings do not explain, times Student's 4.303 for 1.96.
-    const double spread_deg = toDegrees(question->options.history->standardDeviation.D_rad);
-    EXPECT_GT(spread_deg, 0.1155 * 4.3027 / 1.96);
-    EXPECT_LT(spread_deg, 0.2310 * 4.3027 / 1.96);
-    EXPECT_EQ(question->options.history->standardDeviation.B_rad, anyCurve().standardDeviation.B_rad);
-    const SwingRecord record = *m_swings.record(own);
-    EXPECT_EQ(m_jobs.questionOf(record, {})->options.history.has_value(), false);
-
-    Swing later = record.swing; // its last swing tells more than its siblings
-    later.id = {};
-    later.record = {};
-    later.state = SwingState::Draft;
-    later.date = "2026-11-25";
-    const SwingId next = *save(m_swings, later);
-    EXPECT_FALSE(*m_jobs.siblingsOf(*m_swings.record(next)));
-    EXPECT_NEAR(toDegrees(m_jobs.questionOf(next)->options.history->mean.D_rad), 5.0, 1e-6);
-}
-
-TEST_F(JobStore, aResultHasTheDivisionsOfItsJobOrIsRefused)
-{
-    const SwingId id = *save(m_swings, worksheetSwing(m_stored));
-    const SwingRecord record = *m_swings.record(id);
-    const Analysis alone = *m_jobs.resultOf(record);
-    SwingRecord placed = record; // in a field, as predictions want it
-    placed.swing.field = *stampField(*makePlace(52.2, 20.9, 100), "2026-11-20");
-    const SwingAtPlace placeAlone = *m_jobs.placeOf(placed);
-    SwingJob job = smallJob();
-    job.datum.resolution_deg = 5;
-    ASSERT_TRUE(m_jobs.add(id, job, true)); // the swing itself does not name it, as in files of before
-    const Analysis guided = *m_jobs.resultOf(record);
-    EXPECT_GT(*guided.approximate.standardError[0], *alone.approximate.standardError[0]);
-    EXPECT_EQ(m_jobs.resultOf(id)->approximate.standardError, guided.approximate.standardError);
-    EXPECT_GT(m_jobs.placeOf(placed)->standardError.A, placeAlone.standardError.A);
-
-    ASSERT_TRUE(db::execute(m_database, "UPDATE swing_job SET plan_json = '{'"));
-    const auto refused = m_jobs.resultOf(record);
-    ASSERT_FALSE(refused); // not as if there had been no datum
-    EXPECT_EQ(refused.error().code, ErrorCode::Corrupt);
-    EXPECT_EQ(m_jobs.placeOf(placed).error().code, ErrorCode::Corrupt);
-    EXPECT_THAT(refused.error().message.english(), testing::HasSubstr("guided swing"));
 }
 
 } // namespace lubberline::test

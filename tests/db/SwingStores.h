@@ -7,6 +7,7 @@
 #include "db/stores/DueStore.h"
 #include "db/stores/ElectricalStore.h"
 #include "db/stores/JobStore.h"
+#include "db/stores/ResultStore.h"
 #include "db/stores/SigningStore.h"
 #include "db/stores/SiteStore.h"
 #include "db/transfer/Maintenance.h"
@@ -65,6 +66,7 @@ protected:
     db::SwingStore m_swings{m_database};
     db::FleetStore m_fleet{m_database};
     db::JobStore m_jobs{m_database};
+    db::ResultStore m_results{m_database};
     db::SigningStore m_signing{m_database};
 };
 

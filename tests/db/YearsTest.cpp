@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "db/stores/FleetStore.h"
-#include "db/stores/JobStore.h"
 #include "db/stores/PopulationStore.h"
+#include "db/stores/ResultStore.h"
 #include "db/stores/SigningStore.h"
 #include "db/transfer/Maintenance.h"
 #include "db/transfer/Transfer.h"
@@ -169,14 +169,14 @@ TEST(Years, aTypesSoftIronIsTakenWhereFourHeadingsDoNotTellIt)
         reading.compass = CompassHeading::fromDegrees(heading == 90 ? 88 : heading == 270 ? 272 : heading);
         record.swing.readings.push_back(reading);
     }
-    const auto place = db::JobStore(database).placeOf(record);
+    const auto place = db::ResultStore(database).placeOf(record);
     ASSERT_TRUE(place) << place.error().message.english();
     EXPECT_NEAR(place->exact.D, std::sin(toRadians(-2.2)), toRadians(0.1));
     EXPECT_GT(place->standardError.D, 0);
     EXPECT_NEAR(place->exact.B, std::sin(toRadians(2)), toRadians(0.2));
     EXPECT_THAT(place->taken.english(), testing::HasSubstr("do not tell D: its type's is taken (D \u22122."));
     record.type.name = "Mi-17"; // of which nothing is known
-    EXPECT_FALSE(db::JobStore(database).placeOf(record));
+    EXPECT_FALSE(db::ResultStore(database).placeOf(record));
 }
 
 TEST(Years, whatIsNotWholeComesInAsADraft)

@@ -171,7 +171,7 @@ Result<void> PredictionPage::showSwing(SwingId id)
     m_separation.reset();
     m_basis->setCurrentIndex(0);
     setTitle(tr("What it will read elsewhere: %1").arg(titleOf(m_record)));
-    auto swing = m_stores.jobs.placeOf(m_record);
+    auto swing = m_stores.results.placeOf(m_record);
     m_swing = swing ? std::optional(*swing) : std::nullopt;
     m_whyNoSwing = swing ? QString() : messageOf(swing.error());
     loadSites();
@@ -197,7 +197,7 @@ Result<std::vector<SwingAtPlace>> PredictionPage::swingsOfCompass() const
     std::vector<SwingAtPlace> swings;
     for (std::size_t i = 0; i < rows->size() && i < kMostSwings; ++i)
         if (const auto record = m_stores.swings.record((*rows)[i].id))
-            if (auto swing = m_stores.jobs.placeOf(*record)) // what tells nothing of iron is passed over
+            if (auto swing = m_stores.results.placeOf(*record)) // what tells nothing of iron is passed over
                 swings.push_back(std::move(swing.value()));
     return swings;
 }

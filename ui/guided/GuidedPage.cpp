@@ -189,11 +189,11 @@ Result<void> GuidedPage::takeUp(SwingId swing)
     std::shared_ptr<const Analysis> analysis;
     QString label;
     if (const auto previous = m_stores.swings.previous(swing); previous && *previous)
-        if (auto made = m_stores.jobs.resultOf((*previous)->id)) {
+        if (auto made = m_stores.results.resultOf((*previous)->id)) {
             analysis = std::make_shared<const Analysis>(std::move(made.value()));
             label = toText((*previous)->date);
         }
-    const auto siblings = m_stores.jobs.siblingsOf(*record);
+    const auto siblings = m_stores.results.siblingsOf(*record);
     if (!siblings)
         return siblings.error();
     m_swing = swing;

@@ -28,7 +28,7 @@ struct EstimatedSwing {
 /// None where the readings do not tell all five coefficients.
 std::optional<EstimatedSwing> estimated(db::Stores& stores, const SwingRecord& record)
 {
-    const auto result = stores.jobs.resultOf(record);
+    const auto result = stores.results.resultOf(record);
     if (!result)
         return std::nullopt;
     const auto& stamp = record.swing.field;

@@ -111,7 +111,7 @@ bool areVerified(const std::vector<SignatureState>& states)
 
 Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const CardOptions& options, const Progress& progress)
 {
-    const auto analysis = stores.jobs.resultOf(record);
+    const auto analysis = stores.results.resultOf(record);
     auto card = analysis ? makeCard(*analysis, options) : Result<Card>(analysis.error());
     if (!card)
         return card.error();
@@ -139,7 +139,7 @@ Result<QStringList> loadsToName(db::Stores& stores, const SwingRecord& record)
     if (!job)
         return job.error();
     QStringList loads;
-    const auto analysis = stores.jobs.resultOf(record);
+    const auto analysis = stores.results.resultOf(record);
     if (!*job || !analysis)
         return loads;
     for (const auto& note : loadsPast((*job)->job, *analysis))
@@ -213,7 +213,7 @@ Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& made
     auto record = stores.swings.record(id);
     if (!record)
         return record.error();
-    auto analysis = stores.jobs.resultOf(*record);
+    auto analysis = stores.results.resultOf(*record);
     if (!analysis)
         return analysis.error();
     auto previous = stores.swings.previous(id);
@@ -335,7 +335,7 @@ Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString
     sheet.madeAtUtc = madeAtUtc;
     constexpr std::size_t kLeastOfACurve = 3;
     if (usedReadings(sheet.record.swing).size() >= kLeastOfACurve) { // a compass that has no card has none of this form, either
-        const auto analysis = stores.jobs.resultOf(sheet.record);
+        const auto analysis = stores.results.resultOf(sheet.record);
         if (!analysis)
             return analysis.error();
         const auto card = makeCard(*analysis, {45, CardSource::Readings, {}});

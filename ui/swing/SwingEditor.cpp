@@ -133,7 +133,7 @@ void SwingEditor::readAgain()
 void SwingEditor::readSiblings()
 {
     m_siblings.reset();
-    if (auto siblings = m_context.stores.jobs.siblingsOf(m_record))
+    if (auto siblings = m_context.stores.results.siblingsOf(m_record))
         m_siblings = *siblings;
     else
         m_context.failed(siblings.error());
@@ -142,7 +142,7 @@ void SwingEditor::readSiblings()
 void SwingEditor::analyseRecord()
 {
     m_used = usedReadings(m_record.swing);
-    auto question = m_context.stores.jobs.questionOf(m_record, m_siblings);
+    auto question = m_context.stores.results.questionOf(m_record, m_siblings);
     if (!question) {
         take(question.error());
         return;
@@ -189,7 +189,7 @@ void SwingEditor::analysePrevious()
     m_previous = std::move(previous.value());
     if (!m_previous)
         return;
-    auto question = m_context.stores.jobs.questionOf(m_previous->id);
+    auto question = m_context.stores.results.questionOf(m_previous->id);
     if (!question)
         return;
     m_previousComputing = question->readings.size() > kComputedAtOnce;

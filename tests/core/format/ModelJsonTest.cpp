@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "core/angle/WrittenDegrees.h"
-#include "core/base/NearWord.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/json/JsonObject.h"
 #include "core/format/json/JsonWriter.h"
@@ -363,48 +361,6 @@ TEST(SensorModelJson, theSamplesAreModels)
         ASSERT_TRUE(setup) << describe(setup.error());
         EXPECT_THAT(setup->note, HasSubstr("invented"));
         EXPECT_TRUE(fieldOf(*setup));
-    }
-}
-
-// Helpers
-
-TEST(NearWord, editsInWords)
-{
-    EXPECT_EQ(editDistance("field", "field"), 0u);
-    EXPECT_EQ(editDistance("feild", "field"), 1u) << "neighbours swapped";
-    EXPECT_EQ(editDistance("filde", "field"), 2u);
-    EXPECT_EQ(editDistance("fields", "field"), 1u);
-    EXPECT_EQ(editDistance("fild", "field"), 1u);
-    EXPECT_EQ(editDistance("FIELD", "field"), 0u);
-    EXPECT_EQ(editDistance("", "field"), 5u);
-    EXPECT_EQ(editDistance("field", ""), 5u);
-}
-
-TEST(NearWord, nearOrNot)
-{
-    const std::string_view known[] = {"on", "name", "current_A"};
-    EXPECT_EQ(nearWord("nam", known), "name");
-    EXPECT_EQ(nearWord("curent_a", known), "current_A");
-    EXPECT_EQ(nearWord("xy", known), "") << "two edits make any word of two letters";
-    EXPECT_EQ(nearWord("colour", known), "");
-    EXPECT_EQ(nearWord(std::string(1'000'000, 'x'), known), "");
-    EXPECT_EQ(nearWord("name", {}), "");
-}
-
-TEST(WrittenDegrees, shortFiguresStayShort)
-{
-    for (const double angle_deg : {0.0, 1.5, -2.5, 30.0, 0.1, 0.7, 12.345678, 90.0, -180.0, 1e-9})
-        EXPECT_EQ(writtenDegrees(toRadians(angle_deg)), angle_deg);
-}
-
-TEST(WrittenDegrees, whatWasReadOnceIsWrittenTheSame)
-{
-    std::mt19937 random(32);
-    std::uniform_real_distribution<double> unit(-kPi, kPi);
-    for (int i = 0; i < 100'000; ++i) {
-        const double angle_rad = unit(random), written_deg = writtenDegrees(angle_rad);
-        EXPECT_EQ(writtenDegrees(toRadians(written_deg)), written_deg);
-        EXPECT_NEAR(toRadians(written_deg), angle_rad, 1e-15);
     }
 }
 

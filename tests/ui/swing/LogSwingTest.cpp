@@ -88,7 +88,7 @@ void LogSwingTest::aFigureLeavesTheResultsOfBeforeUntilTheNewOnesAreThere()
     QVERIFY2(open.label("meaning").startsWith("Being computed anew"), qPrintable(open.label("meaning")));
     QCOMPARE(editor.record(), *fleet.stores.swings.record(id)); // one row was read, and it is the stored one
     editor.settle();
-    const auto whole = fleet.stores.jobs.resultOf(id);
+    const auto whole = fleet.stores.results.resultOf(id);
     QVERIFY(whole && editor.analysis() != before);
     QCOMPARE(editor.analysis()->approximate.value, whole->approximate.value);
     QCOMPARE(editor.analysis()->exact.standardError, whole->exact.standardError);
