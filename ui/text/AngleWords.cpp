@@ -13,12 +13,15 @@ namespace {
 
 AngleStyle g_style = AngleStyle::DecimalDegrees; // of the window's one thread
 
-/// @param fine with tenths of minutes.
-QString degreesMinutes(double size_deg, bool fine)
+/// @param decimals of the degrees; two less of the minutes say as much.
+QString degreesMinutes(double size_deg, int decimals)
 {
-    const qint64 tenths = fine ? std::llround(size_deg * 600) : 10 * std::llround(size_deg * 60);
-    const QString minutes = QStringLiteral("%1").arg(tenths % 600 / 10, 2, 10, QChar('0'));
-    return QStringLiteral("%1°%2'").arg(tenths / 600).arg(fine ? minutes + QStringLiteral(".%1").arg(tenths % 10) : minutes);
+    const int places = std::clamp(decimals - 2, 0, 4);
+    const qint64 parts = std::llround(std::pow(10, places)), all = std::llround(size_deg * 60 * static_cast<double>(parts));
+    QString minutes = QStringLiteral("%1").arg(all % (60 * parts) / parts, 2, 10, QChar('0'));
+    if (places > 0)
+        minutes += QStringLiteral(".%1").arg(all % parts, places, 10, QChar('0'));
+    return QStringLiteral("%1°%2'").arg(all / (60 * parts)).arg(minutes);
 }
 
 bool inMinutes() { return g_style == AngleStyle::DegreesMinutes; }
@@ -33,7 +36,7 @@ QString shownAngle(double angle_deg, int decimals) { return QString::fromStdStri
 
 QString shownSize(double size_deg, int decimals)
 {
-    return inMinutes() && std::isfinite(size_deg) ? degreesMinutes(std::abs(size_deg), decimals > 2)
+    return inMinutes() && std::isfinite(size_deg) ? degreesMinutes(std::abs(size_deg), decimals)
                                                   : plainNumber(size_deg, decimals) + QStringLiteral("°");
 }
 
@@ -51,7 +54,7 @@ QString angleTick(double angle_deg, double step_deg)
     const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(std::abs(step_deg)) - 1e-9)));
     if (!inMinutes() || decimals == 0)
         return signedNumber(angle_deg, decimals);
-    return (angle_deg < 0 ? QStringLiteral("−") : QStringLiteral("+")) + degreesMinutes(std::abs(angle_deg), decimals > 1);
+    return (angle_deg < 0 ? QStringLiteral("−") : QStringLiteral("+")) + degreesMinutes(std::abs(angle_deg), decimals + 1);
 }
 
 QString degreeTick(double angle_deg, double step_deg)
@@ -67,7 +70,7 @@ QString inAngleStyle(QString sentence)
     static const QRegularExpression decimal(QStringLiteral("(\\d+)\\.(\\d+)°(?!\\s?/)"));
     auto found = decimal.match(sentence);
     for (qsizetype from = 0; found.hasMatch(); found = decimal.match(sentence, from)) {
-        QString angle = degreesMinutes(QString(found.captured(1) + '.' + found.captured(2)).toDouble(), found.capturedLength(2) > 2);
+        QString angle = degreesMinutes(QString(found.captured(1) + '.' + found.captured(2)).toDouble(), static_cast<int>(found.capturedLength(2)));
         while (angle.indexOf(QChar(u'°')) < found.capturedLength(1))
             angle.prepend('0'); // a heading has three figures
         sentence.replace(found.capturedStart(), found.capturedLength(), angle);
@@ -75,5 +78,13 @@ QString inAngleStyle(QString sentence)
     }
     return sentence;
 }
+
+QString inAngleColumn(QString cell)
+{
+    static const QRegularExpression figure(QStringLiteral("(\\d+\\.\\d+)(?![\\d°])"));
+    return inMinutes() ? inAngleStyle(cell.replace(figure, QStringLiteral("\\1°"))) : cell;
+}
+
+QString angleUnit() { return inMinutes() ? QStringLiteral("° ′") : QStringLiteral("°"); }
 
 } // namespace lubberline::ui

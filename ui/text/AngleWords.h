@@ -24,5 +24,9 @@ void showAnglesIn(AngleStyle style);
 [[nodiscard]] QString degreeTick(double angle_deg, double step_deg);
 /// A sentence that was written with decimal degrees, by core or by us: "up to 2.5°" becomes "up to 2°30'" where that is chosen. Rates ("°/s") stay.
 [[nodiscard]] QString inAngleStyle(QString sentence);
+/// A cell under a heading that names degrees: "+2.50" becomes "+2°30'" where that is chosen.
+[[nodiscard]] QString inAngleColumn(QString cell);
+/// The unit of such a column: "°" or "° ′".
+[[nodiscard]] QString angleUnit();
 
 } // namespace lubberline::ui

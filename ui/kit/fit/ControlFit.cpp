@@ -17,6 +17,7 @@
 
 #include "ui/kit/fit/TableFit.h"
 #include "ui/kit/keys/ControlNames.h"
+#include "ui/kit/keys/FocusRing.h"
 
 namespace lubberline::ui {
 
@@ -133,6 +134,7 @@ void showHint(QLineEdit& line)
 void finishControls(QWidget& page)
 {
     nameControls(page);
+    ringFocusedViews(page);
     fitControls(page);
 }
 

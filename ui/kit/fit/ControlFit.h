@@ -6,7 +6,7 @@ class QWidget;
 
 namespace lubberline::ui {
 
-/// What every page and panel is given when its controls are made: names for a screen reader (see ControlNames.h), and the fit.
+/// What every page and panel is given when its controls are made: names for a screen reader (see ControlNames.h), the focus that is seen, and the fit.
 void finishControls(QWidget& page);
 
 /// As wide as what stands in it while it is empty.

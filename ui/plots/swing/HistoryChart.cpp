@@ -177,7 +177,12 @@ void HistoryChart::styleItems()
     styleEntry(entry(m_limitEntry), colours().limitEdge, colours().limit);
 }
 
-void HistoryChart::layoutPlots(const QRect& rect) { m_plot->setGeometry(rect); }
+void HistoryChart::layoutPlots(const QRect& rect)
+{
+    m_plot->setGeometry(rect);
+    const int date = QFontMetrics(font()).horizontalAdvance(QStringLiteral("0000-00-00  ")); // side by side, not into each other
+    m_plot->setAxisMaxMajor(QwtAxis::XBottom, std::clamp(rect.width() / date - 1, 1, 6));
+}
 
 void HistoryChart::paintPlots(QPainter& painter, const QRectF& device)
 {

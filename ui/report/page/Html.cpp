@@ -5,6 +5,8 @@
 #include <QRegularExpression>
 #include <QSvgGenerator>
 
+#include "ui/text/AngleWords.h"
+
 namespace lubberline::ui {
 
 namespace {
@@ -27,7 +29,7 @@ footer { font-size: .8em; border-top: 1px solid #333; margin-top: 1.5em; padding
 
 } // namespace
 
-QString escaped(const QString& text) { return text.toHtmlEscaped(); }
+QString escaped(const QString& text) { return inAngleStyle(text).toHtmlEscaped(); }
 
 QString element(const QString& name, const QString& inner, const QString& cssClass)
 {
@@ -59,8 +61,9 @@ QString cssFor(TableRow::Look look)
 
 } // namespace
 
-QString tableHtml(const Table& table)
+QString tableHtml(const Table& given)
 {
+    const Table table = inAngleStyle(given);
     QString head, rows;
     for (const TableColumn& column : table.columns) {
         QStringList lines{column.head, column.argument, column.unit};

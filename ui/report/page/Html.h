@@ -15,7 +15,7 @@ class QRectF;
 
 namespace lubberline::ui {
 
-[[nodiscard]] QString escaped(const QString& text);
+[[nodiscard]] QString escaped(const QString& text); ///< angles in the style of the window, as everywhere in a document
 [[nodiscard]] QString element(const QString& name, const QString& inner, const QString& cssClass = {});
 [[nodiscard]] QString factsHtml(const std::vector<Fact>& facts);
 [[nodiscard]] QString tableHtml(const Table& table);

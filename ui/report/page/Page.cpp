@@ -9,6 +9,7 @@
 
 #include "ui/report/page/DocumentFont.h"
 #include "ui/report/page/Words.h"
+#include "ui/text/AngleWords.h"
 
 #include <iterator>
 #include <numeric>
@@ -65,17 +66,19 @@ Result<void> paintSheets(QPagedPaintDevice& device, int pages, const std::functi
 
 void paintLine(QPainter& painter, const QFont& font, QPointF at, Qt::Alignment alignment, const QString& text)
 {
-    const double width = QFontMetricsF(font).horizontalAdvance(text);
+    const QString shown = inAngleStyle(text);
+    const double width = QFontMetricsF(font).horizontalAdvance(shown);
     if (alignment & Qt::AlignRight)
         at.rx() -= width;
     else if (alignment & Qt::AlignHCenter)
         at.rx() -= width / 2;
     painter.setFont(font);
-    painter.drawText(at, text);
+    painter.drawText(at, shown);
 }
 
-QStringList wrappedLines(const QFont& font, double width, const QString& text)
+QStringList wrappedLines(const QFont& font, double width, const QString& given)
 {
+    const QString text = inAngleStyle(given); // before it is measured
     QTextLayout layout(text, font);
     QTextOption option;
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
@@ -108,7 +111,7 @@ void paintWrapped(QPainter& painter, const QFont& font, const QRectF& rect, cons
 QFont fitted(const QString& family, double size_pt, bool bold, double width, const QString& text)
 {
     const QFont font = documentFont(family, size_pt, bold);
-    const double needed = QFontMetricsF(font).horizontalAdvance(text);
+    const double needed = QFontMetricsF(font).horizontalAdvance(inAngleStyle(text));
     return needed <= width ? font : documentFont(family, size_pt * width / needed, bold);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Pages in units of 1/100 mm from the corner of the sheet, the same for every device; text in them, and content that flows
-/// from page to page.
+/// from page to page. Angles in words are written as the window shows them (see AngleWords.h), whoever made the words.
 
 #include <QRectF>
 #include <QString>

@@ -35,4 +35,7 @@ struct Table {
     std::vector<TableRow> rows;
 };
 
+/// Columns of degrees as the window shows angles.
+[[nodiscard]] Table inAngleStyle(Table table);
+
 } // namespace lubberline::ui

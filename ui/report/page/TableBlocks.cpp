@@ -8,6 +8,7 @@
 
 #include "ui/report/page/DocumentFont.h"
 #include "ui/report/page/Ink.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -56,7 +57,7 @@ double pointPlace(const Setting& setting, std::size_t column)
 std::shared_ptr<const Setting> settingOf(const Table& table, double width, const QString& family, double row)
 {
     auto setting = std::make_shared<Setting>();
-    setting->table = table;
+    setting->table = inAngleStyle(table);
     setting->row = row;
     setting->cell = documentFont(family, kCellSize_pt);
     setting->bold = documentFont(family, kCellSize_pt, true);
@@ -166,6 +167,19 @@ void paintHead(QPainter& painter, const Setting& setting, const QRectF& rect)
 
 } // namespace
 
+Table inAngleStyle(Table table)
+{
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        if (table.columns[i].unit != QStringLiteral("°"))
+            continue;
+        table.columns[i].unit = angleUnit();
+        for (TableRow& row : table.rows)
+            if (static_cast<qsizetype>(i) < row.cells.size())
+                row.cells[static_cast<qsizetype>(i)] = inAngleColumn(row.cells[static_cast<qsizetype>(i)]);
+    }
+    return table;
+}
+
 Block titleBlock(const QString& title, const QString& family)
 {
     const QFont font = documentFont(family, 9.5, true);
@@ -183,7 +197,7 @@ std::vector<Block> tableBlocks(const Table& table, double width, const QString& 
     const auto head = std::make_shared<const Block>(Block{mm(1.4) + kHeadLine * mostHeadLines(table),
         [setting](QPainter& painter, const QRectF& rect) { paintHead(painter, *setting, rect); }, true});
     std::vector<Block> blocks{titleBlock(table.title, family), *head};
-    for (const TableRow& row : table.rows) {
+    for (const TableRow& row : setting->table.rows) {
         blocks.push_back({rowHeight(*setting, row),
             [setting, row](QPainter& painter, const QRectF& rect) { paintRow(painter, *setting, row, rect); }, false, false, head});
     }
