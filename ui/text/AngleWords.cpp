@@ -70,7 +70,8 @@ QString inAngleStyle(QString sentence)
     static const QRegularExpression decimal(QStringLiteral("(\\d+)\\.(\\d+)°(?!\\s?/)"));
     auto found = decimal.match(sentence);
     for (qsizetype from = 0; found.hasMatch(); found = decimal.match(sentence, from)) {
-        QString angle = degreesMinutes(QString(found.captured(1) + '.' + found.captured(2)).toDouble(), static_cast<int>(found.capturedLength(2)));
+        QString angle
+            = degreesMinutes(QString(found.captured(1) + '.' + found.captured(2)).toDouble(), static_cast<int>(found.capturedLength(2)));
         while (angle.indexOf(QChar(u'°')) < found.capturedLength(1))
             angle.prepend('0'); // a heading has three figures
         sentence.replace(found.capturedStart(), found.capturedLength(), angle);

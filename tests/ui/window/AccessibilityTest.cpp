@@ -99,10 +99,10 @@ bool acceptsTab(const QWidget& widget) { return widget.isVisible() && widget.isE
 bool isActedOn(const QWidget& widget)
 {
     return !widget.objectName().startsWith("qt_")
-        && (qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QAbstractButton*>(&widget)
-            || qobject_cast<const QAbstractSlider*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget)
-            || qobject_cast<const QAbstractItemView*>(&widget) || qobject_cast<const QTabBar*>(&widget)
-            || qobject_cast<const QTextEdit*>(&widget) || qobject_cast<const Plot*>(&widget));
+        && (qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QComboBox*>(&widget)
+            || qobject_cast<const QAbstractButton*>(&widget) || qobject_cast<const QAbstractSlider*>(&widget)
+            || qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QAbstractItemView*>(&widget)
+            || qobject_cast<const QTabBar*>(&widget) || qobject_cast<const QTextEdit*>(&widget) || qobject_cast<const Plot*>(&widget));
 }
 
 /// The fields of a form that Tab goes up by more than a line to: out of reading order.
