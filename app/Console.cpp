@@ -35,6 +35,8 @@ std::string textOf(const char* format, va_list arguments)
 
 } // namespace
 
+std::string counted(std::int64_t count, const char* one) { return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s"); }
+
 void put(const char* format, ...)
 {
     va_list arguments;

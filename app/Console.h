@@ -33,4 +33,7 @@ void say(const std::string& message);
 /// printf into a string: for the columns of tables.
 [[nodiscard]] std::string text(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
+/// "1 swing", "2 swings": of a word that takes an s.
+[[nodiscard]] std::string counted(std::int64_t count, const char* one);
+
 } // namespace lubberline::app

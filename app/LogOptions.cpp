@@ -26,7 +26,8 @@ void addLogOptions(CLI::App& command, Invocation& invocation, LogArguments& opti
                 }
             },
             "which column of the file is which, as bx=\"Feld X\"; several times")
-        ->allow_extra_args(false);
+        ->expected(1)
+        ->take_all();
     command
         .add_option_function<std::string>(
             "--unit",

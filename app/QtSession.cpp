@@ -62,6 +62,7 @@ std::unique_ptr<QApplication> makeDrawingSession()
     auto session = std::make_unique<QApplication>(count, arguments);
     keepDecimalPoints();
     describeApplication();
+    ui::speak({QStringLiteral("en")}); // what commands write is English, with its plurals
     return session;
 }
 

@@ -44,7 +44,7 @@ void printParameters(const std::vector<FittedParameter>& parameters)
 
 void printTable(const EllipsoidResult& result, const SensorLog& log)
 {
-    put("%s: %zu samples, %zu used; figures in %s (%s)\n", std::string(nameOf(result.verdict)).c_str(), result.samples, result.used,
+    put("%s: %s, %zu used; figures in %s (%s)\n", std::string(nameOf(result.verdict)).c_str(), counted(static_cast<std::int64_t>(result.samples), "sample").c_str(), result.used,
         std::string(log.figureUnit()).c_str(), log.unitReason.english().c_str());
     printLines("because ", result.reasons);
     printLines("next: ", result.nextSteps);
@@ -98,7 +98,7 @@ EllipsoidShape shapeOf(const std::string& method)
 
 void printTable(const AttitudeResult& result, const SensorLog& log)
 {
-    put("%s: %zu samples, %zu used; figures in nT (%s)\n", std::string(nameOf(result.verdict)).c_str(), result.samples, result.used,
+    put("%s: %s, %zu used; figures in nT (%s)\n", std::string(nameOf(result.verdict)).c_str(), counted(static_cast<std::int64_t>(result.samples), "sample").c_str(), result.used,
         log.unitReason.english().c_str());
     printLines("because ", result.reasons);
     printLines("next: ", result.nextSteps);

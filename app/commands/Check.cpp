@@ -216,8 +216,8 @@ int compareCommand(const CompareArguments& options, const std::string& database)
         return kDone;
     }
     warn(verdict->warnings);
-    put("%zu pairs on %zu headings, %zu with a datum; corrected by their cards they differ by %.2f deg rms\n", verdict->readings,
-        verdict->headings, verdict->withDatum, verdict->rms_deg);
+    put("%s on %s, %zu with a datum; corrected by their cards they differ by %.2f deg rms\n",
+        counted(std::int64_t(verdict->readings), "pair").c_str(), counted(std::int64_t(verdict->headings), "heading").c_str(), verdict->withDatum, verdict->rms_deg);
     put("first - second:");
     for (std::size_t c = 0; c < 5; ++c)
         put("  %c %+.2f (%.2f)", letterOf(kCoefficients[c]), verdict->difference_deg[c], verdict->differenceError_deg[c]);
@@ -249,12 +249,13 @@ void addCheck(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<CheckArguments>();
     auto* command
         = app.add_subcommand("check", "the two-minute check: the headings that tell most about a compass, and whether its card holds");
-    addInputOption(
+    auto* readings = addInputOption(
         *command, invocation, "READINGS.csv", options->readings, "a Swing CSV of the two or three readings; without: which to take");
-    addInputOption(*command, invocation, "--history", options->history.files,
-        "a Swing CSV of an earlier swing of the compass; several make its history")
-        ->take_all()
-        ->allow_extra_args(false);
+    auto* history = addInputOption(*command, invocation, "--history", options->history.files,
+        "Swing CSV files of earlier swings of the compass: all that follow, once READINGS.csv was named; else one a flag");
+    // What stands behind a flag may be the readings as long as they were not named.
+    history->take_all()->allow_extra_args(false);
+    readings->trigger_on_parse()->each([history](const std::string&) { history->allow_extra_args(true); });
     command->add_option("--of", options->history.swing, "a swing of the database: all swings of its compass are the history");
     command->add_option("--headings", options->headings, "how many headings to choose; also for a swing of n")
         ->check(CLI::Range(1, 24))
@@ -276,12 +277,10 @@ void addCompare(CLI::App& app, Invocation& invocation)
     addInputOption(*command, invocation, "PAIRS.csv", options->pairs,
         "columns first_compass_deg, second_compass_deg, and magnetic_heading_deg where a datum told it")
         ->required();
-    addInputOption(*command, invocation, "--first-history", options->first.files, "a Swing CSV of an earlier swing of the first compass")
-        ->take_all()
-        ->allow_extra_args(false);
+    addInputOption(*command, invocation, "--first-history", options->first.files, "Swing CSV files of earlier swings of the first compass")
+        ->take_all();
     addInputOption(*command, invocation, "--second-history", options->second.files, "the same of the second")
-        ->take_all()
-        ->allow_extra_args(false);
+        ->take_all();
     command->add_option("--first-of", options->first.swing, "a swing of the database: all swings of its compass are the first's history");
     command->add_option("--second-of", options->second.swing, "the same of the second");
     addCommon(*command, invocation, options->common);

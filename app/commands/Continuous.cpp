@@ -30,7 +30,7 @@ struct ContinuousArguments {
 
 void printContinuous(const ContinuousResult& result)
 {
-    put("%lld updates", static_cast<long long>(result.updates));
+    put("%s", counted(result.updates, "update").c_str());
     if (result.nisMean)
         put(", innovations %.2f of what the errors allow", *result.nisMean);
     put("\n");

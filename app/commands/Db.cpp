@@ -15,6 +15,9 @@ namespace lubberline::app {
 
 namespace {
 
+std::string entriesText(std::int64_t entries) { return entries == 1 ? "1 entry" : std::to_string(entries) + " entries"; }
+
+
 struct DbArguments {
     std::string file;
     std::vector<std::string> heads;
@@ -67,8 +70,7 @@ int backupCommand(db::Database& database, const std::string& file)
     const auto status = db::status(database);
     if (!status)
         return fail(status.error());
-    say(text("wrote %s; audit head %s after %lld entries", file.c_str(), status->chain.head.c_str(),
-        static_cast<long long>(status->chain.entries)));
+    say(text("wrote %s; audit head %s after %s", file.c_str(), status->chain.head.c_str(), entriesText(status->chain.entries).c_str()));
     return kDone;
 }
 
@@ -106,11 +108,11 @@ int verifyCommand(db::Database& database, bool json, const std::vector<std::stri
             put("note: %s\n", note.c_str());
     if (!report->findings.empty())
         return fail(
-            {ErrorCode::Corrupt, {MARKED("app", "%1 findings in %2 swings; expected none"), report->findings.size(), report->swings},
+            {ErrorCode::Corrupt, {MARKED_N("app", "%n finding(s) in the swings (%1); expected none"), report->findings.size(), report->swings},
                 database.path().toStdString()});
     if (!json)
-        put("all is well: %lld swings with %lld readings; audit head %s after %lld entries\n", static_cast<long long>(report->swings),
-            static_cast<long long>(report->readings), report->head.c_str(), static_cast<long long>(report->entries));
+        put("all is well: %s with %s; audit head %s after %s\n", counted(report->swings, "swing").c_str(),
+            counted(report->readings, "reading").c_str(), report->head.c_str(), entriesText(report->entries).c_str());
     return kDone;
 }
 

@@ -36,7 +36,7 @@ int exportCommand(db::Stores& stores, const ExportArguments& options)
         return fail(fleet.error());
     if (const auto written = writeWholeFile(options.output.path, writeExchange(*fleet)); !written)
         return fail(written.error());
-    say(text("wrote %zu swings of %zu aircraft to %s", fleet->swings.size(), fleet->aircraft.size(),
+    say(text("wrote %s of %zu aircraft to %s", counted(std::ssize(fleet->swings), "swing").c_str(), fleet->aircraft.size(),
         options.output.toStandardOutput() ? "standard output" : options.output.path.c_str()));
     return kDone;
 }

@@ -53,7 +53,7 @@ std::string figureOrDash(const std::optional<double>& value, const char* format)
 
 void printPattern(const FleetReport& report)
 {
-    put("%d swings of %d aircraft used, of %d in the selection\n\n", static_cast<int>(report.counts.used),
+    put("%s of %d aircraft used, of %d in the selection\n\n", counted(report.counts.used, "swing").c_str(),
         static_cast<int>(report.counts.aircraft), static_cast<int>(report.counts.swings));
     put("magnetic  aircraft      mean   sd found  sd between       5 %%      95 %%\n   (deg)           (deg, E +)     (deg)       (deg)     (deg)     (deg)\n");
     for (const auto& p : report.pattern.points)
@@ -70,8 +70,8 @@ void printExceedance(const Exceedance& exceedance)
 {
     if (exceedance.pairs == 0)
         return;
-    put("\nout of limits at the next inspection: %d of %d pairs (%.1f %% to %.1f %% at 95 %%)", static_cast<int>(exceedance.exceeded),
-        static_cast<int>(exceedance.pairs), 100 * exceedance.share95->low, 100 * exceedance.share95->high);
+    put("\nout of limits at the next inspection: %d of %s (%.1f %% to %.1f %% at 95 %%)", static_cast<int>(exceedance.exceeded),
+        counted(exceedance.pairs, "pair").c_str(), 100 * exceedance.share95->low, 100 * exceedance.share95->high);
     if (exceedance.expectedShare)
         put("; expected %.1f %%, by mean and sd of one heading %.1f %%", 100 * *exceedance.expectedShare,
             100 * exceedance.threeSigmaShare.value_or(0));
@@ -83,7 +83,7 @@ void printChanges(const FleetReport& report, const FleetSwings& fleet)
     if (report.plants.training)
         for (const auto& words : inWords(*report.plants.training))
             put("%s\n", words.english().c_str());
-    put("\n%zu jumps at a false discovery rate of 10 %%\n", report.changes.jumps.size());
+    put("\n%s at a false discovery rate of 10 %%\n", counted(std::ssize(report.changes.jumps), "jump").c_str());
     for (const auto& jump : report.changes.jumps)
         put("  %s\n", inWords(jump, fleet).english().c_str());
     constexpr std::size_t shown = 20;

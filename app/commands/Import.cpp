@@ -73,9 +73,9 @@ void sayOutcome(const std::string& file, const db::YearsOutcome& outcome)
 {
     warn(outcome.warnings);
     warn(outcome.suspicions);
-    say(text("%s: stored %lld new swings with %lld readings, of %d new aircraft and %d new compasses; %lld swings were there already",
-        nameOfInput(file).c_str(), static_cast<long long>(outcome.swings), static_cast<long long>(outcome.readings), outcome.aircraft,
-        outcome.compasses, static_cast<long long>(outcome.alreadyThere)));
+    say(text("%s: stored %s with %s, of %d new aircraft and %s; there already: %s", nameOfInput(file).c_str(),
+        counted(outcome.swings, "new swing").c_str(), counted(outcome.readings, "reading").c_str(), outcome.aircraft,
+        counted(outcome.compasses, "new compass system").c_str(), counted(outcome.alreadyThere, "swing").c_str()));
 }
 
 /// Reads tables from end to end: where there is no database yet, none is made for what cannot be stored. Standard input is read once only.
@@ -149,8 +149,8 @@ int importSwings(const ImportArguments& options, const std::string& database)
     if (!imported)
         return fail(imported.error());
     warn(imported->warnings);
-    say(text("stored %d new swings of %d new aircraft; %d swings were there already", imported->swings, imported->aircraft,
-        imported->alreadyThere));
+    say(text("stored %s of %d new aircraft; there already: %s", counted(imported->swings, "new swing").c_str(), imported->aircraft,
+        counted(imported->alreadyThere, "swing").c_str()));
     return kDone;
 }
 
@@ -183,10 +183,12 @@ void addImport(CLI::App& app, Invocation& invocation)
         "the files are tables of many swings (told by itself where aircraft and date are columns, or one of the next options is there)");
     command->add_option("--column", options->columns, "KEY=NAME: the column NAME of the table is KEY, as date=DATUM")
         ->type_name("KEY=NAME")
-        ->allow_extra_args(false);
+        ->expected(1)
+        ->take_all();
     command->add_option("--set", options->common, "KEY=VALUE: what every swing of the table has, as stage=as_found")
         ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+        ->expected(1)
+        ->take_all();
     command
         ->add_option(
             "--cells", options->cells, "what stands under headings that are columns: compass, deviation, indication_error or magnetic")

@@ -43,7 +43,7 @@ std::string takeVariation(const std::string& text, NmeaVariation& variation)
 
 void printTable(const NmeaSwing& swing, const std::optional<Analysis>& analysis)
 {
-    put("%lld sentences, %lld with a wrong checksum; %zu pairs of headings, %zu used\n", static_cast<long long>(swing.sentences),
+    put("%s, %lld with a wrong checksum; pairs of headings: %zu, %zu used\n", counted(swing.sentences, "sentence").c_str(),
         static_cast<long long>(swing.badChecksums), swing.pairs.size(), swing.used);
     if (swing.variation)
         put("variation %+.2f deg (east +), %s\n", swing.variation->degrees(), swing.variationSource.c_str());

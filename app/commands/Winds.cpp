@@ -30,8 +30,8 @@ std::string figureOrDash(bool told, double value) { return told ? text("%+8.2f",
 
 void printWinds(const WindResult& result)
 {
-    put("%lld reports, %lld used; indication error (read - true) = offset + in phase sin + quadrature cos\n",
-        static_cast<long long>(result.observations), static_cast<long long>(result.used));
+    put("%s, %lld used; indication error (read - true) = offset + in phase sin + quadrature cos\n",
+        counted(result.observations, "report").c_str(), static_cast<long long>(result.used));
     put("%-12s %7s %9s  %8s %8s %8s %6s  %9s %9s\n", "aircraft", "flights", "used", "in phase", "quadr.", "offset", "+-", "across kt",
         "after kt");
     for (const auto& one : result.aircraft) {

@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "core/base/Middle.h"
 #include "core/base/Number.h"
 #include "core/calibration/EllipsoidParts.h"
 
@@ -9,8 +10,11 @@ namespace lubberline {
 namespace {
 
 constexpr double kOtherUnit = 8;   ///< no two sizes of one log lie so far apart with nothing between them
+constexpr double kOtherAxisUnit = 80; ///< one axis beside the two others: units lie 100, 1000 or more apart
+constexpr double kOtherScale = 2;     ///< of one axis beside another: soft iron and makers' tolerances stay far below
 constexpr double kUnturned = 0.02; ///< spread of the cloud as a part of its distance from zero: below, the sensor stood still
 constexpr double kFlat = 0.02;     ///< thickness of the cloud as a part of its length: below, it is a plane or a line
+constexpr double kMereNoise = 3;   ///< thickness in standard deviations of the noise: below, it is that of the noise
 
 std::string figure(double value) { return figureText(value, std::abs(value) < 10 ? 2 : 0); }
 
@@ -27,6 +31,42 @@ Message twoUnits(const SensorLog& log, const std::vector<std::size_t>& rows)
             return {MARKED("core", "%1 samples are of sizes up to %2 %5, and %3 of %4 %5 or more: two units in one log"), i,
                 figureText(sizes[i - 1], 1), sizes.size() - i, figureText(sizes[i], 0), log.figureUnit()};
     return {};
+}
+
+/// One axis of another unit than the two others, which agree: such a cloud looks like a plane or a line.
+Message otherUnitOfAnAxis(const SensorLog& log, const std::vector<std::size_t>& rows)
+{
+    std::array<std::pair<double, char>, 3> size{{{0, 'x'}, {0, 'y'}, {0, 'z'}}};
+    for (const auto row : rows)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            size[axis].first += log.field[axis][row] * log.field[axis][row];
+    for (auto& [square, name] : size)
+        square = std::sqrt(square / static_cast<double>(rows.size()));
+    std::sort(size.begin(), size.end());
+    const auto [least, middle, most] = size;
+    const bool small = least.first > 0 && middle.first > kOtherAxisUnit * least.first;
+    if (!small && !(middle.first > 0 && most.first > kOtherAxisUnit * middle.first))
+        return {};
+    const auto& odd = small ? least : most;
+    return {MARKED("core", "axis %1 has figures of size %2 where the others have %3: another unit, or a column that is no field"), odd.second,
+        figure(odd.first), figure(middle.first)};
+}
+
+/// The noise along the thinnest direction of the cloud, by how far samples lie off the middle of their neighbours. 0 where the log's
+/// samples do not follow each other: there neighbours tell nothing.
+double noiseOffThePlane(const SensorLog& log, const std::vector<std::size_t>& rows, const Spread& spread)
+{
+    constexpr double kSmooth = 0.2;
+    std::vector<double> along, whole;
+    for (const auto row : rows) {
+        if (row == 0 || row + 1 >= log.size() || !log.hasField(row - 1) || !log.hasField(row + 1))
+            continue;
+        const Eigen::Vector3d bend = log.at(row - 1) - 2.0 * log.at(row) + log.at(row + 1);
+        along.push_back(std::abs(spread.thinnest.dot(bend)));
+        whole.push_back(bend.norm());
+    }
+    const double toSigma = 1.4826 / std::sqrt(6.0);
+    return along.empty() || middleOf(std::move(whole)) * toSigma > kSmooth * spread.axes[2] ? 0.0 : toSigma * middleOf(std::move(along));
 }
 
 Message turnMore(const Coverage& coverage)
@@ -50,12 +90,15 @@ Message flatness(const SensorLog& log, const std::vector<std::size_t>& rows, Ell
     if (spread.axes[2] < kUnturned * spread.centre.norm())
         return {MARKED("core", "the samples spread by %1 %3 about one field of %2 %3: the sensor was hardly turned"),
             figure(spread.axes[2]), figure(spread.centre.norm()), unit};
+    if (Message other = spread.axes[0] < kFlat * spread.axes[2] ? otherUnitOfAnAxis(log, rows) : Message(); !other.empty())
+        return other;
     if (spread.axes[1] < kFlat * spread.axes[2])
         return {MARKED("core", "the samples lie on a line: across it they spread by %1 %3 against %2 %3 along it; expected %4 %3 or more"),
             figure(spread.axes[1]), figure(spread.axes[2]), unit, figure(kFlat * spread.axes[2])};
-    if (spread.axes[0] < kFlat * spread.axes[2])
+    const double thick = std::max(kFlat * spread.axes[2], kMereNoise * noiseOffThePlane(log, rows, spread));
+    if (spread.axes[0] < thick)
         return {MARKED("core", "the samples lie in a plane: off it they spread by %1 %3 against %2 %3 in it; expected %4 %3 or more"),
-            figure(spread.axes[0]), figure(spread.axes[2]), unit, figure(kFlat * spread.axes[2])};
+            figure(spread.axes[0]), figure(spread.axes[2]), unit, figure(thick)};
     return {};
 }
 
@@ -85,6 +128,11 @@ void judge(EllipsoidResult& result, const SensorLog& log, std::optional<double> 
                 figureText(100 * fit.rms / fit.field, 1), figureText(100 * kResidualLimit, 0)});
         result.nextSteps.push_back({MARKED("core", "log again away from iron, cars and cables")});
     }
+    const Eigen::Vector3d gain = (Eigen::Matrix3d::Identity() + fit.softIron).diagonal();
+    Eigen::Index most = 0, least = 0;
+    if (const double ratio = gain.maxCoeff(&most) / std::max(gain.minCoeff(&least), 1e-9); ratio > kOtherScale)
+        doubt({MARKED("core", "axis %1 measures %2 times as much as axis %3 of one field: another unit or scale; expected less than %4"),
+            "xyz"[most], figure(ratio), "xyz"[least], figureText(kOtherScale, 0)});
     const std::size_t trimmed = result.samples - result.used;
     if (trimmed * 5 > result.samples)
         doubt(

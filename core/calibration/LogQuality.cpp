@@ -4,6 +4,7 @@
 
 #include "core/base/Middle.h"
 #include "core/base/Number.h"
+#include "core/base/VectorClones.h"
 
 namespace lubberline {
 
@@ -98,19 +99,43 @@ void findStuck(const SensorLog& log, LogQuality& quality)
     }
 }
 
+struct Ends {
+    double lowest = std::numeric_limits<double>::infinity(), highest = -std::numeric_limits<double>::infinity();
+    std::size_t atLowest = 0, atHighest = 0;
+};
+
+/// The finite ends of an axis, and how many rows stand there: most logs are told sound by that alone.
+LUBBERLINE_VECTOR_CLONES Ends endsOf(const double* values, std::size_t count)
+{
+    Ends ends;
+    constexpr double most = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < count; ++i) { // a comparison with NaN is false
+        ends.lowest = values[i] < ends.lowest && values[i] >= -most ? values[i] : ends.lowest;
+        ends.highest = values[i] > ends.highest && values[i] <= most ? values[i] : ends.highest;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        ends.atLowest += values[i] == ends.lowest ? 1 : 0;
+        ends.atHighest += values[i] == ends.highest ? 1 : 0;
+    }
+    return ends;
+}
+
 /// Rows that stand at the end of an axis' range, where more of them do than a crest that is not cut off would leave.
 void findClipped(const SensorLog& log, LogQuality& quality)
 {
     constexpr std::array<char, 3> kAxes{'x', 'y', 'z'};
+    constexpr std::size_t kFewest = 5;
     for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Ends ends = endsOf(log.field[axis].data(), log.size());
+        if (std::max(ends.atLowest, ends.atHighest) < kFewest)
+            continue;
         std::vector<double> values;
         for (const double value : log.field[axis])
             if (std::isfinite(value))
                 values.push_back(value);
         if (values.size() < 20)
             continue;
-        const auto [low, high] = std::minmax_element(values.begin(), values.end());
-        const double lowest = *low, highest = *high;
+        const double lowest = ends.lowest, highest = ends.highest;
         if (highest <= lowest)
             continue;
         for (const double end : {lowest, highest}) {
@@ -123,7 +148,7 @@ void findClipped(const SensorLog& log, LogQuality& quality)
                 longest = std::max(longest, run);
             }
             // Coarse figures repeat their largest, too: then what lies beside it repeats as often.
-            if (longest < 3 || at < 5 || at < 3 * beside)
+            if (longest < 3 || at < kFewest || at < 3 * beside)
                 continue;
             std::size_t distinct = 0;
             std::sort(values.begin(), values.end());
@@ -143,36 +168,60 @@ void findClipped(const SensorLog& log, LogQuality& quality)
     }
 }
 
+/// away[i] = v[i + 2] − the middle of v[i] … v[i + 4], by comparisons alone; NaN where one of the five is.
+LUBBERLINE_VECTOR_CLONES void awayFromMiddle(const double* v, std::size_t count, double* away)
+{
+    const auto least = [](double a, double b) { return a < b ? a : b; };
+    const auto most = [](double a, double b) { return a < b ? b : a; };
+    for (std::size_t i = 0; i < count; ++i) {
+        const double a = v[i], b = v[i + 1], c = v[i + 2], d = v[i + 3], e = v[i + 4];
+        // Neither the least of four nor the most of them is the middle of five.
+        const double inner = most(least(a, b), least(d, e)), outer = least(most(a, b), most(d, e));
+        const double middle = most(least(inner, outer), least(c, most(inner, outer)));
+        const double nothing = (a - a) + (b - b) + (d - d) + (e - e); // or NaN
+        away[i] = c - middle + nothing;
+    }
+}
+
 /// How far each row leaves the middle of five around it; NaN where that is not known.
 std::vector<double> awayFromMiddles(const std::vector<double>& values)
 {
     std::vector<double> away(values.size(), kNoValue);
-    for (std::size_t row = 2; row + 2 < values.size(); ++row) {
-        std::array<double, 5> five{};
-        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(row - 2), five.size(), five.begin());
-        if (std::any_of(five.begin(), five.end(), [](double value) { return std::isnan(value); }))
-            continue;
-        std::nth_element(five.begin(), five.begin() + 2, five.end());
-        away[row] = values[row] - five[2];
-    }
+    if (values.size() > 4)
+        awayFromMiddle(values.data(), values.size() - 4, away.data() + 2);
     return away;
+}
+
+/// Rows in stretches all over a long log: as many as tell its scatter to a percent.
+template <class Use>
+void someStretches(std::size_t count, Use&& use)
+{
+    constexpr std::size_t stretch = 256, stretches = 200;
+    const std::size_t step = std::max(stretch, count / stretches);
+    for (std::size_t from = 0; from < count; from += step)
+        for (std::size_t row = from; row < std::min(from + stretch, count); ++row)
+            use(row);
 }
 
 /// How far a row may leave the middle of five: 12 of the log's own scatter.
 double spikeLimit(const std::vector<double>& values, const std::vector<double>& away)
 {
     std::vector<double> off;
-    off.reserve(values.size());
-    for (const double one : away)
-        if (std::isfinite(one) && one != 0)
+    std::size_t asked = 0;
+    someStretches(values.size(), [&](std::size_t row) {
+        ++asked;
+        if (const double one = away[row]; std::isfinite(one) && one != 0)
             off.push_back(std::abs(one));
-    if (off.size() < values.size() / 8) { // so smooth that most samples are the middle of their neighbours: what bends is its scatter
+    });
+    if (off.size() < asked / 8) { // so smooth that most samples are the middle of their neighbours: what bends is its scatter
         off.clear();
-        for (std::size_t row = 1; row + 1 < values.size(); ++row) {
+        someStretches(values.size(), [&](std::size_t row) {
+            if (row == 0 || row + 1 >= values.size())
+                return;
             const double bend = values[row] - 0.5 * (values[row - 1] + values[row + 1]);
             if (std::isfinite(bend) && bend != 0)
                 off.push_back(std::abs(bend));
-        }
+        });
     }
     return off.empty() ? std::numeric_limits<double>::max() : kSpikeScatters * kMedianToSigma * middleOf(std::move(off));
 }
@@ -263,13 +312,13 @@ LogQuality qualityOf(const SensorLog& log)
         if (quality.of(fault) > 0)
             quality.remarks.push_back({pattern, quality.of(fault)});
     };
-    tell(SampleFault::Missing, MARKED_N("core", "%n row(s) without a whole field (empty cells or NaN) are left out"));
+    tell(SampleFault::Missing, MARKED_N("core", "%n row(s) left out without a whole field (empty cells or NaN)"));
     tell(SampleFault::Spike,
-        MARKED_N("core", "%n spike(s), away from both neighbours by more than 12 times the log's scatter, are left out"));
+        MARKED_N("core", "%n spike(s) left out, away from both neighbours by more than 12 times the log's scatter"));
     if (quality.of(SampleFault::Repeat) * 20 > quality.count[0])
         tell(SampleFault::Repeat,
             MARKED_N(
-                "core", "%n row(s) repeat the row before them: the sensor was read faster than it measures, and they tell nothing new"));
+                "core", "%n row(s) alike the row before: the sensor was read faster than it measures, which tells nothing new"));
     return quality;
 }
 

@@ -155,6 +155,8 @@ CoefficientSeries seriesOf(
     const FleetSwings& fleet, const FleetCurves& curves, const CompassHistory& history, std::size_t c, const ChangeScatter& scatter)
 {
     CoefficientSeries series;
+    series.values.reserve(history.rows.size());
+    series.rows.reserve(history.rows.size());
     bool corrected = false; // also by swings that do not tell this coefficient
     for (std::size_t i = 0; i < history.rows.size(); ++i) {
         const auto row = history.rows[i];

@@ -36,9 +36,9 @@ Watched watched(const FleetSwings& fleet, const FleetCurves& curves, std::span<c
         scatter.known ? seriesOf(fleet, curves, histories[h], c, scatter).values : bareSeriesOf(fleet, curves, histories[h], c, scatter)};
 }
 
-std::optional<Jump> largestOf(const Watched& one, const Places& at, bool trend)
+std::optional<Jump> largestOf(const Watched& one, const Places& at, bool trend, JumpChance chance = JumpChance::Decisive)
 {
-    return one.scatter.known ? largestJump(one.series, optionsFor(one.scatter, at, trend), false)
+    return one.scatter.known ? largestJump(one.series, optionsFor(one.scatter, at, trend), chance)
                              : one.scatter.posterior->jump(one.history, one.series, at, trend);
 }
 
@@ -66,6 +66,12 @@ std::optional<Jump> jumpOf(const Watched& one, const Places& at)
     return jump;
 }
 
+/// The same with the least that its p can be, where finding it out takes longer.
+std::optional<Jump> jumpAtLeast(const Watched& one, const Places& at)
+{
+    return one.scatter.known ? largestOf(one, at, one.scatter.driftIsCommon, JumpChance::Least) : jumpOf(one, at);
+}
+
 /// Half of the trends are beyond what their errors explain by a fifth: jumps of a few do not move a median.
 bool driftIsCommon(const FleetSwings& fleet, const FleetCurves& curves, std::span<const CompassHistory> histories, std::int32_t kind,
     std::size_t c, const ChangeScatter& scatter)
@@ -90,6 +96,7 @@ struct Candidate {
     std::size_t history = 0, coefficient = 0;
     Places at;                ///< of jumps that were kept
     std::optional<Jump> best; ///< of this round
+    bool exact = false;       ///< its p is; else it is the least that p can be
 };
 
 std::string eventBetween(const FleetCompass& compass, int after, int before)
@@ -116,7 +123,8 @@ public:
             if (progress && h % 64 == 0 && !progress(static_cast<double>(h) / static_cast<double>(m_histories.size())))
                 return false;
             for (std::size_t c = 0; c < 5; ++c) {
-                Candidate candidate{h, c, {}, jumpOf(watch(h, c), {})};
+                const auto one = watch(h, c);
+                Candidate candidate{h, c, {}, jumpAtLeast(one, {}), !one.scatter.known};
                 if (candidate.best)
                     m_candidates.push_back(std::move(candidate));
             }
@@ -129,10 +137,7 @@ public:
     void keep(double rate)
     {
         for (int round = 0; round < kRounds; ++round) {
-            std::vector<double> p;
-            for (const auto& candidate : m_candidates)
-                p.push_back(candidate.best ? candidate.best->p : 1.0);
-            const auto found = discoveries(p, rate, std::max(m_changes.tested, p.size()));
+            const auto found = discovered(rate);
             bool any = false;
             for (std::size_t i = 0; i < m_candidates.size(); ++i) {
                 auto& candidate = m_candidates[i];
@@ -142,6 +147,7 @@ public:
                     any = true;
                 }
                 candidate.best = found[i] ? jumpOf(watch(candidate.history, candidate.coefficient), candidate.at) : std::nullopt;
+                candidate.exact = true;
             }
             if (!any)
                 break;
@@ -152,7 +158,7 @@ public:
     void drifts(double rate)
     {
         m_changes.driftOf.resize(m_histories.size());
-        std::vector<FleetDrift> all;
+        std::vector<std::pair<std::size_t, FleetDrift>> all; // with the history's place
         std::vector<Places> jumps(m_histories.size() * 5);
         for (const auto& candidate : m_candidates)
             jumps[candidate.history * 5 + candidate.coefficient] = candidate.at;
@@ -162,20 +168,48 @@ public:
                 m_changes.driftOf[h][c] = drift;
                 if (!drift)
                     continue;
-                const auto rows = seriesOf(m_fleet, m_curves, m_histories[h], c, scatterFor(h, c)).rows;
-                all.push_back({m_histories[h].compass, c, *drift, rows.front(), rows.back()});
+                all.push_back({h, {m_histories[h].compass, c, *drift}});
             }
         std::vector<double> p;
-        for (const auto& each : all)
+        for (const auto& [h, each] : all)
             p.push_back(each.drift.p);
         const auto found = discoveries(p, rate, p.size());
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (found[i])
-                m_changes.drifts.push_back(all[i]);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (!found[i])
+                continue;
+            auto& [h, drift] = all[i];
+            const auto rows = seriesOf(m_fleet, m_curves, m_histories[h], drift.coefficient, scatterFor(h, drift.coefficient)).rows;
+            drift.firstRow = rows.front();
+            drift.lastRow = rows.back();
+            m_changes.drifts.push_back(drift);
+        }
         std::ranges::stable_sort(m_changes.drifts, {}, [](const FleetDrift& d) { return d.drift.p; });
     }
 
 private:
+    /// What the exact chances of all would keep. Larger ones never keep more, so that only what the least ones keep is worked out: of
+    /// ten thousand compasses a few hundred.
+    std::vector<bool> discovered(double rate)
+    {
+        for (;;) {
+            std::vector<double> p;
+            for (const auto& candidate : m_candidates)
+                p.push_back(candidate.best ? candidate.best->p : 1.0);
+            auto found = discoveries(p, rate, std::max(m_changes.tested, p.size()));
+            bool exact = true;
+            for (std::size_t i = 0; i < m_candidates.size(); ++i) {
+                auto& candidate = m_candidates[i];
+                if (!found[i] || candidate.exact)
+                    continue;
+                candidate.best = jumpOf(watch(candidate.history, candidate.coefficient), candidate.at);
+                candidate.exact = true;
+                exact = false;
+            }
+            if (exact)
+                return found;
+        }
+    }
+
     const ChangeScatter& scatterFor(std::size_t history, std::size_t c) const
     {
         return m_changes.scatter[static_cast<std::size_t>(m_curves.kindOf[static_cast<std::size_t>(m_histories[history].compass)])][c];

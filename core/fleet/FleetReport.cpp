@@ -127,7 +127,7 @@ void warnOfWhatIsMissing(const FleetReport& report, std::vector<Message>& warnin
     else if (report.exceedance.pairs > 0 && !report.exceedance.limit_deg)
         warnings.push_back(MARKED("core", "the compasses have different limits: an expected share is told for one limit only"));
     if (report.ranking.withoutLimit > 0)
-        warnings.push_back({MARKED_N("core", "%n compass(es) not ranked: no limit is known"), report.ranking.withoutLimit});
+        warnings.push_back({MARKED_N("core", "not ranked, as no limit is known: %n compass system(s)"), report.ranking.withoutLimit});
     std::uint32_t otherRadio = 0;
     for (const auto& history : report.histories)
         otherRadio += history.otherRadio;
@@ -195,7 +195,7 @@ Result<FleetReport> fleetReportOf(const FleetSwings& fleet, const FleetOptions& 
         report.warnings.push_back(inWords(suspicions[i], fleet));
     if (suspicions.size() > mostSuspicions)
         report.warnings.push_back(
-            {MARKED_N("core", "%n more compass(es) whose records are suspect of the other sign"), suspicions.size() - mostSuspicions});
+            {MARKED_N("core", "suspect of the other sign as well: the records of %n more compass system(s)"), suspicions.size() - mostSuspicions});
     warnOfWhatIsMissing(report, report.warnings);
     report.curves = std::move(curves.value());
     return report;
@@ -229,9 +229,11 @@ Message inWords(const ChartAlarm& alarm)
 {
     const Message who = alarm.crew ? Message{MARKED("core", "crew %1"), alarm.name} : Message{MARKED("core", "base %1"), alarm.name};
     const Message where = alarm.high ? MARKED("core", "east of") : MARKED("core", "west of");
-    const Message chart = alarm.cusum ? MARKED("core", "its sum (CUSUM)") : MARKED("core", "its average (EWMA)");
-    return {MARKED("core", "%1, %2: A lies %3 what is usual by %4; the average stood at %5°"), dateOfDay(alarm.day), who, where, chart,
-        signedFigureText(alarm.level_deg, 2)};
+    const std::string level = signedFigureText(alarm.level_deg, 2);
+    if (alarm.day == alarm.last_day)
+        return {MARKED("core", "%1: on %2 A lay %3 what is usual; its average stood at %4°"), who, dateOfDay(alarm.day), where, level};
+    return {MARKED("core", "%1: from %2 to %3 A lay %4 what is usual; its average went as far as %5°"), who, dateOfDay(alarm.day),
+        dateOfDay(alarm.last_day), where, level};
 }
 
 std::vector<Message> inWords(const DateComparison& comparison)

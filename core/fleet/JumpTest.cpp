@@ -9,6 +9,7 @@
 #include "core/algebra/Cholesky.h"
 #include "core/fleet/FleetRandom.h"
 #include "core/fleet/FleetSwings.h"
+#include "core/fleet/SeriesFit.h"
 
 namespace lubberline {
 
@@ -85,13 +86,6 @@ Eigen::VectorXd whitened(std::span<const DatedValue> series, const Eigen::Matrix
     for (std::size_t i = 0; i < series.size(); ++i)
         values[static_cast<Eigen::Index>(i)] = series[i].value - series.front().value;
     return whitener * values;
-}
-
-double twoSided(double statistic, ErrorScale scale, int freedom)
-{
-    if (scale == ErrorScale::Known)
-        return 2 * normalTail(std::abs(statistic));
-    return freedom < 1 ? 1.0 : 2 * cdf(complement(boost::math::students_t(freedom), std::abs(statistic)));
 }
 
 constexpr int kPilotDraws = 8, kDraws = 64, kSimulations = 20000;
@@ -199,8 +193,33 @@ double JumpDesign::criticalValue(double chance, int draws) const
     return 0.5 * (low + high);
 }
 
+namespace {
+
+/// With errors that are known. The chance of its place alone: the least that the chance of any place can be.
+std::optional<Jump> largestKnown(std::span<const DatedValue> series, const JumpOptions& options)
+{
+    constexpr int fewest = 2; // one degree of freedom is no choice of places
+    if (series.size() < 3)
+        return {};
+    const SeriesFit fit = fitSeries(series, {0, options.walk_year}, options.trend, options.at);
+    if (fit.freedom < fewest)
+        return {};
+    const auto edge = static_cast<std::size_t>(options.leastSegment);
+    const SeriesPlace* best = nullptr;
+    for (const auto& each : fit.places)
+        if (each.place >= edge && each.place + edge <= series.size()
+            && (!best || std::abs(each.statistic) > std::abs(best->statistic)))
+            best = &each;
+    if (!best)
+        return {};
+    const double error = 1 / std::sqrt(best->length2);
+    return Jump{best->place - 1, best->place, best->statistic * error, error, best->statistic, 2 * normalTail(std::abs(best->statistic))};
+}
+
+} // namespace
+
 struct JumpFinder {
-    static std::optional<Jump> largest(std::span<const DatedValue> series, const JumpOptions& options, bool certain)
+    static std::optional<Jump> largestUnknown(std::span<const DatedValue> series, const JumpOptions& options)
     {
         const JumpDesign design(series, options);
         if (design.m_places.empty())
@@ -213,32 +232,47 @@ struct JumpFinder {
         jump.before = design.m_places[static_cast<std::size_t>(best)];
         jump.after = jump.before - 1;
         jump.change = z[best] / design.m_length[best];
-        double sigma = 1;
-        if (design.m_scale == ErrorScale::Unknown) {
-            const double squares = values.squaredNorm() - (design.m_null.transpose() * values).squaredNorm() - z[best] * z[best];
-            sigma = std::sqrt(std::max(squares, 0.0) / (design.m_freedom - 1));
-            if (!(sigma > 1e-9 * std::abs(z[best]))) // all on steps: no scatter to hold them against
-                return {};
-        }
+        const double squares = values.squaredNorm() - (design.m_null.transpose() * values).squaredNorm() - z[best] * z[best];
+        const double sigma = std::sqrt(std::max(squares, 0.0) / (design.m_freedom - 1));
+        if (!(sigma > 1e-9 * std::abs(z[best]))) // all on steps: no scatter to hold them against
+            return {};
         jump.standardError = sigma / design.m_length[best];
         jump.statistic = z[best] / sigma;
-        if (options.scale == ErrorScale::Unknown)
-            jump.p = design.chanceBeyond(jump.statistic, kSimulations);
-        else if (const double c = std::abs(jump.statistic); certain || 2 * normalTail(c) < kNeverFound)
-            jump.p = design.knownBeyond(c, kDraws, certain ? 2.0 : 3 * kNeverFound);
+        jump.p = design.chanceBeyond(jump.statistic, kSimulations);
         return jump;
+    }
+    static double chanceOfAny(const Jump& jump, std::span<const DatedValue> series, const JumpOptions& options, double stopAbove)
+    {
+        return JumpDesign(series, options).knownBeyond(std::abs(jump.statistic), kDraws, stopAbove);
     }
 };
 
-std::optional<Jump> largestJump(std::span<const DatedValue> series, const JumpOptions& options, bool certain)
+std::optional<Jump> largestJump(std::span<const DatedValue> series, const JumpOptions& options, JumpChance chance)
 {
-    return JumpFinder::largest(series, options, certain);
+    if (options.scale == ErrorScale::Unknown)
+        return JumpFinder::largestUnknown(series, options);
+    auto jump = largestKnown(series, options);
+    if (!jump || chance == JumpChance::Least)
+        return jump;
+    if (chance == JumpChance::Exact)
+        jump->p = JumpFinder::chanceOfAny(*jump, series, options, 2.0);
+    else
+        jump->p = jump->p < kNeverFound ? JumpFinder::chanceOfAny(*jump, series, options, 3 * kNeverFound) : 1.0;
+    return jump;
 }
 
 std::optional<Drift> driftOf(std::span<const DatedValue> series, const JumpOptions& options)
 {
     if (series.size() < 3)
         return {};
+    if (options.scale == ErrorScale::Known) {
+        const SeriesFit fit = fitSeries(series, {0, options.walk_year}, true, options.at);
+        if (!fit.perYear)
+            return {};
+        const double half = studentFactor(0) * fit.perYearError;
+        return Drift{*fit.perYear, fit.perYearError, 2 * normalTail(std::abs(*fit.perYear / fit.perYearError)),
+            {*fit.perYear - half, *fit.perYear + half}};
+    }
     const Eigen::MatrixXd whitener = whitenerOf(series, options.walk_year);
     Eigen::MatrixXd basis = levelsOf(series, options, whitener);
     const auto levels = basis.cols();
@@ -251,19 +285,17 @@ std::optional<Drift> driftOf(std::span<const DatedValue> series, const JumpOptio
     const Eigen::VectorXd values = whitened(series, whitener);
     const double z = years.dot(values) / length;
     const int freedom = static_cast<int>(whitener.rows() - levels) - 1;
-    double sigma = 1;
-    if (options.scale == ErrorScale::Unknown) {
-        if (freedom < 2)
-            return {};
-        sigma = std::sqrt(std::max(0.0, values.squaredNorm() - (basis.transpose() * values).squaredNorm() - z * z) / freedom);
-        if (!(sigma > 1e-12))
-            return {};
-    }
+    if (freedom < 2)
+        return {};
+    const double sigma
+        = std::sqrt(std::max(0.0, values.squaredNorm() - (basis.transpose() * values).squaredNorm() - z * z) / freedom);
+    if (!(sigma > 1e-12))
+        return {};
     Drift drift;
     drift.perYear = z / length;
     drift.standardError = sigma / length;
-    drift.p = twoSided(z / sigma, options.scale, freedom);
-    const double half = studentFactor(options.scale == ErrorScale::Known ? 0 : freedom) * drift.standardError;
+    drift.p = 2 * cdf(complement(boost::math::students_t(freedom), std::abs(z / sigma)));
+    const double half = studentFactor(freedom) * drift.standardError;
     drift.interval95 = {drift.perYear - half, drift.perYear + half};
     return drift;
 }

@@ -65,8 +65,15 @@ struct Jump {
     double p = 1; ///< over all places
 };
 
-/// The largest step. @param certain false: where p is surely above 0.1 it is not simulated, and only known to be so.
-[[nodiscard]] std::optional<Jump> largestJump(std::span<const DatedValue> series, const JumpOptions& options, bool certain = true);
+/// How well a jump's p is to be known, where the errors are.
+enum class JumpChance {
+    Exact,
+    Decisive, ///< where it is surely above 0.1, only that
+    Least     ///< the chance of its place alone, which that of any place is not below: nothing is simulated
+};
+/// The largest step.
+[[nodiscard]] std::optional<Jump> largestJump(
+    std::span<const DatedValue> series, const JumpOptions& options, JumpChance chance = JumpChance::Exact);
 
 struct Drift {
     double perYear = 0, standardError = 0, p = 1;

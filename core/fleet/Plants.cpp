@@ -210,17 +210,27 @@ void watch(std::span<const FigureOfA> figures, std::int32_t FigureOfA::*level, c
             values.push_back(each->A_deg);
         const auto average = ewma(values, charts.centre_deg, charts.sigma_deg, charts.limits.weight, charts.limits.width);
         const auto sums = cusum(values, charts.centre_deg, charts.sigma_deg, charts.limits.reference, charts.limits.decision);
-        const auto note = [&](bool cusumChart, const std::vector<bool>& alarm, auto&& high) {
-            bool before = false;
-            for (std::size_t k = 0; k < alarm.size(); ++k) {
-                if (alarm[k] && !before)
-                    charts.alarms.push_back(
-                        {crew, names[i], cusumChart, members[i][k]->day, members[i][k]->row, average.average[k], high(k)});
-                before = alarm[k];
+        std::optional<ChartAlarm> going;
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            const double mean_deg = average.average[k];
+            if (going && going->high != (mean_deg > charts.centre_deg)) {
+                charts.alarms.push_back(*going);
+                going.reset();
             }
-        };
-        note(false, average.alarm, [&](std::size_t k) { return average.average[k] > charts.centre_deg; });
-        note(true, sums.alarm, [&](std::size_t k) { return sums.high[k] > sums.low[k]; });
+            if (!average.alarm[k] && !sums.alarm[k])
+                continue;
+            // A sum may ring while the average is still on the other side: it is the sum that says on which side.
+            const bool high = average.alarm[k] ? mean_deg > charts.centre_deg : sums.high[k] > sums.low[k];
+            if (!going)
+                going = ChartAlarm{crew, names[i], false, false, members[i][k]->day, 0, members[i][k]->row, mean_deg, high};
+            going->ewma = going->ewma || average.alarm[k];
+            going->cusum = going->cusum || sums.alarm[k];
+            going->last_day = members[i][k]->day;
+            if (std::abs(mean_deg - charts.centre_deg) > std::abs(going->level_deg - charts.centre_deg))
+                going->level_deg = mean_deg;
+        }
+        if (going)
+            charts.alarms.push_back(*going);
     }
 }
 

@@ -35,14 +35,15 @@ struct DateComparison {
     std::optional<double> changeWithin; ///< the same of compasses that have swings on both sides alone
 };
 
-/// Something that a control chart tells.
+/// Something that the control charts tell of a base or crew: one alarm from where a chart first rings to where the last rings on the
+/// same side, as long as the average has not come back to the middle between.
 struct ChartAlarm {
     bool crew = false; ///< of a crew, else of a base
     std::string name;
-    bool cusum = false; ///< else EWMA
-    int day = 0;
-    std::uint32_t row = 0; ///< the swing at which it rang
-    double level_deg = 0;  ///< where the average of A stood then (EWMA)
+    bool ewma = false, cusum = false; ///< which charts rang
+    int day = 0, last_day = 0;
+    std::uint32_t row = 0; ///< the swing at which it rang first
+    double level_deg = 0;  ///< where the average of A (EWMA) stood while it rang, farthest from the middle
     bool high = false;
 };
 
@@ -51,7 +52,7 @@ struct ChartWatch {
     double ewmaFalseAlarmAfter = 0, cusumFalseAlarmAfter = 0; ///< swings on average, without a shift
     double ewmaShiftFoundAfter = 0, cusumShiftFoundAfter = 0; ///< at a shift of one standard deviation
     double centre_deg = 0, sigma_deg = 0;                     ///< median of A and 1.4826 MAD of the selection
-    std::vector<ChartAlarm> alarms;                           ///< by day; the first of each run
+    std::vector<ChartAlarm> alarms;                           ///< by day
 };
 
 struct PlantReport {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/Number.h"
-#include "core/fleet/FleetRandom.h"
+#include "core/fleet/Futures.h"
 
 namespace lubberline {
 
@@ -40,33 +40,6 @@ Weighted between(const std::vector<std::pair<double, double>>& valuesAndErrors)
     return w;
 }
 
-/// Level and drift of one coefficient.
-struct State {
-    double level = 0, slope = 0, p00 = 0, p01 = 0, p11 = 0;
-
-    void wait(double years, double walkVariance)
-    {
-        level += slope * years;
-        p00 += 2 * years * p01 + years * years * p11 + walkVariance * years;
-        p01 += years * p11;
-    }
-    void see(double value, double variance)
-    {
-        const double s = p00 + variance, k0 = p00 / s, k1 = p01 / s, off = value - level;
-        level += k0 * off;
-        slope += k1 * off;
-        p11 -= k1 * p01;
-        p01 -= k0 * p01;
-        p00 -= k0 * p00;
-    }
-};
-
-struct Compass {
-    std::array<State, 5> state;
-    std::array<double, 5> walk{};
-    int day = 0;
-};
-
 class Ranker {
 public:
     Ranker(const FleetSwings& fleet, const FleetCurves& curves, std::span<const CompassHistory> histories, const FleetChanges& changes,
@@ -81,6 +54,12 @@ public:
         for (std::size_t k = 0; k < m_priors.size(); ++k)
             for (std::size_t c = 0; c < 5; ++c)
                 m_priors[k][c] = priorOf(k, c);
+        m_drift.resize(fleet.compasses.size());
+        for (const auto& each : changes.drifts) { // the surest first
+            auto& mine = m_drift[static_cast<std::size_t>(each.compass)];
+            mine.surest = mine.surest ? mine.surest : &each;
+            mine.squared[each.coefficient] = each.drift.perYear * each.drift.perYear;
+        }
         m_interval = options.interval_days > 0 ? options.interval_days : medianInterval();
     }
 
@@ -157,16 +136,16 @@ private:
     }
 
     /// The filter over all swings; what a correction or a kept jump did is not held against the compass.
-    Compass filtered(std::size_t h) const
+    CompassOutlook filtered(std::size_t h) const
     {
         const auto kind = kindOf(h);
-        Compass compass;
+        CompassOutlook compass;
         compass.day = m_fleet.swings[m_histories[h].rows.back()].day;
         for (std::size_t c = 0; c < 5; ++c) {
             const auto& scatter = m_changes.scatter[kind][c];
             const Prior& prior = m_priors[kind][c];
             compass.walk[c] = scatter.walkVariance_deg2_year;
-            State& state = compass.state[c];
+            LevelAndDrift& state = compass.state[c];
             state
                 = {prior.mean, prior.slope, prior.variance, 0, std::max(prior.slopeVariance, keptDriftSquared(m_histories[h].compass, c))};
             const auto series = seriesOf(m_fleet, m_curves, m_histories[h], c, scatter);
@@ -187,10 +166,7 @@ private:
     /// One that is known to drift is not shrunk to those that do not.
     [[nodiscard]] double keptDriftSquared(std::int32_t compass, std::size_t c) const
     {
-        for (const auto& each : m_changes.drifts)
-            if (each.compass == compass && each.coefficient == c)
-                return each.drift.perYear * each.drift.perYear;
-        return 0;
+        return m_drift[static_cast<std::size_t>(compass)].squared[c];
     }
 
     [[nodiscard]] bool jumpedInto(std::uint32_t row, std::size_t c) const
@@ -207,7 +183,7 @@ private:
     {
         const auto& history = m_histories[h];
         const auto& compass = m_fleet.compasses[static_cast<std::size_t>(history.compass)];
-        const Compass now = filtered(h);
+        const CompassOutlook now = filtered(h);
         RankedCompass ranked;
         ranked.compass = history.compass;
         ranked.limit_deg = limit_deg;
@@ -216,7 +192,7 @@ private:
         ranked.by_day = std::max({compass.due_day.value_or(now.day + m_interval), m_options.today_day, now.day});
         const double years = (ranked.by_day - now.day) / kDaysPerYear;
         for (std::size_t c = 0; c < 5; ++c) {
-            State then = now.state[c];
+            LevelAndDrift then = now.state[c];
             then.wait(years, now.walk[c]);
             ranked.expected_deg[c] = then.level;
             ranked.standardDeviation_deg[c] = std::sqrt(std::max(0.0, then.p00));
@@ -230,17 +206,8 @@ private:
         return ranked;
     }
 
-    [[nodiscard]] static std::uint64_t seedOf(const Compass& now)
-    {
-        ContentSeed seed;
-        seed.add(now.day);
-        for (const auto& state : now.state)
-            seed.add(state.level).add(state.p00);
-        return seed.value();
-    }
-
     /// The union over headings bounds it; where that says nothing, futures are drawn.
-    double chance(const Compass& now, const RankedCompass& ranked, double years) const
+    double chance(const CompassOutlook& now, const RankedCompass& ranked, double years) const
     {
         double bound = 0;
         for (int heading = 0; heading < 360; heading += 15) {
@@ -255,49 +222,29 @@ private:
         }
         if (bound < 1e-3)
             return bound;
-        FleetRandom random(seedOf(now));
+        static const FutureNormals normals(kFutures, kSteps);
+        const Futures futures(now, years / kSteps);
         int out = 0;
         for (int future = 0; future < kFutures; ++future)
-            out += goesOut(now, random, years / kSteps, kSteps, ranked.limit_deg) ? 1 : 0;
+            out += futures.goesOut(normals.of(future), kSteps, ranked.limit_deg) ? 1 : 0;
         return (out + 0.5) / (kFutures + 1.0);
     }
 
-    /// One future in steps. @return the step at the end of which it is out, 0: never; the first is where it is now
-    static int goesOut(const Compass& now, FleetRandom& random, double step_years, int steps, double limit_deg)
+    void findDays(const CompassOutlook& now, RankedCompass& ranked) const
     {
-        FiveTerms level{}, slope{};
-        for (std::size_t c = 0; c < 5; ++c) {
-            const State& s = now.state[c];
-            const double sd = std::sqrt(std::max(s.p00, 0.0)), a = random.normal();
-            level[c] = s.level + sd * a;
-            const double along = sd > 0 ? s.p01 / sd : 0.0;
-            slope[c] = s.slope + along * a + std::sqrt(std::max(0.0, s.p11 - along * along)) * random.normal();
-        }
-        for (int step = 0;; ++step) {
-            if (largestOf_deg(level) > limit_deg)
-                return step + 1;
-            if (step == steps)
-                return 0;
-            for (std::size_t c = 0; c < 5; ++c)
-                level[c] += slope[c] * step_years
-                    + (now.walk[c] > 0 && step_years > 0 ? std::sqrt(now.walk[c] * step_years) * random.normal() : 0.0);
-        }
-    }
-
-    void findDays(const Compass& now, RankedCompass& ranked) const
-    {
-        constexpr int futures = 400, perYear = 4;
-        FleetRandom random(seedOf(now) + 1);
+        constexpr int drawn = 400, perYear = 4;
+        static const FutureNormals normals(drawn, kHorizonYears * perYear);
+        const Futures futures(now, 1.0 / perYear);
         std::vector<int> steps;
-        for (int future = 0; future < futures; ++future) {
-            const int out = goesOut(now, random, 1.0 / perYear, kHorizonYears * perYear, ranked.limit_deg);
+        for (int future = 0; future < drawn; ++future) {
+            const int out = futures.goesOut(normals.of(future), kHorizonYears * perYear, ranked.limit_deg);
             steps.push_back(out > 0 ? out - 1 : kHorizonYears * perYear + 1);
         }
         std::ranges::sort(steps);
         for (int step = 0; step <= kHorizonYears * perYear; ++step)
-            ranked.reachedShare.push_back(static_cast<double>(std::ranges::upper_bound(steps, step) - steps.begin()) / futures);
+            ranked.reachedShare.push_back(static_cast<double>(std::ranges::upper_bound(steps, step) - steps.begin()) / drawn);
         const auto day = [&](double share) -> std::optional<int> {
-            const int step = steps[static_cast<std::size_t>(share * (futures - 1))];
+            const int step = steps[static_cast<std::size_t>(share * (drawn - 1))];
             if (step > kHorizonYears * perYear)
                 return {};
             return now.day + static_cast<int>(std::lround(step * kDaysPerYear / perYear));
@@ -307,7 +254,7 @@ private:
         ranked.reached95_day = day(0.95);
     }
 
-    void reason(const CompassHistory& history, const Compass& now, RankedCompass& ranked) const
+    void reason(const CompassHistory& history, const CompassOutlook& now, RankedCompass& ranked) const
     {
         const auto set = [&](RankReason why, std::size_t c, double figure) {
             ranked.reason = why;
@@ -319,9 +266,9 @@ private:
             level[c] = now.state[c].level;
         if (const double largest = largestOf_deg(level); largest > ranked.limit_deg)
             return set(RankReason::OutNow, 0, largest);
-        for (const auto& each : m_changes.drifts) // the surest first
-            if (each.compass == history.compass && ranked.largestExpected_deg > largestOf_deg(level))
-                return set(RankReason::Drift, each.coefficient, ranked.drift_deg_year[each.coefficient]);
+        if (const FleetDrift* surest = m_drift[static_cast<std::size_t>(history.compass)].surest;
+            surest && ranked.largestExpected_deg > largestOf_deg(level))
+            return set(RankReason::Drift, surest->coefficient, ranked.drift_deg_year[surest->coefficient]);
         if (ranked.largestExpected_deg > 0.8 * ranked.limit_deg)
             return set(RankReason::NearLimit, 0, ranked.largestExpected_deg);
         const auto jump = std::ranges::lower_bound(m_changes.jumps, history.compass, {}, &FleetJump::compass);
@@ -339,6 +286,11 @@ private:
     std::span<const CompassHistory> m_histories;
     const FleetChanges& m_changes;
     const RankingOptions& m_options;
+    struct KeptDrift {
+        const FleetDrift* surest = nullptr;
+        std::array<double, 5> squared{};
+    };
+    std::vector<KeptDrift> m_drift; ///< of each compass
     std::vector<std::array<Prior, 5>> m_priors;
     int m_interval = 365;
 };

@@ -250,7 +250,7 @@ ContinuousResult ContinuousSwing::finish()
                  "the innovations are %1 times what the stated errors allow: the error of the reference is stated wrongly, or it changed"),
                 figureText(std::sqrt(*result.nisMean), 1)});
     if (m_gated > 0)
-        result.warnings.push_back({MARKED_N("core", "%n reading(s) too far from what was expected were not taken"), m_gated});
+        result.warnings.push_back({MARKED_N("core", "%n reading(s) not taken, too far from what was expected"), m_gated});
     result.legs = m_legs;
     if (result.legs.empty())
         for (std::size_t i = 0; i < m_sectors.size(); ++i)

@@ -46,7 +46,7 @@ void warnOfCoverage(AircraftWinds& result)
                 change.afterFlight, change.beforeFlight, chanceText(change.p)});
     if (result.leftOut[static_cast<std::size_t>(LeftOut::Duplicate)] > 0)
         result.warnings.push_back(
-            {MARKED_N("core", "%n report(s) came twice and count once"), result.leftOut[static_cast<std::size_t>(LeftOut::Duplicate)]});
+            {MARKED_N("core", "%n report(s) that came twice counted once"), result.leftOut[static_cast<std::size_t>(LeftOut::Duplicate)]});
 }
 
 /// In the headings of a heading column, or in winds that were computed with magnetic headings.

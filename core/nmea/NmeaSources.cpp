@@ -183,15 +183,15 @@ std::vector<Message> toldOfLog(const NmeaLog& log)
     const auto ofMode = [&log](NmeaMode mode) { return log.ofMode[static_cast<std::size_t>(mode)]; };
     tell(log.badChecksums, MARKED_N("core", "%n sentence(s) with a wrong checksum left out"));
     tell(log.withoutChecksum, MARKED_N("core", "%n sentence(s) without a checksum: what was damaged on the way cannot be told"));
-    tell(log.badHeadings, MARKED_N("core", "%n heading(s) that are none (negative, or beyond 360) left out"));
+    tell(log.badHeadings, MARKED_N("core", "%n heading(s) left out, negative or beyond 360"));
     tell(log.fixes > 0 ? log.noFixes : 0, MARKED_N("core", "%n time(s) the receiver had no fix (status V, mode N)"));
     tell(ofMode(NmeaMode::Estimated),
-        MARKED_N("core", "%n track(s) or heading(s) are estimated (mode E, dead reckoning): perhaps from the very compass that is swung"));
-    tell(ofMode(NmeaMode::Manual), MARKED_N("core", "%n track(s) or heading(s) were typed in (mode M)"));
-    tell(ofMode(NmeaMode::Simulated), MARKED_N("core", "%n track(s) or heading(s) come from a simulator (mode S)"));
+        MARKED_N("core", "%n estimated track(s) or heading(s) (mode E, dead reckoning): perhaps from the very compass that is swung"));
+    tell(ofMode(NmeaMode::Manual), MARKED_N("core", "%n track(s) or heading(s) typed in (mode M)"));
+    tell(ofMode(NmeaMode::Simulated), MARKED_N("core", "%n track(s) or heading(s) from a simulator (mode S)"));
     if (log.unreadAngles > 0)
         told.push_back({MARKED_N("core",
-                            "%n variation(s) or deviation(s) are written so that they tell no side, as '%1', and left out; expected a size "
+                            "%n variation(s) or deviation(s) left out, written without a side as '%1'; expected a size "
                             "without a sign, and E or W"),
             static_cast<std::size_t>(log.unreadAngles), log.firstUnread});
     if (log.deviations > 0)

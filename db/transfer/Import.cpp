@@ -192,7 +192,7 @@ Result<Imported> importFleet(Database& database, const Fleet& fleet, const Progr
     }
     if (importer.signedByNobody > 0)
         importer.imported.warnings.push_back(
-            {MARKED_N("db", "%n new swing(s) are signed, and the file does not say by whom"), importer.signedByNobody});
+            {MARKED_N("db", "%n new swing(s) signed, and the file does not say by whom"), importer.signedByNobody});
     if (progress && !progress(1.0)) // the last moment at which nothing has been stored
         return Error{ErrorCode::Cancelled, MARKED("db", "cancelled; nothing was stored"), database.path().toStdString()};
     if (const auto committed = transaction->commit(); !committed)

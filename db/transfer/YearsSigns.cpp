@@ -98,7 +98,7 @@ Result<std::vector<Message>> YearsSigns::suspicions(Database& database, std::int
                 m_line[suspect.swings.front()], signedFigureText(suspect.siblingsD_deg, 1)});
     }
     if (more > 0)
-        told.push_back({MARKED_N("db", "%n more compass(es) whose records are suspect of the other sign"), more});
+        told.push_back({MARKED_N("db", "suspect of the other sign as well: the records of %n more compass system(s)"), more});
     return told;
 }
 

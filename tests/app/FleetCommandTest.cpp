@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
+#include <sstream>
+
 #include "tests/app/Program.h"
 
 namespace lubberline::test {
@@ -55,6 +58,15 @@ TEST_F(FleetCommand, tellsThePopulationThatWasPutIn)
     EXPECT_EQ(told["variance"]["A"]["interval_95"]["residual_deg2"].size(), 2u);
     EXPECT_EQ(told["by_plant"].size(), 2u);
     EXPECT_NEAR(told["training"]["change_share"].get<double>(), -0.8, 0.08);
+    // Before the training A stood off: one alarm a base and crew, and not one a date.
+    std::map<std::string, int> alarms;
+    for (const auto& alarm : told["charts"]["alarms"]) {
+        EXPECT_LE(alarm["first_date"], alarm["last_date"]);
+        ++alarms[alarm.value("site", "") + alarm.value("crew", "") + (alarm["average_A_deg"] > told["charts"]["centre_A_deg"] ? "+" : "-")];
+    }
+    EXPECT_FALSE(alarms.empty());
+    for (const auto& [who, count] : alarms)
+        EXPECT_LE(count, 3) << who;
     EXPECT_GE(told["jumps"].size(), 3u);
     EXPECT_LE(told["jumps"].size(), 5u);
     EXPECT_EQ(told["ranking"].size(), 20u);
@@ -69,10 +81,33 @@ TEST_F(FleetCommand, writesEachFormatWhole)
         ASSERT_EQ(outcome.status, 0) << outcome.err;
         EXPECT_GT(s_sandbox->read(file).size(), 2000u) << file;
     }
-    EXPECT_THAT(s_sandbox->read("fleet.csv"), testing::StartsWith("# pattern\nheading_deg,aircraft,mean_deg,"));
+    EXPECT_THAT(s_sandbox->read("fleet.csv"), testing::StartsWith("# selection\naircraft,compasses,swings,used\n20,20,"));
     EXPECT_THAT(s_sandbox->read("fleet.html"), testing::HasSubstr("<svg"));
     EXPECT_THAT(s_sandbox->read("fleet.html"), testing::HasSubstr("Swing next: 3218"));
     EXPECT_EQ(json::parse(s_sandbox->read("fleet.json"))["selection"]["aircraft"], 20);
+}
+
+TEST_F(FleetCommand, tablesOfTheCsvAreTheArraysOfTheJson)
+{
+    ASSERT_EQ(fleet({"-o", "all.csv"}).status, 0);
+    std::map<std::string, std::size_t> rows;
+    std::istringstream csv(s_sandbox->read("all.csv"));
+    std::string table;
+    for (std::string line; std::getline(csv, line);) {
+        if (line.starts_with("# ")) {
+            table = line.substr(2);
+            std::getline(csv, line); // what the columns are
+        } else if (!line.empty())
+            ++rows[table];
+    }
+    const auto all = fleet({"--json"}).json();
+    EXPECT_EQ(rows["left out"], all["selection"]["left_out"].size());
+    EXPECT_EQ(rows["pattern"], all["pattern"].size());
+    EXPECT_EQ(rows["jumps"], all["jumps"].size());
+    EXPECT_EQ(rows["drifts"], all["drifts"].size());
+    EXPECT_EQ(rows["who next"], all["ranking"].size());
+    EXPECT_EQ(rows["alarms of the control charts of A"], all["charts"]["alarms"].size());
+    EXPECT_EQ(rows["A by base and crew"], all["by_plant"].size() + all["by_crew"].size());
 }
 
 TEST_F(FleetCommand, selectsAndCountsWhatIsLeftOut)

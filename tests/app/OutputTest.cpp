@@ -197,7 +197,7 @@ TEST_F(Outputs, inputsAreTakenFromStandardInput)
     for (const std::string input : {"swing.csv", "fleet.json", "report.pdf"}) {
         const auto imported = sandbox.run({"import", "-", "--db", "again-" + input + ".db"}, {}, input);
         EXPECT_EQ(imported.status, 0) << imported.err;
-        EXPECT_THAT(imported.err, HasSubstr("stored 1 new swings")) << input;
+        EXPECT_THAT(imported.err, HasSubstr("stored 1 new swing of")) << input;
     }
     const auto twice = sandbox.run({"map", "-", "--minus", "-"}, {}, "model.json");
     EXPECT_EQ(twice.status, 1);

@@ -20,8 +20,8 @@ TEST(YearsCommand, aTableIsToldByItsColumnsAndStored)
     EXPECT_FALSE(std::filesystem::exists(sandbox.path("a.db"))); // nothing is made for what cannot be stored
     const auto stored = sandbox.run({"import", "years.csv", "--cells", "deviation", "--db", "a.db"});
     ASSERT_EQ(stored.status, 0) << stored.err;
-    EXPECT_THAT(stored.err, HasSubstr("stored 2 new swings with 8 readings, of 2 new aircraft and 2 new compasses"));
-    EXPECT_THAT(sandbox.run({"import", "years.csv", "--cells", "deviation", "--db", "a.db"}).err, HasSubstr("2 swings were there already"));
+    EXPECT_THAT(stored.err, HasSubstr("stored 2 new swings with 8 readings, of 2 new aircraft and 2 new compass systems"));
+    EXPECT_THAT(sandbox.run({"import", "years.csv", "--cells", "deviation", "--db", "a.db"}).err, HasSubstr("there already: 2 swings"));
     EXPECT_EQ(sandbox.run({"fleet", "--db", "a.db", "--json"}).json()["selection"]["used"], 2);
 }
 

@@ -188,7 +188,7 @@ TEST(Years, whatIsNotWholeComesInAsADraft)
     EXPECT_EQ(outcome->drafts, 2);
     ASSERT_EQ(outcome->warnings.size(), 1u);
     EXPECT_EQ(outcome->warnings[0].english(),
-        "2 swings come in as drafts, the first in line 2: it has 3 readings that count; expected at least 4");
+        "2 swings in draft, the first in line 2: it has 3 readings that count; expected at least 4");
 }
 
 } // namespace lubberline::test

@@ -47,6 +47,12 @@ void addParameters(QString& html, const std::vector<FittedParameter>& parameters
     html += QStringLiteral("</table>");
 }
 
+/// In files it is uT, which any keyboard types.
+QString unitShown(FieldUnit unit)
+{
+    return unit == FieldUnit::Microtesla ? QStringLiteral("µT") : QString::fromStdString(std::string(nameOf(unit)));
+}
+
 QString verdictLine(CalibrationVerdict verdict)
 {
     switch (verdict) {
@@ -110,12 +116,16 @@ QString wordsOf(const CalibrationRun& run)
     const auto& reasons = run.ellipsoid ? run.ellipsoid->reasons : run.attitude->reasons;
     const auto& next = run.ellipsoid ? run.ellipsoid->nextSteps : run.attitude->nextSteps;
     addList(html, CalibrationWords::tr("Why"), reasons);
-    addList(html, CalibrationWords::tr("What to do next"), next);
+    if (next.empty() && run.verdict() == CalibrationVerdict::Good)
+        addList(html, CalibrationWords::tr("What to do next"),
+            {MARKED("ui", "save the model, or store it with the compass: it takes these errors out of what the sensor measures")});
+    else
+        addList(html, CalibrationWords::tr("What to do next"), next);
     const std::size_t samples = run.part->size(), used = run.ellipsoid ? run.ellipsoid->used : run.attitude->used;
     html += CalibrationWords::tr("<p>%1 samples, %2 used; unit %3 (%4).</p>")
                 .arg(samples)
                 .arg(used)
-                .arg(QString::fromStdString(std::string(nameOf(run.part->unit))), toText(run.part->unitReason).toHtmlEscaped());
+                .arg(unitShown(run.part->unit), toText(run.part->unitReason).toHtmlEscaped());
     if (run.compensated && run.compensated->before && run.compensated->after)
         html += CalibrationWords::tr("<p>Heading error (rms, largest): before %1°, %2°; after <b>%3°, %4°</b>.</p>")
                     .arg(plainNumber(run.compensated->before->rms_deg, 2), plainNumber(run.compensated->before->max_deg, 2),
@@ -124,8 +134,11 @@ QString wordsOf(const CalibrationRun& run)
         html += CalibrationWords::tr("<p>The field's size spreads by %1 before and <b>%2</b> after (%3).</p>")
                     .arg(plainNumber(run.compensated->spreadBefore, 0), plainNumber(run.compensated->spreadAfter, 0),
                         QString::fromStdString(std::string(run.part->figureUnit())));
-    if (run.model)
+    if (run.model) {
+        html += CalibrationWords::tr("<p>P, Q, R: the field of what is magnetic near the sensor (hard iron). a to k: how much the iron and the "
+                                     "sensor's axes bend the Earth's field, 0.01 is 1 % (soft iron). F: the Earth's field.</p>");
         addParameters(html, run.ellipsoid ? run.ellipsoid->fit->parameters : run.attitude->parameters);
+    }
     if (run.attitude)
         addList(html, CalibrationWords::tr("What this log cannot tell"), run.attitude->notSeparable);
     std::vector<Message> warnings = run.part->warnings;

@@ -1,5 +1,8 @@
 #include "ui/fleet/PopulationNews.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "db/stores/PopulationStore.h"
 
 namespace lubberline::ui {
@@ -28,6 +31,24 @@ Result<std::shared_ptr<const PopulationNews>> populationNews(
         return report.error();
     return std::shared_ptr<const PopulationNews>(
         std::make_shared<PopulationNews>(PopulationNews{std::move(fleet.value()), std::move(report.value()), selection, firstLook}));
+}
+
+std::vector<SwingBehind> swingsBehind(const PopulationNews& news, double heading_deg)
+{
+    const auto& [fleet, report, selection, firstLook] = news;
+    double mean = 0;
+    for (const auto& point : report.pattern.points)
+        if (std::abs(point.heading_deg - heading_deg) < 1e-6)
+            mean = point.mean_deg.value_or(0);
+    std::vector<SwingBehind> all;
+    for (std::size_t row = 0; row < fleet.swings.size(); ++row)
+        if (!report.options.stage || fleet.swings[row].stage == *report.options.stage)
+            if (const auto value = valueAt(fleet, fleet.swings[row], report.curves.curves[row], heading_deg, 180.0 / report.options.grid))
+                all.push_back({row, *value});
+    std::stable_sort(all.begin(), all.end(), [mean](const SwingBehind& a, const SwingBehind& b) {
+        return std::abs(a.value.deviation_deg - mean) > std::abs(b.value.deviation_deg - mean);
+    });
+    return all;
 }
 
 } // namespace lubberline::ui

@@ -20,4 +20,11 @@ struct PopulationNews {
 Result<std::shared_ptr<const PopulationNews>> populationNews(
     const db::Stores& from, const FleetSelection& selection, FleetOptions options, bool firstLook, const Progress& progress);
 
+struct SwingBehind {
+    std::size_t row; ///< of the columns
+    GridValue value;
+};
+/// The swings of a heading of the pattern, those farthest from its mean first.
+[[nodiscard]] std::vector<SwingBehind> swingsBehind(const PopulationNews& news, double heading_deg);
+
 } // namespace lubberline::ui

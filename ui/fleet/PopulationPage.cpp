@@ -205,10 +205,9 @@ void PopulationPage::tellHeading(double heading_deg)
         return;
     for (const auto& point : m_news->report.pattern.points)
         if (std::abs(point.heading_deg - heading_deg) < 1e-6 && point.mean_deg)
-            emit readOut(tr("%1°: mean %2°, between aircraft ± %3°, %4 votes")
+            emit readOut(tr("%1°: mean %2°, between aircraft ± %3°, %n vote(s)", nullptr, point.units)
                              .arg(point.heading_deg, 0, 'f', 1)
-                             .arg(signedNumber(*point.mean_deg, 2), numberText(point.between_deg))
-                             .arg(point.units));
+                             .arg(signedNumber(*point.mean_deg, 2), numberText(point.between_deg)));
 }
 
 Result<void> PopulationPage::open(const FleetItem& record)
@@ -235,7 +234,8 @@ Result<void> PopulationPage::open(const FleetItem& record)
 
 void PopulationPage::fleetChanged()
 {
-    if (m_news)
+    m_changed = true;
+    if (m_news && !m_worker.running())
         m_state->setText(tr("The fleet has changed since: compute again."));
 }
 
@@ -245,6 +245,7 @@ void PopulationPage::compute()
     if (!wish)
         return refuse(messageOf(wish.error()));
     m_options = wish->options;
+    m_changed = false;
     m_cancel->setEnabled(true);
     m_state->setText(tr("Computing a first look at a part of the swings; all of them follow…"));
     updatePlots();
@@ -254,6 +255,7 @@ void PopulationPage::compute()
 
 void PopulationPage::computeWhole()
 {
+    m_changed = false; // what came until now is read
     m_state->setText(tr("All swings are read and computed…"));
     m_worker.start([&stores = m_stores, selection = m_news->selection, options = m_options](
                        const Progress& progress) { return populationNews(stores, selection, options, false, progress); });
@@ -279,7 +281,9 @@ void PopulationPage::take(Result<std::shared_ptr<const PopulationNews>> news)
     m_cancel->setEnabled(false);
     m_save->setEnabled(true);
     m_progress->setValue(100);
-    m_state->setText(tr("%1 swings of %2 aircraft.").arg(m_news->report.counts.used).arg(m_news->report.counts.aircraft));
+    m_state->setText(m_changed ? tr("The fleet has changed since: compute again.")
+                               : tr("%n swing(s) of %1 aircraft.", nullptr, static_cast<int>(m_news->report.counts.used))
+                                     .arg(m_news->report.counts.aircraft));
 }
 
 PopulationDrawing PopulationPage::drawing() const
@@ -299,7 +303,7 @@ void PopulationPage::fill()
 {
     const QStringList lines = fleetSummary(m_news->report, m_news->fleet);
     const QString first
-        = m_news->firstLook ? tr("A first look at %1 swings; all are being computed. ").arg(m_news->report.counts.used) : QString();
+        = m_news->firstLook ? tr("A first look at %n swing(s); all are being computed. ", nullptr, static_cast<int>(m_news->report.counts.used)) : QString();
     say(first + lines.mid(0, 5).join(QStringLiteral(" ")));
     messageLine().setToolTip(lines.join('\n'));
     m_distributions = distributionDrawing(m_news->report, m_news->fleet);
@@ -343,31 +347,16 @@ void PopulationPage::choose(double heading_deg)
     if (!m_news)
         return;
     m_chosen_deg = heading_deg;
-    const auto& [fleet, report, selection, firstLook] = *m_news;
-    double mean = 0;
-    for (const auto& point : report.pattern.points)
-        if (std::abs(point.heading_deg - heading_deg) < 1e-6)
-            mean = point.mean_deg.value_or(0);
-    struct Behind {
-        std::size_t row;
-        GridValue value;
-    };
-    std::vector<Behind> all;
-    for (std::size_t row = 0; row < fleet.swings.size(); ++row)
-        if (!report.options.stage || fleet.swings[row].stage == *report.options.stage)
-            if (const auto value = valueAt(fleet, fleet.swings[row], report.curves.curves[row], heading_deg, 180.0 / report.options.grid))
-                all.push_back({row, *value});
-    std::stable_sort(all.begin(), all.end(), [mean](const Behind& a, const Behind& b) {
-        return std::abs(a.value.deviation_deg - mean) > std::abs(b.value.deviation_deg - mean);
-    });
+    const auto all = swingsBehind(*m_news, heading_deg);
     const auto shown = std::min(all.size(), kSwingsBehind);
     m_behindWords->setText(
-        tr("%1 swings at %2°, those farthest from the mean first; Enter opens one.").arg(all.size()).arg(heading_deg, 0, 'f', 1));
+        tr("%n swing(s) at %1°, those farthest from the mean first; Enter opens one.", nullptr, static_cast<int>(all.size()))
+            .arg(heading_deg, 0, 'f', 1));
     m_swings->setRowCount(static_cast<int>(shown));
     m_behind.clear();
     for (std::size_t i = 0; i < shown; ++i) {
-        const auto& swing = fleet.swings[all[i].row];
-        const auto& compass = fleet.compasses[static_cast<std::size_t>(swing.compass)];
+        const auto& swing = m_news->fleet.swings[all[i].row];
+        const auto& compass = m_news->fleet.compasses[static_cast<std::size_t>(swing.compass)];
         const QStringList cells{toText(dateOfDay(swing.day)), toText(compass.aircraft), toText(compass.compass),
             signedNumber(all[i].value.deviation_deg, 2) + QChar(0xB0), all[i].value.read ? tr("read") : tr("by its own curve")};
         for (int column = 0; column < cells.size(); ++column)

@@ -64,6 +64,7 @@ private:
     std::shared_ptr<const PopulationNews> m_news;
     FleetOptions m_options; ///< of what is being computed
     DistributionDrawing m_distributions;
+    bool m_changed = false; ///< the fleet, since what is shown or computed was read
     std::optional<double> m_chosen_deg;
     std::vector<SwingId> m_behind; ///< of the rows of m_swings
     CompassId m_wantedCompass;     ///< whose history is shown first

@@ -218,7 +218,7 @@ Result<ContinuousFile> readContinuousCsv(std::istream& input, const std::string&
         return csv.wholeFile(MARKED("core", "holds no pair of headings; expected a compass and a reference heading a row"));
     file.result = swing.finish();
     if (missing > 0)
-        file.warnings.push_back({MARKED_N("core", "%n row(s) without a compass or reference heading are passed over"), missing});
+        file.warnings.push_back({MARKED_N("core", "%n row(s) without a compass or reference heading passed over"), missing});
     file.warnings.insert(file.warnings.end(), file.result.warnings.begin(), file.result.warnings.end());
     return file;
 }

@@ -257,11 +257,11 @@ Result<SensorLog> LogReader::finish()
             m_header.names.size() == 3 ? std::string("x, y, z") : std::string("time_s, x, y, z")});
     const auto& counts = m_log.counts;
     if (counts.emptyCells > 0)
-        m_log.warnings.push_back({MARKED_N("core", "%n cell(s) are empty"), counts.emptyCells});
+        m_log.warnings.push_back({MARKED_N("core", "%n empty cell(s)"), counts.emptyCells});
     if (counts.nanCells > 0)
-        m_log.warnings.push_back({MARKED_N("core", "%n cell(s) hold no number (NaN)"), counts.nanCells});
+        m_log.warnings.push_back({MARKED_N("core", "%n cell(s) without a number (NaN)"), counts.nanCells});
     if (counts.shortRows > 0)
-        m_log.warnings.push_back({MARKED_N("core", "%n row(s) have fewer cells than the header"), counts.shortRows});
+        m_log.warnings.push_back({MARKED_N("core", "%n row(s) with fewer cells than the header"), counts.shortRows});
     m_header.timeUnitNamed = m_header.timeUnitNamed && !m_noHeader; // a name of ours says nothing of the file
     csv::takeTime(m_log, m_header);
     csv::takeUnit(m_log, m_header, m_options);

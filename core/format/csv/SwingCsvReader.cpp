@@ -259,7 +259,7 @@ Result<void> SwingReader::takeHeader()
         m_file.otherKeys.emplace_back("title", title);
     if (!m_titles.empty())
         m_file.warnings.push_back(
-            {MARKED_N("core", "%n row(s) above the header name no column: they are kept in the swing's note"), m_titles.size()});
+            {MARKED_N("core", "%n row(s) above the header, where no column is named, kept in the swing's note"), m_titles.size()});
     m_columns = std::move(columns.value());
     m_rowsCrLf = m_lines.endedInCrLf();
     const auto variation_deg = m_file.swing.variation_deg;

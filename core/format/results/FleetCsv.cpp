@@ -57,6 +57,18 @@ private:
     bool m_first = true;
 };
 
+void selectionRows(std::string& csv, const FleetReport& report)
+{
+    Rows rows(csv, "selection", "aircraft,compasses,swings,used");
+    rows << report.counts.aircraft << report.counts.compasses << report.counts.swings << report.counts.used;
+    rows.end();
+    Rows left(csv, "left out", "reason,swings");
+    for (const auto& each : report.counts.leftOut) {
+        left << each.reason << each.swings;
+        left.end();
+    }
+}
+
 void patternRows(std::string& csv, const FleetReport& report)
 {
     Rows rows(csv, "pattern",
@@ -144,6 +156,31 @@ void plantRows(std::string& csv, const FleetReport& report)
         }
 }
 
+void alarmRows(std::string& csv, const FleetReport& report)
+{
+    Rows rows(csv, "alarms of the control charts of A", "of,name,first_date,last_date,ewma,cusum,average_A_deg");
+    if (!report.plants.charts)
+        return;
+    for (const auto& a : report.plants.charts->alarms) {
+        rows << std::string(a.crew ? "crew" : "site") << a.name << dateOfDay(a.day) << dateOfDay(a.last_day) << static_cast<int>(a.ewma)
+             << static_cast<int>(a.cusum) << a.level_deg;
+        rows.end();
+    }
+}
+
+void softIronRows(std::string& csv, const FleetReport& report)
+{
+    Rows rows(csv, "soft iron of the types",
+        "type,compass,coefficient,aircraft,mean_deg,standard_error_deg,between_aircraft_deg,next_aircraft_95_low_deg,next_aircraft_95_high_deg");
+    for (const auto& standard : report.softIron)
+        for (const auto& [letter, one] : {std::pair("D", &standard.D), std::pair("E", &standard.E)})
+            if (*one) {
+                rows << standard.type << standard.compass << std::string(letter) << (*one)->aircraft << (*one)->mean_deg
+                     << (*one)->standardError_deg << (*one)->between_deg << (*one)->next95_deg.low << (*one)->next95_deg.high;
+                rows.end();
+            }
+}
+
 void changeRows(std::string& csv, const FleetReport& report, const FleetSwings& fleet)
 {
     Rows rows(csv, "jumps", "aircraft,compass,after,before,coefficient,change_deg,standard_error_deg,p,event");
@@ -153,11 +190,12 @@ void changeRows(std::string& csv, const FleetReport& report, const FleetSwings& 
              << letterAt(j.coefficient) << j.change_deg << j.standardError_deg << shortestNumber(j.p) << j.event;
         rows.end();
     }
-    Rows drifts(csv, "drifts", "aircraft,compass,coefficient,deg_per_year,standard_error_deg_per_year,p");
+    Rows drifts(csv, "drifts", "aircraft,compass,coefficient,deg_per_year,standard_error_deg_per_year,low_95_deg_per_year,high_95_deg_per_year,p,from,to");
     for (const auto& d : report.changes.drifts) {
         const auto& compass = compassAt(fleet, d.compass);
         drifts << compass.aircraft << compass.compass << letterAt(d.coefficient) << d.drift.perYear << d.drift.standardError
-               << shortestNumber(d.drift.p);
+               << d.drift.interval95.low << d.drift.interval95.high << shortestNumber(d.drift.p) << dateOfDay(dayAt(fleet, d.firstRow))
+               << dateOfDay(dayAt(fleet, d.lastRow));
         drifts.end();
     }
 }
@@ -178,12 +216,15 @@ void rankingRows(std::string& csv, const FleetReport& report, const FleetSwings&
 std::string toCsv(const FleetReport& report, const FleetSwings& fleet)
 {
     std::string csv;
+    selectionRows(csv, report);
     patternRows(csv, report);
     coefficientRows(csv, report);
     harmonicRows(csv, report);
     exceedanceRows(csv, report);
     varianceRows(csv, report);
     plantRows(csv, report);
+    alarmRows(csv, report);
+    softIronRows(csv, report);
     changeRows(csv, report, fleet);
     rankingRows(csv, report, fleet);
     return csv;

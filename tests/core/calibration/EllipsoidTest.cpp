@@ -199,6 +199,45 @@ TEST(Ellipsoid, aSensorThatWasNotTurnedAndTwoUnits)
         fitEllipsoid(makeLog({.model = exampleModel(), .spikes = 0.03}), EllipsoidShape::General, {}).verdict, CalibrationVerdict::Good);
 }
 
+/// A turn on a table with a phone's noise: as thick as the noise makes it, and no more.
+TEST(Ellipsoid, aNoisyTurnInAPlaneIsAPlane)
+{
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> noise(0, 400);
+    SensorLog log;
+    for (int i = 0; i < 4000; ++i) {
+        const double turn = 0.006 * i;
+        log.time_s.push_back(0.01 * i);
+        log.field[0].push_back(31000 + 19000 * std::cos(turn) + noise(random));
+        log.field[1].push_back(-12000 - 19000 * std::sin(turn) + noise(random));
+        log.field[2].push_back(133000 + noise(random));
+    }
+    const auto result = fitEllipsoid(log, EllipsoidShape::General, {});
+    EXPECT_EQ(result.verdict, CalibrationVerdict::NotDetermined);
+    EXPECT_THAT(together(result.reasons).english(), testing::HasSubstr("in a plane: off it they spread by 40"));
+    EXPECT_THAT(together(result.nextSteps).english(), testing::HasSubstr("all attitudes"));
+}
+
+/// One axis in µT beside two in nT, or two beside one; and one that measures half of a field.
+TEST(Ellipsoid, anAxisOfAnotherUnitIsNamed)
+{
+    const auto scaled = [](Eigen::Vector3d factors) {
+        SensorLog log = makeLog({});
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (double& value : log.field[axis])
+                value *= factors[static_cast<Eigen::Index>(axis)];
+        return fitEllipsoid(log, EllipsoidShape::General, {});
+    };
+    const auto small = scaled({1, 1, 1e-3});
+    EXPECT_EQ(small.verdict, CalibrationVerdict::NotDetermined);
+    EXPECT_THAT(together(small.reasons).english(), testing::HasSubstr("axis z has figures of size"));
+    EXPECT_THAT(together(scaled({1, 1e-3, 1e-3}).reasons).english(), testing::HasSubstr("axis x has figures of size"));
+    EXPECT_THAT(together(scaled({1, 0.01, 1}).reasons).english(), testing::HasSubstr("axis y has figures of size"));
+    const auto half = scaled({1, 0.3, 1});
+    EXPECT_EQ(half.verdict, CalibrationVerdict::Doubtful);
+    EXPECT_THAT(together(half.reasons).english(), testing::HasSubstr("times as much as axis y of one field"));
+}
+
 TEST(Ellipsoid, missingCellsAreLeftOut)
 {
     SensorLog log = makeLog({.model = exampleModel(), .noise_nT = 1, .samples = 800});

@@ -286,6 +286,38 @@ TEST(FleetReport, fallOfAAtATrainingDateIsFound)
     EXPECT_NEAR(given.plants.training->change, -0.8, 0.06);
 }
 
+TEST(FleetReport, anAlarmIsToldOnceWithItsFirstAndItsLastDay)
+{
+    Truth truth;
+    truth.aircraft = 40;
+    truth.swings = 10;
+    truth.between[0] = 0.0;
+    truth.mean[0] = 0;
+    truth.noise_deg = 0.1;
+    auto random = std::make_shared<std::mt19937>(5);
+    // Three years of ten stand off by five times the scatter of the others.
+    truth.extra = [random](int, int s, std::size_t c) {
+        return c == 0 ? (s >= 4 && s < 7 ? 1.5 : 0.0) + 0.3 * std::normal_distribution<>()(*random) : 0.0;
+    };
+    SimulatedFleet simulated(truth);
+    simulated.fleet.sites = {"one base"};
+    for (auto& swing : simulated.fleet.swings)
+        swing.site = 0;
+    const auto report = reported(simulated.fleet, {.variance = false});
+    ASSERT_TRUE(report.plants.charts);
+    std::vector<ChartAlarm> ofBase;
+    for (const auto& alarm : report.plants.charts->alarms)
+        if (!alarm.crew && alarm.high)
+            ofBase.push_back(alarm);
+    ASSERT_EQ(ofBase.size(), 1u);
+    EXPECT_TRUE(ofBase[0].ewma);
+    EXPECT_TRUE(ofBase[0].cusum);
+    EXPECT_NEAR(ofBase[0].day, 14000 + 4 * 365, 60);
+    EXPECT_NEAR(ofBase[0].last_day, 14000 + 6 * 365, 90);
+    EXPECT_NEAR(ofBase[0].level_deg, 1.5, 0.5);
+    EXPECT_TRUE(inWords(ofBase[0]).english().starts_with("base one base: from 20"));
+}
+
 TEST(FleetReport, nothingIsFoundWhereThereIsNothing)
 {
     Truth truth;

@@ -398,7 +398,7 @@ TEST(NmeaTurn, receiversThatMakeItUpAreTold)
             other += (line.find("RMC") == std::string::npos ? line : makeNmea(line.substr(1, line.find('*') - 2) + mode)) + "\n";
         return other;
     };
-    EXPECT_TRUE(answerOf(ending(logOf({}), "E")).says("400 tracks or headings are estimated (mode E, dead reckoning)"));
+    EXPECT_TRUE(answerOf(ending(logOf({}), "E")).says("400 estimated tracks or headings (mode E, dead reckoning)"));
     EXPECT_TRUE(answerOf(ending(logOf({}), "S")).says("simulator (mode S)"));
     std::string own;
     for (int i = 0; i < 360; i += 5)

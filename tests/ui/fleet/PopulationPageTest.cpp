@@ -79,6 +79,21 @@ private slots:
         QVERIFY(grab.pixelColor(grab.width() / 2, grab.height() / 2) != QColor() && !grab.isNull());
     }
 
+    /// What is stored after the swings were read and before they are shown is not in the figures, and that is said.
+    void aFleetThatChangesWhileItIsComputedIsTold()
+    {
+        OpenPopulation open;
+        QSignalSpy computed(open.page.get(), &PopulationPage::computed);
+        QVERIFY(open.page->open({}));
+        QVERIFY(computed.wait(20000)); // the first look; the whole has begun
+        open.page->fleetChanged();
+        while (!computed.last().first().toBool())
+            QVERIFY(computed.wait(20000));
+        QVERIFY(open.find<QLabel>("populationState")->text().contains(QStringLiteral("changed since")));
+        QVERIFY(open.computeType(kDemoPopulationType)); // read again, as it is now
+        QVERIFY(!open.find<QLabel>("populationState")->text().contains(QStringLiteral("changed since")));
+    }
+
     void aClickTellsTheSwingsBehindAHeading()
     {
         OpenPopulation open;

@@ -39,8 +39,10 @@ void paintYGrid(QPainter& painter, const FleetAxes& axes, const FleetLook& look)
         painter.setPen(penOf(i == 0 ? look.colours.axis : look.colours.grid, look, i == 0 ? 1.2 : 0.8));
         painter.drawLine(QPointF(axes.room.left(), y), QPointF(axes.room.right(), y));
         painter.setPen(look.colours.text);
-        painter.drawText(QRectF(axes.room.left() - 10 * line, y - line, 9.7 * line, 2 * line), Qt::AlignRight | Qt::AlignVCenter,
-            degreeTick(value, axes.yStep));
+        QString tick = degreeTick(value, axes.yStep);
+        if (axes.yFrom >= 0) // amplitudes have no sign
+            tick.remove(QChar('+'));
+        painter.drawText(QRectF(axes.room.left() - 10 * line, y - line, 9.7 * line, 2 * line), Qt::AlignRight | Qt::AlignVCenter, tick);
     }
 }
 

@@ -43,6 +43,11 @@ std::vector<Table> tablesOf(const FleetDocument& document)
     return tables;
 }
 
+QString distributionTitle()
+{
+    return Words::tr("Distribution of the coefficients (line: mean; named: far from the others); amplitudes by order");
+}
+
 PopulationDrawing drawingOf(const FleetDocument& document) { return {&document.report.pattern, document.report.exceedance.limit_deg, {}}; }
 
 using Paint = std::function<void(QPainter&, const QRectF&, const FleetLook&)>;
@@ -68,7 +73,7 @@ std::vector<Block> documentBlocks(const FleetDocument& document, const QString& 
     blocks.push_back(plotBlock(Words::tr("The same, polar"), mm(84), family,
         [drawing = drawingOf(document)](
             QPainter& painter, const QRectF& rect, const FleetLook& look) { paintPopulationPolar(painter, rect, drawing, look); }));
-    blocks.push_back(plotBlock(Words::tr("Distribution of the coefficients; amplitudes by order"), mm(92), family,
+    blocks.push_back(plotBlock(distributionTitle(), mm(92), family,
         [drawing = distributionDrawing(report, document.fleet)](
             QPainter& painter, const QRectF& rect, const FleetLook& look) { paintDistributions(painter, rect, drawing, look); }));
     for (const auto& table : tablesOf(document))
@@ -95,15 +100,9 @@ QByteArray fleetHtml(const FleetDocument& document, const PageFrame& frame, cons
         + listHtml(Words::tr("In short"), fleetSummary(report, document.fleet));
     body += figureHtml(Words::tr("Mean deviation and spread against magnetic heading"), {980, 420}, "curve",
         [&](QPainter& painter, const QRectF& rect, const FleetLook& how) { paintPopulationCurve(painter, rect, drawing, how); });
-    body += element("div",
-        figureHtml(Words::tr("The same, polar"), {480, 480}, "polar",
-            [&](QPainter& painter, const QRectF& rect, const FleetLook& how) { paintPopulationPolar(painter, rect, drawing, how); })
-            + figureHtml(Words::tr("Amplitudes by order"), {480, 480}, "orders",
-                [&](QPainter& painter, const QRectF& rect, const FleetLook& how) {
-                    paintFleetSpectrum(painter, rect, report.found, report.left, how);
-                }),
-        "pair");
-    body += figureHtml(Words::tr("Distribution of the coefficients; amplitudes by order"), {980, 560}, "spread",
+    body += figureHtml(Words::tr("The same, polar"), {980, 560}, "polar",
+        [&](QPainter& painter, const QRectF& rect, const FleetLook& how) { paintPopulationPolar(painter, rect, drawing, how); });
+    body += figureHtml(distributionTitle(), {980, 560}, "spread",
         [&, spread = distributionDrawing(report, document.fleet)](
             QPainter& painter, const QRectF& rect, const FleetLook& how) { paintDistributions(painter, rect, spread, how); });
     for (const auto& table : tablesOf(document))

@@ -283,14 +283,16 @@ Table plantTable(const FleetReport& report)
 Table alarmTable(const FleetReport& report)
 {
     Table table{Words::tr("Alarms of the control charts of A"),
-        {words(Words::tr("date"), 27), words(Words::tr("of"), 16), words(Words::tr("name"), 40), words(Words::tr("chart"), 20),
-            words(Words::tr("what it says"), 110)},
+        {words(Words::tr("from"), 27), words(Words::tr("to"), 27), words(Words::tr("of"), 16), words(Words::tr("name"), 40),
+            words(Words::tr("chart"), 30), words(Words::tr("A lies"), 30), angle(Words::tr("average"), Words::tr("farthest"))},
         {}};
     if (!report.plants.charts)
         return table;
     for (const auto& alarm : report.plants.charts->alarms)
-        table.rows.push_back({{dayText(alarm.day), alarm.crew ? Words::tr("crew") : Words::tr("base"), QString::fromStdString(alarm.name),
-            alarm.cusum ? QStringLiteral("CUSUM") : QStringLiteral("EWMA"), sentence(inWords(alarm))}});
+        table.rows.push_back({{dayText(alarm.day), dayText(alarm.last_day), alarm.crew ? Words::tr("crew") : Words::tr("base"),
+            QString::fromStdString(alarm.name),
+            joined({alarm.ewma ? QStringLiteral("EWMA") : QString(), alarm.cusum ? QStringLiteral("CUSUM") : QString()}),
+            alarm.high ? Words::tr("east of the usual") : Words::tr("west of the usual"), signedFigure(alarm.level_deg, 2)}});
     return table;
 }
 
