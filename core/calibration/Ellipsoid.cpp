@@ -5,9 +5,11 @@
 #include <random>
 
 #include "core/algebra/Solve.h"
+#include "core/algebra/Spectra.h"
 #include "core/angle/Angle.h"
 #include "core/base/Middle.h"
 #include "core/base/Number.h"
+#include "core/base/VectorClones.h"
 #include "core/calibration/EllipsoidParts.h"
 #include "core/calibration/LogQuality.h"
 #include "core/calibration/QuadricFit.h"
@@ -43,8 +45,7 @@ void dropFarRows(const SensorLog& log, std::vector<std::uint8_t>& used)
         const double low = sorted[sorted.size() / 20], high = sorted[sorted.size() - 1 - sorted.size() / 20];
         const double margin = 1.5 * (high - low);
         for (std::size_t row = 0; row < used.size(); ++row)
-            if (used[row] != 0 && (values[row] < low - margin || values[row] > high + margin))
-                used[row] = 0;
+            used[row] = static_cast<std::uint8_t>(used[row] != 0 && !(values[row] < low - margin || values[row] > high + margin));
     }
 }
 
@@ -98,20 +99,44 @@ double scatterOf(const SensorLog& log, const Quadric& quadric, const std::vector
     return 1.4826 * middleOf(std::move(away));
 }
 
+/// |V (m − c)|² of rows, which is 1 on the quadric.
+LUBBERLINE_VECTOR_CLONES void squaredSizes(
+    const double* x, const double* y, const double* z, std::size_t count, const double* v, const double* c, double* square)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        const double dx = x[i] - c[0], dy = y[i] - c[1], dz = z[i] - c[2];
+        const double ux = v[0] * dx + v[3] * dy + v[6] * dz, uy = v[1] * dx + v[4] * dy + v[7] * dz, uz = v[2] * dx + v[5] * dy + v[8] * dz;
+        square[i] = ux * ux + uy * uy + uz * uz;
+    }
+}
+
 /// Rows of `offered` within the trimming limit of a quadric.
 std::vector<std::uint8_t> within(const SensorLog& log, const Quadric& quadric, const std::vector<std::uint8_t>& offered, double scatter)
 {
     const double limit = std::max(kTrim / 1.4826 * scatter, 1e-9 / quadric.toUnit.norm());
-    // (size − 1) size/slope against the limit without a division; the same as distanceFrom().
     std::vector<std::uint8_t> used(offered.size(), 0);
     const Eigen::Matrix3d v = quadric.toUnit;
     const Eigen::Vector3d c = quadric.centre;
-    for (std::size_t row = 0; row < offered.size(); ++row) {
-        if (offered[row] == 0)
-            continue;
-        const Eigen::Vector3d unit = v * (log.at(row) - c);
-        const double square = unit.squaredNorm();
-        used[row] = std::abs(square - std::sqrt(square)) <= limit * (v * unit).norm() ? 1 : 0;
+    // (size − 1) size/slope against the limit; the slope of V lies between its extremes, which decides nearly all rows without a root.
+    const Eigen::Vector3d stretch = symmetricParts(v.transpose() * v).values.cwiseMax(0.0).cwiseSqrt();
+    const auto ends = [limit](double slope) {
+        return std::pair(std::pow(std::max(0.0, 1.0 - limit * slope), 2), std::pow(1.0 + limit * slope, 2));
+    };
+    const auto [surelyFrom, surelyTo] = ends(stretch.minCoeff() * (1 - 1e-12));
+    const auto [maybeFrom, maybeTo] = ends(stretch.maxCoeff() * (1 + 1e-12));
+    constexpr std::size_t kRows = 512;
+    std::array<double, kRows> squares{};
+    for (std::size_t from = 0; from < offered.size(); from += kRows) {
+        const std::size_t count = std::min(kRows, offered.size() - from);
+        squaredSizes(
+            &log.field[0][from], &log.field[1][from], &log.field[2][from], count, v.data(), c.data(), squares.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            const double square = squares[i];
+            bool in = square >= surelyFrom && square <= surelyTo;
+            if (!in && square >= maybeFrom && square <= maybeTo)
+                in = std::abs(square - std::sqrt(square)) <= limit * (v * (v * (log.at(from + i) - c))).norm();
+            used[from + i] = static_cast<std::uint8_t>(in && offered[from + i] != 0);
+        }
     }
     return used;
 }

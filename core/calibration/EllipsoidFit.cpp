@@ -92,10 +92,13 @@ std::vector<std::size_t> someRows(const std::vector<std::uint8_t>& used, std::si
     const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), std::uint8_t{1}));
     const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
     std::vector<std::size_t> rows;
-    std::size_t seen = 0;
+    rows.reserve(count / step + 1);
+    std::size_t seen = 0, next = 0;
     for (std::size_t row = 0; row < used.size(); ++row)
-        if (used[row] != 0 && seen++ % step == 0)
+        if (used[row] != 0 && seen++ == next) {
             rows.push_back(row);
+            next += step;
+        }
     return rows;
 }
 

@@ -55,7 +55,8 @@ Words wordsOf(std::string_view name)
 
 std::optional<LogRole> roleOf(const Words& words)
 {
-    static const std::set<std::string, std::less<>> kTime{"time", "t", "times", "timestamp", "secondselapsed", "seconds", "elapsed"};
+    static const std::set<std::string, std::less<>> kTime{"time", "t", "times", "timestamp", "secondselapsed", "seconds", "elapsed",
+        "timesincestart", "timesincestartin", "zeit", "czas"}; // telephones head their columns in their owner's language, too
     static const std::set<std::string, std::less<>> kHeading{"heading", "magneticheading", "yaw", "referenceheading", "psi"};
     if (kTime.contains(words.base))
         return LogRole::Time;
@@ -66,7 +67,7 @@ std::optional<LogRole> roleOf(const Words& words)
     if (words.base == "roll" || words.base == "bank")
         return LogRole::Roll;
     static const std::set<std::string, std::less<>> kBefore{"", "b", "m", "mag", "magnetometer", "magneticfield", "field", "rawmag",
-        "magraw", "h", "calibratedmag", "uncalibratedmag", "magx", "compass"};
+        "magraw", "h", "calibratedmag", "uncalibratedmag", "magx", "compass", "magnetfeld", "polemagnetyczne"};
     if (words.base.empty())
         return {};
     const char axis = words.base.back();

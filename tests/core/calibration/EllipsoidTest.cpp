@@ -247,7 +247,7 @@ TEST(Ellipsoid, missingCellsAreLeftOut)
     ASSERT_TRUE(result.fit);
     EXPECT_EQ(result.used, 720u);
     EXPECT_LT((result.fit->hardIron - exampleModel().hardIron_nT).norm(), 2);
-    EXPECT_THAT(said(result.warnings), HasSubstr("80 rows without a whole field"));
+    EXPECT_THAT(said(result.warnings), HasSubstr("80 rows left out without a whole field"));
 }
 
 } // namespace

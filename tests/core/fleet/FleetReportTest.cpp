@@ -313,7 +313,8 @@ TEST(FleetReport, anAlarmIsToldOnceWithItsFirstAndItsLastDay)
     EXPECT_TRUE(ofBase[0].ewma);
     EXPECT_TRUE(ofBase[0].cusum);
     EXPECT_NEAR(ofBase[0].day, 14000 + 4 * 365, 60);
-    EXPECT_NEAR(ofBase[0].last_day, 14000 + 6 * 365, 90);
+    EXPECT_GE(ofBase[0].last_day, 14000 + 6 * 365);
+    EXPECT_LE(ofBase[0].last_day, 14000 + 7 * 365 + 20); // the average comes back within some swings of the next year
     EXPECT_NEAR(ofBase[0].level_deg, 1.5, 0.5);
     EXPECT_TRUE(inWords(ofBase[0]).english().starts_with("base one base: from 20"));
 }

@@ -74,6 +74,11 @@ TEST(SensorLogCsv, logsOfPhones)
     EXPECT_THAT(logger->unitReason.english(), HasSubstr("the field's size, 38.2"));
     EXPECT_NEAR(logger->at(0).z(), 10250, 1e-9);
     EXPECT_EQ(read("time_ms,mag_x,mag_y,mag_z\n500,301,-402,103\n")->time_s[0], 0.5);
+    const auto android = read("MAGNETIC FIELD X (\u03BCT);MAGNETIC FIELD Y (\u03BCT);MAGNETIC FIELD Z (\u03BCT);Time since start in ms\n"
+                              "20.5;-30.5;10.25;1500\n");
+    ASSERT_TRUE(android) << describe(android.error());
+    EXPECT_EQ(android->time_s[0], 1.5);
+    EXPECT_EQ(read("Zeit (s);Magnetfeld x (\u00B5T);Magnetfeld y (\u00B5T);Magnetfeld z (\u00B5T)\n0,25;20,5;-30,5;10,25\n")->time_s[0], 0.25);
     EXPECT_EQ(read("mx,my,mz\n301,-402,103\n")->unit, FieldUnit::Counts) << "whole figures are counts";
 }
 

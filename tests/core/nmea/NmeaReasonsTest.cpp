@@ -63,13 +63,13 @@ TEST(NmeaReasons, aVariationWithASignAndASideIsToldAndNotTaken)
         ASSERT_TRUE(swing) << written;
         EXPECT_NE(swing->variationSource, "log") << written;
         EXPECT_THAT(inEnglish(swing->warnings),
-            Contains(HasSubstr("300 variations or deviations are written so that they tell no side, as '" + std::string(written) + "'")));
+            Contains(HasSubstr("300 variations or deviations left out, written without a side as '" + std::string(written) + "'")));
     }
     const auto ofCompass = swingOf({.variation = ",", .ofCompass = "2.0,W,-3,E"});
     ASSERT_TRUE(ofCompass);
     EXPECT_THAT(inEnglish(ofCompass->warnings), Contains(HasSubstr("as '-3,E'")));
-    EXPECT_THAT(inEnglish(swingOf({})->warnings), Not(Contains(HasSubstr("no side"))));
-    EXPECT_THAT(inEnglish(swingOf({.variation = ","})->warnings), Not(Contains(HasSubstr("no side"))));
+    EXPECT_THAT(inEnglish(swingOf({})->warnings), Not(Contains(HasSubstr("without a side"))));
+    EXPECT_THAT(inEnglish(swingOf({.variation = ","})->warnings), Not(Contains(HasSubstr("without a side"))));
 }
 
 TEST(NmeaReasons, aVariationThatNoModelCanCheckIsSaid)
