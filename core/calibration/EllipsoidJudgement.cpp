@@ -80,7 +80,7 @@ Message flatness(const SensorLog& log, const std::vector<std::size_t>& rows, Ell
 {
     const std::size_t least = 2 * (freeOf(shape) + 1);
     if (rows.size() < least)
-        return {MARKED("core", "%1 usable samples; expected %2 or more, in many attitudes"), rows.size(), least};
+        return {MARKED_N("core", "%n usable sample(s); expected %1 or more, in many attitudes"), rows.size(), least};
     const Spread spread = spreadOf(log, rows);
     const std::string unit(log.figureUnit());
     if (spread.axes[2] <= 1e-9 * std::max(1.0, spread.centre.norm()))
