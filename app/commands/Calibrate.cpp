@@ -44,8 +44,9 @@ void printParameters(const std::vector<FittedParameter>& parameters)
 
 void printTable(const EllipsoidResult& result, const SensorLog& log)
 {
-    put("%s: %s, %zu used; figures in %s (%s)\n", std::string(nameOf(result.verdict)).c_str(), counted(static_cast<std::int64_t>(result.samples), "sample").c_str(), result.used,
-        std::string(log.figureUnit()).c_str(), log.unitReason.english().c_str());
+    put("%s: %s, %zu used; figures in %s (%s)\n", std::string(nameOf(result.verdict)).c_str(),
+        counted(static_cast<std::int64_t>(result.samples), "sample").c_str(), result.used, std::string(log.figureUnit()).c_str(),
+        log.unitReason.english().c_str());
     printLines("because ", result.reasons);
     printLines("next: ", result.nextSteps);
     if (!result.fit)
@@ -98,8 +99,8 @@ EllipsoidShape shapeOf(const std::string& method)
 
 void printTable(const AttitudeResult& result, const SensorLog& log)
 {
-    put("%s: %s, %zu used; figures in nT (%s)\n", std::string(nameOf(result.verdict)).c_str(), counted(static_cast<std::int64_t>(result.samples), "sample").c_str(), result.used,
-        log.unitReason.english().c_str());
+    put("%s: %s, %zu used; figures in nT (%s)\n", std::string(nameOf(result.verdict)).c_str(),
+        counted(static_cast<std::int64_t>(result.samples), "sample").c_str(), result.used, log.unitReason.english().c_str());
     printLines("because ", result.reasons);
     printLines("next: ", result.nextSteps);
     printLines("not told: ", result.notSeparable);

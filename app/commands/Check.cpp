@@ -217,7 +217,8 @@ int compareCommand(const CompareArguments& options, const std::string& database)
     }
     warn(verdict->warnings);
     put("%s on %s, %zu with a datum; corrected by their cards they differ by %.2f deg rms\n",
-        counted(std::int64_t(verdict->readings), "pair").c_str(), counted(std::int64_t(verdict->headings), "heading").c_str(), verdict->withDatum, verdict->rms_deg);
+        counted(std::int64_t(verdict->readings), "pair").c_str(), counted(std::int64_t(verdict->headings), "heading").c_str(),
+        verdict->withDatum, verdict->rms_deg);
     put("first - second:");
     for (std::size_t c = 0; c < 5; ++c)
         put("  %c %+.2f (%.2f)", letterOf(kCoefficients[c]), verdict->difference_deg[c], verdict->differenceError_deg[c]);
@@ -279,8 +280,7 @@ void addCompare(CLI::App& app, Invocation& invocation)
         ->required();
     addInputOption(*command, invocation, "--first-history", options->first.files, "Swing CSV files of earlier swings of the first compass")
         ->take_all();
-    addInputOption(*command, invocation, "--second-history", options->second.files, "the same of the second")
-        ->take_all();
+    addInputOption(*command, invocation, "--second-history", options->second.files, "the same of the second")->take_all();
     command->add_option("--first-of", options->first.swing, "a swing of the database: all swings of its compass are the first's history");
     command->add_option("--second-of", options->second.swing, "the same of the second");
     addCommon(*command, invocation, options->common);

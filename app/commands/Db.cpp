@@ -17,7 +17,6 @@ namespace {
 
 std::string entriesText(std::int64_t entries) { return entries == 1 ? "1 entry" : std::to_string(entries) + " entries"; }
 
-
 struct DbArguments {
     std::string file;
     std::vector<std::string> heads;
@@ -107,9 +106,9 @@ int verifyCommand(db::Database& database, bool json, const std::vector<std::stri
         for (const auto& note : inEnglish(report->notes))
             put("note: %s\n", note.c_str());
     if (!report->findings.empty())
-        return fail(
-            {ErrorCode::Corrupt, {MARKED_N("app", "%n finding(s) in the swings (%1); expected none"), report->findings.size(), report->swings},
-                database.path().toStdString()});
+        return fail({ErrorCode::Corrupt,
+            {MARKED_N("app", "%n finding(s) in the swings (%1); expected none"), report->findings.size(), report->swings},
+            database.path().toStdString()});
     if (!json)
         put("all is well: %s with %s; audit head %s after %s\n", counted(report->swings, "swing").c_str(),
             counted(report->readings, "reading").c_str(), report->head.c_str(), entriesText(report->entries).c_str());

@@ -38,7 +38,8 @@ int failIn(const Error& error, const SensorTestArguments& options)
 void printSpectrum(const LogSpectrum& spectrum, const SensorLog& log)
 {
     const std::string unit(log.figureUnit());
-    put("%s: %.3f samples a second, %s of %zu\n", spectrum.column.c_str(), spectrum.rate_hz, counted(static_cast<std::int64_t>(spectrum.segments), "segment").c_str(), spectrum.segment);
+    put("%s: %.3f samples a second, %s of %zu\n", spectrum.column.c_str(), spectrum.rate_hz,
+        counted(static_cast<std::int64_t>(spectrum.segments), "segment").c_str(), spectrum.segment);
     if (spectrum.lines.empty())
         put("no lines\n");
     for (const auto& line : spectrum.lines)
@@ -143,7 +144,8 @@ int coilCommand(const SensorTestArguments& options)
         return failIn(result.error(), options);
     if (const auto status = tellTest(*result, *log, options, [&] { return ui::coilSheet(*result, ui::sourceName(options.log.file)); }))
         return *status;
-    put("%s, %zu used\n%-28s%14s%14s%14s\n", counted(static_cast<std::int64_t>(result->samples), "sample").c_str(), result->used, "", "x", "y", "z");
+    put("%s, %zu used\n%-28s%14s%14s%14s\n", counted(static_cast<std::int64_t>(result->samples), "sample").c_str(), result->used, "", "x",
+        "y", "z");
     printThree("scale, measured per applied", result->scale, 6);
     printThree("  standard error", result->scaleError, 6);
     printThree("bias", result->bias_nT, 1);

@@ -119,17 +119,15 @@ std::vector<std::uint8_t> within(const SensorLog& log, const Quadric& quadric, c
     const Eigen::Vector3d c = quadric.centre;
     // (size − 1) size/slope against the limit; the slope of V lies between its extremes, which decides nearly all rows without a root.
     const Eigen::Vector3d stretch = symmetricParts(v.transpose() * v).values.cwiseMax(0.0).cwiseSqrt();
-    const auto ends = [limit](double slope) {
-        return std::pair(std::pow(std::max(0.0, 1.0 - limit * slope), 2), std::pow(1.0 + limit * slope, 2));
-    };
+    const auto ends
+        = [limit](double slope) { return std::pair(std::pow(std::max(0.0, 1.0 - limit * slope), 2), std::pow(1.0 + limit * slope, 2)); };
     const auto [surelyFrom, surelyTo] = ends(stretch.minCoeff() * (1 - 1e-12));
     const auto [maybeFrom, maybeTo] = ends(stretch.maxCoeff() * (1 + 1e-12));
     constexpr std::size_t kRows = 512;
     std::array<double, kRows> squares{};
     for (std::size_t from = 0; from < offered.size(); from += kRows) {
         const std::size_t count = std::min(kRows, offered.size() - from);
-        squaredSizes(
-            &log.field[0][from], &log.field[1][from], &log.field[2][from], count, v.data(), c.data(), squares.data());
+        squaredSizes(&log.field[0][from], &log.field[1][from], &log.field[2][from], count, v.data(), c.data(), squares.data());
         for (std::size_t i = 0; i < count; ++i) {
             const double square = squares[i];
             bool in = square >= surelyFrom && square <= surelyTo;

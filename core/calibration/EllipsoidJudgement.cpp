@@ -9,12 +9,12 @@ namespace lubberline {
 
 namespace {
 
-constexpr double kOtherUnit = 8;   ///< no two sizes of one log lie so far apart with nothing between them
+constexpr double kOtherUnit = 8;      ///< no two sizes of one log lie so far apart with nothing between them
 constexpr double kOtherAxisUnit = 80; ///< one axis beside the two others: units lie 100, 1000 or more apart
 constexpr double kOtherScale = 2;     ///< of one axis beside another: soft iron and makers' tolerances stay far below
-constexpr double kUnturned = 0.02; ///< spread of the cloud as a part of its distance from zero: below, the sensor stood still
-constexpr double kFlat = 0.02;     ///< thickness of the cloud as a part of its length: below, it is a plane or a line
-constexpr double kMereNoise = 3;   ///< thickness in standard deviations of the noise: below, it is that of the noise
+constexpr double kUnturned = 0.02;    ///< spread of the cloud as a part of its distance from zero: below, the sensor stood still
+constexpr double kFlat = 0.02;        ///< thickness of the cloud as a part of its length: below, it is a plane or a line
+constexpr double kMereNoise = 3;      ///< thickness in standard deviations of the noise: below, it is that of the noise
 
 std::string figure(double value) { return figureText(value, std::abs(value) < 10 ? 2 : 0); }
 
@@ -48,8 +48,8 @@ Message otherUnitOfAnAxis(const SensorLog& log, const std::vector<std::size_t>& 
     if (!small && !(middle.first > 0 && most.first > kOtherAxisUnit * middle.first))
         return {};
     const auto& odd = small ? least : most;
-    return {MARKED("core", "axis %1 has figures of size %2 where the others have %3: another unit, or a column that is no field"), odd.second,
-        figure(odd.first), figure(middle.first)};
+    return {MARKED("core", "axis %1 has figures of size %2 where the others have %3: another unit, or a column that is no field"),
+        odd.second, figure(odd.first), figure(middle.first)};
 }
 
 /// The noise along the thinnest direction of the cloud, by how far samples lie off the middle of their neighbours. 0 where the log's

@@ -313,12 +313,10 @@ LogQuality qualityOf(const SensorLog& log)
             quality.remarks.push_back({pattern, quality.of(fault)});
     };
     tell(SampleFault::Missing, MARKED_N("core", "%n row(s) left out without a whole field (empty cells or NaN)"));
-    tell(SampleFault::Spike,
-        MARKED_N("core", "%n spike(s) left out, away from both neighbours by more than 12 times the log's scatter"));
+    tell(SampleFault::Spike, MARKED_N("core", "%n spike(s) left out, away from both neighbours by more than 12 times the log's scatter"));
     if (quality.of(SampleFault::Repeat) * 20 > quality.count[0])
         tell(SampleFault::Repeat,
-            MARKED_N(
-                "core", "%n row(s) alike the row before: the sensor was read faster than it measures, which tells nothing new"));
+            MARKED_N("core", "%n row(s) alike the row before: the sensor was read faster than it measures, which tells nothing new"));
     return quality;
 }
 

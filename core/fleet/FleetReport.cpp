@@ -194,8 +194,8 @@ Result<FleetReport> fleetReportOf(const FleetSwings& fleet, const FleetOptions& 
     for (std::size_t i = 0; i < suspicions.size() && i < mostSuspicions; ++i)
         report.warnings.push_back(inWords(suspicions[i], fleet));
     if (suspicions.size() > mostSuspicions)
-        report.warnings.push_back(
-            {MARKED_N("core", "suspect of the other sign as well: the records of %n more compass system(s)"), suspicions.size() - mostSuspicions});
+        report.warnings.push_back({MARKED_N("core", "suspect of the other sign as well: the records of %n more compass system(s)"),
+            suspicions.size() - mostSuspicions});
     warnOfWhatIsMissing(report, report.warnings);
     report.curves = std::move(curves.value());
     return report;

@@ -207,8 +207,7 @@ std::optional<Jump> largestKnown(std::span<const DatedValue> series, const JumpO
     const auto edge = static_cast<std::size_t>(options.leastSegment);
     const SeriesPlace* best = nullptr;
     for (const auto& each : fit.places)
-        if (each.place >= edge && each.place + edge <= series.size()
-            && (!best || std::abs(each.statistic) > std::abs(best->statistic)))
+        if (each.place >= edge && each.place + edge <= series.size() && (!best || std::abs(each.statistic) > std::abs(best->statistic)))
             best = &each;
     if (!best)
         return {};
@@ -287,8 +286,7 @@ std::optional<Drift> driftOf(std::span<const DatedValue> series, const JumpOptio
     const int freedom = static_cast<int>(whitener.rows() - levels) - 1;
     if (freedom < 2)
         return {};
-    const double sigma
-        = std::sqrt(std::max(0.0, values.squaredNorm() - (basis.transpose() * values).squaredNorm() - z * z) / freedom);
+    const double sigma = std::sqrt(std::max(0.0, values.squaredNorm() - (basis.transpose() * values).squaredNorm() - z * z) / freedom);
     if (!(sigma > 1e-12))
         return {};
     Drift drift;

@@ -79,8 +79,8 @@ public:
         m_outcome.suspicions = std::move(suspicions.value());
         m_outcome.warnings.insert(m_outcome.warnings.begin(), reader.warnings().begin(), reader.warnings().end());
         if (m_outcome.drafts > 0)
-            m_outcome.warnings.push_back({MARKED_N("db", "%n swing(s) in draft, the first in line %1: %2"), m_outcome.drafts,
-                m_firstDraftLine, m_firstDraft});
+            m_outcome.warnings.push_back(
+                {MARKED_N("db", "%n swing(s) in draft, the first in line %1: %2"), m_outcome.drafts, m_firstDraftLine, m_firstDraft});
         return m_store ? finish() : std::move(m_outcome);
     }
 

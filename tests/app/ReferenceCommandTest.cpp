@@ -164,7 +164,8 @@ TEST(CheckCommand, headingsVerdictAndASwingToSign)
     short_.insert(short_.end(), history.begin(), history.end());
     EXPECT_EQ(sandbox.run(short_).json(), holds.json());
     const auto before = sandbox.run({"check", "--date", "2026-03-01", "--json", "--history", history[0], readings});
-    EXPECT_EQ(before.json().at("verdict"), sandbox.run({"check", "--date", "2026-03-01", readings, "--json", "--history", history[0]}).json().at("verdict"));
+    EXPECT_EQ(before.json().at("verdict"),
+        sandbox.run({"check", "--date", "2026-03-01", readings, "--json", "--history", history[0]}).json().at("verdict"));
     EXPECT_EQ(sandbox.run({"check", "--history", history[0], history[1], readings}).status, 2);
     write(readings,
         "# date: 2026-03-01\n# aircraft: SP-ABC\n# compass: standby\nmagnetic_heading_deg,compass_heading_deg\n10,0\n130,120\n242,240\n");

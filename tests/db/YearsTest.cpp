@@ -187,8 +187,7 @@ TEST(Years, whatIsNotWholeComesInAsADraft)
     ASSERT_TRUE(outcome);
     EXPECT_EQ(outcome->drafts, 2);
     ASSERT_EQ(outcome->warnings.size(), 1u);
-    EXPECT_EQ(outcome->warnings[0].english(),
-        "2 swings in draft, the first in line 2: it has 3 readings that count; expected at least 4");
+    EXPECT_EQ(outcome->warnings[0].english(), "2 swings in draft, the first in line 2: it has 3 readings that count; expected at least 4");
 }
 
 } // namespace lubberline::test

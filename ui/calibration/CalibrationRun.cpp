@@ -135,8 +135,9 @@ QString wordsOf(const CalibrationRun& run)
                     .arg(plainNumber(run.compensated->spreadBefore, 0), plainNumber(run.compensated->spreadAfter, 0),
                         QString::fromStdString(std::string(run.part->figureUnit())));
     if (run.model) {
-        html += CalibrationWords::tr("<p>P, Q, R: the field of what is magnetic near the sensor (hard iron). a to k: how much the iron and the "
-                                     "sensor's axes bend the Earth's field, 0.01 is 1 % (soft iron). F: the Earth's field.</p>");
+        html += CalibrationWords::tr(
+            "<p>P, Q, R: the field of what is magnetic near the sensor (hard iron). a to k: how much the iron and the "
+            "sensor's axes bend the Earth's field, 0.01 is 1 % (soft iron). F: the Earth's field.</p>");
         addParameters(html, run.ellipsoid ? run.ellipsoid->fit->parameters : run.attitude->parameters);
     }
     if (run.attitude)

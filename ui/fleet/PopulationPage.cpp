@@ -281,9 +281,9 @@ void PopulationPage::take(Result<std::shared_ptr<const PopulationNews>> news)
     m_cancel->setEnabled(false);
     m_save->setEnabled(true);
     m_progress->setValue(100);
-    m_state->setText(m_changed ? tr("The fleet has changed since: compute again.")
-                               : tr("%n swing(s) of %1 aircraft.", nullptr, static_cast<int>(m_news->report.counts.used))
-                                     .arg(m_news->report.counts.aircraft));
+    m_state->setText(m_changed
+            ? tr("The fleet has changed since: compute again.")
+            : tr("%n swing(s) of %1 aircraft.", nullptr, static_cast<int>(m_news->report.counts.used)).arg(m_news->report.counts.aircraft));
 }
 
 PopulationDrawing PopulationPage::drawing() const
@@ -302,8 +302,9 @@ void PopulationPage::updatePlots()
 void PopulationPage::fill()
 {
     const QStringList lines = fleetSummary(m_news->report, m_news->fleet);
-    const QString first
-        = m_news->firstLook ? tr("A first look at %n swing(s); all are being computed. ", nullptr, static_cast<int>(m_news->report.counts.used)) : QString();
+    const QString first = m_news->firstLook
+        ? tr("A first look at %n swing(s); all are being computed. ", nullptr, static_cast<int>(m_news->report.counts.used))
+        : QString();
     say(first + lines.mid(0, 5).join(QStringLiteral(" ")));
     messageLine().setToolTip(lines.join('\n'));
     m_distributions = distributionDrawing(m_news->report, m_news->fleet);

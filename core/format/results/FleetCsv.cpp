@@ -190,7 +190,8 @@ void changeRows(std::string& csv, const FleetReport& report, const FleetSwings& 
              << letterAt(j.coefficient) << j.change_deg << j.standardError_deg << shortestNumber(j.p) << j.event;
         rows.end();
     }
-    Rows drifts(csv, "drifts", "aircraft,compass,coefficient,deg_per_year,standard_error_deg_per_year,low_95_deg_per_year,high_95_deg_per_year,p,from,to");
+    Rows drifts(csv, "drifts",
+        "aircraft,compass,coefficient,deg_per_year,standard_error_deg_per_year,low_95_deg_per_year,high_95_deg_per_year,p,from,to");
     for (const auto& d : report.changes.drifts) {
         const auto& compass = compassAt(fleet, d.compass);
         drifts << compass.aircraft << compass.compass << letterAt(d.coefficient) << d.drift.perYear << d.drift.standardError

@@ -169,7 +169,8 @@ Json chartsJson(const std::optional<ChartWatch>& charts)
         {"alarms", Json::array()}};
     for (const auto& alarm : charts->alarms)
         json["alarms"].push_back({{alarm.crew ? "crew" : "site", alarm.name}, {"ewma", alarm.ewma}, {"cusum", alarm.cusum},
-            {"first_date", dateOfDay(alarm.day)}, {"last_date", dateOfDay(alarm.last_day)}, {"average_A_deg", toTenDecimals(alarm.level_deg)}, {"words", inWords(alarm).english()}});
+            {"first_date", dateOfDay(alarm.day)}, {"last_date", dateOfDay(alarm.last_day)},
+            {"average_A_deg", toTenDecimals(alarm.level_deg)}, {"words", inWords(alarm).english()}});
     return json;
 }
 

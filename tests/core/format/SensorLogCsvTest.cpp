@@ -78,7 +78,8 @@ TEST(SensorLogCsv, logsOfPhones)
                               "20.5;-30.5;10.25;1500\n");
     ASSERT_TRUE(android) << describe(android.error());
     EXPECT_EQ(android->time_s[0], 1.5);
-    EXPECT_EQ(read("Zeit (s);Magnetfeld x (\u00B5T);Magnetfeld y (\u00B5T);Magnetfeld z (\u00B5T)\n0,25;20,5;-30,5;10,25\n")->time_s[0], 0.25);
+    EXPECT_EQ(
+        read("Zeit (s);Magnetfeld x (\u00B5T);Magnetfeld y (\u00B5T);Magnetfeld z (\u00B5T)\n0,25;20,5;-30,5;10,25\n")->time_s[0], 0.25);
     EXPECT_EQ(read("mx,my,mz\n301,-402,103\n")->unit, FieldUnit::Counts) << "whole figures are counts";
 }
 
