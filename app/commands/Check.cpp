@@ -43,6 +43,7 @@ struct CheckedCompass {
 struct CheckArguments {
     std::string readings, date;
     HistorySource history;
+    std::vector<std::string> moreHistory; ///< behind --history
     Output output;
     CheckOptions options;
     std::optional<double> error_deg, limit_deg;
@@ -250,13 +251,14 @@ void addCheck(CLI::App& app, Invocation& invocation)
     auto options = std::make_shared<CheckArguments>();
     auto* command
         = app.add_subcommand("check", "the two-minute check: the headings that tell most about a compass, and whether its card holds");
-    auto* readings = addInputOption(
+    addInputOption(
         *command, invocation, "READINGS.csv", options->readings, "a Swing CSV of the two or three readings; without: which to take");
-    auto* history = addInputOption(*command, invocation, "--history", options->history.files,
-        "Swing CSV files of earlier swings of the compass: all that follow, once READINGS.csv was named; else one a flag");
-    // What stands behind a flag may be the readings as long as they were not named.
-    history->take_all()->allow_extra_args(false);
-    readings->trigger_on_parse()->each([history](const std::string&) { history->allow_extra_args(true); });
+    const auto* history = addInputOption(*command, invocation, "--history", options->history.files,
+        "a Swing CSV of an earlier swing of the compass; once a swing, or with more files behind it after READINGS.csv")
+                              ->expected(1)
+                              ->take_all();
+    // Behind the flag the readings may stand as long as they were not named: more than one file is its only after them.
+    const auto* more = addInputOption(*command, invocation, "HISTORY.csv", options->moreHistory, "more files of --history");
     command->add_option("--of", options->history.swing, "a swing of the database: all swings of its compass are the history");
     command->add_option("--headings", options->headings, "how many headings to choose; also for a swing of n")
         ->check(CLI::Range(1, 24))
@@ -264,7 +266,13 @@ void addCheck(CLI::App& app, Invocation& invocation)
     addOutputOption(*command, invocation, "-o,--output", options->output,
         "write the check as a Swing CSV with its verdict, to be imported and signed", {".csv"});
     addCommon(*command, invocation, *options);
-    command->callback([options, &invocation] {
+    command->callback([options, &invocation, command, history, more] {
+        const auto& order = command->parse_order();
+        const auto first = std::find(order.begin(), order.end(), more);
+        if (first != order.end() && (first == order.begin() || *(first - 1) != history))
+            throw CLI::ValidationError("more files than READINGS.csv: expected them behind --history, and READINGS.csv before it");
+        auto& files = options->history.files;
+        files.insert(files.end(), options->moreHistory.begin(), options->moreHistory.end());
         if (options->readings.empty() && !options->output.empty())
             throw CLI::ValidationError("-o: there is no verdict without READINGS.csv");
         invocation.action = [options, &invocation] { return checkCommand(*options, invocation.database); };
