@@ -1,8 +1,10 @@
 #include "app/SwingSource.h"
 
 #include "app/Console.h"
+#include "app/Paths.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
+#include "core/record/Completeness.h"
 #include "core/swing/SwingResult.h"
 
 namespace lubberline::app {
@@ -16,6 +18,8 @@ Result<SourcedSwing> swingFromCsv(const std::string& path)
     sourced.source = nameOfInput(path);
     sourced.warnings = file->warnings;
     sourced.record = recordOf(*file);
+    if (const auto doubt = comesLater(sourced.record.swing.date, today()); !doubt.empty())
+        sourced.warnings.push_back(doubt);
     if (sourced.record.site)
         sourced.record.site->variation_deg = file->swing.variation_deg;
     return sourced;

@@ -161,12 +161,14 @@ std::string tableOf(const ui::CardInput& input)
         for (const auto& column : columns) {
             const CardRow& here = column.card.rows[row];
             out += text("  %9s%-3s", text("%03d", figureOf(here)).c_str(), ui::markOf(here, column).toStdString().c_str());
-            out += here.band_rad ? text("  %5.1f", toDegrees(*here.band_rad)) : text("  %5s", "-");
+            out += here.band_rad ? text("  %5.1f", bandInTenths_deg(*here.band_rad)) : text("  %5s", "-");
         }
         out += "\n";
     }
     for (const auto& column : columns) {
         const std::string of = columns.size() > 1 ? column.heading.toStdString() + ": " : "";
+        if (const Date& swung = column.record.swing.date; columns.size() > 1 && !swung.empty()) // they may be years apart
+            out += of + "swung " + swung.text() + "\n";
         out += of + ui::recordLine(column).toStdString() + "\n";
         out += of + ui::qualityLine(column).toStdString() + "\n" + of + ui::largestLine(column).toStdString() + "\n";
         for (const auto& remark : inEnglish(remarksOn(column.card, column.record)))

@@ -3,6 +3,7 @@
 #include "app/Tables.h"
 #include "app/commands/Command.h"
 #include "core/format/results/AnalysisJson.h"
+#include "core/swing/CardRemarks.h"
 #include "core/swing/Removal.h"
 
 namespace lubberline::app {
@@ -27,6 +28,8 @@ int analyseCommand(const AnalyseArguments& options)
     const auto removal = removeComponents(*analysis, options.removed);
     if (!removal)
         return fail({removal.error().code, removal.error().message, swing->source});
+    if (auto tilted = wordsOf(attitudeOf(swing->record.swing)); !tilted.empty())
+        analysis->warnings.push_back(std::move(tilted));
     const bool removes = options.removed.any();
     warn(swing->warnings);
     if (options.json) {

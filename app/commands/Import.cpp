@@ -10,6 +10,7 @@
 #include "app/commands/Command.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/YearsCsv.h"
+#include "core/record/Completeness.h"
 #include "db/transfer/Transfer.h"
 #include "db/transfer/Years.h"
 #include "ui/intake/ImportFile.h"
@@ -139,6 +140,9 @@ int importSwings(const ImportArguments& options, const std::string& database)
         if (!read)
             return fail(read.error());
         warn(read->warnings);
+        for (const Swing& swing : read->fleet.swings)
+            if (const auto doubt = comesLater(swing.date, today()); !doubt.empty())
+                warn({doubt});
         fleets.push_back(std::move(read->fleet));
     }
     const auto session = makeDrawingSession();

@@ -54,7 +54,7 @@ std::optional<double> HeadingLine::rateAt(double seconds, double half_s) const
     double count = 0.0, times = 0.0, angles = 0.0, squares = 0.0, products = 0.0, first_deg = 0.0;
     for (auto one = firstFrom(m_headings, seconds - half_s); one != m_headings.end() && one->seconds <= seconds + half_s; ++one) {
         if (!one->heading_deg)
-            return {};
+            continue;
         if (count == 0.0)
             first_deg = *one->heading_deg;
         const double time = one->seconds - seconds, angle = wrap180(*one->heading_deg - first_deg);

@@ -23,8 +23,7 @@ public:
     [[nodiscard]] const std::vector<TimedHeading>& headings() const { return m_headings; }
     /// Between its neighbours, the shorter way round [deg, 0…360); none where one of them is missing or too far away.
     [[nodiscard]] std::optional<TimedHeading> at(double seconds) const;
-    /// [deg/s, clockwise positive]: the line through the headings within `half_s` on either side; none of fewer than three, or where one is
-    /// missing.
+    /// [deg/s, clockwise positive]: the line through the known headings within `half_s` on either side; none of fewer than three.
     [[nodiscard]] std::optional<double> rateAt(double seconds, double half_s) const;
     /// Usual time from one heading to the next [s]; 1 of fewer than two.
     [[nodiscard]] double step_s() const;

@@ -187,8 +187,11 @@ std::vector<double> referenceRates(std::span<const TimedHeading> compass, const 
 {
     std::vector<double> rates;
     const double half_s = slopeOf(reference).half_s;
-    for (const auto& heading : compass)
-        rates.push_back(reference.rateAt(heading.seconds + delay_s, half_s).value_or(0.0));
+    const HeadingLine card({compass.begin(), compass.end()});
+    for (const auto& heading : compass) {
+        const auto rate = reference.rateAt(heading.seconds + delay_s, half_s);
+        rates.push_back(rate ? *rate : card.rateAt(heading.seconds, half_s).value_or(0.0));
+    }
     return rates;
 }
 

@@ -38,7 +38,7 @@ inline constexpr double kFastestTurn_deg_s = 3.0;
 /// @param compass used headings, in order of time. @param spacing_s what the places in the log leave open of their times.
 [[nodiscard]] NmeaDelay delayOf(std::span<const TimedHeading> compass, const HeadingLine& reference, double spacing_s);
 
-/// Turn rate of the reference [deg/s] for each heading, `delay_s` later; 0 where it is not known.
+/// Turn rate [deg/s] for each heading: the reference's, `delay_s` later, or where it has holes the compass's own; 0 where neither tells.
 [[nodiscard]] std::vector<double> referenceRates(std::span<const TimedHeading> compass, const HeadingLine& reference, double delay_s);
 
 } // namespace lubberline

@@ -63,6 +63,8 @@ void NmeaLog::take(const NmeaSentence& sentence)
         takeTime({clock->talker, sentence.type}, clock->time);
     } else if (std::holds_alternative<NmeaBadHeading>(value)) {
         ++badHeadings;
+    } else if (std::holds_alternative<NmeaNoHeading>(value)) {
+        ++noHeadings;
     }
 }
 

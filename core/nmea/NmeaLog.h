@@ -65,6 +65,7 @@ public:
 
     std::int64_t lines = 0, sentences = 0, badChecksums = 0, withoutChecksum = 0, otherLines = 0;
     std::int64_t badHeadings = 0;                                  ///< negative, or beyond 360
+    std::int64_t noHeadings = 0;                                   ///< THS of mode V
     std::int64_t fixes = 0, noFixes = 0;                           ///< RMC and VTG with and without one
     std::array<std::int64_t, 4> ofMode{};                          ///< tracks and true headings by NmeaMode
     std::int64_t deviations = 0;                                   ///< HDG that state a deviation other than zero

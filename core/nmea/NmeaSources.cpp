@@ -128,6 +128,9 @@ Error noReference(const NmeaLog& log, NmeaReference wanted)
             static_cast<std::size_t>(log.noFixes)});
     if (wanted == NmeaReference::Track && log.fixes > 0)
         return wrongLog(MARKED("core", "the RMC and VTG of the log hold no track with a speed; expected an aircraft that moves"));
+    if (wanted == NmeaReference::HeadingTrue && log.noHeadings > 0)
+        return wrongLog({MARKED_N("core", "no true heading: the instrument says so in all %n of its THS (mode V)"),
+            static_cast<std::size_t>(log.noHeadings)});
     return wrongLog({MARKED("core", "no compass heading stands beside %1; expected a log that holds both"),
         kMissing[static_cast<std::size_t>(wanted)]});
 }
@@ -185,6 +188,7 @@ std::vector<Message> toldOfLog(const NmeaLog& log)
     tell(log.withoutChecksum, MARKED_N("core", "%n sentence(s) without a checksum: what was damaged on the way cannot be told"));
     tell(log.badHeadings, MARKED_N("core", "%n heading(s) left out, negative or beyond 360"));
     tell(log.fixes > 0 ? log.noFixes : 0, MARKED_N("core", "%n time(s) the receiver had no fix (status V, mode N)"));
+    tell(log.noHeadings, MARKED_N("core", "%n time(s) the true heading was not valid (THS mode V)"));
     tell(ofMode(NmeaMode::Estimated),
         MARKED_N("core", "%n estimated track(s) or heading(s) (mode E, dead reckoning): perhaps from the very compass that is swung"));
     tell(ofMode(NmeaMode::Manual), MARKED_N("core", "%n track(s) or heading(s) typed in (mode M)"));

@@ -123,7 +123,7 @@ NmeaValue trueHeadingOf(const NmeaSentence& sentence)
 {
     const bool hasMode = sentence.type == "THS";
     if (hasMode && sentence.field(1) == "V")
-        return {};
+        return NmeaNoHeading{sentence.talker};
     if (isBadHeading(sentence.field(0)))
         return NmeaBadHeading{sentence.talker};
     const auto heading = headingOf(sentence.field(0));

@@ -85,7 +85,13 @@ struct NmeaFix {
     std::optional<double> altitude_m; ///< above mean sea level
 };
 
-using NmeaValue = std::variant<std::monostate, NmeaCompass, NmeaTrueHeading, NmeaWater, NmeaBadHeading, NmeaClock, NmeaTrack, NmeaFix>;
+/// THS of mode V: the instrument says that it has no heading.
+struct NmeaNoHeading {
+    std::string talker;
+};
+
+using NmeaValue
+    = std::variant<std::monostate, NmeaCompass, NmeaTrueHeading, NmeaWater, NmeaBadHeading, NmeaNoHeading, NmeaClock, NmeaTrack, NmeaFix>;
 
 /// Nothing (monostate) for sentences of other types, and for those that hold no value.
 [[nodiscard]] NmeaValue valueOf(const NmeaSentence& sentence);

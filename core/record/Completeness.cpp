@@ -10,13 +10,19 @@ constexpr std::size_t kFewestOfCheck = 2;
 
 } // namespace
 
+Message comesLater(Date date, Date today)
+{
+    if (date.empty() || date <= addDays(today, 1)) // dates are UTC: east of it, the crew is a day ahead
+        return {};
+    return {MARKED("core", "its date %1 is still to come (today is %2); expected the day on which it was swung"), date, today};
+}
+
 Message missingIn(const Swing& swing, Date today)
 {
     if (swing.date.empty())
         return MARKED("core", "its date is not stated");
-    if (swing.date > addDays(today, 1)) // dates are UTC: east of it, the crew is a day ahead
-        return Message{
-            MARKED("core", "its date %1 is still to come (today is %2); expected the day on which it was swung"), swing.date, today};
+    if (auto later = comesLater(swing.date, today); !later.empty())
+        return later;
     if (samePerson(swing.people.adjuster, swing.people.inspector))
         return {MARKED("core", "adjuster and inspector are both %1; expected another person who checks the work"), swing.people.inspector};
     for (std::size_t i = 0; i < swing.readings.size(); ++i) {

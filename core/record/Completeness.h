@@ -10,6 +10,9 @@ namespace lubberline {
 /// Swing::procedure of the two-minute check (core/check): two or three readings, which are held against the compass's history.
 inline constexpr std::string_view kCheckProcedure = "two-minute check";
 
+/// Doubt of a date that is more than a day after today; empty: none.
+[[nodiscard]] Message comesLater(Date date, Date today);
+
 /// What keeps a swing from being completed: no date, or one that is still to come; half a reading; fewer than four that count (two of a two-minute check);
 /// one person as adjuster and inspector. Empty: nothing. @param today ISO 8601, of the clock that the caller was given (core/base/Clock.h).
 [[nodiscard]] Message missingIn(const Swing& swing, Date today);

@@ -1,5 +1,7 @@
 #include "core/record/Signature.h"
 
+#include <algorithm>
+
 #include "core/base/Contract.h"
 
 namespace lubberline {
@@ -34,16 +36,20 @@ char32_t small(char32_t c)
     return c;
 }
 
-/// Letters and figures alone.
-std::u32string folded(const std::string& name)
+/// Letters and figures alone, by words in the order of their letters.
+std::vector<std::u32string> wordsOfName(const std::string& name)
 {
-    std::u32string letters;
+    std::vector<std::u32string> words(1);
     for (std::size_t at = 0; at < name.size();) {
         const char32_t c = small(nextCharacter(name, at));
         if ((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c > 0xBF && c < 0x2000) || c > 0x206F)
-            letters += c;
+            words.back() += c;
+        else if (!words.back().empty())
+            words.emplace_back();
     }
-    return letters;
+    if (words.back().empty())
+        words.pop_back();
+    return words;
 }
 
 } // namespace
@@ -60,7 +66,21 @@ bool freezes(const std::vector<Signature>& signatures, const std::vector<bool>& 
     return given(SignatureRole::Performer) && (given(SignatureRole::Inspector) || given(SignatureRole::Authority));
 }
 
-bool samePerson(const std::string& one, const std::string& other) { return !folded(one).empty() && folded(one) == folded(other); }
+bool samePerson(const std::string& one, const std::string& other)
+{
+    const auto together = [](const std::vector<std::u32string>& words) {
+        std::u32string letters;
+        for (const auto& word : words)
+            letters += word;
+        return letters;
+    };
+    auto first = wordsOfName(one), second = wordsOfName(other);
+    if (first.empty() || together(first) == together(second)) // "PL12" and "PL 12"
+        return !first.empty();
+    std::ranges::sort(first);
+    std::ranges::sort(second);
+    return first == second; // "Ada Nowak" and "Nowak, Ada"
+}
 
 Message whyNotSign(const Signature& signature, const std::vector<Signature>& signatures, const std::vector<bool>& hold,
     const std::string& adjuster, const std::string& inspector)

@@ -146,6 +146,25 @@ void addResiduals(Analysis& analysis)
     }
 }
 
+/// The one reading without which the others are those of a compass: a reciprocal, a figure of another row. None: the whole list is at fault.
+std::optional<std::size_t> astrayReading(std::span<const Observation> readings, const AnalysisOptions& options)
+{
+    constexpr std::size_t kMost = 100; // among more, one reading does not hide that the others follow
+    constexpr std::size_t kFewestOfTheRest = 5;
+    if (readings.size() <= kFewestOfTheRest || readings.size() > kMost)
+        return std::nullopt;
+    const auto search = findSlips(readings, options.resolution_deg, options.history);
+    if (search.slips.size() != 1 || search.slips.front().probability < 0.9)
+        return std::nullopt;
+    std::vector<Observation> rest(readings.begin(), readings.end());
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(search.slips.front().reading));
+    const auto approximate = fitApproximate(rest);
+    const auto exact = fitExact(rest);
+    if (!approximate || !exact || faultOf(*approximate, *exact))
+        return std::nullopt;
+    return search.slips.front().reading;
+}
+
 /// A compass that deviates by more than any that is expected, whose readings go with its own exact curve all the same: a search that
 /// holds such deviations for slips would blame what is right.
 bool largeButPlain(const Analysis& analysis)
@@ -209,10 +228,17 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
         return exact.error();
     if (!goesOn(kExact))
         return cancelled;
-    if (auto fault = faultOf(*approximate, *exact))
-        return *std::move(fault);
-
     Analysis analysis;
+    if (auto fault = faultOf(*approximate, *exact)) {
+        const auto astray = options.findSlips ? astrayReading(readings, options) : std::nullopt;
+        if (!astray)
+            return *std::move(fault);
+        analysis.warnings.push_back({MARKED("core",
+                                         "the reading on %1 goes with none of the others: the coefficients mean nothing and there is no card "
+                                         "until it is read again or excluded"),
+            formatHeading(readings[*astray].magnetic.degrees(), AngleStyle::DecimalDegrees, 0)});
+    }
+
     std::vector<HarmonicSample> samples;
     analysis.readings = analysedReadings(readings);
     for (const auto& reading : analysis.readings)

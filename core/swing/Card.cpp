@@ -6,6 +6,7 @@
 
 #include "core/angle/AngleText.h"
 #include "core/swing/CardCurve.h"
+#include "core/swing/CompassAtFault.h"
 
 namespace lubberline {
 
@@ -358,6 +359,8 @@ Result<Card> makeCard(const Analysis& analysis, const CardOptions& options)
 {
     if (std::find(kCardSteps_deg.begin(), kCardSteps_deg.end(), options.step_deg) == kCardSteps_deg.end())
         return Error{ErrorCode::InvalidInput, {MARKED("core", "a card has steps of 10°, 15°, 30° or 45°, not %1°"), options.step_deg}};
+    if (auto fault = faultOf(analysis.approximate, analysis.exact)) // one reading that is far astray, named as a slip
+        return *std::move(fault);
     const auto work = workOf(analysis, options);
     if (!work)
         return work.error();

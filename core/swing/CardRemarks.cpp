@@ -85,14 +85,19 @@ Message wordsOf(const SwungAttitude& attitude)
     const auto words = [](const std::optional<SwungAttitude::Range>& range) {
         if (!range)
             return std::string("—");
-        const auto whole
-            = [](double angle_deg) { return std::abs(angle_deg) < 0.5 ? std::string("0°") : signedFigureText(angle_deg, 0) + "°"; };
+        const auto whole = [](double angle_deg) {
+            return std::abs(angle_deg) < 0.05 ? std::string("0°") : signedFigureText(angle_deg, attitudeDecimals(angle_deg)) + "°";
+        };
         const std::string least = whole(range->least_deg), most = whole(range->most_deg);
         return least == most ? least : least + " … " + most;
     };
     return {MARKED("core", "NOT LEVEL: swung at pitch %1, roll %2; these are not the figures of level flight"), words(attitude.pitch),
         words(attitude.roll)};
 }
+
+double bandInTenths_deg(double band_rad) { return std::max(0.1, toDegrees(band_rad)); }
+
+int attitudeDecimals(double angle_deg) { return std::abs(angle_deg - std::round(angle_deg)) < 0.05 ? 0 : 1; }
 
 bool overLimit(const CardRow& row, const std::optional<LimitsProfile>& limits)
 {

@@ -24,6 +24,12 @@ inline constexpr double kLevel_deg = 1;
 /// That it was not level, with its angles; empty where it was, or nobody says.
 [[nodiscard]] Message wordsOf(const SwungAttitude& attitude);
 
+/// Decimals that such an angle is printed with: 4.5° is neither 4° nor 5°.
+[[nodiscard]] int attitudeDecimals(double angle_deg);
+
+/// Half width of a band as it is printed in tenths of a degree: never 0.0, as no figure is certain.
+[[nodiscard]] double bandInTenths_deg(double band_rad);
+
 /// Whether the deviation of a row is over the limit; false without one.
 [[nodiscard]] bool overLimit(const CardRow& row, const std::optional<LimitsProfile>& limits);
 

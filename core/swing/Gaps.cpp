@@ -11,6 +11,7 @@ namespace lubberline {
 namespace {
 
 constexpr double kRoundingOfGaps_deg = 1e-6; // headings are decimal: 60.000000000000014 is 60
+constexpr double kReadThere_deg = 3;
 
 /// Clockwise from `from` to `heading` [deg], [0, 360).
 double clockwise_deg(double from_deg, double heading_deg) { return wrap360(heading_deg - from_deg); }
@@ -36,7 +37,7 @@ bool ReadingGap::holds(MagneticHeading heading) const
 {
     const double all = clockwise_deg(magneticFrom.degrees(), magneticTo.degrees());
     const double in = clockwise_deg(magneticFrom.degrees(), heading.degrees());
-    return in > kRoundingOfGaps_deg && in < (all > 0 ? all : 360.0) - kRoundingOfGaps_deg;
+    return in > kReadThere_deg + kRoundingOfGaps_deg && in < (all > 0 ? all : 360.0) - kReadThere_deg - kRoundingOfGaps_deg;
 }
 
 std::vector<ReadingGap> gapsOf(const Analysis& analysis)

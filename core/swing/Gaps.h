@@ -15,7 +15,7 @@ struct ReadingGap {
     double width_deg = 0;                     ///< by compass
     /// Half width of the 95 % band of the approximate fit where it is widest inside; none: the readings do not tell.
     std::optional<double> widestBand_rad;
-    /// Strictly between the two readings.
+    /// Between the two readings, and further from both than a crew stands off the heading that it turns to (3°).
     [[nodiscard]] bool holds(MagneticHeading heading) const;
 };
 

@@ -27,6 +27,27 @@ TEST(AnalyseCommand, givesBothPublishedAnswersForTheNgaSwing)
     EXPECT_NEAR(json["summary"]["at_magnetic_heading_deg"], 65.0, 1e-9);
 }
 
+TEST(AnalyseCommand, doubtsADateThatIsStillToCome)
+{
+    const Sandbox sandbox;
+    const std::string rows = "magnetic_heading_deg,compass_heading_deg\n0,358\n90,84\n180,182\n270,275\n";
+    const auto later = sandbox.write("later.csv", "# aircraft: SP-XYZ\n# compass: standby\n# date: 2991-05-01\n" + rows);
+    EXPECT_THAT(sandbox.run({"analyse", later}).err, testing::HasSubstr("2991-05-01 is still to come"));
+    EXPECT_THAT(sandbox.run({"analyse", later, "--json"}).json()["warnings"][0], testing::HasSubstr("2991-05-01 is still to come"));
+    EXPECT_THAT(sandbox.run({"import", later}).err, testing::HasSubstr("2991-05-01 is still to come"));
+    EXPECT_THAT(sandbox.run({"analyse", sandbox.write("then.csv", "# date: 2025-05-01\n" + rows)}).err,
+        testing::Not(testing::HasSubstr("still to come")));
+}
+
+TEST(AnalyseCommand, saysThatAnAircraftStoodNoseUp)
+{
+    const Sandbox sandbox;
+    const auto csv = sandbox.write("up.csv",
+        "magnetic_heading_deg,compass_heading_deg,pitch_deg\n0,358,4.5\n90,84,4.5\n180,182,4.5\n270,275,4.5\n");
+    EXPECT_THAT(sandbox.run({"analyse", csv}).err, testing::HasSubstr("NOT LEVEL: swung at pitch +4.5°"));
+    EXPECT_THAT(sandbox.run({"analyse", csv, "--json"}).json()["warnings"].dump(), testing::HasSubstr("NOT LEVEL"));
+}
+
 TEST(AnalyseCommand, hasEveryKeyOfTheContract)
 {
     const Sandbox sandbox;

@@ -342,6 +342,7 @@ Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString
         if (!card)
             return card.error();
         sheet.remarks = remarksOn(*card, sheet.record);
+        sheet.outOfLimits = outOfLimits(*card, sheet.record.limits);
         sheet.gaps = card->gaps;
     }
     if (*job && (*job)->swing == id && (*job)->job.plan.kind != ProcedureKind::CheckOnly)

@@ -55,6 +55,53 @@ TEST(NmeaReasons, whyNothingIsLeftIsSaid)
     EXPECT_THAT(inEnglish(swingOf({})->warnings), Not(Contains(HasSubstr("never moves"))));
 }
 
+/// An instrument that says that it has no heading (THS, mode V) is not one that is missing.
+TEST(NmeaReasons, aTrueHeadingThatIsNotValidIsNamed)
+{
+    const auto read = [](const char* mode, int valid) {
+        std::string log;
+        char text[80];
+        for (int second = 0; second < 60; ++second) {
+            std::snprintf(text, sizeof text, "HCHDG,%d.0,,,,", 10 + second);
+            log += makeNmea(text) + "\r\n";
+            std::snprintf(text, sizeof text, "GPTHS,%d.0,%s", 25 + second, second < valid ? "A" : mode);
+            log += makeNmea(text) + "\r\n";
+        }
+        std::istringstream stream(log);
+        return readNmeaSwing(stream, "ths.nmea", {.reference = NmeaReference::HeadingTrue, .variation = Variation::fromDegrees(15.0)});
+    };
+    const auto none = read("V", 0), some = read("V", 40);
+    ASSERT_FALSE(none);
+    EXPECT_THAT(none.error().message.english(), HasSubstr("says so in all 60 of its THS (mode V)"));
+    ASSERT_TRUE(some);
+    EXPECT_EQ(some->used, 40u);
+    EXPECT_THAT(inEnglish(some->warnings), Contains(HasSubstr("20 times the true heading was not valid")));
+}
+
+/// A receiver with a fix every other second, or one in three: the turn is seen all the same, and what a delay costs A is stated.
+TEST(NmeaReasons, holesInTheReferenceDoNotHideTheTurn)
+{
+    for (const int every : {2, 3}) {
+        std::string log;
+        char text[120];
+        for (int second = 0; second < 360; ++second) {
+            std::snprintf(text, sizeof text, "HCHDG,%d.0,,,,", second);
+            log += makeNmea(text) + "\r\n";
+            const bool fix = second % every == 0;
+            std::snprintf(text, sizeof text, "GPRMC,09%02d%02d.00,%s,4736.0,N,12218.0,W,6.0,%.1f,201125,15.2,E", second / 60, second % 60,
+                fix ? "A" : "V", wrap360(second + 17.2));
+            log += makeNmea(text) + "\r\n";
+        }
+        std::istringstream stream(log);
+        const auto swing = readNmeaSwing(stream, "holes.nmea", {});
+        ASSERT_TRUE(swing) << every;
+        EXPECT_EQ(swing->delay.told, DelayTold::OneWay) << every;
+        EXPECT_NEAR(swing->delay.A_degPerSecond, -1.0, 0.02) << every;
+        EXPECT_GT(swing->delay.clockwise, 100) << every;
+        EXPECT_GE(toSwing(*swing).sharedErrors.of_deg[0], 0.99) << every;
+    }
+}
+
 /// "-15.2,W" may be 15.2° west, written twice, or 15.2° east: neither is taken, and that is said.
 TEST(NmeaReasons, aVariationWithASignAndASideIsToldAndNotTaken)
 {

@@ -118,7 +118,8 @@ TEST(NmeaValues, headings)
     EXPECT_FALSE(read<NmeaCompass>("$HCHDG,98.3,,,,").variation);
     for (const char* line : {"$HCHDG,-3.0,,,,", "$HCHDG,360.5,,,,", "$HCHDM,-0.5,M", "$GPHDT,400,T", "$GNTHS,-1,A"})
         EXPECT_EQ(read<NmeaBadHeading>(line).talker, std::string(line + 1, 2)); // counted, and never bent to fit
-    for (const char* line : {"$HCHDG,,,,,", "$HCHDG,abc,,,,", "$GNTHS,12.0,V", "$IIVHW,,T,,M,5.1,N,,K", "$GPGSV,1,1,00", "$PGRME,1.0,M"})
+    EXPECT_EQ(read<NmeaNoHeading>("$GNTHS,12.0,V").talker, "GN");
+    for (const char* line : {"$HCHDG,,,,,", "$HCHDG,abc,,,,", "$IIVHW,,T,,M,5.1,N,,K", "$GPGSV,1,1,00", "$PGRME,1.0,M"})
         EXPECT_TRUE(std::holds_alternative<std::monostate>(valueOf(sentenceOf(line)))) << line;
 }
 

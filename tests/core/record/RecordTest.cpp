@@ -111,9 +111,11 @@ TEST(Signatures, twoPeopleOverTheSameContentsFreezeASwing)
 TEST(Signatures, nobodyChecksHisOwnWork)
 {
     for (const auto& [one, other] : {std::pair{"Ada Nowak", "ada  nowak"}, {"A. Nowak", "A Nowak"}, {"Zielińska", "ZIELIŃSKA"},
-             {"Ćwik", "ćwik"}, {"Иванов", "ИВАНОВ"}, {"PL 12", "pl-12"}})
+             {"Ćwik", "ćwik"}, {"Иванов", "ИВАНОВ"}, {"PL 12", "pl-12"}, {"PL12", "PL 12"}, {"Ada Nowak", "NOWAK, Ada"}, {"Zofia Ćwik-Nowak", "Ćwik-Nowak Zofia"}})
         EXPECT_TRUE(samePerson(one, other)) << one;
     EXPECT_FALSE(samePerson("Ada", "Adam"));
+    EXPECT_FALSE(samePerson("Ada Nowak", "Ada Ada Nowak"));
+    EXPECT_FALSE(samePerson("Ada", ""));
     EXPECT_FALSE(samePerson("", "")); // nobody is no person
     EXPECT_FALSE(samePerson(".", "-"));
     const Signature ada{SignatureRole::Performer, "Ada", "PL 12", "", "h1"};

@@ -71,6 +71,14 @@ TEST_P(FoldedCompass, hasNoCardOfAnyKind)
 INSTANTIATE_TEST_SUITE_P(Kinds, FoldedCompass,
     testing::Values(ExactSmith{0, 800.0 / 700.0, 0, 0, 0}, ExactSmith{0, 0, 0, 1.2, 0}, ExactSmith{0, 0, 0.7, 0.6, 0}));
 
+TEST(CardRemarks, noBandIsPrintedAsZero)
+{
+    EXPECT_DOUBLE_EQ(bandInTenths_deg(toRadians(0.02)), 0.1);
+    EXPECT_DOUBLE_EQ(bandInTenths_deg(toRadians(1.25)), 1.25);
+    EXPECT_EQ(attitudeDecimals(-4.0), 0);
+    EXPECT_EQ(attitudeDecimals(4.5), 1);
+}
+
 TEST(Card, foldsAreLookedForAfterWhatWasRemoved)
 {
     const CoefficientSet onlyB(1u << indexOf(Coefficient::B)), onlyD(1u << indexOf(Coefficient::D));
@@ -153,6 +161,10 @@ TEST(Card, rowsThatNobodyReadAreMarkedWhateverTheConditionNumber)
             EXPECT_EQ(row.unread, row.magnetic.degrees() > 211) << row.magnetic.degrees();
         EXPECT_GE(*card->rows[9].band_rad, *card->rows[3].band_rad * 2); // 270 against 090
     }
+    // A row a degree or two off a reading at the end of an arc was read.
+    EXPECT_FALSE(gaps[0].holds(MagneticHeading::fromDegrees(gaps[0].magneticFrom.degrees() + 2)));
+    EXPECT_FALSE(gaps[0].holds(MagneticHeading::fromDegrees(gaps[0].magneticTo.degrees() - 2)));
+    EXPECT_TRUE(gaps[0].holds(MagneticHeading::fromDegrees(gaps[0].magneticFrom.degrees() + 4)));
     EXPECT_TRUE(gapsOf(resultOfSwing(swingOf({}, every(60)))).empty()); // six evenly spaced headings leave no arc above 60°
     EXPECT_EQ(gapsOf(resultOfSwing(swingOf({}, {0, 60, 121, 180, 240, 300}))).size(), 1u);
     EXPECT_EQ(gapsOf(resultOfSwing(swingOf({}, {0, 90, 180, 270}))).size(), 4u);

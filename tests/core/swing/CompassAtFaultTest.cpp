@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "core/swing/Analysis.h"
+#include "core/swing/Card.h"
 
 namespace lubberline {
 namespace {
@@ -62,6 +64,30 @@ TEST(CompassAtFault, readingsThatHaveNothingToDoWithTheHeadingsAreToldSo)
         {MagneticHeading::fromDegrees(120), CompassHeading::fromDegrees(80)},
         {MagneticHeading::fromDegrees(240), CompassHeading::fromDegrees(60)}});
     EXPECT_FALSE(three);
+}
+
+/// Seven readings of a compass and one from the other side of the card, or of another row: that one is named, and no card is made of it.
+TEST(CompassAtFault, oneReadingFarAstrayIsNamedAmongOthersThatFollow)
+{
+    const auto reads = [](double psi) { return std::round(psi - 1.0 - 3.0 * std::sin(toRadians(psi)) + 2.0 * std::cos(toRadians(psi))); };
+    for (const double off : {180.0, -120.0})
+        for (std::size_t row = 0; row < 8; ++row) {
+            auto readings = around(8, reads);
+            readings[row].compass = CompassHeading::fromDegrees(readings[row].compass.degrees() + off);
+            const auto analysis = analyse(readings);
+            ASSERT_TRUE(analysis) << analysis.error().message.english();
+            ASSERT_EQ(analysis->slips.slips.size(), 1u) << off << ' ' << row;
+            EXPECT_EQ(analysis->slips.slips[0].reading, row) << off;
+            EXPECT_TRUE(analysis->readings[row].suspect);
+            const auto& meant = analysis->slips.slips[0].candidates; // 317 and 137 are also swapped digits
+            EXPECT_EQ(off == 180.0, std::ranges::any_of(meant, [](const auto& one) { return one.slip == Slip::Reciprocal; })) << row;
+            EXPECT_THAT(inEnglish(analysis->warnings), Contains(HasSubstr("goes with none of the others"))) << off << ' ' << row;
+            EXPECT_FALSE(makeCard(*analysis, {30, CardSource::Fit, {}}));
+        }
+    auto two = around(8, reads);
+    for (const std::size_t row : {1u, 4u})
+        two[row].compass = CompassHeading::fromDegrees(two[row].compass.degrees() + 180.0);
+    EXPECT_FALSE(analyse(two)); // the list as a whole
 }
 
 TEST(CompassAtFault, aMirroredCompassIsNamed)

@@ -46,7 +46,8 @@ QString attitudeWords(const std::optional<SwungAttitude::Range>& range)
 {
     if (!range)
         return notStated();
-    const QString least = signedFigure(range->least_deg, 0), most = signedFigure(range->most_deg, 0);
+    const QString least = signedFigure(range->least_deg, attitudeDecimals(range->least_deg)),
+                  most = signedFigure(range->most_deg, attitudeDecimals(range->most_deg));
     return least == most ? least + QStringLiteral("°") : Words::tr("%1 to %2°").arg(least, most);
 }
 
@@ -124,7 +125,7 @@ QString qualityLine(const CardColumn& column)
 {
     const Card& card = column.card;
     const QString method = card.options.source == CardSource::Fit ? Words::tr("By the exact fit") : Words::tr("By the nearest reading");
-    return card.widestBand_rad ? Words::tr("%1, 95 % band ±%2°").arg(method, figure(toDegrees(*card.widestBand_rad), 1))
+    return card.widestBand_rad ? Words::tr("%1, 95 % band ±%2°").arg(method, figure(bandInTenths_deg(*card.widestBand_rad), 1))
                                : Words::tr("%1, band not known").arg(method);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/swing/Card.h"
+#include "core/swing/CardRemarks.h"
 #include "core/swing/Observations.h"
 #include "ui/report/card/CardWords.h"
 #include "ui/report/forms/FormGrid.h"
@@ -94,7 +95,8 @@ std::vector<QStringList> tearOff(const StyleSheet1613& sheet)
     for (std::size_t eighth = 0; eighth < kNames.size(); ++eighth) {
         const auto row = steerRow(sheet, eighth);
         fly += threeDigits(static_cast<int>(kStep_deg) * static_cast<int>(eighth));
-        steer += row ? threeDigits(row->steerRounded_deg()) + (row->unread ? QStringLiteral("*") : QString()) : dash();
+        const auto mark = [&](bool holds, const char* sign) { return row && holds ? QString::fromLatin1(sign) : QString(); };
+        steer += row ? threeDigits(row->steerRounded_deg()) + mark(overLimit(*row, sheet.record.limits), "!") + mark(row->unread, "*") : dash();
     }
     fly.prepend(Words::tr("TO FLY (M)"));
     steer.prepend(Words::tr("STEER (C)"));
@@ -197,6 +199,23 @@ std::vector<Fact> factsOf1613(const StyleSheet1613& sheet)
     return facts;
 }
 
+/// What the pilot must know of the strip that stays with the compass.
+std::vector<Fact> factsOfTearOff(const StyleSheet1613& sheet)
+{
+    QStringList remarks;
+    for (const auto& remark : sheet.remarks)
+        remarks += printable(remark);
+    const QString configuration = configurationWords(sheet.record.swing.configuration);
+    std::vector<Fact> facts{{Words::tr("Configuration"), configuration.isEmpty() ? notStated() : configuration},
+        {Words::tr("Method"),
+            joined({Words::tr("by the nearest reading"), hasUnread(sheet) ? Words::tr("* nobody read near") : QString()})},
+        {Words::tr("Signed"), joined({stateWords(sheet.isSigned(), sheet.verified, sheet.record.swing),
+                                  sheet.outOfLimits ? Words::tr("OUT OF LIMITS") : QString()})}};
+    if (!remarks.isEmpty())
+        facts.push_back({Words::tr("Remarks"), remarks.join(QStringLiteral(". ")) + QStringLiteral(".")});
+    return facts;
+}
+
 Block cutLine(const QString& family)
 {
     return {mm(8), [family](QPainter& painter, const QRectF& rect) {
@@ -220,10 +239,9 @@ std::vector<Block> blocksOf(const StyleSheet1613& sheet, const QString& family, 
         columns.push_back({QString::fromLatin1(name), 16});
     append(blocks,
         formGrid(joined({printable(sheet.record.compass.name), labelled(Words::tr("S/N"), printable(sheet.record.compass.serialNumber)),
-                     Words::tr("swung %1").arg(printable(sheet.record.swing.date)), Words::tr("by the nearest reading"),
-                     hasUnread(sheet) ? Words::tr("* nobody read near") : QString(),
-                     stateWords(sheet.isSigned(), sheet.verified, sheet.record.swing)}),
+                     Words::tr("swung %1").arg(printable(sheet.record.swing.date))}),
             columns, tearOff(sheet), width, family, mm(7)));
+    append(blocks, factBlocks(factsOfTearOff(sheet), {family, 7, mm(28)}, width));
     return blocks;
 }
 
@@ -235,6 +253,8 @@ PageFrame frameOf(const StyleSheet1613& sheet)
     PageFrame frame = frameFor(sheet.record, Words::tr("Pilot's compass correction card (DD 1613 style)"), sheet.madeAtUtc);
     if (!sheet.isSigned())
         marks += Words::tr("DRAFT — NOT SIGNED");
+    if (sheet.outOfLimits)
+        marks += Words::tr("OUT OF LIMITS");
     if (sheet.superseded)
         marks += Words::tr("AMENDED SINCE: NOT VALID");
     frame.banner = joined(marks);

@@ -24,6 +24,7 @@ struct StyleSheet1613 {
     bool superseded = false;                 ///< a later revision amends it
     std::optional<SwingRecord> compensating; ///< the record that asFound is of; none: it is of the guided swing of `record`
     bool compensatingHolds = false;
+    bool outOfLimits = false;     ///< of the residual swing (core/swing/CardRemarks.h)
     std::vector<Message> remarks; ///< on the residual swing (core/swing/CardRemarks.h)
     std::vector<ReadingGap> gaps; ///< arcs of it where nobody read: STEER in them is marked
 

@@ -86,9 +86,12 @@ std::optional<Fact> changeFact(const ReportInput& input)
                         .arg(heading, 3, 10, QChar('0'))
                         .arg(signedFigure(deviationAt(now, at).degrees() - deviationAt(then, at).degrees(), 1));
     }
-    return Fact{Words::tr("Since %1").arg(printable(input.previous->date)),
-        Words::tr("the deviation has changed by (°) %1; coefficients by (°) %2")
-            .arg(headings.join(QStringLiteral(", ")), coefficients.join(QStringLiteral(", ")))};
+    QString change = Words::tr("the deviation has changed by (°) %1; coefficients by (°) %2")
+                         .arg(headings.join(QStringLiteral(", ")), coefficients.join(QStringLiteral(", ")));
+    const QString words = configurationWords(input.record.swing.configuration), wordsThen = configurationWords(input.previous->configuration);
+    if (words != wordsThen) // a radio moves the curve, too
+        change = Words::tr("%1; then it was swung otherwise: %2").arg(change, wordsThen.isEmpty() ? notStated() : wordsThen);
+    return Fact{Words::tr("Since %1").arg(printable(input.previous->date)), change};
 }
 
 QStringList warningsOf(const Analysis& analysis)

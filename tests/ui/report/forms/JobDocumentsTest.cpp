@@ -207,6 +207,12 @@ TEST(StyleSheet1613, saysWhatItIsWorthAndWhoSigned)
     ASSERT_TRUE(ui::write1613(sheet, folder.filePath("signed.pdf")));
     const QString text = PdfProbe(folder.filePath("signed.pdf")).flowingText();
     EXPECT_TRUE(text.contains(QString("signed Ada · PL 12")) && !text.contains("DRAFT"));
+    sheet.record.swing.signatures.front().name = std::string(90, 'W'); // the strip that is cut off says all of it, and what it is worth
+    sheet.remarks = {MARKED("core", "NOT LEVEL")};
+    sheet.outOfLimits = true;
+    ASSERT_TRUE(ui::write1613(sheet, folder.filePath("long.pdf")));
+    const QString strip = PdfProbe(folder.filePath("long.pdf")).flowingText().section("TO FLY", 1);
+    EXPECT_TRUE(strip.contains("(names not verified)") && strip.contains("NOT LEVEL") && strip.contains("OUT OF LIMITS")) << strip.toStdString();
     sheet.compensating = sheet.record; // another record, which nobody signed
     sheet.compensating->swing.state = SwingState::Draft;
     ASSERT_TRUE(ui::write1613(sheet, folder.filePath("other.pdf")));
