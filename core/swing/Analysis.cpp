@@ -233,10 +233,11 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
         const auto astray = options.findSlips ? astrayReading(readings, options) : std::nullopt;
         if (!astray)
             return *std::move(fault);
-        analysis.warnings.push_back({MARKED("core",
-                                         "the reading on %1 goes with none of the others: the coefficients mean nothing and there is no card "
-                                         "until it is read again or excluded"),
-            formatHeading(readings[*astray].magnetic.degrees(), AngleStyle::DecimalDegrees, 0)});
+        analysis.warnings.push_back(
+            {MARKED("core",
+                 "the reading on %1 goes with none of the others: the coefficients mean nothing and there is no card "
+                 "until it is read again or excluded"),
+                formatHeading(readings[*astray].magnetic.degrees(), AngleStyle::DecimalDegrees, 0)});
     }
 
     std::vector<HarmonicSample> samples;

@@ -42,8 +42,8 @@ TEST(AnalyseCommand, doubtsADateThatIsStillToCome)
 TEST(AnalyseCommand, saysThatAnAircraftStoodNoseUp)
 {
     const Sandbox sandbox;
-    const auto csv = sandbox.write("up.csv",
-        "magnetic_heading_deg,compass_heading_deg,pitch_deg\n0,358,4.5\n90,84,4.5\n180,182,4.5\n270,275,4.5\n");
+    const auto csv
+        = sandbox.write("up.csv", "magnetic_heading_deg,compass_heading_deg,pitch_deg\n0,358,4.5\n90,84,4.5\n180,182,4.5\n270,275,4.5\n");
     EXPECT_THAT(sandbox.run({"analyse", csv}).err, testing::HasSubstr("NOT LEVEL: swung at pitch +4.5°"));
     EXPECT_THAT(sandbox.run({"analyse", csv, "--json"}).json()["warnings"].dump(), testing::HasSubstr("NOT LEVEL"));
 }

@@ -96,7 +96,8 @@ std::vector<QStringList> tearOff(const StyleSheet1613& sheet)
         const auto row = steerRow(sheet, eighth);
         fly += threeDigits(static_cast<int>(kStep_deg) * static_cast<int>(eighth));
         const auto mark = [&](bool holds, const char* sign) { return row && holds ? QString::fromLatin1(sign) : QString(); };
-        steer += row ? threeDigits(row->steerRounded_deg()) + mark(overLimit(*row, sheet.record.limits), "!") + mark(row->unread, "*") : dash();
+        steer += row ? threeDigits(row->steerRounded_deg()) + mark(overLimit(*row, sheet.record.limits), "!") + mark(row->unread, "*")
+                     : dash();
     }
     fly.prepend(Words::tr("TO FLY (M)"));
     steer.prepend(Words::tr("STEER (C)"));
@@ -209,8 +210,9 @@ std::vector<Fact> factsOfTearOff(const StyleSheet1613& sheet)
     std::vector<Fact> facts{{Words::tr("Configuration"), configuration.isEmpty() ? notStated() : configuration},
         {Words::tr("Method"),
             joined({Words::tr("by the nearest reading"), hasUnread(sheet) ? Words::tr("* nobody read near") : QString()})},
-        {Words::tr("Signed"), joined({stateWords(sheet.isSigned(), sheet.verified, sheet.record.swing),
-                                  sheet.outOfLimits ? Words::tr("OUT OF LIMITS") : QString()})}};
+        {Words::tr("Signed"),
+            joined({stateWords(sheet.isSigned(), sheet.verified, sheet.record.swing),
+                sheet.outOfLimits ? Words::tr("OUT OF LIMITS") : QString()})}};
     if (!remarks.isEmpty())
         facts.push_back({Words::tr("Remarks"), remarks.join(QStringLiteral(". ")) + QStringLiteral(".")});
     return facts;

@@ -88,7 +88,8 @@ std::optional<Fact> changeFact(const ReportInput& input)
     }
     QString change = Words::tr("the deviation has changed by (°) %1; coefficients by (°) %2")
                          .arg(headings.join(QStringLiteral(", ")), coefficients.join(QStringLiteral(", ")));
-    const QString words = configurationWords(input.record.swing.configuration), wordsThen = configurationWords(input.previous->configuration);
+    const QString words = configurationWords(input.record.swing.configuration),
+                  wordsThen = configurationWords(input.previous->configuration);
     if (words != wordsThen) // a radio moves the curve, too
         change = Words::tr("%1; then it was swung otherwise: %2").arg(change, wordsThen.isEmpty() ? notStated() : wordsThen);
     return Fact{Words::tr("Since %1").arg(printable(input.previous->date)), change};

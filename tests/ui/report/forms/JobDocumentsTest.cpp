@@ -212,7 +212,8 @@ TEST(StyleSheet1613, saysWhatItIsWorthAndWhoSigned)
     sheet.outOfLimits = true;
     ASSERT_TRUE(ui::write1613(sheet, folder.filePath("long.pdf")));
     const QString strip = PdfProbe(folder.filePath("long.pdf")).flowingText().section("TO FLY", 1);
-    EXPECT_TRUE(strip.contains("(names not verified)") && strip.contains("NOT LEVEL") && strip.contains("OUT OF LIMITS")) << strip.toStdString();
+    EXPECT_TRUE(strip.contains("(names not verified)") && strip.contains("NOT LEVEL") && strip.contains("OUT OF LIMITS"))
+        << strip.toStdString();
     sheet.compensating = sheet.record; // another record, which nobody signed
     sheet.compensating->swing.state = SwingState::Draft;
     ASSERT_TRUE(ui::write1613(sheet, folder.filePath("other.pdf")));
