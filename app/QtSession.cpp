@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "app/Console.h"
+#include "ui/text/AngleWords.h"
 #include "ui/text/Language.h"
 
 namespace lubberline::app {
@@ -63,6 +64,8 @@ std::unique_ptr<QApplication> makeDrawingSession()
     keepDecimalPoints();
     describeApplication();
     ui::speak({QStringLiteral("en")}); // what commands write is English, with its plurals
+    // What is drawn is read by the same people: their documents write angles alike. Tables, CSV and JSON stay in decimal degrees.
+    ui::showAnglesIn(QSettings().value("view/minutes", false).toBool() ? AngleStyle::DegreesMinutes : AngleStyle::DecimalDegrees);
     return session;
 }
 

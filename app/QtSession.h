@@ -9,7 +9,7 @@
 
 namespace lubberline::app {
 
-/// For commands that print or draw: the offscreen platform, whatever QT_QPA_PLATFORM names.
+/// For commands that print or draw: the offscreen platform, whatever QT_QPA_PLATFORM names, and angles written as the window is set to.
 [[nodiscard]] std::unique_ptr<QApplication> makeDrawingSession();
 
 /// For the window, in the language of ui/text/Language.h. Errors: Unsupported when there is no display.

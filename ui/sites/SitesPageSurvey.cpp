@@ -1,7 +1,5 @@
 // The survey of a compass base: its table, what it sums up to, and its drawing.
 
-#include <QApplication>
-#include <QClipboard>
 #include <QHeaderView>
 #include <QLabel>
 #include <QTableWidget>
@@ -138,7 +136,7 @@ void SitesPage::takeSurvey()
 void SitesPage::paste()
 {
     Site after = m_fields.record();
-    const auto rows = rowsOfClipboard(QApplication::clipboard()->text());
+    const auto rows = rowsOfClipboard(clipboardRows());
     if (!rows) {
         emit failed(messageOf(rows.error()));
         return;
@@ -147,7 +145,7 @@ void SitesPage::paste()
         QStringList cells;
         for (const auto& cell : (*rows)[row])
             cells += toText(cell);
-        const auto point = pointOf(cells.size() == 1 ? cells.front().split(';') : cells);
+        const auto point = pointOf(cells);
         if (!point) {
             emit failed(tr("Line %1 of what is pasted: %2").arg(row + 1).arg(messageOf(point.error())));
             return; // all or nothing

@@ -38,7 +38,6 @@ void withReport(PageContext& context, SwingPage& page, const std::function<void(
                 context.fail(FileWords::tr("No report: %1").arg(messageOf(input.error())));
                 return;
             }
-            input->angleStyle = page.angleStyle();
             use(*input);
         });
 }

@@ -42,6 +42,10 @@ void SwingPage::showSigning(bool visible)
         setTabOrder(m_showSigning, m_signing);
         connect(m_signing, &SigningPanel::failed, this, &SwingPage::failed);
         connect(m_signing, &SigningPanel::openSwing, this, &SwingPage::openSwing);
+        connect(m_showSigning, &QToolButton::clicked, m_signing, [this](bool opened) {
+            if (opened)
+                m_signing->focusField(); // whoever opens it types the name next
+        });
     }
     m_signing->setVisible(visible);
     m_signing->show(m_meaning->text());

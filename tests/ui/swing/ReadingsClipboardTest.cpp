@@ -3,6 +3,7 @@
 #include <QAbstractItemModelTester>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QMimeData>
 
 #include "tests/ui/window/Fixture.h"
 
@@ -17,6 +18,9 @@ private slots:
     void aBlockIsPastedInOneStep();
     void whatSpreadsheetsPutThere_data();
     void whatSpreadsheetsPutThere();
+    void aTableOfALetterIsPasted();
+    void copiedRowsAreATableInALetter();
+    void aNoteMayHaveASemicolon();
     void aColumnIsPastedIntoRowsThatAreThere();
     void headingsSayWhichColumnIsWhich();
     void aRefusedCellIsToldAndNothingIsPasted_data();
@@ -89,6 +93,8 @@ void ReadingsClipboardTest::whatSpreadsheetsPutThere_data()
     QTest::newRow("headings") << "Magnetic\tCompass\n0\t358\n90\t84.5\n";
     QTest::newRow("headings of the Swing CSV") << "compass_heading_deg\tMAGNETIC_HEADING_DEG\n358\t0\n84.5\t90\n";
     QTest::newRow("deviations") << "Magnetic heading (\u00B0)\tDeviation\n0\t2 E\n90\t5\u00B030' E\n";
+    QTest::newRow("semicolons and decimal commas") << "0;358\n90;84,5\n";
+    QTest::newRow("semicolons and headings") << "Magnetic;Compass\r\n0;358\r\n90;84,5\r\n";
     QTest::newRow("a row between that is empty") << "0\t358\n\t\n90\t84.5\n";
 }
 
@@ -105,6 +111,59 @@ void ReadingsClipboardTest::whatSpreadsheetsPutThere()
     QCOMPARE(readings[0].compass->degrees(), 358.0);
     QCOMPARE(readings[1].magnetic->degrees(), 90.0);
     QCOMPARE(readings[1].compass->degrees(), 84.5);
+}
+
+/// A mail puts a table there as HTML, its text with a line for each cell; what it names elsewhere is not fetched.
+void ReadingsClipboardTest::aTableOfALetterIsPasted()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.stores);
+    open.window.go(fleet.swing);
+    auto* data = new QMimeData;
+    data->setText("Magnetic\nCompass\n0\n358\n90\n84,5\n");
+    data->setHtml("<html><head><link rel='stylesheet' href='file:///etc/passwd'></head><body><p>As read:</p><table border=1>"
+                  "<tr><th>Magnetic</th><th>Compass</th></tr><tr><td> 0 </td><td><p><b>358</b></p></td></tr>"
+                  "<tr><td>90</td><td>84,5</td></tr></table></body></html>");
+    QGuiApplication::clipboard()->setMimeData(data);
+    open.table().goTo(0, ReadingColumn::Magnetic);
+    open.trigger("pasteReadings");
+    const auto readings = stored(fleet, fleet.swing);
+    QCOMPARE(readings.size(), 2u);
+    QCOMPARE(readings[0].compass->degrees(), 358.0);
+    QCOMPARE(readings[1].magnetic->degrees(), 90.0);
+    QCOMPARE(readings[1].compass->degrees(), 84.5);
+}
+
+void ReadingsClipboardTest::copiedRowsAreATableInALetter()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.stores);
+    open.window.go(fleet.swing);
+    paste(open, "0\t358\n90\t84.5\n", 0, ReadingColumn::Magnetic);
+    const QString text = copy(open, 0, ReadingColumn::Magnetic, 1, ReadingColumn::Compass);
+    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+    QCOMPARE(data->text(), text);
+    QCOMPARE(data->html().count("<tr>"), 2);
+    QCOMPARE(data->html().count("<td>"), 4);
+    QVERIFY(data->html().contains("<td>84.5"));
+    auto* onlyHtml = new QMimeData; // and back
+    onlyHtml->setHtml(data->html());
+    QGuiApplication::clipboard()->setMimeData(onlyHtml);
+    open.table().goTo(2, ReadingColumn::Magnetic);
+    open.trigger("pasteReadings");
+    const auto readings = stored(fleet, fleet.swing);
+    QCOMPARE(readings.size(), 4u);
+    QCOMPARE(readings[3].compass->degrees(), 84.5);
+}
+
+void ReadingsClipboardTest::aNoteMayHaveASemicolon()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.stores);
+    open.window.go(fleet.swing);
+    paste(open, "0\t358\n90\t84.5\n", 0, ReadingColumn::Magnetic);
+    paste(open, "gusts; turned twice", 0, ReadingColumn::Note);
+    QCOMPARE(stored(fleet, fleet.swing)[0].note, std::string("gusts; turned twice"));
 }
 
 void ReadingsClipboardTest::aColumnIsPastedIntoRowsThatAreThere()

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <QToolButton>
 #include <QUndoStack>
 
 #include "tests/ui/window/Fixture.h"
@@ -63,6 +64,18 @@ private slots:
         auto& differences = in<QTableWidget>(panel, "differences");
         QCOMPARE(differences.rowCount(), 1);
         QCOMPARE(differences.item(0, 1)->text() + " > " + differences.item(0, 2)->text(), QString("2026-11-20 > 2026-11-19"));
+    }
+
+    /// By the keyboard alone: what opens it is followed by the name, not by a search for its field.
+    void openingItAsksForTheName()
+    {
+        SmallFleet fleet;
+        const SwingId id = fleet.addSwing("2026-11-20", eightPoints());
+        QVERIFY(fleet.stores.signing.complete(id));
+        OpenWindow open(fleet.stores);
+        open.window.go(id);
+        open.find<QToolButton>("showSigning").click();
+        QCOMPARE(open.window.focusWidget(), &open.find<QLineEdit>("signName"));
     }
 
     void aSignatureThatNoLongerHoldsIsSaid()

@@ -16,6 +16,7 @@ private slots:
     void figuresInMinutes();
     void ticksInMinutes();
     void sentencesInMinutes();
+    void columnsInMinutes();
 };
 
 void AngleWordsTest::decimalsStayAsTheyAre()
@@ -55,6 +56,21 @@ void AngleWordsTest::sentencesInMinutes()
     QCOMPARE(inAngleStyle("059.996° and 10°"), QString("059°59.8' and 10°"));
     QCOMPARE(inAngleStyle("turns at 1.5°/s, H 18000.5 nT"), QString("turns at 1.5°/s, H 18000.5 nT"));
     QCOMPARE(inAngleStyle("0.99°, 0.995°"), QString("0°59', 0°59.7'"));
+}
+
+void AngleWordsTest::columnsInMinutes()
+{
+    QCOMPARE(inAngleColumn("+2.50"), QString("+2.50"));
+    QCOMPARE(angleUnit(), QString("°"));
+    showAnglesIn(AngleStyle::DegreesMinutes);
+    QCOMPARE(angleUnit(), QString("° ′"));
+    QCOMPARE(inAngleColumn("−2.50"), QString("−2°30'"));
+    QCOMPARE(inAngleColumn("047.5"), QString("047°30'"));
+    QCOMPARE(inAngleColumn("0.25 – 1.75"), QString("0°15' – 1°45'"));
+    QCOMPARE(inAngleColumn("1°15'W"), QString("1°15'W")); // said already
+    QCOMPARE(inAngleColumn("—"), QString("—"));
+    QCOMPARE(inAngleColumn("090"), QString("090"));
+    QCOMPARE(inAngleStyle("52.1234° N"), QString("52°07.40' N")); // a place stays where it is
 }
 
 QTEST_APPLESS_MAIN(AngleWordsTest)

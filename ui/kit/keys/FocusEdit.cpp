@@ -43,7 +43,7 @@ void copyCells(const QAbstractItemView& view)
         rows.back().push_back(text.toStdString());
     }
     if (!rows.empty())
-        QGuiApplication::clipboard()->setText(clipboardText(rows));
+        putRowsOnClipboard(clipboardText(rows));
 }
 
 } // namespace

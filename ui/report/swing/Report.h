@@ -11,6 +11,7 @@
 #include "core/record/Fleet.h"
 #include "core/record/SignatureState.h"
 #include "core/swing/Analysis.h"
+#include "ui/text/AngleWords.h"
 
 class QPagedPaintDevice;
 
@@ -30,7 +31,7 @@ struct ReportInput {
     std::optional<JobRecord> job = {};      ///< the guided swing that made it
     std::optional<JobRecord> previousJob = {}; ///< likewise of the last swing
     std::optional<Swing> superseded = {};      ///< the revision that it amends
-    AngleStyle angleStyle = AngleStyle::DecimalDegrees;
+    AngleStyle angleStyle = shownAngles(); ///< of readings and plots
     std::vector<SignatureState> signatures = {}; ///< as Swing::signatures; empty: their hashes alone are looked at
     AuditHead audit = {};                        ///< of the database that it is of
     QString madeAtUtc;                           ///< ISO 8601; printed

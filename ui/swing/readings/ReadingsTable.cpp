@@ -1,13 +1,12 @@
 #include "ui/swing/readings/ReadingsTable.h"
 
 #include <QAction>
-#include <QClipboard>
-#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 
 #include <algorithm>
 
+#include "ui/kit/ClipboardRows.h"
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/TableFit.h"
 #include "ui/swing/readings/ReadingDelegate.h"
@@ -81,7 +80,7 @@ void ReadingsTable::copyWithHeadings() { copyCells(true); }
 void ReadingsTable::copyCells(bool headings)
 {
     if (const QString text = m_model.copied(chosenCells(), headings); !text.isEmpty())
-        QGuiApplication::clipboard()->setText(text);
+        putRowsOnClipboard(text);
 }
 
 void ReadingsTable::cut()
@@ -98,7 +97,7 @@ void ReadingsTable::paste()
         at = m_model.index(std::min(at.row(), cell.row()), std::min(at.column(), cell.column()));
     if (!at.isValid())
         return;
-    const auto pasted = m_model.paste(at, QGuiApplication::clipboard()->text());
+    const auto pasted = m_model.paste(at, clipboardRows());
     if (pasted)
         emit done(*pasted);
     else

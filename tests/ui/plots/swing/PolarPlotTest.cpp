@@ -1,12 +1,16 @@
 #include "tests/ui/plots/swing/SamplePictures.h"
 
+#include <QFile>
+#include <QRegularExpression>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 
 #include <qwt_polar_canvas.h>
 #include <qwt_polar_curve.h>
 #include <qwt_polar_plot.h>
 #include <qwt_scale_div.h>
 
+#include "ui/plots/base/Chart.h"
 #include "ui/plots/swing/ChartPlot.h"
 #include "ui/plots/swing/PolarItems.h"
 
@@ -56,6 +60,7 @@ class PolarPlotTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void captionsRunIntoNothing();
     void init()
     {
         m_plot.reset(makePolarPlot());
@@ -251,6 +256,43 @@ private:
     QwtPolarPlot* m_polar = nullptr;
     QWidget* m_canvas = nullptr;
 };
+
+void PolarPlotTest::captionsRunIntoNothing()
+{
+    const std::unique_ptr<SwingPlot> plot(makePolarPlot(nullptr));
+    plot->setPicture(cardinals(2));
+    static const QRegularExpression text(QStringLiteral("<text [^>]*x=\"([\\d.]+)\" y=\"([\\d.]+)\"[^>]*>([^<]*)</text>"));
+    static const QRegularExpression ofRim(QStringLiteral("^([NESW]|\\d{3}°)$"));
+    const QFontMetricsF metrics(paperFont());
+    const QTemporaryDir folder;
+    for (const QSize size : {QSize(260, 300), QSize(330, 420), QSize(420, 330), QSize(500, 520), QSize(900, 650)}) {
+        const QString path = folder.filePath(QStringLiteral("p.svg"));
+        QVERIFY(plot->exportTo(path, size));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QList<QRectF> rim, captions;
+        const QString svg = QString::fromUtf8(file.readAll());
+        for (auto all = text.globalMatch(svg); all.hasNext();) {
+            const auto one = all.next();
+            const QString words = one.captured(3);
+            const QRectF box(one.captured(1).toDouble(), one.captured(2).toDouble() - metrics.ascent(), metrics.horizontalAdvance(words),
+                metrics.ascent());
+            if (ofRim.match(words).hasMatch())
+                rim += box;
+            else if (words.contains("deviation (") || words.contains("outward") || words == "magnetic" || words.contains("heading ("))
+                captions += box;
+        }
+        QCOMPARE(rim.size(), 12);
+        if (size.width() >= 500)
+            QCOMPARE(captions.size(), 4); // two lines each
+        for (int i = 0; i < captions.size(); ++i) {
+            for (const QRectF& name : rim)
+                QVERIFY2(!name.intersects(captions[i]), qPrintable(QStringLiteral("at %1 px").arg(size.width())));
+            for (int j = 0; j < i; ++j)
+                QVERIFY2(!captions[j].intersects(captions[i]), qPrintable(QStringLiteral("at %1 px").arg(size.width())));
+        }
+    }
+}
 
 QTEST_MAIN(PolarPlotTest)
 #include "PolarPlotTest.moc"

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <QFile>
+#include <QRegularExpression>
 #include <QSet>
 #include <QXmlStreamReader>
 
@@ -49,6 +50,23 @@ Parsed parse(const QByteArray& html)
 }
 
 } // namespace
+
+/// Words, facts, tables and plots: nothing is left in decimals where the window shows minutes.
+TEST(ReportHtml, writesAnglesAsTheWindowDoes)
+{
+    SwingRecord record = simulatedRecord(8);
+    record.limits.emplace();
+    record.limits->document = "SB 12";
+    record.limits->maxDeviation_deg = 7.5;
+    ui::showAnglesIn(AngleStyle::DegreesMinutes);
+    const QString text = parse(htmlOf(reportOf(record))).text;
+    ui::showAnglesIn(AngleStyle::DecimalDegrees);
+    static const QRegularExpression decimals(QString::fromUtf8("[^\\n]*\\d\\.\\d+°[^\\n]*"));
+    EXPECT_FALSE(decimals.match(text).hasMatch()) << decimals.match(text).captured().toStdString();
+    EXPECT_TRUE(text.contains(QString::fromUtf8("7°30'")));
+    EXPECT_TRUE(text.contains(QString::fromUtf8("° ′")));
+    EXPECT_TRUE(parse(htmlOf(reportOf(record))).text.contains(QString::fromUtf8("7.5°")));
+}
 
 TEST(ReportHtml, isWellFormedWithThreePlotsInside)
 {
