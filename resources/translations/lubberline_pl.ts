@@ -5669,7 +5669,7 @@
     </message>
     <message>
         <source>Compass</source>
-        <translation>Kompasowy</translation>
+        <translation>Busola</translation>
     </message>
     <message>
         <source>Due</source>
@@ -10523,7 +10523,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>Compass</source>
-        <translation>Kompasowy</translation>
+        <translation>Busola</translation>
     </message>
     <message>
         <source>Since</source>
@@ -14581,7 +14581,7 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     </message>
     <message>
         <source>Compass</source>
-        <translation>Kompasowy</translation>
+        <translation>Busola</translation>
     </message>
     <message>
         <source>Why</source>
@@ -18156,7 +18156,7 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
     </message>
     <message>
         <source>Compass</source>
-        <translation>Kompasowy</translation>
+        <translation>Busola</translation>
     </message>
     <message>
         <source>Date</source>

@@ -28,7 +28,7 @@ constexpr int kCardPanelHeight_px = 210, kCardRow_px = 20, kRemarkLines = 4;
 
 QString threeDigitsAndTenth(double heading_deg)
 {
-    return QStringLiteral("%1").arg(printedHeading_deg(heading_deg, 1), 5, 'f', 1, QChar('0'));
+    return inAngleColumn(QStringLiteral("%1").arg(printedHeading_deg(heading_deg, 1), 5, 'f', 1, QChar('0')));
 }
 
 } // namespace
@@ -209,8 +209,8 @@ void CardPanel::showCard(const Card& card)
         const CardRow& here = card.rows[static_cast<std::size_t>(row)];
         const QString magnetic = threeDigits(here.magneticRounded_deg()), steer = threeDigits(here.steerRounded_deg());
         const QStringList cells{byCompass ? steer : magnetic, (byCompass ? magnetic : steer) + markOf(here, column),
-            signedNumber(here.residual.degrees(), 1),
-            here.band_rad ? QString::number(toDegrees(*here.band_rad), 'f', 1) : QStringLiteral("—")};
+            shownFigure(here.residual.degrees(), 1),
+            here.band_rad ? inAngleColumn(QString::number(toDegrees(*here.band_rad), 'f', 1)) : QStringLiteral("—")};
         for (int cell = 0; cell < kCardColumns; ++cell) {
             auto* item = new QTableWidgetItem(cells[cell]);
             item->setTextAlignment(Qt::AlignCenter);

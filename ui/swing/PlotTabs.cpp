@@ -8,7 +8,7 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr int kLeastPlot_px = 320; ///< with its legend in four lines the polar plot can still be read; the page scrolls before
+constexpr int kLeastLines = 24; ///< of text: with its legend in four of them the polar plot can still be read; the page scrolls before
 
 } // namespace
 
@@ -16,6 +16,7 @@ PlotTabs::PlotTabs(QWidget* parent) : QTabWidget(parent)
 {
     setObjectName(QStringLiteral("plotTabs"));
     setDocumentMode(true);
+    setMinimumHeight(kLeastLines * fontMetrics().lineSpacing());
     for (const QString& title : {tr("&Polar"), tr("C&urve"), tr("Spectru&m"), tr("C&omponents")}) {
         auto* place = new QWidget;
         auto* layout = new QVBoxLayout(place);
@@ -30,7 +31,6 @@ SwingPlot* PlotTabs::make(int tab)
 {
     static constexpr std::array makers{makePolarPlot, makeCurvePlot, makeSpectrumPlot, makeComponentsPlot};
     SwingPlot* plot = makers[static_cast<std::size_t>(tab)](widget(tab));
-    plot->setMinimumHeight(kLeastPlot_px);
     widget(tab)->layout()->addWidget(plot);
     connect(plot, &SwingPlot::rowSelected, this, &PlotTabs::rowSelected);
     connect(plot, &SwingPlot::readOut, this, &PlotTabs::readOut);

@@ -32,8 +32,13 @@ QStringList decimalsIn(QWidget& page)
     for (const auto* table : page.findChildren<QTableWidget*>())
         for (int row = 0; table->isVisible() && row < table->rowCount(); ++row)
             for (int column = 0; column < table->columnCount(); ++column)
-                if (const auto* item = table->item(row, column))
+                if (const auto* item = table->item(row, column)) {
                     look(item->text(), *table);
+                    const bool typed = (item->flags() & Qt::ItemIsEditable) && table->editTriggers() != QAbstractItemView::NoEditTriggers;
+                    const auto* head = table->horizontalHeaderItem(column);
+                    if (!typed && head && head->text().contains("(°)"))
+                        look(item->text() + u'°', *table);
+                }
     return found;
 }
 
