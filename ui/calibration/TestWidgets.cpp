@@ -18,8 +18,9 @@ QTableWidget* testTable(const char* name, const QString& title)
     return table;
 }
 
-void fillFrom(QTableWidget& widget, const Table& table)
+void fillFrom(QTableWidget& widget, const Table& given)
 {
+    const Table table = inAngleStyle(given);
     widget.setColumnCount(static_cast<int>(table.columns.size()));
     QStringList heads;
     for (const TableColumn& column : table.columns) {
