@@ -47,6 +47,7 @@ private:
     /// What was typed; where a line does not stand, the reason.
     [[nodiscard]] Result<Typed> typed() const;
     void showBudget();
+    void anglesChanged() override { showBudget(); }
 
     FileQuestions m_questions;
     std::function<QString()> m_now;
