@@ -29,9 +29,9 @@ struct ReportInput {
     std::optional<Swing> previous;          ///< last swing of the same compass: drawn behind the curve
     std::vector<SensorRecord> sensors = {}; ///< of the compass, newest first: the first is reported, with the swing's field if it keeps one
     std::optional<JobRecord> job = {};      ///< the guided swing that made it
-    std::optional<JobRecord> previousJob = {}; ///< likewise of the last swing
-    std::optional<Swing> superseded = {};      ///< the revision that it amends
-    AngleStyle angleStyle = shownAngles(); ///< of readings and plots
+    std::optional<JobRecord> previousJob = {};   ///< likewise of the last swing
+    std::optional<Swing> superseded = {};        ///< the revision that it amends
+    AngleStyle angleStyle = shownAngles();       ///< of readings and plots
     std::vector<SignatureState> signatures = {}; ///< as Swing::signatures; empty: their hashes alone are looked at
     AuditHead audit = {};                        ///< of the database that it is of
     QString madeAtUtc;                           ///< ISO 8601; printed
