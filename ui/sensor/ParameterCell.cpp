@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QStyle>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +46,6 @@ QValidator::State NumberSpin::validate(QString& text, int& position) const
     QString plain = plainDigits(text); // as long as what was typed
     return QDoubleSpinBox::validate(plain, position);
 }
-
-void NumberSpin::wheelEvent(QWheelEvent* event) { event->ignore(); }
 
 ParameterCell::ParameterCell(const ParameterSpec& spec, QWidget* parent)
     : QWidget(parent)

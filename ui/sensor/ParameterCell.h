@@ -24,7 +24,6 @@ protected:
     [[nodiscard]] double valueFromText(const QString& text) const override;
     [[nodiscard]] QString textFromValue(double value) const override;
     QValidator::State validate(QString& text, int& position) const override;
-    void wheelEvent(QWheelEvent* event) override;
 };
 
 struct ParameterSpec {

@@ -27,6 +27,7 @@
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/ControlFit.h"
 #include "ui/kit/keys/Mnemonics.h"
+#include "ui/kit/keys/WheelScrolls.h"
 #include "ui/text/AngleWords.h"
 #include "ui/window/PageStack.h"
 #include "ui/window/Pages.h"
@@ -72,6 +73,7 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     restorePlacement();
     qApp->installEventFilter(this);
     new LengthLimits([this](const QString& words) { m_messages->add(MessagePanel::Kind::Information, words); }, this);
+    new WheelScrolls(this);
     connect(&m_stack, &QUndoStack::indexChanged, this, [this] {
         m_messages->mended();
         showSaved(true);
