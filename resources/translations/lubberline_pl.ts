@@ -47,6 +47,10 @@
         <source>To note</source>
         <translation>Uwagi</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;P, Q, R: the field of what is magnetic near the sensor (hard iron). a to k: how much the iron and the sensor&apos;s axes bend the Earth&apos;s field, 0.01 is 1 % (soft iron). F: the Earth&apos;s field.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;P, Q, R: pole tego, co jest namagnesowane w pobliżu czujnika (żelazo twarde). Od a do k: o ile żelazo i osie czujnika zniekształcają pole Ziemi, 0,01 to 1 % (żelazo miękkie). F: pole Ziemi.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>DerivationPanel</name>
@@ -82,10 +86,6 @@
     <message>
         <source>this swing is of %1, %2; expected the aircraft and compass of %3 (%4, %5)</source>
         <translation>ten pomiar dotyczy %1, %2; oczekiwano statku powietrznego i busoli z %3 (%4, %5)</translation>
-    </message>
-    <message>
-        <source>%1 findings in %2 swings; expected none</source>
-        <translation>liczba usterek: %1, w pomiarach: %2; oczekiwano zera</translation>
     </message>
     <message>
         <source>the demonstration database has no swing with a result</source>
@@ -338,6 +338,14 @@
     <message>
         <source>--measured %1: that thing is named twice</source>
         <translation>--measured %1: ta rzecz jest podana dwa razy</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) in the swings (%1); expected none</source>
+        <translation>
+            <numerusform>%n zastrzeżenie do dewiacji (%1); oczekiwano: żadnego</numerusform>
+            <numerusform>%n zastrzeżenia do dewiacji (%1); oczekiwano: żadnego</numerusform>
+            <numerusform>%n zastrzeżeń do dewiacji (%1); oczekiwano: żadnego</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2163,18 +2171,6 @@
         <translation>na zachód od</translation>
     </message>
     <message>
-        <source>its sum (CUSUM)</source>
-        <translation>suma (CUSUM)</translation>
-    </message>
-    <message>
-        <source>its average (EWMA)</source>
-        <translation>średnia (EWMA)</translation>
-    </message>
-    <message>
-        <source>%1, %2: A lies %3 what is usual by %4; the average stood at %5°</source>
-        <translation>%1, %2: A leży %3 zwykłej wartości o %4; średnia wynosiła %5°</translation>
-    </message>
-    <message>
         <source>fell by %1 %</source>
         <translation>spadła o %1 %</translation>
     </message>
@@ -3311,10 +3307,6 @@
         <translation>inny czujnik indukcyjny</translation>
     </message>
     <message>
-        <source>%1 usable samples; expected %2 or more, in many attitudes</source>
-        <translation>użytecznych próbek: %1; oczekiwano %2 lub więcej, w wielu położeniach</translation>
-    </message>
-    <message>
         <source>all samples are equal: the sensor was not turned, or it is stuck</source>
         <translation>wszystkie próbki są równe: czujnika nie obracano albo się zaciął</translation>
     </message>
@@ -4119,30 +4111,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n row(s) without a whole field (empty cells or NaN) are left out</source>
-        <translation>
-            <numerusform>pominięto %n wiersz bez pełnego pola (puste komórki lub NaN)</numerusform>
-            <numerusform>pominięto %n wiersze bez pełnego pola (puste komórki lub NaN)</numerusform>
-            <numerusform>pominięto %n wierszy bez pełnego pola (puste komórki lub NaN)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n spike(s), away from both neighbours by more than 12 times the log&apos;s scatter, are left out</source>
-        <translation>
-            <numerusform>pominięto %n szpilkę, odległą od obu sąsiadów o ponad 12 rozrzutów zapisu</numerusform>
-            <numerusform>pominięto %n szpilki, odległe od obu sąsiadów o ponad 12 rozrzutów zapisu</numerusform>
-            <numerusform>pominięto %n szpilek, odległych od obu sąsiadów o ponad 12 rozrzutów zapisu</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n row(s) repeat the row before them: the sensor was read faster than it measures, and they tell nothing new</source>
-        <translation>
-            <numerusform>%n wiersz powtarza poprzedni: czujnik odczytywano szybciej, niż mierzy, i nic nowego nie mówi</numerusform>
-            <numerusform>%n wiersze powtarzają poprzednie: czujnik odczytywano szybciej, niż mierzy, i nic nowego nie mówią</numerusform>
-            <numerusform>%n wierszy powtarza poprzednie: czujnik odczytywano szybciej, niż mierzy, i nic nowego nie mówią</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>both were read on %n heading(s) only; what changed elsewhere is not seen</source>
         <translation>
             <numerusform>obie odczytano tylko na %n kursie; tego, co zmieniło się gdzie indziej, nie widać</numerusform>
@@ -4207,27 +4175,11 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n compass(es) not ranked: no limit is known</source>
-        <translation>
-            <numerusform>%n busoli nie uszeregowano: nie jest znana granica</numerusform>
-            <numerusform>%n busol nie uszeregowano: nie jest znana granica</numerusform>
-            <numerusform>%n busol nie uszeregowano: nie jest znana granica</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n swing(s) not compared through the years: the other radio state</source>
         <translation>
             <numerusform>%n pomiaru nie porównano na przestrzeni lat: inny stan radia</numerusform>
             <numerusform>%n pomiarów nie porównano na przestrzeni lat: inny stan radia</numerusform>
             <numerusform>%n pomiarów nie porównano na przestrzeni lat: inny stan radia</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more compass(es) whose records are suspect of the other sign</source>
-        <translation>
-            <numerusform>jeszcze %n busola, której zapisy są podejrzane o przeciwny znak</numerusform>
-            <numerusform>jeszcze %n busole, których zapisy są podejrzane o przeciwny znak</numerusform>
-            <numerusform>jeszcze %n busol, których zapisy są podejrzane o przeciwny znak</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4247,46 +4199,6 @@
         <translation>odcinków jest więcej niż %1; oczekiwano odcinków jednego lotu, każdy z wielu wierszy</translation>
     </message>
     <message numerus="yes">
-        <source>%n row(s) without a compass or reference heading are passed over</source>
-        <translation>
-            <numerusform>pominięto %n wiersz bez kursu kompasowego lub wzorcowego</numerusform>
-            <numerusform>pominięto %n wiersze bez kursu kompasowego lub wzorcowego</numerusform>
-            <numerusform>pominięto %n wierszy bez kursu kompasowego lub wzorcowego</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n cell(s) are empty</source>
-        <translation>
-            <numerusform>%n komórka jest pusta</numerusform>
-            <numerusform>%n komórki są puste</numerusform>
-            <numerusform>%n komórek jest pustych</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n cell(s) hold no number (NaN)</source>
-        <translation>
-            <numerusform>%n komórka nie zawiera liczby (NaN)</numerusform>
-            <numerusform>%n komórki nie zawierają liczby (NaN)</numerusform>
-            <numerusform>%n komórek nie zawiera liczby (NaN)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n row(s) have fewer cells than the header</source>
-        <translation>
-            <numerusform>%n wiersz ma mniej komórek niż nagłówek</numerusform>
-            <numerusform>%n wiersze mają mniej komórek niż nagłówek</numerusform>
-            <numerusform>%n wierszy ma mniej komórek niż nagłówek</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n row(s) above the header name no column: they are kept in the swing&apos;s note</source>
-        <translation>
-            <numerusform>%n wiersz nad nagłówkiem nie nazywa kolumny: zachowano go w uwadze pomiaru</numerusform>
-            <numerusform>%n wiersze nad nagłówkiem nie nazywają kolumn: zachowano je w uwadze pomiaru</numerusform>
-            <numerusform>%n wierszy nad nagłówkiem nie nazywa kolumn: zachowano je w uwadze pomiaru</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>the row has %n cell(s); expected %1 cells as in the header</source>
         <translation>
             <numerusform>wiersz ma %n komórkę; oczekiwano %1, jak w nagłówku</numerusform>
@@ -4301,22 +4213,6 @@
     <message>
         <source>there are more than %1 flights; expected reports of fewer at a time, and those of a flight together</source>
         <translation>lotów jest więcej niż %1; oczekiwano naraz meldunków mniejszej liczby, a meldunków jednego lotu obok siebie</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n reading(s) too far from what was expected were not taken</source>
-        <translation>
-            <numerusform>%n odczytu zbyt dalekiego od oczekiwanego nie wzięto</numerusform>
-            <numerusform>%n odczytów zbyt dalekich od oczekiwanych nie wzięto</numerusform>
-            <numerusform>%n odczytów zbyt dalekich od oczekiwanych nie wzięto</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n report(s) came twice and count once</source>
-        <translation>
-            <numerusform>%n meldunek przyszedł dwa razy i liczy się raz</numerusform>
-            <numerusform>%n meldunki przyszły dwa razy i liczą się raz</numerusform>
-            <numerusform>%n meldunków przyszło dwa razy i liczą się raz</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>no fix: the receiver says so in all %n of its RMC and VTG (status V, mode N), so there is no track to hold the compass against</source>
@@ -4343,43 +4239,11 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n heading(s) that are none (negative, or beyond 360) left out</source>
-        <translation>
-            <numerusform>pominięto %n kurs, który nim nie jest (ujemny lub ponad 360)</numerusform>
-            <numerusform>pominięto %n kursy, które nimi nie są (ujemne lub ponad 360)</numerusform>
-            <numerusform>pominięto %n kursów, które nimi nie są (ujemne lub ponad 360)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n time(s) the receiver had no fix (status V, mode N)</source>
         <translation>
             <numerusform>%n raz odbiornik nie miał pozycji (stan V, tryb N)</numerusform>
             <numerusform>%n razy odbiornik nie miał pozycji (stan V, tryb N)</numerusform>
             <numerusform>%n razy odbiornik nie miał pozycji (stan V, tryb N)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n track(s) or heading(s) are estimated (mode E, dead reckoning): perhaps from the very compass that is swung</source>
-        <translation>
-            <numerusform>%n kąt drogi lub kurs jest szacowany (tryb E, nawigacja zliczeniowa): być może z tej właśnie busoli</numerusform>
-            <numerusform>%n kąty drogi lub kursy są szacowane (tryb E, nawigacja zliczeniowa): być może z tej właśnie busoli</numerusform>
-            <numerusform>%n kątów drogi lub kursów jest szacowanych (tryb E, nawigacja zliczeniowa): być może z tej właśnie busoli</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n track(s) or heading(s) were typed in (mode M)</source>
-        <translation>
-            <numerusform>%n kąt drogi lub kurs wpisano ręcznie (tryb M)</numerusform>
-            <numerusform>%n kąty drogi lub kursy wpisano ręcznie (tryb M)</numerusform>
-            <numerusform>%n kątów drogi lub kursów wpisano ręcznie (tryb M)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n track(s) or heading(s) come from a simulator (mode S)</source>
-        <translation>
-            <numerusform>%n kąt drogi lub kurs pochodzi z symulatora (tryb S)</numerusform>
-            <numerusform>%n kąty drogi lub kursy pochodzą z symulatora (tryb S)</numerusform>
-            <numerusform>%n kątów drogi lub kursów pochodzi z symulatora (tryb S)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4602,14 +4466,6 @@
         <source>%1; or another coefficient did, which explains as much on the headings since: %2</source>
         <translation>%1; albo zmienił się inny współczynnik, który na kursach od tego czasu wyjaśnia tyle samo: %2</translation>
     </message>
-    <message numerus="yes">
-        <source>%n variation(s) or deviation(s) are written so that they tell no side, as &apos;%1&apos;, and left out; expected a size without a sign, and E or W</source>
-        <translation>
-            <numerusform>%n deklinacja lub dewiacja jest zapisana tak, że nie wiadomo, w którą stronę, np. „%1”, i została pominięta; oczekiwano wartości bez znaku oraz E lub W</numerusform>
-            <numerusform>%n deklinacje lub dewiacje są zapisane tak, że nie wiadomo, w którą stronę, np. „%1”, i zostały pominięte; oczekiwano wartości bez znaku oraz E lub W</numerusform>
-            <numerusform>%n deklinacji lub dewiacji jest zapisanych tak, że nie wiadomo, w którą stronę, np. „%1”, i zostało pominiętych; oczekiwano wartości bez znaku oraz E lub W</numerusform>
-        </translation>
-    </message>
     <message>
         <source>OVER THE LIMIT of %1 (%2): the deviation on magnetic %3</source>
         <translation>PONAD GRANICĘ %1 (%2): dewiacja na kursie magnetycznym %3</translation>
@@ -4621,6 +4477,186 @@
     <message>
         <source>OVER THE LIMIT of %1 (%2): the deviation that was read on magnetic %3, %4</source>
         <translation>PONAD GRANICĘ %1 (%2): dewiacja odczytana na kursie magnetycznym %3, %4</translation>
+    </message>
+    <message>
+        <source>axis %1 has figures of size %2 where the others have %3: another unit, or a column that is no field</source>
+        <translation>oś %1 ma wartości rzędu %2, a pozostałe %3: inna jednostka albo kolumna, która nie jest polem</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n usable sample(s); expected %1 or more, in many attitudes</source>
+        <translation>
+            <numerusform>%n użyteczna próbka; oczekiwano co najmniej %1, w wielu położeniach</numerusform>
+            <numerusform>%n użyteczne próbki; oczekiwano co najmniej %1, w wielu położeniach</numerusform>
+            <numerusform>%n użytecznych próbek; oczekiwano co najmniej %1, w wielu położeniach</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>axis %1 measures %2 times as much as axis %3 of one field: another unit or scale; expected less than %4</source>
+        <translation>oś %1 mierzy %2 razy tyle co oś %3 tego samego pola: inna jednostka lub skala; oczekiwano mniej niż %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) left out without a whole field (empty cells or NaN)</source>
+        <translation>
+            <numerusform>pominięto %n wiersz bez całego pola (puste komórki lub NaN)</numerusform>
+            <numerusform>pominięto %n wiersze bez całego pola (puste komórki lub NaN)</numerusform>
+            <numerusform>pominięto %n wierszy bez całego pola (puste komórki lub NaN)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spike(s) left out, away from both neighbours by more than 12 times the log&apos;s scatter</source>
+        <translation>
+            <numerusform>pominięto %n skok, odległy od obu sąsiadów o ponad 12 rozrzutów zapisu</numerusform>
+            <numerusform>pominięto %n skoki, odległe od obu sąsiadów o ponad 12 rozrzutów zapisu</numerusform>
+            <numerusform>pominięto %n skoków, odległych od obu sąsiadów o ponad 12 rozrzutów zapisu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) alike the row before: the sensor was read faster than it measures, which tells nothing new</source>
+        <translation>
+            <numerusform>%n wiersz taki jak poprzedni: czujnik odczytywano szybciej, niż mierzy, co nie mówi nic nowego</numerusform>
+            <numerusform>%n wiersze takie jak poprzednie: czujnik odczytywano szybciej, niż mierzy, co nie mówi nic nowego</numerusform>
+            <numerusform>%n wierszy takich jak poprzednie: czujnik odczytywano szybciej, niż mierzy, co nie mówi nic nowego</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>not ranked, as no limit is known: %n compass system(s)</source>
+        <translation>
+            <numerusform>bez miejsca w kolejności, bo nie jest znana granica: %n układ busoli</numerusform>
+            <numerusform>bez miejsca w kolejności, bo nie jest znana granica: %n układy busoli</numerusform>
+            <numerusform>bez miejsca w kolejności, bo nie jest znana granica: %n układów busoli</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>suspect of the other sign as well: the records of %n more compass system(s)</source>
+        <translation>
+            <numerusform>podejrzane o przeciwny znak są też zapisy %n innego układu busoli</numerusform>
+            <numerusform>podejrzane o przeciwny znak są też zapisy %n innych układów busoli</numerusform>
+            <numerusform>podejrzane o przeciwny znak są też zapisy %n innych układów busoli</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: on %2 A lay %3 what is usual; its average stood at %4°</source>
+        <translation>%1: w dniu %2 A leżało %3 tego, co zwykle; jego średnia wynosiła %4°</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3 A lay %4 what is usual; its average went as far as %5°</source>
+        <translation>%1: od %2 do %3 A leżało %4 tego, co zwykle; jego średnia sięgnęła %5°</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) without a compass or reference heading passed over</source>
+        <translation>
+            <numerusform>pominięto %n wiersz bez kursu busoli lub wzorcowego</numerusform>
+            <numerusform>pominięto %n wiersze bez kursu busoli lub wzorcowego</numerusform>
+            <numerusform>pominięto %n wierszy bez kursu busoli lub wzorcowego</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n empty cell(s)</source>
+        <translation>
+            <numerusform>%n pusta komórka</numerusform>
+            <numerusform>%n puste komórki</numerusform>
+            <numerusform>%n pustych komórek</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s) without a number (NaN)</source>
+        <translation>
+            <numerusform>%n komórka bez liczby (NaN)</numerusform>
+            <numerusform>%n komórki bez liczby (NaN)</numerusform>
+            <numerusform>%n komórek bez liczby (NaN)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) with fewer cells than the header</source>
+        <translation>
+            <numerusform>%n wiersz o mniejszej liczbie komórek niż nagłówek</numerusform>
+            <numerusform>%n wiersze o mniejszej liczbie komórek niż nagłówek</numerusform>
+            <numerusform>%n wierszy o mniejszej liczbie komórek niż nagłówek</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) above the header, where no column is named, kept in the swing&apos;s note</source>
+        <translation>
+            <numerusform>%n wiersz nad nagłówkiem, gdzie nie nazwano żadnej kolumny, zachowano w uwadze do dewiacji</numerusform>
+            <numerusform>%n wiersze nad nagłówkiem, gdzie nie nazwano żadnej kolumny, zachowano w uwadze do dewiacji</numerusform>
+            <numerusform>%n wierszy nad nagłówkiem, gdzie nie nazwano żadnej kolumny, zachowano w uwadze do dewiacji</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) not taken, too far from what was expected</source>
+        <translation>
+            <numerusform>nie przyjęto %n odczytu, zbyt odległego od oczekiwanego</numerusform>
+            <numerusform>nie przyjęto %n odczytów, zbyt odległych od oczekiwanych</numerusform>
+            <numerusform>nie przyjęto %n odczytów, zbyt odległych od oczekiwanych</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n report(s) that came twice counted once</source>
+        <translation>
+            <numerusform>%n meldunek, który przyszedł dwa razy, policzono raz</numerusform>
+            <numerusform>%n meldunki, które przyszły dwa razy, policzono raz</numerusform>
+            <numerusform>%n meldunków, które przyszły dwa razy, policzono raz</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>no true heading: the instrument says so in all %n of its THS (mode V)</source>
+        <translation>
+            <numerusform>brak kursu rzeczywistego: przyrząd sam to mówi w swoim %n THS (tryb V)</numerusform>
+            <numerusform>brak kursu rzeczywistego: przyrząd sam to mówi we wszystkich %n THS (tryb V)</numerusform>
+            <numerusform>brak kursu rzeczywistego: przyrząd sam to mówi we wszystkich %n THS (tryb V)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n heading(s) left out, negative or beyond 360</source>
+        <translation>
+            <numerusform>pominięto %n kurs, ujemny lub powyżej 360</numerusform>
+            <numerusform>pominięto %n kursy, ujemne lub powyżej 360</numerusform>
+            <numerusform>pominięto %n kursów, ujemnych lub powyżej 360</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s) the true heading was not valid (THS mode V)</source>
+        <translation>
+            <numerusform>%n raz kurs rzeczywisty był nieważny (THS, tryb V)</numerusform>
+            <numerusform>%n razy kurs rzeczywisty był nieważny (THS, tryb V)</numerusform>
+            <numerusform>%n razy kurs rzeczywisty był nieważny (THS, tryb V)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n estimated track(s) or heading(s) (mode E, dead reckoning): perhaps from the very compass that is swung</source>
+        <translation>
+            <numerusform>%n oszacowany kąt drogi lub kurs (tryb E, zliczenie): być może z tej samej busoli, którą się sprawdza</numerusform>
+            <numerusform>%n oszacowane kąty drogi lub kursy (tryb E, zliczenie): być może z tej samej busoli, którą się sprawdza</numerusform>
+            <numerusform>%n oszacowanych kątów drogi lub kursów (tryb E, zliczenie): być może z tej samej busoli, którą się sprawdza</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s) or heading(s) typed in (mode M)</source>
+        <translation>
+            <numerusform>%n kąt drogi lub kurs wpisany ręcznie (tryb M)</numerusform>
+            <numerusform>%n kąty drogi lub kursy wpisane ręcznie (tryb M)</numerusform>
+            <numerusform>%n kątów drogi lub kursów wpisanych ręcznie (tryb M)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s) or heading(s) from a simulator (mode S)</source>
+        <translation>
+            <numerusform>%n kąt drogi lub kurs z symulatora (tryb S)</numerusform>
+            <numerusform>%n kąty drogi lub kursy z symulatora (tryb S)</numerusform>
+            <numerusform>%n kątów drogi lub kursów z symulatora (tryb S)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n variation(s) or deviation(s) left out, written without a side as &apos;%1&apos;; expected a size without a sign, and E or W</source>
+        <translation>
+            <numerusform>pominięto %n deklinację lub dewiację zapisaną bez strony jako &apos;%1&apos;; oczekiwano wielkości bez znaku oraz E lub W</numerusform>
+            <numerusform>pominięto %n deklinacje lub dewiacje zapisane bez strony jako &apos;%1&apos;; oczekiwano wielkości bez znaku oraz E lub W</numerusform>
+            <numerusform>pominięto %n deklinacji lub dewiacji zapisanych bez strony jako &apos;%1&apos;; oczekiwano wielkości bez znaku oraz E lub W</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the reading on %1 goes with none of the others: the coefficients mean nothing and there is no card until it is read again or excluded</source>
+        <translation>odczyt na %1 nie zgadza się z żadnym z pozostałych: współczynniki nic nie znaczą i nie ma tabliczki, dopóki nie zostanie odczytany ponownie lub wykluczony</translation>
     </message>
 </context>
 <context>
@@ -5414,27 +5450,27 @@
         <translation>nie ma klucza %1 (%2), a dziennik zmian nie mówi, że go usunięto</translation>
     </message>
     <message numerus="yes">
-        <source>%n new swing(s) are signed, and the file does not say by whom</source>
+        <source>%n new swing(s) signed, and the file does not say by whom</source>
         <translation>
-            <numerusform>%n nowy pomiar jest podpisany, a plik nie mówi, przez kogo</numerusform>
-            <numerusform>%n nowe pomiary są podpisane, a plik nie mówi, przez kogo</numerusform>
-            <numerusform>%n nowych pomiarów jest podpisanych, a plik nie mówi, przez kogo</numerusform>
+            <numerusform>%n nowa dewiacja podpisana, a plik nie mówi przez kogo</numerusform>
+            <numerusform>%n nowe dewiacje podpisane, a plik nie mówi przez kogo</numerusform>
+            <numerusform>%n nowych dewiacji podpisanych, a plik nie mówi przez kogo</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n swing(s) come in as drafts, the first in line %1: %2</source>
+        <source>%n swing(s) in draft, the first in line %1: %2</source>
         <translation>
-            <numerusform>%n pomiar wchodzi jako szkic, w wierszu %1: %2</numerusform>
-            <numerusform>%n pomiary wchodzą jako szkice, pierwszy w wierszu %1: %2</numerusform>
-            <numerusform>%n pomiarów wchodzi jako szkice, pierwszy w wierszu %1: %2</numerusform>
+            <numerusform>%n dewiacja jako szkic, pierwsza w wierszu %1: %2</numerusform>
+            <numerusform>%n dewiacje jako szkic, pierwsza w wierszu %1: %2</numerusform>
+            <numerusform>%n dewiacji jako szkic, pierwsza w wierszu %1: %2</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n more compass(es) whose records are suspect of the other sign</source>
+        <source>suspect of the other sign as well: the records of %n more compass system(s)</source>
         <translation>
-            <numerusform>jeszcze %n busola, której zapisy są podejrzane o przeciwny znak</numerusform>
-            <numerusform>jeszcze %n busole, których zapisy są podejrzane o przeciwny znak</numerusform>
-            <numerusform>jeszcze %n busol, których zapisy są podejrzane o przeciwny znak</numerusform>
+            <numerusform>podejrzane o przeciwny znak są też zapisy %n innego układu busoli</numerusform>
+            <numerusform>podejrzane o przeciwny znak są też zapisy %n innych układów busoli</numerusform>
+            <numerusform>podejrzane o przeciwny znak są też zapisy %n innych układów busoli</numerusform>
         </translation>
     </message>
 </context>
@@ -9368,10 +9404,6 @@ soft iron S:</source>
         <translation>To samo biegunowo</translation>
     </message>
     <message>
-        <source>Amplitudes by order</source>
-        <translation>Amplitudy według rzędów</translation>
-    </message>
-    <message>
         <source>swung at</source>
         <translation>miejsce pomiaru</translation>
     </message>
@@ -9760,10 +9792,6 @@ soft iron S:</source>
         <translation>* nie odczytano na %1</translation>
     </message>
     <message>
-        <source>Distribution of the coefficients; amplitudes by order</source>
-        <translation>Rozkład współczynników; amplitudy według rzędu</translation>
-    </message>
-    <message>
         <source>Standard soft-iron correction of a type: D and E, alike in all its aircraft</source>
         <translation>Standardowa poprawka typu na żelazo miękkie: D i E, jednakowe we wszystkich jego statkach powietrznych</translation>
     </message>
@@ -9786,10 +9814,6 @@ soft iron S:</source>
     <message>
         <source>chart</source>
         <translation>karta</translation>
-    </message>
-    <message>
-        <source>what it says</source>
-        <translation>co mówi</translation>
     </message>
     <message>
         <source>Swing in flight: legs by GPS</source>
@@ -10450,6 +10474,34 @@ soft iron S:</source>
     <message>
         <source>with cos of heading</source>
         <translation>z cosinusem kursu</translation>
+    </message>
+    <message>
+        <source>Distribution of the coefficients (line: mean; named: far from the others); amplitudes by order</source>
+        <translation>Rozkład współczynników (linia: średnia; z nazwą: daleko od pozostałych); amplitudy według rzędu</translation>
+    </message>
+    <message>
+        <source>A lies</source>
+        <translation>A leży</translation>
+    </message>
+    <message>
+        <source>average</source>
+        <translation>średnia</translation>
+    </message>
+    <message>
+        <source>farthest</source>
+        <translation>najdalej</translation>
+    </message>
+    <message>
+        <source>east of the usual</source>
+        <translation>na wschód od zwykłego</translation>
+    </message>
+    <message>
+        <source>west of the usual</source>
+        <translation>na zachód od zwykłego</translation>
+    </message>
+    <message>
+        <source>%1; then it was swung otherwise: %2</source>
+        <translation>%1; potem wykonano dewiację inaczej: %2</translation>
     </message>
 </context>
 <context>
@@ -14978,10 +15030,6 @@ magnetyczny (°)</translation>
         <translation>Kliknij kurs: tu pojawią się pomiary, które za nim stoją.</translation>
     </message>
     <message>
-        <source>%1°: mean %2°, between aircraft ± %3°, %4 votes</source>
-        <translation>%1°: średnia %2°, między statkami powietrznymi ± %3°, głosów: %4</translation>
-    </message>
-    <message>
         <source>The fleet has changed since: compute again.</source>
         <translation>Flota zmieniła się od tego czasu: oblicz ponownie.</translation>
     </message>
@@ -14992,14 +15040,6 @@ magnetyczny (°)</translation>
     <message>
         <source>Cancelled: what was computed before stays.</source>
         <translation>Anulowano: pozostaje to, co obliczono wcześniej.</translation>
-    </message>
-    <message>
-        <source>%1 swings of %2 aircraft.</source>
-        <translation>Pomiary: %1, statki powietrzne: %2.</translation>
-    </message>
-    <message>
-        <source>A first look at %1 swings; all are being computed. </source>
-        <translation>Pierwsze spojrzenie na pomiary (%1); wszystkie są obliczane. </translation>
     </message>
     <message>
         <source>Coefficients</source>
@@ -15032,10 +15072,6 @@ magnetyczny (°)</translation>
     <message>
         <source>Bins</source>
         <translation>Przedziały</translation>
-    </message>
-    <message>
-        <source>%1 swings at %2°, those farthest from the mean first; Enter opens one.</source>
-        <translation>Pomiary na %2°: %1, najpierw najdalsze od średniej; Enter otwiera.</translation>
     </message>
     <message>
         <source>read</source>
@@ -15072,6 +15108,38 @@ magnetyczny (°)</translation>
     <message>
         <source>Alarms</source>
         <translation>Alarmy</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1°: mean %2°, between aircraft ± %3°, %n vote(s)</source>
+        <translation>
+            <numerusform>%1°: średnia %2°, między samolotami ± %3°, %n głos</numerusform>
+            <numerusform>%1°: średnia %2°, między samolotami ± %3°, %n głosy</numerusform>
+            <numerusform>%1°: średnia %2°, między samolotami ± %3°, %n głosów</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swing(s) of %1 aircraft.</source>
+        <translation>
+            <numerusform>%n dewiacja; statków powietrznych: %1.</numerusform>
+            <numerusform>%n dewiacje; statków powietrznych: %1.</numerusform>
+            <numerusform>%n dewiacji; statków powietrznych: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A first look at %n swing(s); all are being computed. </source>
+        <translation>
+            <numerusform>Pierwsze spojrzenie na %n dewiację; obliczane są wszystkie. </numerusform>
+            <numerusform>Pierwsze spojrzenie na %n dewiacje; obliczane są wszystkie. </numerusform>
+            <numerusform>Pierwsze spojrzenie na %n dewiacji; obliczane są wszystkie. </numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swing(s) at %1°, those farthest from the mean first; Enter opens one.</source>
+        <translation>
+            <numerusform>%n dewiacja na %1°, najpierw najdalsze od średniej; Enter otwiera.</numerusform>
+            <numerusform>%n dewiacje na %1°, najpierw najdalsze od średniej; Enter otwiera.</numerusform>
+            <numerusform>%n dewiacji na %1°, najpierw najdalsze od średniej; Enter otwiera.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -18500,6 +18568,10 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
     <message>
         <source>the drive failed; expected one that is there</source>
         <translation>dysk zawiódł; oczekiwano takiego, który jest podłączony</translation>
+    </message>
+    <message>
+        <source>save the model, or store it with the compass: it takes these errors out of what the sensor measures</source>
+        <translation>zapisz model albo zachowaj go przy busoli: usuwa te błędy z tego, co mierzy czujnik</translation>
     </message>
 </context>
 </TS>
