@@ -17,11 +17,11 @@ Result<SourcedSwing> swingFromCsv(const std::string& path)
     SourcedSwing sourced;
     sourced.source = nameOfInput(path);
     sourced.warnings = file->warnings;
-    sourced.record = recordOf(*file);
+    sourced.record = recordOf(std::move(file.value())); // a million readings are not kept twice
     if (const auto doubt = comesLater(sourced.record.swing.date, today()); !doubt.empty())
         sourced.warnings.push_back(doubt);
     if (sourced.record.site)
-        sourced.record.site->variation_deg = file->swing.variation_deg;
+        sourced.record.site->variation_deg = sourced.record.swing.variation_deg;
     return sourced;
 }
 

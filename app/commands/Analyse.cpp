@@ -34,7 +34,8 @@ int analyseCommand(const AnalyseArguments& options)
     warn(swing->warnings);
     if (options.json) {
         analysis->warnings.insert(analysis->warnings.begin(), swing->warnings.begin(), swing->warnings.end());
-        put("%s\n", (removes ? toJson(*analysis, *removal) : toJson(*analysis)).c_str());
+        writeJson(*analysis, removes ? &*removal : nullptr, putText);
+        putText("\n");
         return kDone;
     }
     warn(analysis->warnings);

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/UtcTime.h"
 #include "core/earth/EarthField.h"
-#include "core/reference/UtcTime.h"
 
 namespace lubberline {
 

@@ -8,6 +8,7 @@
 
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
+#include "core/base/UtcTime.h"
 #include "core/record/Ranges.h"
 #include "db/engine/Statement.h"
 
@@ -17,6 +18,8 @@ namespace {
 
 /// A damaged table of a million rows must not take memory for each.
 constexpr std::size_t kMostDamages = 10'000;
+
+constexpr Pattern kMoment = MARKED("db", "a moment of UTC as YYYY-MM-DDTHH:MM:SSZ");
 
 bool isWhole(const QVariant& value) { return value.typeId() == QMetaType::LongLong; }
 
@@ -130,6 +133,24 @@ Date Statement::day(int column) const
     if (value.isNull() || (!day && (!stored.empty() || value.typeId() != QMetaType::QString)))
         damages(column, MARKED("db", "a day of the calendar as YYYY-MM-DD"));
     return day.value_or(Date());
+}
+
+std::string Statement::moment(int column) const
+{
+    const std::size_t before = m_damages.size();
+    std::string value = text(column);
+    if (!value.empty() && !isUtcText(value))
+        damages(column, kMoment);
+    return m_damages.size() == before ? value : std::string();
+}
+
+std::string Statement::momentStated(int column) const
+{
+    const std::size_t before = m_damages.size();
+    std::string value = moment(column);
+    if (value.empty() && m_damages.size() == before)
+        damages(column, kMoment);
+    return value;
 }
 
 std::int64_t Statement::integer(int column) const

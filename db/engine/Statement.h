@@ -58,6 +58,8 @@ public:
     [[nodiscard]] RecordId record(int column) const;
     [[nodiscard]] RecordId optionalRecord(int column) const; ///< or an empty text
     [[nodiscard]] Date day(int column) const;                ///< none stated where the text is empty
+    [[nodiscard]] std::string moment(int column) const;      ///< ISO 8601 in UTC, or an empty text
+    [[nodiscard]] std::string momentStated(int column) const;
     [[nodiscard]] std::int64_t integer(int column) const;
     [[nodiscard]] int integer(int column, NumberRange range) const;
     [[nodiscard]] std::optional<int> optionalInteger(int column, NumberRange range) const;

@@ -4,6 +4,7 @@
 #include "core/base/FileText.h"
 #include "core/format/exchange/JobJson.h"
 #include "core/record/Status.h"
+#include "db/stores/KeyStore.h"
 #include "db/stores/Signatures.h"
 #include "db/stores/SwingRows.h"
 #include "db/stores/Tables.h"
@@ -57,21 +58,26 @@ std::vector<Rows> otherRows()
             }},
         {"SELECT id, time_utc, what, record, link, file_link, detail FROM audit_entry",
             [](const Statement& row) {
-                for (int column = 1; column <= 5; ++column)
+                (void)row.momentStated(1);
+                (void)row.name(2);
+                for (int column = 3; column <= 5; ++column)
                     (void)row.text(column);
                 (void)row.longText(6);
             }},
         {"SELECT id, file, head, since_utc, entries, entries_before FROM audit_head",
             [](const Statement& row) {
-                for (int column = 1; column <= 3; ++column)
-                    (void)row.text(column);
+                (void)row.name(1);
+                (void)row.text(2);
+                (void)row.momentStated(3);
                 for (int column = 4; column <= 5; ++column)
                     (void)row.integer(column, {0, 1e15});
             }},
         {"SELECT id, fingerprint, holder, added_utc, public_key FROM signing_key",
             [](const Statement& row) {
-                for (int column = 1; column <= 3; ++column)
-                    (void)row.text(column);
+                if (!isFingerprint(row.text(1)))
+                    row.damages(1, MARKED("db", "40 or 64 capital hexadecimal digits"));
+                (void)row.name(2);
+                (void)row.momentStated(3);
                 (void)row.longText(4);
             }},
         {"SELECT id, status FROM compass", [](const Statement& row) { (void)row.as(1, Status::OutOfLimits); }},

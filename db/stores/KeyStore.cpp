@@ -9,14 +9,10 @@
 
 namespace lubberline::db {
 
-namespace {
-
 bool isFingerprint(const std::string& text)
 {
     return (text.size() == 40 || text.size() == 64) && text.find_first_not_of("0123456789ABCDEF") == std::string::npos;
 }
-
-} // namespace
 
 Result<std::vector<StationKey>> KeyStore::all()
 {

@@ -8,6 +8,9 @@
 
 namespace lubberline::db {
 
+/// 40 or 64 capital hexadecimal digits.
+[[nodiscard]] bool isFingerprint(const std::string& text);
+
 class KeyStore {
 public:
     explicit KeyStore(Database& database) : m_database(database) {}

@@ -19,7 +19,7 @@ std::string hashFrom(const Statement& row, int column)
 
 Signature signatureFrom(const Statement& row)
 {
-    return {row.as(1, SignatureRole::Authority), row.name(2), row.text(3), row.name(4), hashFrom(row, 5),
+    return {row.as(1, SignatureRole::Authority), row.name(2), row.text(3), row.momentStated(4), hashFrom(row, 5),
         row.integer(6, {1, kSignedContents}), row.text(7), row.text(8), row.text(9), row.longText(10), row.text(11), row.longText(12),
         row.longText(13)};
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/base/Contract.h"
+#include "core/base/FileText.h"
+#include "core/base/UtcTime.h"
 #include "core/record/Ranges.h"
 #include "db/engine/Changes.h"
 #include "db/engine/Transaction.h"
@@ -19,7 +21,10 @@ namespace {
 /// What could not be read again must not be stored; the rest the columns hold themselves.
 Result<void> checkTexts(const Reading& reading)
 {
-    std::size_t longest = std::max(reading.note.size(), reading.timeUtc.size());
+    if (!reading.timeUtc.empty() && !isUtcText(reading.timeUtc))
+        return Error{ErrorCode::InvalidInput,
+            {MARKED("db", "the time of a reading, %1, is no moment; expected UTC as YYYY-MM-DDTHH:MM:SSZ"), inQuotes(reading.timeUtc)}};
+    std::size_t longest = reading.note.size();
     if (reading.exclusion)
         longest = std::max(longest, reading.exclusion->reason.size());
     if (longest > kLongestText)

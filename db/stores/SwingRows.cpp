@@ -110,8 +110,11 @@ Swing swingFrom(const Statement& row, int first)
     swing.field = stampFrom(row, column);
     column += kStampColumns;
     swing.indexRemoved_deg = row.optionalReal(column++, kSignedAngleRange);
-    for (std::string* field : {&swing.datum.readOut, &swing.startUtc, &swing.endUtc, &swing.siteOverride, &swing.weather})
-        *field = row.text(column++);
+    swing.datum.readOut = row.text(column++);
+    swing.startUtc = row.moment(column++);
+    swing.endUtc = row.moment(column++);
+    swing.siteOverride = row.text(column++);
+    swing.weather = row.text(column++);
     swing.job = row.optionalRecord(column++);
     swing.supersedes = row.optionalRecord(column++);
     swing.amendment = row.text(column++);
@@ -173,7 +176,7 @@ Reading readingFrom(const Statement& row, int first)
         reading.exclusion = Exclusion{reason};
     reading.extra = partOf(row, column++, readExtraRow);
     reading.raw = partOf(row, column++, readRawRow);
-    reading.timeUtc = row.text(column++);
+    reading.timeUtc = row.moment(column++);
     return reading;
 }
 

@@ -48,7 +48,7 @@ Result<SwingFile> readSwingCsvFile(const std::string& path, const Progress& prog
 
 /// The file as a record: its compass is read to the division that its figures speak of (core/swing/SwingResult.h), its site has the place
 /// that the file states, or is none where it names none.
-[[nodiscard]] SwingRecord recordOf(const SwingFile& file);
+[[nodiscard]] SwingRecord recordOf(SwingFile file);
 
 /// The file as a fleet of one swing: what `import` stores. Errors: InvalidInput when the aircraft is not named.
 Result<Fleet> toFleet(const SwingFile& file);

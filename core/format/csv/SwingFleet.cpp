@@ -23,10 +23,9 @@ std::optional<Site> siteOf(const SwingFile& file)
 
 } // namespace
 
-SwingRecord recordOf(const SwingFile& file)
+SwingRecord recordOf(SwingFile file)
 {
     SwingRecord record;
-    record.swing = file.swing;
     record.aircraft.registration = file.aircraft;
     record.aircraft.operatorName = file.operatorName;
     record.type.name = file.type;
@@ -35,6 +34,7 @@ SwingRecord recordOf(const SwingFile& file)
     record.compass.resolution_deg = divisionOf_deg(file.swing);
     record.compass.resolutionStated = false;
     record.site = siteOf(file);
+    record.swing = std::move(file.swing);
     return record;
 }
 

@@ -9,6 +9,7 @@
 #include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/RecordChoice.h"
 #include "core/format/exchange/SwingJson.h"
+#include "core/format/exchange/UtcJson.h"
 #include "core/format/json/JsonWriter.h"
 #include "core/format/json/ReadObject.h"
 #include "core/record/Ranges.h"
@@ -161,7 +162,7 @@ void writeEventKeys(JsonWriter& json, const JobEvent& event)
 JobEvent readEventKeys(JsonObject& object)
 {
     JobEvent event;
-    event.timeUtc = object.text("time_utc");
+    event.timeUtc = utcText(object, "time_utc");
     const auto kind = choose<std::size_t>(object, "what", kEvents);
     event.what = readWhat(object, kind);
     object.finish();

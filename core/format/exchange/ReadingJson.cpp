@@ -2,6 +2,7 @@
 
 #include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/SwingJson.h"
+#include "core/format/exchange/UtcJson.h"
 #include "core/record/Ranges.h"
 
 namespace lubberline {
@@ -73,7 +74,7 @@ Reading readReading(JsonObject& object, bool withRaw)
     reading.roll_deg = object.number("roll_deg", kRollRange);
     if (withRaw) {
         reading.raw = readRaw(object);
-        reading.timeUtc = object.text("time_utc");
+        reading.timeUtc = utcText(object, "time_utc");
     }
     reading.note = object.text("note");
     if (auto reason = object.optionalText("excluded"))

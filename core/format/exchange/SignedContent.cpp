@@ -100,6 +100,21 @@ std::string shown(const OrderedJson& object, const std::string& key)
     return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
+/// Null where they do not read. They may be a forger's, nested a million deep, which no copy of such a document survives.
+OrderedJson readParticulars(const std::string& text)
+{
+    constexpr int kDeepest = 32;
+    bool tooDeep = false;
+    OrderedJson document = OrderedJson::parse(
+        text,
+        [&tooDeep](int depth, OrderedJson::parse_event_t, const OrderedJson&) {
+            tooDeep = tooDeep || depth > kDeepest;
+            return !tooDeep;
+        },
+        false);
+    return tooDeep ? OrderedJson() : document;
+}
+
 } // namespace
 
 std::string signedContent(const SwingRecord& record, const std::optional<SwingJob>& job, int version)
@@ -164,8 +179,7 @@ std::string signedParticulars(const SwingRecord& record)
 
 std::vector<SwingDifference> changedSince(const std::string& particulars, const SwingRecord& now)
 {
-    const OrderedJson then = OrderedJson::parse(particulars, nullptr, false),
-                      today = OrderedJson::parse(signedParticulars(now), nullptr, false);
+    const OrderedJson then = readParticulars(particulars), today = readParticulars(signedParticulars(now));
     if (!then.is_object())
         return {{MARKED("core", "particulars"), Message(MARKED("core", "do not read")), Message(MARKED("core", "changed"))}};
     const auto compassOf = [](const OrderedJson& document) { return printed(firstOf(firstOf(document, "aircraft"), "compasses")); };

@@ -5,6 +5,7 @@
 
 #include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/RecordChoice.h"
+#include "core/format/exchange/UtcJson.h"
 #include "core/record/Ranges.h"
 
 namespace lubberline {
@@ -68,7 +69,7 @@ std::vector<Signature> readSignatures(JsonObject& object)
         signature.role = choice<SignatureRole>(one, "role");
         signature.name = one.requiredText("name");
         signature.licence = one.text("licence");
-        signature.timeUtc = one.requiredText("time_utc");
+        signature.timeUtc = requiredUtcText(one, "time_utc");
         signature.hash = one.requiredText("hash");
         if (signature.hash.size() != kHashDigits || signature.hash.find_first_not_of("0123456789abcdef") != std::string::npos)
             one.fault("hash", MARKED("core", "is no SHA-256; expected 64 hexadecimal digits"));
@@ -118,8 +119,8 @@ void writeSwingRecord(JsonWriter& json, const Swing& swing)
 void readSwingRecord(JsonObject& object, Swing& swing)
 {
     swing.datum.readOut = object.text("datum_read_out");
-    swing.startUtc = object.text("start_utc");
-    swing.endUtc = object.text("end_utc");
+    swing.startUtc = utcText(object, "start_utc");
+    swing.endUtc = utcText(object, "end_utc");
     swing.siteOverride = object.text("site_override");
     swing.weather = object.text("weather");
     if (object.has("job_record"))

@@ -25,6 +25,11 @@ constexpr std::size_t kMostBytes = std::size_t{320} << 20, kValueBytes = 16, kKe
 /// An object is a record of ours or a list by name; each is held against the others.
 constexpr std::size_t kMostObjectKeys = 10'000;
 
+/// Ends the parser, which could only be told to keep nothing: it would go on, and keep where it is, five million levels deep.
+struct Refused {
+    Message why;
+};
+
 /// Follows the parser: where it is, and which keys the open objects have.
 class Follower {
 public:
@@ -57,9 +62,8 @@ public:
             valueEnds();
             break;
         }
-        return !m_problem; // what is not kept takes no memory
+        return true;
     }
-    [[nodiscard]] const std::optional<Message>& problem() const { return m_problem; }
     [[nodiscard]] Message path() const
     {
         std::string text;
@@ -87,16 +91,11 @@ private:
             refuse({MARKED("core", "%1: the values up to here take more than %2 MiB; expected %3, of a smaller size"), path(),
                 kMostBytes >> 20, m_expected});
     }
-    void refuse(const Message& problem)
-    {
-        if (!m_problem)
-            m_problem = problem;
-    }
+    [[noreturn]] static void refuse(const Message& problem) { throw Refused{problem}; }
 
     const Message& m_expected;
     std::size_t m_bytes = 0;
     std::vector<Level> m_levels;
-    std::optional<Message> m_problem;
 };
 
 Error notJson(std::string_view text, std::size_t byte, const std::string& name, const Message& expected)
@@ -121,12 +120,11 @@ Result<Json> parseJson(std::string_view text, const std::string& name, const Mes
         return Error{ErrorCode::Format, other, name};
     Follower follower(expected);
     try {
-        Json document = Json::parse(text, [&](int, Json::parse_event_t event, Json& parsed) { return follower(event, parsed); });
-        if (follower.problem())
-            return Error{ErrorCode::Format, *follower.problem(), name};
-        return document;
+        return Json::parse(text, [&](int, Json::parse_event_t event, Json& parsed) { return follower(event, parsed); });
+    } catch (const Refused& refused) {
+        return Error{ErrorCode::Format, refused.why, name};
     } catch (const Json::parse_error& error) {
-        return follower.problem() ? Error{ErrorCode::Format, *follower.problem(), name} : notJson(text, error.byte, name, expected);
+        return notJson(text, error.byte, name, expected);
     } catch (const Json::out_of_range&) {
         return Error{
             ErrorCode::InvalidInput, {MARKED("core", "%1: is out of range; expected a number that can be held"), follower.path()}, name};

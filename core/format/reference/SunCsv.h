@@ -8,7 +8,7 @@
 
 #include "core/angle/Heading.h"
 #include "core/base/Result.h"
-#include "core/reference/UtcTime.h"
+#include "core/base/UtcTime.h"
 
 namespace lubberline {
 

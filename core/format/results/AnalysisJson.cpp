@@ -94,6 +94,18 @@ Json readingJson(const AnalysedReading& reading)
         {"outlier", reading.suspect}};
 }
 
+/// What stands behind line ends moved to the right.
+std::string indented(const std::string& text, std::size_t by)
+{
+    std::string moved;
+    for (const char c : text) {
+        moved += c;
+        if (c == '\n')
+            moved.append(by, ' ');
+    }
+    return moved;
+}
+
 /// Rows count from 1, in the order of `readings`.
 Json slipsJson(const Analysis& analysis)
 {
@@ -112,12 +124,10 @@ Json slipsJson(const Analysis& analysis)
     return json;
 }
 
+/// All but the readings.
 Json analysisJson(const Analysis& analysis)
 {
     Json json;
-    json["readings"] = Json::array();
-    for (const auto& reading : analysis.readings)
-        json["readings"].push_back(readingJson(reading));
     json["approximate"] = fitJson(analysis.approximate, "_deg", [](std::optional<double> value) { return degrees(value); });
     json["exact"] = fitJson(analysis.exact, "", plain);
     json["point_rules"] = rulesJson(analysis.pointRules);
@@ -135,17 +145,28 @@ Json analysisJson(const Analysis& analysis)
 
 } // namespace
 
-std::string toJson(const Analysis& analysis) { return analysisJson(analysis).dump(2); }
-
-std::string toJson(const Analysis& analysis, const Removal& removal)
+void writeJson(const Analysis& analysis, const Removal* removal, const TextSink& put)
 {
+    put("{\n  \"readings\": [");
+    for (std::size_t i = 0; i < analysis.readings.size(); ++i)
+        put((i == 0 ? "\n    " : ",\n    ") + indented(readingJson(analysis.readings[i]).dump(2), 4));
+    put(analysis.readings.empty() ? "]," : "\n  ],");
     Json json = analysisJson(analysis);
-    Json remaining = Json::array();
-    for (const double left_rad : removal.remaining_rad)
-        remaining.push_back(degrees(left_rad));
-    json["removal"] = {{"remaining_deg", remaining}, {"max_abs_deg", degrees(removal.maxAbs_rad)}, {"rms_deg", degrees(removal.rms_rad)},
-        {"harmonics", harmonicsJson(removal.harmonics)}};
-    return json.dump(2);
+    if (removal) {
+        Json remaining = Json::array();
+        for (const double left_rad : removal->remaining_rad)
+            remaining.push_back(degrees(left_rad));
+        json["removal"] = {{"remaining_deg", std::move(remaining)}, {"max_abs_deg", degrees(removal->maxAbs_rad)},
+            {"rms_deg", degrees(removal->rms_rad)}, {"harmonics", harmonicsJson(removal->harmonics)}};
+    }
+    put(std::string_view(json.dump(2)).substr(1)); // it goes on behind the readings, in the same object
+}
+
+std::string toJson(const Analysis& analysis, const Removal* removal)
+{
+    std::string text;
+    writeJson(analysis, removal, [&text](std::string_view part) { text += part; });
+    return text;
 }
 
 std::string toJson(const Card& card, const SwingRecord& record)

@@ -1,4 +1,5 @@
 #include "core/base/Clock.h"
+#include "core/base/UtcTime.h"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,18 @@ TEST(Clock, ofTheMachineIsUtcWhereverTheMachineIs)
     EXPECT_LE(before, after);
     const sys_time<milliseconds> now = machineClock().now();
     EXPECT_LT(abs(floor<seconds>(now).time_since_epoch() - seconds(std::time(nullptr))), seconds(60));
+}
+
+TEST(UtcText, isAMomentOfTheCalendarInUtc)
+{
+    for (const char* text : {"2026-11-06T09:05:07Z", "2026-11-06T09:05:07.040Z", "2026-11-06T09:05Z", "2024-02-29T23:59:59Z"})
+        EXPECT_TRUE(isUtcText(text)) << text;
+    for (const char* text :
+        {"", "Z", "half past nine", "2026-11-06", "2026-13-45", "2026-11-06T25:00:00Z", "2026-02-29T09:00:00Z", "2026-11-06 09:05:07Z",
+            "2026-11-06T09:05:07", "2026-11-06T09:05:07+02:00", "2026-11-06T09:05:07Z\n", "-1", "999999999999", "2026-11-06T09:61:00Z"})
+        EXPECT_FALSE(isUtcText(text)) << text;
+    for (const auto& text : {machineClock().nowUtc(), machineClock().nowUtc_ms()})
+        EXPECT_TRUE(isUtcText(text)) << text;
 }
 
 } // namespace lubberline

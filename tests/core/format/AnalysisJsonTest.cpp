@@ -47,6 +47,28 @@ TEST(AnalysisJson, publishedFiguresComeOutWithoutANoisyLastDigit)
     EXPECT_THAT(text, testing::Not(testing::EndsWith("\n")));
 }
 
+/// Parts that are written one after another are the document, to the byte, that a reader would write again.
+TEST(AnalysisJson, isTheSameDocumentWhetherWrittenInPartsOrWhole)
+{
+    const Analysis analysis = analysisOf(kCheck);
+    const auto removal = removeComponents(analysis, CoefficientSet("00110"));
+    ASSERT_TRUE(removal);
+    for (const Removal* removed : {static_cast<const Removal*>(nullptr), &*removal}) {
+        std::vector<std::string> parts;
+        writeJson(analysis, removed, [&](std::string_view part) { parts.emplace_back(part); });
+        EXPECT_EQ(parts.size(), analysis.readings.size() + 3);
+        std::string whole;
+        for (const auto& part : parts)
+            whole += part;
+        EXPECT_EQ(whole, toJson(analysis, removed));
+        const auto document = nlohmann::ordered_json::parse(whole);
+        EXPECT_EQ(document.dump(2), whole);
+        EXPECT_EQ(document["readings"].size(), 8u);
+        EXPECT_EQ(document.contains("removal"), removed != nullptr);
+        EXPECT_EQ(document.back(), removed ? document["removal"] : document["warnings"]);
+    }
+}
+
 TEST(AnalysisJson, keepsReadingsInTheirOrderAsRead)
 {
     const auto json = jsonOf(kCheck);

@@ -142,6 +142,9 @@ TEST(ExchangeVersion3, damageIsNamedByItsPath)
     };
     EXPECT_THAT(refused("\"performer\"", "\"pilot\""), testing::HasSubstr("performer, inspector or authority"));
     EXPECT_THAT(refused("aaaaaaaa", "AAAAAAAA"), testing::HasSubstr("SHA-256"));
+    EXPECT_THAT(refused("\"2026-11-23T09:05:00Z\"", "\"half past nine\""),
+        testing::AllOf(testing::HasSubstr("time_utc"), testing::HasSubstr("is no moment")));
+    EXPECT_THAT(refused("\"start_utc\": \"2026-11-23T09:00:00Z\"", "\"start_utc\": \"2026-11-23\""), testing::HasSubstr("start_utc"));
     EXPECT_THAT(refused("\"lightning\",\n          \"cause\": \"lightning\"", "\"lightning\",\n          \"cause\": \"thunder\""),
         testing::HasSubstr("cause"));
     EXPECT_THAT(refused("\"half_error\"", "\"whole_error\""), testing::HasSubstr("procedure"));

@@ -1,4 +1,4 @@
-#include "core/reference/UtcTime.h"
+#include "core/base/UtcTime.h"
 
 #include <cmath>
 
@@ -70,6 +70,8 @@ Result<UtcTime> readUtcTime(std::string_view iso)
     return UtcTime(std::chrono::sys_days(date->day()) + std::chrono::hours(hour) + std::chrono::minutes(minute - offset_min)
         + std::chrono::milliseconds(std::llround(seconds * 1000)));
 }
+
+bool isUtcText(std::string_view iso) { return iso.size() > 10 && iso[10] == 'T' && iso.back() == 'Z' && readUtcTime(iso).ok(); }
 
 double daysSince2000(UtcTime time)
 {
