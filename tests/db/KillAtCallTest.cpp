@@ -75,8 +75,7 @@ TEST_P(KillAtCall, ofAMigrationLeavesAWholeFileOfOneSchemaAndNothingElse)
             const auto found = db::Database::openAsItIs(path);
             ASSERT_TRUE(found) << describe(found.error());
             EXPECT_TRUE(found->fileSchema() >= GetParam() && found->fileSchema() <= db::schemaVersion()) << found->fileSchema();
-            if (!ended.said.empty())
-                EXPECT_EQ(found->fileSchema(), db::schemaVersion()) << "it said that the database is open";
+            EXPECT_TRUE(ended.said.empty() || found->fileSchema() == db::schemaVersion()) << "it said that the database is open";
         }
         {
             auto database = db::openDatabase(path, db::OpenMode::ReadWriteCreate);
