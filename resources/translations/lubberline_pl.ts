@@ -4658,6 +4658,10 @@
         <source>the reading on %1 goes with none of the others: the coefficients mean nothing and there is no card until it is read again or excluded</source>
         <translation>odczyt na %1 nie zgadza się z żadnym z pozostałych: współczynniki nic nie znaczą i nie ma tabliczki, dopóki nie zostanie odczytany ponownie lub wykluczony</translation>
     </message>
+    <message>
+        <source>is no moment; expected UTC as YYYY-MM-DDTHH:MM:SSZ</source>
+        <translation>nie jest chwilą; oczekiwano UTC jako RRRR-MM-DDTGG:MM:SSZ</translation>
+    </message>
 </context>
 <context>
     <name>db</name>
@@ -5472,6 +5476,18 @@
             <numerusform>podejrzane o przeciwny znak są też zapisy %n innych układów busoli</numerusform>
             <numerusform>podejrzane o przeciwny znak są też zapisy %n innych układów busoli</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>a moment of UTC as YYYY-MM-DDTHH:MM:SSZ</source>
+        <translation>chwila UTC jako RRRR-MM-DDTGG:MM:SSZ</translation>
+    </message>
+    <message>
+        <source>40 or 64 capital hexadecimal digits</source>
+        <translation>40 lub 64 wielkie cyfry szesnastkowe</translation>
+    </message>
+    <message>
+        <source>the time of a reading, %1, is no moment; expected UTC as YYYY-MM-DDTHH:MM:SSZ</source>
+        <translation>czas odczytu, %1, nie jest chwilą; oczekiwano UTC jako RRRR-MM-DDTGG:MM:SSZ</translation>
     </message>
 </context>
 <context>
