@@ -27,7 +27,8 @@ void addLogOptions(CLI::App& command, Invocation& invocation, LogArguments& opti
             },
             "which column of the file is which, as bx=\"Feld X\"; several times")
         ->expected(1)
-        ->take_all();
+        ->take_all()
+        ->allow_extra_args(false);
     command
         .add_option_function<std::string>(
             "--unit",

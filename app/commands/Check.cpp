@@ -43,7 +43,6 @@ struct CheckedCompass {
 struct CheckArguments {
     std::string readings, date;
     HistorySource history;
-    std::vector<std::string> moreHistory; ///< behind --history
     Output output;
     CheckOptions options;
     std::optional<double> error_deg, limit_deg;
@@ -253,12 +252,11 @@ void addCheck(CLI::App& app, Invocation& invocation)
         = app.add_subcommand("check", "the two-minute check: the headings that tell most about a compass, and whether its card holds");
     addInputOption(
         *command, invocation, "READINGS.csv", options->readings, "a Swing CSV of the two or three readings; without: which to take");
-    const auto* history = addInputOption(*command, invocation, "--history", options->history.files,
-        "a Swing CSV of an earlier swing of the compass; once a swing, or with more files behind it after READINGS.csv")
-                              ->expected(1)
-                              ->take_all();
-    // Behind the flag the readings may stand as long as they were not named: more than one file is its only after them.
-    const auto* more = addInputOption(*command, invocation, "HISTORY.csv", options->moreHistory, "more files of --history");
+    addInputOption(
+        *command, invocation, "--history", options->history.files, "a Swing CSV of an earlier swing of the compass; once for each")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
     command->add_option("--of", options->history.swing, "a swing of the database: all swings of its compass are the history");
     command->add_option("--headings", options->headings, "how many headings to choose; also for a swing of n")
         ->check(CLI::Range(1, 24))
@@ -266,13 +264,7 @@ void addCheck(CLI::App& app, Invocation& invocation)
     addOutputOption(*command, invocation, "-o,--output", options->output,
         "write the check as a Swing CSV with its verdict, to be imported and signed", {".csv"});
     addCommon(*command, invocation, *options);
-    command->callback([options, &invocation, command, history, more] {
-        const auto& order = command->parse_order();
-        const auto first = std::find(order.begin(), order.end(), more);
-        if (first != order.end() && (first == order.begin() || *(first - 1) != history))
-            throw CLI::ValidationError("more files than READINGS.csv: expected them behind --history, and READINGS.csv before it");
-        auto& files = options->history.files;
-        files.insert(files.end(), options->moreHistory.begin(), options->moreHistory.end());
+    command->callback([options, &invocation] {
         if (options->readings.empty() && !options->output.empty())
             throw CLI::ValidationError("-o: there is no verdict without READINGS.csv");
         invocation.action = [options, &invocation] { return checkCommand(*options, invocation.database); };
@@ -286,9 +278,15 @@ void addCompare(CLI::App& app, Invocation& invocation)
     addInputOption(*command, invocation, "PAIRS.csv", options->pairs,
         "columns first_compass_deg, second_compass_deg, and magnetic_heading_deg where a datum told it")
         ->required();
-    addInputOption(*command, invocation, "--first-history", options->first.files, "Swing CSV files of earlier swings of the first compass")
-        ->take_all();
-    addInputOption(*command, invocation, "--second-history", options->second.files, "the same of the second")->take_all();
+    addInputOption(*command, invocation, "--first-history", options->first.files,
+        "a Swing CSV of an earlier swing of the first compass; once for each")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+    addInputOption(*command, invocation, "--second-history", options->second.files, "the same of the second")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
     command->add_option("--first-of", options->first.swing, "a swing of the database: all swings of its compass are the first's history");
     command->add_option("--second-of", options->second.swing, "the same of the second");
     addCommon(*command, invocation, options->common);

@@ -188,11 +188,13 @@ void addImport(CLI::App& app, Invocation& invocation)
     command->add_option("--column", options->columns, "KEY=NAME: the column NAME of the table is KEY, as date=DATUM")
         ->type_name("KEY=NAME")
         ->expected(1)
-        ->take_all();
+        ->take_all()
+        ->allow_extra_args(false);
     command->add_option("--set", options->common, "KEY=VALUE: what every swing of the table has, as stage=as_found")
         ->type_name("KEY=VALUE")
         ->expected(1)
-        ->take_all();
+        ->take_all()
+        ->allow_extra_args(false);
     command
         ->add_option(
             "--cells", options->cells, "what stands under headings that are columns: compass, deviation, indication_error or magnetic")

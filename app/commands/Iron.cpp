@@ -131,8 +131,9 @@ void addIron(CLI::App& app, Invocation& invocation)
     addInputOption(*command, invocation, "BENCH.json", options->bench, "a Bench JSON: parts, loops and wires round a sensor")->required();
     command->add_option("--state", options->states, "where a moving group is, as gear=extended (default: the first state of each group)")
         ->type_name("GROUP=STATE")
-        ->take_all()
         ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false)
         ->check([](const std::string& text) {
             const auto sign = text.find('=');
             return sign != std::string::npos && sign > 0 && sign + 1 < text.size() ? std::string()

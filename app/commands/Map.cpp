@@ -289,7 +289,11 @@ void addMap(CLI::App& app, Invocation& invocation)
     addInputOption(*command, invocation, "MODEL.json", options->model, "a Model JSON: field, soft and hard iron, circuits, misalignment")
         ->required();
     addAxes(*command, options);
-    command->add_option("--switch", options->switches, "switch a circuit of MODEL.json")->type_name("NAME=on|off")->expected(1)->take_all();
+    command->add_option("--switch", options->switches, "switch a circuit of MODEL.json")
+        ->type_name("NAME=on|off")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
     addInputOption(*command, invocation, "--minus", options->minus, "the difference to this Model JSON, switched as its file says")
         ->type_name("OTHER.json");
     command

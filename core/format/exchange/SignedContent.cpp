@@ -5,6 +5,7 @@
 #include "core/format/exchange/Exchange.h"
 #include "core/format/exchange/OptionalKeys.h"
 #include "core/format/exchange/RecordChoice.h"
+#include "core/format/json/JsonDocument.h"
 #include "core/format/json/ReadObject.h"
 #include "core/record/RecordWords.h"
 
@@ -100,19 +101,10 @@ std::string shown(const OrderedJson& object, const std::string& key)
     return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
-/// Null where they do not read. They may be a forger's, nested a million deep, which no copy of such a document survives.
+/// Null where they do not read: they may be a forger's, nested a million deep, which no copy of such a document survives.
 OrderedJson readParticulars(const std::string& text)
 {
-    constexpr int kDeepest = 32;
-    bool tooDeep = false;
-    OrderedJson document = OrderedJson::parse(
-        text,
-        [&tooDeep](int depth, OrderedJson::parse_event_t, const OrderedJson&) {
-            tooDeep = tooDeep || depth > kDeepest;
-            return !tooDeep;
-        },
-        false);
-    return tooDeep ? OrderedJson() : document;
+    return parseJson(text, {}, {}).ok() ? OrderedJson::parse(text, nullptr, false) : OrderedJson();
 }
 
 } // namespace

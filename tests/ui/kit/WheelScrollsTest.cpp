@@ -26,7 +26,8 @@ void turnOver(QWidget& widget)
 {
     const QPointF place = widget.rect().center();
     QWheelEvent wheel(place, widget.mapToGlobal(place), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&widget, &wheel);
+    QSpontaneKeyEvent::setSpontaneous(&wheel); // as of a hand: Qt carries no other on to what stands around
+    qApp->notify(&widget, &wheel);
 }
 
 } // namespace
