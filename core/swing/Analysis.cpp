@@ -235,7 +235,7 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
             return *std::move(fault);
         analysis.warnings.push_back(
             {MARKED("core",
-                 "the reading on %1 goes with none of the others: the coefficients mean nothing and there is no card "
+                 "the reading on %1 magnetic goes with none of the others: the coefficients mean nothing and there is no card "
                  "until it is read again or excluded"),
                 formatHeading(readings[*astray].magnetic.degrees(), AngleStyle::DecimalDegrees, 0)});
     }

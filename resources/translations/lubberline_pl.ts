@@ -4655,8 +4655,8 @@
         </translation>
     </message>
     <message>
-        <source>the reading on %1 goes with none of the others: the coefficients mean nothing and there is no card until it is read again or excluded</source>
-        <translation>odczyt na %1 nie zgadza się z żadnym z pozostałych: współczynniki nic nie znaczą i nie ma tabliczki, dopóki nie zostanie odczytany ponownie lub wykluczony</translation>
+        <source>the reading on %1 magnetic goes with none of the others: the coefficients mean nothing and there is no card until it is read again or excluded</source>
+        <translation>odczyt na %1 magnetycznym nie zgadza się z żadnym z pozostałych: współczynniki nic nie znaczą i nie ma tabliczki, dopóki nie zostanie odczytany ponownie lub wykluczony</translation>
     </message>
     <message>
         <source>is no moment; expected UTC as YYYY-MM-DDTHH:MM:SSZ</source>

@@ -61,6 +61,8 @@ TEST_F(FleetCommand, tellsThePopulationThatWasPutIn)
     // Before the training A stood off: one alarm a base and crew, and not one a date.
     std::map<std::string, int> alarms;
     for (const auto& alarm : told["charts"]["alarms"]) {
+        EXPECT_EQ(alarm["date"], alarm["first_date"]); // as scripts have read it from the first
+        EXPECT_EQ(alarm["chart"], alarm["cusum"] ? "cusum" : "ewma");
         EXPECT_LE(alarm["first_date"], alarm["last_date"]);
         ++alarms[alarm.value("site", "") + alarm.value("crew", "") + (alarm["average_A_deg"] > told["charts"]["centre_A_deg"] ? "+" : "-")];
     }

@@ -168,8 +168,9 @@ Json chartsJson(const std::optional<ChartWatch>& charts)
                 {"run_length_at_one_sigma", toTenDecimals(charts->cusumShiftFoundAfter)}}},
         {"alarms", Json::array()}};
     for (const auto& alarm : charts->alarms)
-        json["alarms"].push_back({{alarm.crew ? "crew" : "site", alarm.name}, {"ewma", alarm.ewma}, {"cusum", alarm.cusum},
-            {"first_date", dateOfDay(alarm.day)}, {"last_date", dateOfDay(alarm.last_day)},
+        json["alarms"].push_back({{alarm.crew ? "crew" : "site", alarm.name}, {"chart", alarm.cusum ? "cusum" : "ewma"},
+            {"date", dateOfDay(alarm.day)}, // these two as ever, for scripts that read them; the next four tell more
+            {"ewma", alarm.ewma}, {"cusum", alarm.cusum}, {"first_date", dateOfDay(alarm.day)}, {"last_date", dateOfDay(alarm.last_day)},
             {"average_A_deg", toTenDecimals(alarm.level_deg)}, {"words", inWords(alarm).english()}});
     return json;
 }
