@@ -1,5 +1,6 @@
 #include <cmath>
 #include <memory>
+#include <span>
 
 #include "app/Console.h"
 #include "app/Outputs.h"
@@ -25,7 +26,7 @@ struct ReferenceArguments {
     bool json = false;
 };
 
-double worst(const std::vector<double>& errors_rad)
+double worst(std::span<const double> errors_rad)
 {
     double most = 0;
     for (const double error : errors_rad)

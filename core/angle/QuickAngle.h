@@ -25,17 +25,26 @@ struct SineCosine {
     double sine = 0, cosine = 1;
 };
 
-/// Of radians.
-inline SineCosine quickSineCosine(double angle_rad)
+/// Where the series of sineCosineNearZero() hold: to some 45°.
+inline bool nearZero(double angle_rad) { return std::abs(angle_rad) <= 0.79; }
+
+/// Of radians, without a branch.
+inline SineCosine sineCosineNearZero(double angle_rad)
 {
     constexpr std::array kSine{
         1.0, -1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800.0, -1.0 / 1307674368000.0};
     constexpr std::array kCosine{
         1.0, -0.5, 1.0 / 24, -1.0 / 720, 1.0 / 40320, -1.0 / 3628800, 1.0 / 479001600, -1.0 / 87178291200.0, 1.0 / 20922789888000.0};
-    if (!(std::abs(angle_rad) <= 0.79)) // some 45°
-        return {std::sin(angle_rad), std::cos(angle_rad)};
     const double square = angle_rad * angle_rad;
     return {angle_rad * polynomial(square, kSine), polynomial(square, kCosine)};
+}
+
+/// Of radians.
+inline SineCosine quickSineCosine(double angle_rad)
+{
+    if (!nearZero(angle_rad))
+        return {std::sin(angle_rad), std::cos(angle_rad)};
+    return sineCosineNearZero(angle_rad);
 }
 
 /// Of degrees, of which quarters of a turn are taken off exactly.
@@ -54,15 +63,19 @@ inline SineCosine quickSineCosineOfDegrees(double angle_deg)
     }
 }
 
-/// std::atan2 [rad].
-inline double quickArctangent(double y, double x)
+/// Where the series of arctangentNearZero() holds: to some 11°.
+inline bool arctangentIsNearZero(double y, double x) { return std::abs(y) < 0.2 * x; }
+
+/// std::atan2 [rad], without a branch.
+inline double arctangentNearZero(double y, double x)
 {
     constexpr std::array kSeries{1.0, -1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13, -1.0 / 15, 1.0 / 17, -1.0 / 19};
-    if (!(std::abs(y) < 0.2 * x))
-        return std::atan2(y, x);
     const double tangent = y / x;
     return tangent * polynomial(tangent * tangent, kSeries);
 }
+
+/// std::atan2 [rad].
+inline double quickArctangent(double y, double x) { return arctangentIsNearZero(y, x) ? arctangentNearZero(y, x) : std::atan2(y, x); }
 
 /// Where (east, north) points, clockwise from north in [0, 360), within 2e-6° [Abramowitz & Stegun 4.4.49]: for plots and means.
 inline double directionNearly_deg(double east, double north)

@@ -5,6 +5,7 @@
 
 #include "core/angle/Angle.h"
 #include "core/angle/QuickAngle.h"
+#include "core/base/VectorClones.h"
 #include "core/reference/DirectionalGyro.h"
 
 namespace lubberline {
@@ -63,44 +64,103 @@ void hangingAttitudes(MotionPart points, std::vector<TurnedBy>& attitudes)
     }
 }
 
+AircraftField::AircraftField(const Scenario& scenario, bool iron)
+    : m_iron(iron && scenario.compass.model)
+    , m_response(m_iron ? responseOf(*scenario.compass.model) : SensorResponse{})
+    , m_field(meridianOf(scenario))
+{
+}
+
+double AircraftField::smallest_nT() const { return 1e-9 * (m_response.gain.norm() * m_field.total_nT() + m_response.offset_nT.norm()); }
+
+void AircraftField::take(MotionPart points, const std::vector<TurnedBy>& body, LevelField& field) const
+{
+    for (auto* const along : {&field.forward, &field.starboard, &field.down})
+        along->resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        Eigen::Vector3d seen(m_field.horizontal_nT * points[i].cosHeading, -m_field.horizontal_nT * points[i].sinHeading, m_field.down_nT);
+        if (m_iron)
+            seen = outOf(body[i], m_response.gain * into(body[i], seen) + m_response.offset_nT);
+        field.forward[i] = seen.x();
+        field.starboard[i] = seen.y();
+        field.down[i] = seen.z();
+    }
+}
+
+namespace {
+
+/// The field across the sensor, turned back by the true heading: read heading less true heading is one arctangent of it.
+LUBBERLINE_VECTOR_CLONES void acrossTilted(
+    const MotionPoint* points, const LevelField& field, const TurnedBy* sensor, std::size_t count, double* north, double* east)
+{
+    const double *forward = field.forward.data(), *starboard = field.starboard.data(), *down = field.down.data();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = sensor[i].cosPitch * forward[i] - sensor[i].sinPitch * down[i];
+        const double z = sensor[i].sinPitch * forward[i] + sensor[i].cosPitch * down[i];
+        const double y = sensor[i].cosRoll * starboard[i] + sensor[i].sinRoll * z;
+        north[i] = x * points[i].cosHeading - y * points[i].sinHeading;
+        east[i] = -y * points[i].cosHeading - x * points[i].sinHeading;
+    }
+}
+
+LUBBERLINE_VECTOR_CLONES void acrossLevel(
+    const MotionPoint* points, const LevelField& field, std::size_t count, double* north, double* east)
+{
+    const double *forward = field.forward.data(), *starboard = field.starboard.data();
+    for (std::size_t i = 0; i < count; ++i) {
+        north[i] = forward[i] * points[i].cosHeading - starboard[i] * points[i].sinHeading;
+        east[i] = -starboard[i] * points[i].cosHeading - forward[i] * points[i].sinHeading;
+    }
+}
+
+LUBBERLINE_VECTOR_CLONES void arctangentsNearZero(const double* east, const double* north, std::size_t count, double* angle)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        angle[i] = arctangentNearZero(east[i], north[i]);
+}
+
+LUBBERLINE_VECTOR_CLONES void sinesNearZero(const AxisTilt* tilt, std::size_t count, TurnedBy* attitudes)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        const SineCosine pitch = sineCosineNearZero(tilt[i].forward_rad), roll = sineCosineNearZero(tilt[i].starboard_rad);
+        attitudes[i] = {-pitch.sine, pitch.cosine, roll.sine, roll.cosine};
+    }
+}
+
+} // namespace
+
 void platformAttitudes(const std::vector<AxisTilt>& tilt, std::vector<TurnedBy>& attitudes)
 {
     attitudes.resize(tilt.size());
-    std::transform(tilt.begin(), tilt.end(), attitudes.begin(), [](const AxisTilt& axis) {
-        const SineCosine pitch = quickSineCosine(axis.forward_rad), roll = quickSineCosine(axis.starboard_rad);
-        return TurnedBy{-pitch.sine, pitch.cosine, roll.sine, roll.cosine};
-    });
+    sinesNearZero(tilt.data(), tilt.size(), attitudes.data());
+    for (std::size_t i = 0; i < tilt.size(); ++i)
+        if (!nearZero(tilt[i].forward_rad) || !nearZero(tilt[i].starboard_rad)) {
+            const SineCosine pitch = quickSineCosine(tilt[i].forward_rad), roll = quickSineCosine(tilt[i].starboard_rad);
+            attitudes[i] = {-pitch.sine, pitch.cosine, roll.sine, roll.cosine};
+        }
 }
 
-MagneticSensor::MagneticSensor(const Scenario& scenario, bool deviation)
-    : m_iron(deviation && scenario.compass.model)
-    , m_response(m_iron ? responseOf(*scenario.compass.model) : SensorResponse{})
-    , m_field(meridianOf(scenario))
-    , m_smallest(1e-9 * (m_response.gain.norm() * m_field.total_nT() + m_response.offset_nT.norm()))
+void MagneticSensor::take(MotionPart points, const LevelField& field, std::span<const TurnedBy> sensor, ErrorSeries& errors)
 {
-}
-
-void MagneticSensor::take(MotionPart points, const std::vector<TurnedBy>& body, std::span<const TurnedBy> sensor, ErrorSeries& errors)
-{
-    errors.assign(points.size(), 0.0);
-    if (!m_iron && sensor.empty())
-        return;
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-        const MotionPoint& point = points[i];
-        Eigen::Vector3d seen(m_field.horizontal_nT * point.cosHeading, -m_field.horizontal_nT * point.sinHeading, m_field.down_nT);
-        if (m_iron)
-            seen = outOf(body[i], m_response.gain * into(body[i], seen) + m_response.offset_nT);
-        if (!sensor.empty())
-            seen = into(sensor[i], seen);
-        // Read heading less true heading, by one arctangent.
-        const double north = seen.x() * point.cosHeading - seen.y() * point.sinHeading;
-        const double east = -seen.y() * point.cosHeading - seen.x() * point.sinHeading;
-        if (std::abs(north) + std::abs(east) <= m_smallest)
-            m_vanished = true;
-        else
-            m_last = quickArctangent(east, north);
-        errors[i] = m_last;
+    const std::size_t count = points.size();
+    m_north.resize(count);
+    m_east.resize(count);
+    errors.resize(count);
+    if (sensor.empty())
+        acrossLevel(points.data(), field, count, m_north.data(), m_east.data());
+    else
+        acrossTilted(points.data(), field, sensor.data(), count, m_north.data(), m_east.data());
+    arctangentsNearZero(m_east.data(), m_north.data(), count, errors.data());
+    for (std::size_t i = 0; i < count; ++i) {
+        const double north = m_north[i], east = m_east[i];
+        if (arctangentIsNearZero(east, north) && north > m_smallest_nT)
+            continue;
+        const bool gone = std::abs(north) + std::abs(east) <= m_smallest_nT;
+        m_vanished = m_vanished || gone;
+        errors[i] = !gone ? std::atan2(east, north) : i > 0 ? errors[i - 1] : m_last;
     }
+    if (count > 0)
+        m_last = errors.back();
 }
 
 void LiquidCard::take(MotionPart points, const std::vector<TurnedBy>& body, std::span<const TurnedBy> sensor, const ErrorSeries& sensor_rad,
@@ -194,29 +254,23 @@ ShownByGyro::ShownByGyro(const HeadingGyro& gyro, bool slaved, double step_s)
     m_fast = perStep(gyro.fastRate_deg_min);
 }
 
-void ShownByGyro::take(MotionPart points, std::span<const double> drift_rad_s, const ErrorSeries& sensor_rad, ErrorSeries& errors)
+double ShownByGyro::next(double turnRate_rad_s, double drift_rad_s, double sensor_rad)
 {
-    errors.resize(points.size());
-    double error = m_error;
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-        errors[i] = error;
-        const double drift = drift_rad_s.empty() ? 0 : drift_rad_s[i];
-        if (!m_slaved || std::abs(points[i].turnRate_rad_s) > m_cutout) {
-            error = wrapped(error + drift * m_step_s);
-            continue;
-        }
-        const double behind = wrapped(sensor_rad[i] - error);
-        if (m_tau_s > 0 && std::abs(behind) <= m_fastAbove) {
-            // Exact over the step, where the rate is not limited.
-            const double step = (behind + m_tau_s * drift) * m_follow, slaving = step - drift * m_step_s;
-            error = wrapped(error + (std::abs(slaving) <= m_most ? step : std::copysign(m_most, behind) + drift * m_step_s));
-            continue;
-        }
-        const double reach = std::abs(behind) > m_fastAbove ? m_fast : m_most;
-        const double wanted = behind - drift * m_step_s;
-        error = wrapped(error + std::clamp(wanted, -reach, reach) + drift * m_step_s);
+    const double shown = m_error, drift = drift_rad_s * m_step_s;
+    if (!m_slaved || std::abs(turnRate_rad_s) > m_cutout) {
+        m_error = wrapped(shown + drift);
+        return shown;
     }
-    m_error = error;
+    const double behind = wrapped(sensor_rad - shown);
+    if (m_tau_s > 0 && std::abs(behind) <= m_fastAbove) {
+        // Exact over the step, where the rate is not limited.
+        const double step = (behind + m_tau_s * drift_rad_s) * m_follow, slaving = step - drift;
+        m_error = wrapped(shown + (std::abs(slaving) <= m_most ? step : std::copysign(m_most, behind) + drift));
+        return shown;
+    }
+    const double reach = std::abs(behind) > m_fastAbove ? m_fast : m_most;
+    m_error = wrapped(shown + std::clamp(behind - drift, -reach, reach) + drift);
+    return shown;
 }
 
 } // namespace lubberline

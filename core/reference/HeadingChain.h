@@ -28,20 +28,38 @@ void hangingAttitudes(MotionPart points, std::vector<TurnedBy>& attitudes);
 /// Of a sensor on a platform with this tilt.
 void platformAttitudes(const std::vector<AxisTilt>& tilt, std::vector<TurnedBy>& attitudes);
 
-/// What the sensor reads: the aircraft's iron turns with the aircraft.
+/// The field where the sensor is, forward, starboard and down in level axes along the heading [nT].
+struct LevelField {
+    std::vector<double> forward, starboard, down;
+};
+
+/// The Earth's field in the aircraft, with its iron or without; the iron turns with the aircraft.
+class AircraftField {
+public:
+    AircraftField(const Scenario& scenario, bool iron);
+    void take(MotionPart points, const std::vector<TurnedBy>& body, LevelField& field) const;
+    /// Less of it across the sensor tells no heading [nT].
+    [[nodiscard]] double smallest_nT() const;
+
+private:
+    bool m_iron;
+    SensorResponse m_response;
+    MeridianField m_field;
+};
+
+/// What the sensor reads in a field.
 class MagneticSensor {
 public:
-    MagneticSensor(const Scenario& scenario, bool deviation);
+    explicit MagneticSensor(double smallest_nT) : m_smallest_nT(smallest_nT) {}
     /// @param sensor empty: level
-    void take(MotionPart points, const std::vector<TurnedBy>& body, std::span<const TurnedBy> sensor, ErrorSeries& errors);
+    void take(MotionPart points, const LevelField& field, std::span<const TurnedBy> sensor, ErrorSeries& errors);
     /// No horizontal field was left at times: what was read before stays.
     [[nodiscard]] bool vanished() const { return m_vanished; }
 
 private:
-    bool m_iron, m_vanished = false;
-    SensorResponse m_response;
-    MeridianField m_field;
-    double m_smallest, m_last = 0;
+    double m_smallest_nT, m_last = 0;
+    bool m_vanished = false;
+    std::vector<double> m_north, m_east;
 };
 
 /// The card in its liquid [own]: ë + 2ζω(ė + ω_liquid) + ω² sin(e − e_m) = 0, τ_L ω̇_liquid = ψ̇ − ω_liquid; where it binds it turns with
@@ -68,8 +86,8 @@ void gimbalErrors(const HeadingGyro& gyro, MotionPart points, const std::vector<
 class ShownByGyro {
 public:
     ShownByGyro(const HeadingGyro& gyro, bool slaved, double step_s);
-    /// @param drift_rad_s empty: none
-    void take(MotionPart points, std::span<const double> drift_rad_s, const ErrorSeries& sensor_rad, ErrorSeries& errors);
+    /// What it shows at a point; then it goes on to the next.
+    double next(double turnRate_rad_s, double drift_rad_s, double sensor_rad);
 
 private:
     bool m_slaved;

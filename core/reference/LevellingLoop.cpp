@@ -89,15 +89,4 @@ LinearLoop::LinearLoop(const VerticalGyro& loop, double step_s) : m_damped(hasDa
     m_step = exponential(rate * step_s).topRows<3>();
 }
 
-LoopState LinearLoop::next(const LoopState& state, double apparentTilt_rad, double driftLessRate_rad_s) const
-{
-    const auto row = [&](int i) {
-        return m_step(i, 0) * state.tilt_rad + m_step(i, 1) * state.sensed_rad + m_step(i, 2) * state.integral_rad_s
-            + m_step(i, 3) * apparentTilt_rad + m_step(i, 4) * driftLessRate_rad_s;
-    };
-    LoopState after{row(0), 0, row(2)};
-    after.sensed_rad = m_damped ? row(1) : after.tilt_rad - apparentTilt_rad;
-    return after;
-}
-
 } // namespace lubberline

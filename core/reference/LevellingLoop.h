@@ -43,7 +43,17 @@ struct LoopState {
 class LinearLoop {
 public:
     LinearLoop(const VerticalGyro& loop, double step_s);
-    [[nodiscard]] LoopState next(const LoopState& state, double apparentTilt_rad, double driftLessRate_rad_s) const;
+    [[nodiscard]] LoopState next(const LoopState& state, double apparentTilt_rad, double driftLessRate_rad_s) const
+    {
+        const auto row = [&](int i) {
+            // What does not wait for the state before is added first.
+            const double driven = m_step(i, 3) * apparentTilt_rad + m_step(i, 4) * driftLessRate_rad_s;
+            return driven + m_step(i, 0) * state.tilt_rad + m_step(i, 1) * state.sensed_rad + m_step(i, 2) * state.integral_rad_s;
+        };
+        LoopState after{row(0), 0, row(2)};
+        after.sensed_rad = m_damped ? row(1) : after.tilt_rad - apparentTilt_rad;
+        return after;
+    }
 
 private:
     Eigen::Matrix<double, 3, 5> m_step; ///< of σ, m, I, a_H/g, u

@@ -37,15 +37,16 @@ public:
     explicit GustNoise(std::uint32_t seed) : m_state(seed) {}
     double operator()()
     {
-        std::uint32_t sum = 0;
+        constexpr std::uint64_t kSecondParts = 0x0000FFFF0000FFFFULL; // of four parts of 16 bits, with room to add them
+        std::uint64_t sums = 0;
         for (int draw = 0; draw < 3; ++draw) {
             std::uint64_t bits = m_state += 0x9E3779B97F4A7C15ULL;
             bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9ULL;
             bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBULL;
             bits ^= bits >> 31;
-            for (int part = 0; part < 4; ++part)
-                sum += static_cast<std::uint32_t>(bits >> (16 * part)) & 0xFFFF;
+            sums += (bits & kSecondParts) + (bits >> 16 & kSecondParts);
         }
+        const std::uint64_t sum = (sums & 0xFFFFFFFF) + (sums >> 32);
         return (static_cast<double>(sum) + 6.0) * 0x1p-16 - 6.0; // each in the middle of its step
     }
 

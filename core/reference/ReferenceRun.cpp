@@ -14,9 +14,9 @@ namespace lubberline {
 
 namespace {
 
-/// Which causes take part.
+/// Which causes take part. The gimbals are not asked: they only add to what the gyro shows.
 struct Causes {
-    bool tilt = true, deviation = true, slaving = true, drift = true, gimbal = true, card = true;
+    bool tilt = true, deviation = true, slaving = true, drift = true, card = true;
 };
 
 /// The short way round.
@@ -31,6 +31,7 @@ struct Part {
     std::vector<MotionPoint> points;
     std::vector<AxisTilt> tilt; ///< of the vertical
     std::vector<TurnedBy> body, sensor;
+    LevelField withIron, withoutIron;
     std::vector<double> drift, gimbal;
 
     /// @param levelled by a vertical gyro, whose tilt is there already
@@ -41,6 +42,8 @@ struct Part {
             platformAttitudes(tilt, sensor);
         else
             hangingAttitudes(points, sensor);
+        gimbal.assign(points.size(), 0.0);
+        drift.assign(points.size(), 0.0);
         if (!scenario.gyro)
             return;
         driftOf(scenario, *scenario.gyro, points, drift);
@@ -51,7 +54,7 @@ struct Part {
 /// A run with some of the causes, part after part.
 class Run {
 public:
-    Run(const Scenario& scenario, const Causes& causes) : m_causes(causes), m_sensor(scenario, causes.deviation)
+    Run(const Scenario& scenario, const Causes& causes, double smallest_nT) : m_causes(causes), m_sensor(smallest_nT)
     {
         if (scenario.compass.card && causes.card)
             m_card.emplace(*scenario.compass.card, scenario.step_s);
@@ -59,27 +62,25 @@ public:
             m_gyro.emplace(*scenario.gyro, causes.slaving && scenario.gyro->slaved(), scenario.step_s);
     }
 
-    /// What the sensor reads where neither tilt nor deviation is left out is known from the whole run.
-    const ErrorSeries& take(const Part& part, const ErrorSeries* sensed)
+    /// What the magnetic compass reads. @param whole that of the run with all causes, whose sensor is this one's where neither tilt nor
+    /// deviation is left out
+    void sense(const Part& part, const Run* whole)
     {
         const std::span<const TurnedBy> attitudes = m_causes.tilt ? std::span<const TurnedBy>(part.sensor) : std::span<const TurnedBy>();
-        if (!sensed || !(m_causes.tilt && m_causes.deviation)) {
-            m_sensor.take(part.points, part.body, attitudes, m_sensed);
-            sensed = &m_sensed;
-        }
+        m_read = whole && m_causes.tilt && m_causes.deviation ? &whole->m_sensed : &m_sensed;
+        if (m_read == &m_sensed)
+            m_sensor.take(part.points, m_causes.deviation ? part.withIron : part.withoutIron, attitudes, m_sensed);
         if (m_card) {
-            m_card->take(part.points, part.body, attitudes, *sensed, m_carried);
-            sensed = &m_carried;
+            m_card->take(part.points, part.body, attitudes, *m_read, m_carried);
+            m_read = &m_carried;
         }
-        if (!m_gyro)
-            return *sensed;
-        m_gyro->take(part.points, m_causes.drift ? std::span<const double>(part.drift) : std::span<const double>(), *sensed, m_shown);
-        if (m_causes.gimbal)
-            for (std::size_t i = 0; i < m_shown.size(); ++i)
-                m_shown[i] = difference(m_shown[i] + part.gimbal[i], 0);
-        return m_shown;
     }
-    [[nodiscard]] const ErrorSeries& sensed() const { return m_sensed; }
+    /// What the gyro makes of it, its gimbals apart.
+    double show(const Part& part, std::size_t i)
+    {
+        const double read = (*m_read)[i];
+        return m_gyro ? m_gyro->next(part.points[i].turnRate_rad_s, m_causes.drift ? part.drift[i] : 0.0, read) : read;
+    }
     [[nodiscard]] bool vanished() const { return m_sensor.vanished(); }
 
 private:
@@ -87,12 +88,13 @@ private:
     MagneticSensor m_sensor;
     std::optional<LiquidCard> m_card;
     std::optional<ShownByGyro> m_gyro;
-    ErrorSeries m_sensed, m_carried, m_shown;
+    ErrorSeries m_sensed, m_carried;
+    const ErrorSeries* m_read = nullptr;
 };
 
 struct Without {
     ErrorSource source;
-    bool Causes::*cause;
+    bool Causes::*cause; ///< none: the gimbals
 };
 
 std::vector<Without> sourcesOf(const Scenario& scenario)
@@ -104,7 +106,7 @@ std::vector<Without> sourcesOf(const Scenario& scenario)
         if (scenario.gyro->slaved())
             sources.push_back({ErrorSource::Slaving, &Causes::slaving});
         sources.push_back({ErrorSource::Drift, &Causes::drift});
-        sources.push_back({ErrorSource::Gimbal, &Causes::gimbal});
+        sources.push_back({ErrorSource::Gimbal, nullptr});
     }
     if (scenario.compass.card)
         sources.push_back({ErrorSource::Card, &Causes::card});
@@ -118,6 +120,25 @@ void apparentTilt(const std::vector<MotionPoint>& points, std::vector<AxisTilt>&
         const double gravity = point.gravity_m_s2();
         return AxisTilt{quickArctangent(point.sensedForward_m_s2(), gravity), quickArctangent(point.sensedStarboard_m_s2(), gravity)};
     });
+}
+
+/// Point after point for all runs at once: each waits for its own point before, and one fills the pauses of the others.
+void share(const Part& part, Run& whole, std::vector<Run>& without, const std::vector<Without>& sources, std::vector<ErrorSeries>& shares,
+    ErrorSeries& errors)
+{
+    for (std::size_t i = 0; i < part.points.size(); ++i) {
+        const double shown = whole.show(part, i), gimbal = part.gimbal[i];
+        const double all = gimbal != 0 ? difference(shown + gimbal, 0) : shown;
+        double together = all;
+        auto other = without.begin();
+        for (std::size_t source = 0; source < sources.size(); ++source) {
+            const double its = sources[source].cause ? difference(shown, (other++)->show(part, i)) : gimbal;
+            shares[source][i] = its;
+            together -= its;
+        }
+        errors[i] = all;
+        shares.back()[i] = together;
+    }
 }
 
 /// [0, 2π)
@@ -143,15 +164,18 @@ Result<ReferenceRun> runScenario(const Scenario& scenario, const Progress& progr
         run.standoff_rad = std::hypot(standoff.forward_rad, standoff.starboard_rad);
     }
     const bool levelled = scenario.vertical && scenario.compass.type == CompassType::FluxValve;
-    Run whole(scenario, {});
+    const AircraftField iron(scenario, true), noIron(scenario, false);
+    Run whole(scenario, {}, iron.smallest_nT());
+    std::vector<Run> without; // by source; that of the gimbals needs none
     const std::vector<Without> sources = sourcesOf(scenario);
-    std::vector<Run> without;
     const std::size_t size = motion.size();
     for (const Without& source : sources) {
+        run.shares.push_back({source.source, {}});
+        if (!source.cause)
+            continue;
         Causes causes;
         causes.*source.cause = false;
-        without.emplace_back(scenario, causes);
-        run.shares.push_back({source.source, {}});
+        without.emplace_back(scenario, causes, (causes.deviation ? iron : noIron).smallest_nT());
     }
     run.shares.push_back({ErrorSource::Together, {}});
     for (ErrorShare& share : run.shares)
@@ -161,7 +185,9 @@ Result<ReferenceRun> runScenario(const Scenario& scenario, const Progress& progr
     run.tilt.resize(size);
     run.headingError_rad.resize(size);
     Part part;
-    constexpr std::size_t kPart = 1024; // points: what one part needs stays in the processor's cache
+    constexpr std::size_t kPart = 1024;                                     // points: what one part needs stays in the processor's cache
+    std::vector<ErrorSeries> shares(run.shares.size(), ErrorSeries(kPart)); // of a part
+    ErrorSeries errors(kPart);
     for (std::size_t from = 0; from < size; from += part.points.size()) {
         if (progress && !progress(static_cast<double>(from) / static_cast<double>(size)))
             return Error{ErrorCode::Cancelled, MARKED("core", "cancelled")};
@@ -173,19 +199,18 @@ Result<ReferenceRun> runScenario(const Scenario& scenario, const Progress& progr
         part.complete(scenario, levelled);
         if (from == 0 && scenario.gyro && scenario.gyro->slavingTau_s)
             run.slavingStandoff_rad = slavingStandoff_rad(*scenario.gyro->slavingTau_s, part.drift.front());
-        const ErrorSeries& all = whole.take(part, nullptr);
-        double* const together = run.shares.back().error_rad.data() + from;
-        std::copy(all.begin(), all.end(), together);
-        std::copy(all.begin(), all.end(), run.headingError_rad.begin() + static_cast<std::ptrdiff_t>(from));
-        std::copy(part.tilt.begin(), part.tilt.end(), run.tilt.begin() + static_cast<std::ptrdiff_t>(from));
-        for (std::size_t source = 0; source < sources.size(); ++source) {
-            const ErrorSeries& errors = without[source].take(part, &whole.sensed());
-            double* const share = run.shares[source].error_rad.data() + from;
-            for (std::size_t i = 0; i < errors.size(); ++i) {
-                share[i] = difference(all[i], errors[i]);
-                together[i] -= share[i];
-            }
-        }
+        iron.take(part.points, part.body, part.withIron);
+        if (scenario.compass.model)
+            noIron.take(part.points, part.body, part.withoutIron);
+        whole.sense(part, nullptr);
+        for (Run& one : without)
+            one.sense(part, &whole);
+        share(part, whole, without, sources, shares, errors);
+        const auto count = static_cast<std::ptrdiff_t>(part.points.size()), begin = static_cast<std::ptrdiff_t>(from);
+        std::copy_n(part.tilt.begin(), count, run.tilt.begin() + begin);
+        std::copy_n(errors.begin(), count, run.headingError_rad.begin() + begin);
+        for (std::size_t one = 0; one < shares.size(); ++one)
+            std::copy_n(shares[one].begin(), count, run.shares[one].error_rad.begin() + begin);
         for (std::size_t i = 0; i < part.points.size(); ++i) {
             run.time_s[from + i] = static_cast<double>(from + i) * scenario.step_s;
             run.heading_rad[from + i] = aroundOnce(part.points[i].heading_rad);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/Progress.h"
+#include "core/reference/LongSeries.h"
 #include "core/reference/Motion.h"
 #include "core/reference/VerticalRun.h"
 
@@ -18,16 +19,16 @@ inline constexpr std::array kErrorSources{ErrorSource::Tilt, ErrorSource::OwnDev
 
 struct ErrorShare {
     ErrorSource source = ErrorSource::Together;
-    std::vector<double> error_rad;
+    LongSeries<double> error_rad;
 };
 
 struct ReferenceRun {
-    std::vector<double> time_s;
-    std::vector<double> heading_rad;      ///< magnetic, [0, 2π)
-    std::vector<AxisTilt> tilt;           ///< of the vertical; without a vertical gyro that of the apparent vertical
-    std::vector<double> headingError_rad; ///< read − magnetic
-    std::vector<ErrorShare> shares;       ///< of the sources that the scenario has, and together
-    std::optional<double> standoff_rad;   ///< of the vertical gyro
+    LongSeries<double> time_s;
+    LongSeries<double> heading_rad;      ///< magnetic, [0, 2π)
+    LongSeries<AxisTilt> tilt;           ///< of the vertical; without a vertical gyro that of the apparent vertical
+    LongSeries<double> headingError_rad; ///< read − magnetic
+    std::vector<ErrorShare> shares;      ///< of the sources that the scenario has, and together
+    std::optional<double> standoff_rad;  ///< of the vertical gyro
     std::optional<double> slavingStandoff_rad;
     std::vector<Message> warnings;
 };

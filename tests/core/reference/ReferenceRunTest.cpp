@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/angle/Angle.h"
 #include "core/reference/DirectionalGyro.h"
@@ -13,7 +14,7 @@
 namespace lubberline {
 namespace {
 
-const std::vector<double>& shareOf(const ReferenceRun& run, ErrorSource source)
+const LongSeries<double>& shareOf(const ReferenceRun& run, ErrorSource source)
 {
     for (const auto& share : run.shares)
         if (share.source == source)
@@ -51,7 +52,7 @@ Scenario flight()
     return scenario;
 }
 
-double rms(const std::vector<double>& values)
+double rms(std::span<const double> values)
 {
     double sum = 0;
     for (const double value : values)
