@@ -103,8 +103,11 @@ bool SwingEditor::readAgain(ReadingId only)
         return false;
     if (*row == *stored)
         return true;
+    const bool counts = row->used() != stored->used();
     *row = std::move(stored.value());
-    analyseRecord();
+    if (counts)
+        m_used = usedReadings(m_record.swing);
+    askForResult();
     emit readingChanged(static_cast<int>(row - rows.begin()));
     return true;
 }
@@ -142,6 +145,11 @@ void SwingEditor::readSiblings()
 void SwingEditor::analyseRecord()
 {
     m_used = usedReadings(m_record.swing);
+    askForResult();
+}
+
+void SwingEditor::askForResult()
+{
     auto question = m_context.stores.results.questionOf(m_record, m_siblings);
     if (!question) {
         take(question.error());

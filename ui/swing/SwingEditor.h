@@ -85,6 +85,7 @@ private:
     bool readAgain(ReadingId only);
     void readSiblings();
     void analyseRecord();
+    void askForResult(); ///< of the readings that are known to count
     void take(Result<Analysis> result);
     void analysePrevious();
     bool run(QUndoCommand* edit);

@@ -92,13 +92,17 @@ private:
     QWidget* buildResults();
     void connectParts();
     void showRecord();
+    void onRowChanged();
+    [[nodiscard]] int currentRow() const; ///< −1: none, or the empty row
+
+    // SwingPageResults.cpp: what the readings tell
     void showResults();
+    void showComputing();
     [[nodiscard]] QString meaning() const;
+    [[nodiscard]] QString computingWords(const QString& meant) const;
     void showMessageLine();
     [[nodiscard]] QString suspicion() const;
     [[nodiscard]] QString remark() const;
-    void onRowChanged();
-    [[nodiscard]] int currentRow() const; ///< −1: none, or the empty row
 
     // SwingPagePanels.cpp: what opens above the readings
     void showParticulars(bool visible);
@@ -123,6 +127,7 @@ private:
     QLabel* m_state;
     QProgressBar* m_computing; ///< in front while results of a log are computed
     QLabel* m_meaning;
+    QString m_meant; ///< what it said of the last results
     QLabel* m_readOnly;
     QToolButton* m_showParticulars;
     QToolButton* m_showSigning;

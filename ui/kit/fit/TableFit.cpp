@@ -70,7 +70,7 @@ public:
         QHeaderView& header = *table.horizontalHeader();
         header.setStretchLastSection(false);
         header.setSectionResizeMode(QHeaderView::Interactive);
-        header.setResizeContentsPrecision(0); // of the rows that are seen: some have thousands
+        header.setResizeContentsPrecision(64); // about as many rows as are seen: some have thousands (0 looks at all of them)
         m_soon.setSingleShot(true);
         connect(&m_soon, &QTimer::timeout, this, &ColumnFit::fit);
         table.viewport()->installEventFilter(this);

@@ -37,7 +37,7 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent) : QTableView
     horizontalHeader()->setHighlightSections(false);
     for (int column = 0; column < kReadingColumns; ++column)
         setColumnWidth(column, std::max(fontMetrics().horizontalAdvance("000°00'W0"), horizontalHeader()->sectionSizeHint(column)));
-    horizontalHeader()->setResizeContentsPrecision(0); // of the rows that are seen: a log has thousands
+    horizontalHeader()->setResizeContentsPrecision(64); // about as many rows as are seen: a log has thousands
     horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::State), QHeaderView::ResizeToContents);
     horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance("Note00"));
     horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::Note), QHeaderView::Stretch);
