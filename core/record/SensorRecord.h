@@ -6,6 +6,7 @@
 
 #include "core/iron/FerrousPart.h"
 #include "core/record/Id.h"
+#include "core/sensor/ModelUncertainty.h"
 #include "core/sensor/SensorModel.h"
 
 namespace lubberline {
@@ -20,8 +21,9 @@ struct SensorRecord {
     ModelOrigin origin = ModelOrigin::Entered;
     std::string note;
     SensorModel model;
-    std::optional<IronBench> bench; ///< what the model was computed from, when its origin is the iron bench
-    BenchStates benchStates;        ///< chosen states of the bench's moving parts
+    std::optional<IronBench> bench;                   ///< what the model was computed from, when its origin is the iron bench
+    BenchStates benchStates;                          ///< chosen states of the bench's moving parts
+    std::optional<ModelUncertainty> uncertainty = {}; ///< of the calibration that gave the model; none: not known
     friend bool operator==(const SensorRecord&, const SensorRecord&) = default;
 };
 

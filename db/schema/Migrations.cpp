@@ -261,11 +261,20 @@ const Migration kNinth{9,
     },
     giveNoNumberTwice};
 
+const Migration kTenth{10, "a sensor model is kept with how sure it is; results of a log may be behind its readings",
+    {
+        // As in a Model JSON; empty: not known.
+        "ALTER TABLE sensor_model ADD COLUMN uncertainty_json TEXT NOT NULL DEFAULT ''",
+        // Changes of its readings since its results were computed: no keystroke in a log waits for them.
+        "ALTER TABLE swing ADD COLUMN results_behind INTEGER NOT NULL DEFAULT 0 CHECK (results_behind >= 0)",
+        "CREATE INDEX swing_behind ON swing(id) WHERE results_behind > 0",
+    }};
+
 } // namespace
 
 const std::vector<Migration>& migrations()
 {
-    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh, kEighth, kNinth};
+    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh, kEighth, kNinth, kTenth};
     return steps;
 }
 

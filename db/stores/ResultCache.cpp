@@ -30,23 +30,13 @@ Result<void> refreshAll(Database& database, const Result<std::vector<SwingId>>& 
 Result<void> write(Database& database, SwingId swing, const CachedResult& result)
 {
     Statement statement(database,
-        "UPDATE swing SET reading_count = ?, max_abs_deviation_deg = ?, a_deg = ?, b_deg = ?, c_deg = ?, d_deg = ?, e_deg = ?, status = ?"
-        " WHERE id = ?");
+        "UPDATE swing SET reading_count = ?, max_abs_deviation_deg = ?, a_deg = ?, b_deg = ?, c_deg = ?, d_deg = ?, e_deg = ?, status = ?,"
+        " results_behind = 0 WHERE id = ?");
     statement << result.readings << result.maxAbsDeviation_deg;
     for (const auto& coefficient_deg : result.coefficient_deg)
         statement << coefficient_deg;
     statement << static_cast<int>(result.status) << swing;
     return statement.run();
-}
-
-Status statusOf(Verdict verdict)
-{
-    switch (verdict) {
-    case Verdict::InLimits: return Status::InLimits;
-    case Verdict::OutOfLimits: return Status::OutOfLimits;
-    case Verdict::NotKnown: break;
-    }
-    return Status::NotKnown;
 }
 
 /// @param complete how many readings have both headings. @param used those that are not left out.
@@ -98,6 +88,18 @@ Result<StoredHeadings> headingsOf(Database& database, SwingId id)
     return headings;
 }
 
+} // namespace
+
+Status statusOf(Verdict verdict)
+{
+    switch (verdict) {
+    case Verdict::InLimits: return Status::InLimits;
+    case Verdict::OutOfLimits: return Status::OutOfLimits;
+    case Verdict::NotKnown: break;
+    }
+    return Status::NotKnown;
+}
+
 Result<void> keep(Database& database, SwingId swing, CompassId compass, const CachedResult& result)
 {
     if (const auto written = write(database, swing, result); !written)
@@ -105,7 +107,21 @@ Result<void> keep(Database& database, SwingId swing, CompassId compass, const Ca
     return refreshCompass(database, compass);
 }
 
-} // namespace
+Result<void> markBehind(Database& database, SwingId swing, CompassId compass)
+{
+    Statement statement(database,
+        "UPDATE swing SET results_behind = results_behind + 1, max_abs_deviation_deg = NULL, a_deg = NULL, b_deg = NULL, c_deg = NULL,"
+        " d_deg = NULL, e_deg = NULL, status = ? WHERE id = ?");
+    statement << static_cast<int>(Status::NotKnown) << swing;
+    const auto done = statement.run();
+    return done ? refreshCompass(database, compass) : done;
+}
+
+Result<void> refreshBehind(Database& database)
+{
+    Statement statement(database, "SELECT id FROM swing WHERE results_behind > 0");
+    return refreshAll(database, swingIds(statement));
+}
 
 CachedResult resultOf(const Swing& swing, const std::optional<LimitsProfile>& limits)
 {
@@ -136,7 +152,7 @@ Result<void> storeResult(Database& database, const Swing& swing)
 QString statusOfLatest(const QString& compass)
 {
     return "COALESCE((SELECT s.status FROM swing s WHERE s.compass_id = " + compass
-        + ".id AND s.max_abs_deviation_deg IS NOT NULL"
+        + ".id AND (s.max_abs_deviation_deg IS NOT NULL OR s.results_behind > 0)"
           " ORDER BY s.date DESC, s.stage DESC, s.id DESC LIMIT 1), 0)";
 }
 

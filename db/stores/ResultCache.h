@@ -8,6 +8,7 @@
 #include "core/record/FleetRows.h"
 #include "core/record/Site.h"
 #include "core/record/Swing.h"
+#include "core/swing/Analysis.h"
 #include "db/engine/Database.h"
 
 namespace lubberline::db {
@@ -22,11 +23,20 @@ struct CachedResult {
 /// What core computes from the readings that count, held against the limits of the compass.
 [[nodiscard]] CachedResult resultOf(const Swing& swing, const std::optional<LimitsProfile>& limits);
 
+/// A swing of more readings than this is a log: a change of one reading marks its results as behind, and whoever analyses it keeps them.
+inline constexpr int kRefreshedAtOnce = 2000;
+/// Of a log: nothing is known of it until its results are kept or computed again. Inside the caller's transaction.
+Result<void> markBehind(Database& database, SwingId swing, CompassId compass);
+/// Computes the results of all swings that are behind (a program was killed between).
+Result<void> refreshBehind(Database& database);
+/// Keeps what was computed elsewhere of the readings as they are stored, and the status of the compass; inside the caller's transaction.
+Result<void> keep(Database& database, SwingId swing, CompassId compass, const CachedResult& result);
+[[nodiscard]] Status statusOf(Verdict verdict);
 /// Recomputes the cache of a stored swing and the status of its compass; inside the caller's transaction.
 Result<void> refreshSwing(Database& database, SwingId swing);
 /// The same for a swing that is at hand as it is stored (with its id, compass and readings).
 Result<void> storeResult(Database& database, const Swing& swing);
-/// The status of the latest swing with a result of the row `compass`, as an SQL expression.
+/// The status of the latest swing with a result, or one to come, of the row `compass`, as an SQL expression.
 [[nodiscard]] QString statusOfLatest(const QString& compass = "c");
 /// Recomputes the status of a compass from the cached status of its swings.
 Result<void> refreshCompass(Database& database, CompassId compass);

@@ -7,6 +7,8 @@
 #include "core/fleet/SoftIron.h"
 #include "db/stores/JobStore.h"
 #include "db/stores/PopulationStore.h"
+#include "db/stores/ResultCache.h"
+#include "db/stores/Saving.h"
 #include "db/stores/SwingStore.h"
 
 namespace lubberline::db {
@@ -72,6 +74,19 @@ std::optional<ExpectedCurve> historyOf(const SwingRow& before, const Swing& swin
         {toRadians(*c[0]), toRadians(*c[1]), toRadians(*c[2]), toRadians(*c[3]), toRadians(*c[4])}, before.kind, before.stage, swing);
 }
 
+CachedResult cachedOf(const SwingRecord& record, const Analysis& analysis)
+{
+    CachedResult result;
+    const auto& readings = record.swing.readings;
+    result.readings = static_cast<int>(std::count_if(readings.begin(), readings.end(), [](const Reading& one) { return one.complete(); }));
+    result.maxAbsDeviation_deg = toDegrees(analysis.summary.maxAbsDeviation_rad);
+    for (std::size_t i = 0; i < result.coefficient_deg.size(); ++i)
+        if (const auto& value_rad = analysis.approximate.value[i])
+            result.coefficient_deg[i] = toDegrees(*value_rad);
+    result.status = statusOf(judge(analysis.summary, record.limits).verdict);
+    return result;
+}
+
 } // namespace
 
 Result<std::optional<ExpectedCurve>> ResultStore::siblingsOf(const SwingRecord& record)
@@ -121,6 +136,41 @@ Result<Analysis> ResultStore::resultOf(SwingId swing)
 {
     const auto question = questionOf(swing);
     return question ? answerTo(*question) : Result<Analysis>(question.error());
+}
+
+Result<int> ResultStore::behind(SwingId swing)
+{
+    Statement statement(m_database, "SELECT results_behind FROM swing WHERE id = ?");
+    statement << swing;
+    return oneOf<int>(statement, m_database, MARKED("db", "swing"), [](Statement& row) { return static_cast<int>(row.integer(0)); });
+}
+
+Result<void> ResultStore::keep(const SwingRecord& record, const Analysis& analysis, int behind, ReadingId changed)
+{
+    const SwingId swing = record.swing.id;
+    return noting(
+        m_database,
+        [&]() -> Result<void> {
+            const auto now = this->behind(swing);
+            if (!now)
+                return now.error();
+            return *now == behind ? lubberline::db::keep(m_database, swing, record.swing.compass, cachedOf(record, analysis))
+                                  : Result<void>();
+        },
+        [&] {
+            m_database.changes().note(change::OfSwing{swing, changed});
+        });
+}
+
+Result<void> ResultStore::catchUp(SwingId swing)
+{
+    const auto now = behind(swing);
+    if (!now)
+        return now.error();
+    return *now == 0
+        ? Result<void>()
+        : noting(
+            m_database, [&] { return refreshSwing(m_database, swing); }, [&] { m_database.changes().note(change::OfSwing{swing}); });
 }
 
 Result<SwingAtPlace> ResultStore::placeOf(const SwingRecord& record)

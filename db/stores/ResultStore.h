@@ -31,6 +31,14 @@ public:
     /// Likewise: its coefficients with their errors, in its field. Errors: those of swingAtPlace() besides.
     Result<SwingAtPlace> placeOf(const SwingRecord& record);
 
+    /// How many changes of readings the kept results of a swing are behind: 0 but for a log in which somebody types.
+    Result<int> behind(SwingId swing);
+    /// Keeps the result that was computed of a log for the lists of swings, unless its readings were changed since it was `behind`.
+    /// @param changed the reading that was changed, as those who listen are told
+    Result<void> keep(const SwingRecord& record, const Analysis& analysis, int behind, ReadingId changed);
+    /// Computes what is kept of a swing that is behind.
+    Result<void> catchUp(SwingId swing);
+
 private:
     Database& m_database;
 };

@@ -21,7 +21,7 @@ SensorRecord sensorFrom(const Statement& row)
     sensor.name = row.name(3);
     sensor.origin = row.as(4, ModelOrigin::IronBench);
     sensor.note = row.text(5);
-    auto whole = withTexts(sensor, row.longText(6), row.optionalLongText(7), row.longText(8));
+    auto whole = withTexts(sensor, row.longText(6), row.optionalLongText(7), row.longText(8), row.longText(9));
     if (whole)
         return std::move(*whole);
     row.damages(6, whole.error());
@@ -35,7 +35,7 @@ void bindSensor(Statement& statement, const SensorRecord& sensor)
         statement << writeBenchJson(*sensor.bench);
     else
         statement.null();
-    statement << writeStatesRow(sensor.benchStates);
+    statement << writeStatesRow(sensor.benchStates) << (sensor.uncertainty ? writeUncertaintyJson(*sensor.uncertainty) : std::string());
 }
 
 Result<void> check(const SensorRecord& sensor)
@@ -50,7 +50,7 @@ Result<void> check(const SensorRecord& sensor)
 const Table& sensorTable()
 {
     static const Table table{MARKED("db", "sensor model"), "sensor_model",
-        {"compass_id", "name", "origin", "note", "model_json", "bench_json", "states_json"},
+        {"compass_id", "name", "origin", "note", "model_json", "bench_json", "states_json", "uncertainty_json"},
         [](const Statement& row) { (void)sensorFrom(row); }};
     return table;
 }

@@ -11,8 +11,10 @@ namespace lubberline::db {
 
 namespace {
 
-bool isFinite(const SensorModel& model)
+bool isFinite(const SensorModel& model, const std::optional<ModelUncertainty>& uncertainty)
 {
+    if (uncertainty && !uncertainty->covariance.allFinite())
+        return false;
     const auto& mount = model.misalignment;
     bool finite = model.softIron.allFinite() && model.hardIron_nT.allFinite() && model.softConstant_nT.allFinite()
         && std::isfinite(mount.roll_rad) && std::isfinite(mount.pitch_rad) && std::isfinite(mount.yaw_rad);
@@ -27,7 +29,7 @@ Error corruptSensor(const Message& why) { return {ErrorCode::Corrupt, why}; }
 
 Result<void> checkSensor(const SensorRecord& sensor)
 {
-    if (!isFinite(sensor.model))
+    if (!isFinite(sensor.model, sensor.uncertainty))
         return Error{ErrorCode::InvalidInput,
             {MARKED("db", "a figure of the sensor model %1 is not a real number; expected finite ones"), sensor.name}};
     if (sensor.bench)
@@ -35,7 +37,7 @@ Result<void> checkSensor(const SensorRecord& sensor)
             return checked;
     // What could not be read again must not be stored.
     auto back = withTexts(sensor, writeSensorModelJson(sensor.model), sensor.bench ? writeBenchJson(*sensor.bench) : std::string(),
-        writeStatesRow(sensor.benchStates));
+        writeStatesRow(sensor.benchStates), sensor.uncertainty ? writeUncertaintyJson(*sensor.uncertainty) : std::string());
     if (back)
         return {};
     Error error = back.error();
@@ -43,7 +45,8 @@ Result<void> checkSensor(const SensorRecord& sensor)
     return error;
 }
 
-Result<SensorRecord> withTexts(SensorRecord sensor, const std::string& model, const std::string& bench, const std::string& states)
+Result<SensorRecord> withTexts(
+    SensorRecord sensor, const std::string& model, const std::string& bench, const std::string& states, const std::string& uncertainty)
 {
     const std::string name = "sensor model " + sensor.name + " (record " + sensor.record + ")";
     auto readModel = readSensorModelJson(model, name);
@@ -60,6 +63,12 @@ Result<SensorRecord> withTexts(SensorRecord sensor, const std::string& model, co
     if (!readStates)
         return corruptSensor({MARKED("db", "%1: the states of its moving parts do not read: %2"), name, readStates.error().message});
     sensor.benchStates = std::move(readStates.value());
+    if (!uncertainty.empty()) {
+        auto readUncertainty = readUncertaintyJson(uncertainty, name);
+        if (!readUncertainty)
+            return corruptSensor(described(readUncertainty.error()));
+        sensor.uncertainty = std::move(readUncertainty.value());
+    }
     return sensor;
 }
 

@@ -8,8 +8,9 @@
 
 namespace lubberline::db {
 
-/// Reads model, bench (empty: none) and states into the record. Errors: Corrupt, naming the record.
-Result<SensorRecord> withTexts(SensorRecord sensor, const std::string& model, const std::string& bench, const std::string& states);
+/// Reads model, bench (empty: none), states and uncertainty (empty: none) into the record. Errors: Corrupt, naming the record.
+Result<SensorRecord> withTexts(
+    SensorRecord sensor, const std::string& model, const std::string& bench, const std::string& states, const std::string& uncertainty);
 
 /// Whether it can be kept. Errors: InvalidInput (a figure of the model that is not finite; a bench that checkBench() refuses).
 Result<void> checkSensor(const SensorRecord& sensor);

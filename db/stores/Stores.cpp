@@ -86,6 +86,9 @@ Result<std::unique_ptr<Stores>> openStores(const QString& path, OpenMode mode)
     auto stores = std::make_unique<Stores>(std::move(database.value()));
     if (const auto added = addShippedLimits(*stores); !added)
         return added.error();
+    if (!stores->readOnly())
+        if (const auto done = refreshBehind(stores->database()); !done)
+            return done.error();
     return stores;
 }
 

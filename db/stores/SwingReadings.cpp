@@ -33,11 +33,22 @@ Result<void> checkTexts(const Reading& reading)
     return {};
 }
 
+Result<bool> hasManyReadings(Database& database, SwingId swing)
+{
+    Statement statement(database, "SELECT COUNT(*) FROM reading WHERE swing_id = ?");
+    statement << swing;
+    const auto count = firstOf<std::int64_t>(statement, [](Statement& row) { return row.integer(0); });
+    return count ? Result<bool>(count->value_or(0) > kRefreshedAtOnce) : Result<bool>(count.error());
+}
+
 /// After a change of readings: cached results, audit entry, commit. @param only the reading whose figures are all that changed.
 Result<void> finish(Database& database, Transaction& transaction, const Swing& swing, const std::string& what, const std::string& detail,
     ReadingId only = {})
 {
-    if (const auto refreshed = refreshSwing(database, swing.id); !refreshed)
+    const auto isLog = only.valid() ? hasManyReadings(database, swing.id) : Result<bool>(false);
+    if (!isLog)
+        return isLog.error();
+    if (const auto refreshed = *isLog ? markBehind(database, swing.id, swing.compass) : refreshSwing(database, swing.id); !refreshed)
         return refreshed;
     if (const auto kept = audit(database, what, swing.record, detail); !kept)
         return kept;

@@ -8,9 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <map>
 
 #include "core/record/Id.h"
 #include "db/engine/Copy.h"
@@ -20,36 +18,15 @@
 #include "db/stores/FleetStore.h"
 #include "db/stores/ResultCache.h"
 #include "db/stores/SignatureChecks.h"
-#include "db/stores/SiteStore.h"
-#include "db/stores/SwingRows.h"
-#include "db/stores/SwingStore.h"
 #include "db/stores/Tables.h"
 #include "db/stores/TrailRecords.h"
+#include "db/transfer/ResultCheck.h"
 
 namespace lubberline::db {
 
 namespace {
 
 constexpr int kChainedSchema = 8; ///< since when the audit trail is a chain
-
-/// Cached figures are degrees of the same computation on the same readings; only another build of the mathematics may differ.
-constexpr double kSameResult_deg = 1e-9;
-
-bool same(std::optional<double> a, std::optional<double> b)
-{
-    return a.has_value() == b.has_value() && (!a || std::abs(*a - *b) <= kSameResult_deg);
-}
-
-bool same(const CachedResult& computed, const SwingRow& stored)
-{
-    if (computed.readings != stored.readings || computed.status != stored.status
-        || !same(computed.maxAbsDeviation_deg, stored.maxAbsDeviation_deg))
-        return false;
-    for (std::size_t i = 0; i < stored.coefficient_deg.size(); ++i)
-        if (!same(computed.coefficient_deg[i], stored.coefficient_deg[i]))
-            return false;
-    return true;
-}
 
 /// Adds a finding for each row that `sql` answers.
 template <class Words>
@@ -153,68 +130,6 @@ Result<void> checkBadges(Database& database, VerifyReport& report)
         [](Statement& row) {
             return Message{MARKED("db", "results: the state kept for %1, %2 is not that of its latest swing"), row.text(0), row.text(1)};
         });
-}
-
-Result<std::map<SwingId, SwingRow>> storedRows(Database& database)
-{
-    Statement statement(database, "SELECT " + swingRowColumns() + " FROM swing");
-    const auto listed = shownRowsOf<SwingRow>(statement, swingRowFrom);
-    if (!listed)
-        return listed.error();
-    std::map<SwingId, SwingRow> rows;
-    for (const auto& row : *listed)
-        rows[row.id] = row;
-    return rows;
-}
-
-Result<std::map<CompassId, std::optional<LimitsProfile>>> limitsByCompass(Database& database)
-{
-    const auto profiles = SiteStore(database).limitsProfiles();
-    if (!profiles)
-        return profiles.error();
-    Statement statement(database, "SELECT id, limits_id FROM compass");
-    const auto pairs = rowsOf<std::pair<CompassId, LimitsProfileId>>(
-        statement, [](Statement& row) { return std::pair(row.id<CompassId>(0), row.optionalId<LimitsProfileId>(1)); });
-    if (!pairs)
-        return pairs.error();
-    std::map<CompassId, std::optional<LimitsProfile>> limits;
-    for (const auto& [compass, id] : *pairs) {
-        auto& slot = limits[compass];
-        for (const auto& profile : *profiles)
-            if (profile.id == id)
-                slot = profile;
-    }
-    return limits;
-}
-
-Result<void> checkResults(Database& database, VerifyReport& report, const Progress& progress)
-{
-    const auto stored = storedRows(database);
-    if (!stored)
-        return stored.error();
-    const auto limits = limitsByCompass(database);
-    if (!limits)
-        return limits.error();
-    bool cancelled = false;
-    const auto done = SwingStore(database).forEach([&](const Swing& swing) {
-        ++report.swings;
-        report.readings += static_cast<std::int64_t>(swing.readings.size());
-        const auto row = stored->find(swing.id);
-        const auto profile = limits->find(swing.compass);
-        if (row == stored->end() || profile == limits->end() || !same(resultOf(swing, profile->second), row->second))
-            report.findings.push_back({MARKED("db", "results: those kept for the swing of %1 (record %2) are not what its readings give"),
-                swing.date, swing.record});
-        cancelled
-            = progress && report.swings % 64 == 0 && !progress(static_cast<double>(report.swings) / static_cast<double>(stored->size()));
-        return !cancelled;
-    });
-    if (!done)
-        return done;
-    if (cancelled)
-        return Error{ErrorCode::Cancelled, MARKED("db", "cancelled"), database.path().toStdString()};
-    if (progress)
-        progress(1.0);
-    return {};
 }
 
 /// What is copied of a damaged database is as damaged.

@@ -81,10 +81,10 @@ TEST(Maintenance, verifyNamesEachKindOfDamage)
         {"UPDATE swing SET field_model = 'WMM', field_latitude_deg = 1, field_longitude_deg = 1, field_height_m = 0, field_date = '2026-01-01',"
          " field_north_nT = 'strong', field_east_nT = 1, field_down_nT = 1",
             "swing.field_north_nT"},
-        {"INSERT INTO sensor_model VALUES (1, 'r', 1, 'bent', 0, '', '{\"soft_iron\": 7}', NULL, '{}')",
+        {"INSERT INTO sensor_model (id, record, compass_id, name, origin, note, model_json, bench_json, states_json) VALUES (1, 'r', 1, 'bent', 0, '', '{\"soft_iron\": 7}', NULL, '{}')",
             "sensor model bent (record r): soft_iron"},
-        {"INSERT INTO sensor_model VALUES (1, 'r', 1, 'bent', 3, '', '{}', '{\"parts\": []}', '{}')", "sensor_m: is missing"},
-        {"INSERT INTO sensor_model VALUES (1, 'r', 1, 'bent', 3, '', '{}', NULL, 'up')", "states of its moving parts do not read"},
+        {"INSERT INTO sensor_model (id, record, compass_id, name, origin, note, model_json, bench_json, states_json) VALUES (1, 'r', 1, 'bent', 3, '', '{}', '{\"parts\": []}', '{}')", "sensor_m: is missing"},
+        {"INSERT INTO sensor_model (id, record, compass_id, name, origin, note, model_json, bench_json, states_json) VALUES (1, 'r', 1, 'bent', 3, '', '{}', NULL, 'up')", "states of its moving parts do not read"},
         {"UPDATE reading SET position = 3", "in one place"},
         {"UPDATE reading SET compass_heading_deg = compass_heading_deg + 0.001 WHERE position = 2", "2026-11-20"},
         {"DELETE FROM compass", "foreign key: a row of swing"},

@@ -1,6 +1,9 @@
 // The one result of a stored swing: with what its last swing and its siblings let expect, and with the divisions of its guided swing.
 
 #include "core/earth/FieldModel.h"
+#include "db/stores/ResultCache.h"
+#include "db/stores/Stores.h"
+#include "db/transfer/Maintenance.h"
 #include "tests/db/SwingStores.h"
 
 namespace lubberline::test {
@@ -98,6 +101,86 @@ TEST_F(ResultStore, aResultHasTheDivisionsOfItsJobOrIsRefused)
     EXPECT_EQ(refused.error().code, ErrorCode::Corrupt);
     EXPECT_EQ(m_results.placeOf(placed).error().code, ErrorCode::Corrupt);
     EXPECT_THAT(refused.error().message.english(), testing::HasSubstr("guided swing"));
+}
+
+/// A swing of a log: 2001 readings on a curve with B = 3° sin.
+Swing logSwing(const Stored& stored)
+{
+    Swing swing = swingOf(stored);
+    swing.readings.clear();
+    for (int i = 0; i <= db::kRefreshedAtOnce; ++i) {
+        const double magnetic_deg = std::fmod(0.733 * i, 360.0);
+        swing.readings.push_back(reading(magnetic_deg, magnetic_deg - 3 * std::sin(toRadians(magnetic_deg))));
+    }
+    return swing;
+}
+
+TEST_F(ResultStore, aChangeInALogWaitsForNoResultAndLeavesNoOldOne)
+{
+    const SwingId id = *save(m_swings, logSwing(m_stored));
+    const auto row = [&] { return m_swings.swingsOf(m_stored.compass)->front(); };
+    const SwingRow before = row();
+    ASSERT_TRUE(before.coefficient_deg[1]);
+    const auto change = [&](double compass_deg) {
+        const Reading known = m_swings.swing(id)->readings[7];
+        Reading other = known;
+        other.compass = CompassHeading::fromDegrees(compass_deg);
+        ASSERT_TRUE(m_swings.changeReading(id, known, other));
+    };
+    change(99);
+    EXPECT_EQ(*m_results.behind(id), 1);
+    EXPECT_FALSE(row().maxAbsDeviation_deg || row().coefficient_deg[1]);
+    EXPECT_EQ(row().status, Status::NotKnown);
+    auto report = db::verify(m_database, {}); // no damage, and worth knowing
+    EXPECT_TRUE(report->findings.empty());
+    EXPECT_THAT(report->notes, testing::Contains(testing::ResultOf([](const Message& one) { return one.english(); },
+                                   testing::HasSubstr("results are not computed since"))));
+    // What was computed of the readings before another change is not kept.
+    const auto record = *m_swings.record(id);
+    const auto analysis = *m_results.resultOf(record);
+    const ReadingId changed = record.swing.readings[7].id;
+    change(101);
+    ASSERT_TRUE(m_results.keep(record, analysis, 1, changed));
+    EXPECT_FALSE(row().maxAbsDeviation_deg);
+    const auto newer = *m_swings.record(id);
+    ASSERT_TRUE(m_results.keep(newer, *m_results.resultOf(newer), *m_results.behind(id), changed));
+    EXPECT_EQ(*m_results.behind(id), 0);
+    ASSERT_TRUE(row().maxAbsDeviation_deg);
+    EXPECT_GT(*row().maxAbsDeviation_deg, *before.maxAbsDeviation_deg);
+    EXPECT_TRUE(db::verify(m_database, {})->findings.empty()); // to the digit that recomputing gives
+    EXPECT_THAT(db::verify(m_database, {})->notes, testing::IsEmpty());
+}
+
+TEST_F(ResultStore, figuresThatClaimToBeBehindAreNoLessChecked)
+{
+    const SwingId id = *save(m_swings, logSwing(m_stored));
+    ASSERT_TRUE(db::execute(m_database, "UPDATE swing SET results_behind = 1, b_deg = 0.1"));
+    EXPECT_FALSE(db::verify(m_database, {})->findings.empty());
+    ASSERT_TRUE(m_results.catchUp(id));
+    EXPECT_TRUE(db::verify(m_database, {})->findings.empty());
+}
+
+TEST(ResultStoreOfAFile, aProgramThatWasKilledBetweenIsMadeGoodByTheNext)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("log.lubberline");
+    SwingId id;
+    {
+        auto stores = std::move(db::openStores(path, db::OpenMode::ReadWriteCreate).value());
+        const Stored stored = store(stores->database());
+        id = *save(stores->swings, logSwing(stored));
+        const Reading known = stores->swings.swing(id)->readings[7];
+        Reading other = known;
+        other.compass = CompassHeading::fromDegrees(99);
+        ASSERT_TRUE(stores->swings.changeReading(id, known, other));
+    }
+    {
+        auto reading = std::move(db::openStores(path, db::OpenMode::ReadOnly).value());
+        EXPECT_EQ(*reading->results.behind(id), 1); // who only reads changes nothing
+    }
+    auto stores = std::move(db::openStores(path, db::OpenMode::ReadWriteCreate).value());
+    EXPECT_EQ(*stores->results.behind(id), 0);
+    EXPECT_TRUE(db::verify(stores->database(), {})->findings.empty());
 }
 
 } // namespace lubberline::test

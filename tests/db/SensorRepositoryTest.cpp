@@ -49,6 +49,36 @@ TEST(SensorStore, whatCouldNotBeReadAgainIsNotStored)
     EXPECT_TRUE(db::SensorStore(database).of(stored.compass)->empty());
 }
 
+SensorRecord calibratedOf(const Stored& stored)
+{
+    SensorRecord sensor = sensorOf(stored, "calibrated");
+    sensor.uncertainty.emplace();
+    for (int i = 0; i < kUncertainParameters; ++i)
+        sensor.uncertainty->covariance(i, i) = i < 9 ? 1e-6 * (i + 1) : 400.0 * i;
+    sensor.uncertainty->covariance(0, 9) = sensor.uncertainty->covariance(9, 0) = 0.0125;
+    return sensor;
+}
+
+TEST(SensorStore, howSureACalibrationIsStaysWithItsModel)
+{
+    auto database = inMemory();
+    const Stored stored = store(database);
+    db::SensorStore sensors(database);
+    const auto id = save(sensors, calibratedOf(stored));
+    ASSERT_TRUE(id) << describe(id.error());
+    const auto back = sensors.sensor(*id);
+    ASSERT_TRUE(back && back->uncertainty);
+    EXPECT_EQ(back->uncertainty, calibratedOf(stored).uncertainty);
+    SensorRecord wrong = *back;
+    wrong.uncertainty->covariance(3, 3) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(sensors.change(*back, wrong).error().code, ErrorCode::InvalidInput);
+    wrong.uncertainty->covariance(3, 3) = -1;
+    EXPECT_EQ(sensors.change(*back, wrong).error().code, ErrorCode::InvalidInput);
+    ASSERT_TRUE(db::execute(database, "UPDATE sensor_model SET uncertainty_json = '{\"covariance\": [[1]]}'"));
+    EXPECT_EQ(sensors.sensor(*id).error().code, ErrorCode::Corrupt);
+    EXPECT_FALSE(db::verify(database, {})->findings.empty());
+}
+
 TEST(SensorStore, aModelComesBackWhole)
 {
     auto database = inMemory();

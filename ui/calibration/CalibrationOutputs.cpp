@@ -26,6 +26,7 @@ void CalibrationPage::store()
     sensor.name = QFileInfo(m_path).completeBaseName().toStdString();
     sensor.origin = ModelOrigin::Loaded;
     sensor.model = *m_run->model;
+    sensor.uncertainty = m_run->uncertainty;
     sensor.note = "calibrated from " + QFileInfo(m_path).fileName().toStdString() + ": " + std::string(nameOf(m_run->verdict()));
     const auto& parameters = m_run->ellipsoid ? m_run->ellipsoid->fit->parameters : m_run->attitude->parameters;
     for (const FittedParameter& parameter : parameters)

@@ -102,8 +102,8 @@ std::optional<NamedModel> MapControls::other() const
     const QString chosen = m_other->currentData().toString();
     for (const SensorRecord& record : m_editor.records())
         if (chosen == kRecord + toText(record.record))
-            return NamedModel{record.model, toText(record.name)};
-    NamedModel switched{m_editor.model(), tr("%1, %2").arg(m_editor.name(), m_other->currentText())};
+            return NamedModel{record.model, toText(record.name), record.uncertainty};
+    NamedModel switched{m_editor.model(), tr("%1, %2").arg(m_editor.name(), m_other->currentText()), m_editor.uncertainty()};
     for (Circuit& circuit : switched.model.circuits)
         if (chosen == kCircuit + toText(circuit.name)) {
             circuit.on = !circuit.on;

@@ -95,6 +95,7 @@ void SensorActions::load()
     sensor.note = setup->note;
     sensor.origin = ModelOrigin::Loaded;
     sensor.model = setup->model;
+    sensor.uncertainty = setup->uncertainty;
     m_parts.editor.make(std::move(sensor), tr("load %1").arg(QFileInfo(path).fileName()));
     if (const auto field = fieldOf(*setup))
         m_parts.field.showTyped(*field);
@@ -109,7 +110,8 @@ void SensorActions::save()
     if (path.isEmpty())
         return;
     const SensorRecord* record = m_parts.editor.record();
-    const SensorSetup setup{m_parts.field.stated(), m_parts.editor.model(), record ? record->note : std::string()};
+    const SensorSetup setup{
+        m_parts.field.stated(), m_parts.editor.model(), record ? record->note : std::string(), m_parts.editor.uncertainty()};
     if (const auto written = writeWholeFile(path.toStdString(), writeModelJson(setup)); !written)
         emit failed(messageOf(written.error()));
 }

@@ -84,6 +84,13 @@ void SensorEditor::choose(int index)
     emit changed();
 }
 
+std::optional<ModelUncertainty> SensorEditor::uncertainty() const
+{
+    const bool same = record() && record()->model.softIron == m_model.softIron && record()->model.hardIron_nT == m_model.hardIron_nT
+        && record()->model.misalignment == m_model.misalignment;
+    return same ? record()->uncertainty : std::nullopt;
+}
+
 void SensorEditor::play(const SensorModel& model)
 {
     if (model == m_model)
@@ -99,6 +106,7 @@ void SensorEditor::settle(const QString& what)
     SensorRecord after = record() ? *record() : SensorRecord();
     if (!sameButSwitches(after.model, m_model))
         after.origin = ModelOrigin::Entered; // no more what a file, swings or the bench gave
+    after.uncertainty = uncertainty();
     after.model = m_model;
     if (record())
         return change(after, what);

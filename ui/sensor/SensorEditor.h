@@ -27,6 +27,8 @@ public:
     [[nodiscard]] int current() const { return m_current; } ///< −1: there is none
     [[nodiscard]] const SensorRecord* record() const { return m_current < 0 ? nullptr : &m_records[static_cast<std::size_t>(m_current)]; }
     [[nodiscard]] const SensorModel& model() const { return m_model; } ///< as it is played; without a record all zero at first
+    /// Of the calibration whose figures the model still has.
+    [[nodiscard]] std::optional<ModelUncertainty> uncertainty() const;
     [[nodiscard]] QString name() const;
 
     void choose(int index);

@@ -202,7 +202,7 @@ void SensorPage::showViews(bool coarse)
         return m_smith->showKnowledge(field.error(), {});
     }
     m_view.emplace();
-    m_view->model = {m_editor->model(), m_editor->name()};
+    m_view->model = {m_editor->model(), m_editor->name(), m_editor->uncertainty()};
     m_view->field = *field;
     m_controls->fill(*m_view);
     if (m_limits) {

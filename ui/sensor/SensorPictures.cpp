@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/sensor/SensorReading.h"
@@ -42,6 +43,23 @@ double rounded_deg(double largest_deg)
     return std::min(std::ceil(largest_deg / step) * step, 180.0);
 }
 
+std::function<std::optional<double>(double, double)> bandOf(const NamedModel& named, const ModelView& view)
+{
+    if (!named.uncertainty)
+        return {};
+    return [model = named.model, uncertainty = *named.uncertainty, field = view.field, request = view.request](
+               double x_deg, double y_deg) -> std::optional<double> {
+        constexpr double kNormal95 = 1.959964;
+        std::array<double, 3> angles_deg{};
+        angles_deg[static_cast<std::size_t>(heldAxis(request))] = request.held_deg;
+        angles_deg[static_cast<std::size_t>(request.x.axis)] = x_deg;
+        angles_deg[static_cast<std::size_t>(request.y.axis)] = y_deg;
+        const auto sigma_rad = headingSigma_rad(
+            model, uncertainty, field, {MagneticHeading::fromDegrees(angles_deg[0]), toRadians(angles_deg[1]), toRadians(angles_deg[2])});
+        return sigma_rad ? std::optional(kNormal95 * toDegrees(*sigma_rad)) : std::nullopt;
+    };
+}
+
 MapPicture withMarks(MapPicture picture, std::shared_ptr<const DeviationMap> map)
 {
     picture.extremes = extremesOf(*map, picture.coarse ? kMarkedWhileDragging : kMarkedExtremes);
@@ -56,9 +74,12 @@ MapPicture comparedPicture(const ModelView& view, MapPicture picture, std::share
     const std::shared_ptr<const DeviationMap> other = mapOf(view.other->model, view);
     auto difference = std::make_shared<DeviationMap>(differenceOf(*other, *map));
     picture.scale_deg = std::max(0.1, rounded_deg(std::max({largest_deg(*map), largest_deg(*other), largest_deg(*difference)})));
-    if (view.compared == Compared::This)
+    if (view.compared == Compared::This) {
+        picture.band_deg = bandOf(view.model, view);
         return withMarks(std::move(picture), std::move(map));
+    }
     if (view.compared == Compared::Other) {
+        picture.band_deg = bandOf(*view.other, view);
         picture.title = view.other->name;
         return withMarks(std::move(picture), other);
     }
@@ -107,6 +128,8 @@ MapPicture mapPictureOf(const ModelView& view)
     picture.title = view.model.name;
     picture.limit_deg = view.limit_deg;
     picture.coarse = view.coarse;
+    if (!view.other)
+        picture.band_deg = bandOf(view.model, view);
     std::shared_ptr<const DeviationMap> map = mapOf(view.model.model, view);
     return view.other ? comparedPicture(view, std::move(picture), std::move(map)) : withMarks(std::move(picture), std::move(map));
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/sensor/ModelUncertainty.h"
 #include "core/sensor/SensorModel.h"
 #include "ui/plots/map/MapPicture.h"
 #include "ui/plots/swing/SwingPicture.h"
@@ -12,6 +13,7 @@ namespace lubberline::ui {
 struct NamedModel {
     SensorModel model;
     QString name;
+    std::optional<ModelUncertainty> uncertainty = {}; ///< of the calibration that gave it
 };
 
 /// Which of the two models is seen.

@@ -37,12 +37,14 @@ bool isOfTheDrive(ErrorCode code)
 SwingEditor::SwingEditor(EditContext& context, QUndoStack& stack, QObject* parent)
     : QObject(parent)
     , m_context(context)
+    , m_stores(context.stores)
     , m_stack(stack)
     , m_worker(
           [this](Result<Analysis> result) {
               if (!m_computing) // a swing of few readings is shown since
                   return;
               take(std::move(result));
+              keepResult();
               emit computed();
           },
           [this](int percent) { emit computingProgressed(percent); })
@@ -60,11 +62,30 @@ SwingEditor::SwingEditor(EditContext& context, QUndoStack& stack, QObject* paren
     connect(&context.stores.changes(), &db::Changes::sitesChanged, this, [this] { onSwingChanged(this->id()); }); // its base and limits
 }
 
+SwingEditor::~SwingEditor()
+{
+    blockSignals(true); // the page is gone
+    leave();
+}
+
+/// Nobody else computes what lists show of a log in which somebody typed. (What fails here, the next start does.)
+void SwingEditor::leave()
+{
+    if (!m_computing || m_stores.readOnly())
+        return;
+    m_worker.cancel();
+    m_computing = false;
+    m_leaving = true; // what it hears of that is not read again
+    (void)m_stores.results.catchUp(id());
+    m_leaving = false;
+}
+
 Result<void> SwingEditor::open(SwingId id)
 {
     auto record = m_context.stores.swings.record(id);
     if (!record)
         return record.error();
+    leave();
     m_record = std::move(record.value());
     m_analysis.reset();
     readSiblings();
@@ -87,7 +108,7 @@ void SwingEditor::close()
 
 void SwingEditor::onSwingChanged(SwingId id, ReadingId only)
 {
-    if (!id.valid() || id != m_record.swing.id)
+    if (!id.valid() || id != m_record.swing.id || m_leaving)
         return;
     if (!only.valid() || readings().size() <= kComputedAtOnce || !readAgain(only))
         readAgain();
@@ -105,6 +126,7 @@ bool SwingEditor::readAgain(ReadingId only)
         return true;
     const bool counts = row->used() != stored->used();
     *row = std::move(stored.value());
+    m_changed = only;
     if (counts)
         m_used = usedReadings(m_record.swing);
     askForResult();
@@ -160,6 +182,8 @@ void SwingEditor::askForResult()
         return;
     }
     m_computing = true;
+    const auto behind = m_context.stores.results.behind(id());
+    m_behind = behind ? *behind : 0;
     if (!m_analysis)
         m_whyNoAnalysis = tr("it is being computed");
     m_worker.start([question = std::move(question.value())](const Progress& progress) { return answerTo(question, progress); });
@@ -175,6 +199,19 @@ void SwingEditor::take(Result<Analysis> result)
         m_analysis = std::make_shared<const Analysis>(std::move(result.value()));
     else
         m_whyNoAnalysis = toText(result.error().message);
+}
+
+/// What the lists show of a log is kept with what was computed here: no keystroke waits for it.
+void SwingEditor::keepResult()
+{
+    if (m_behind == 0 || m_context.stores.readOnly())
+        return;
+    const auto kept
+        = m_analysis ? m_context.stores.results.keep(m_record, *m_analysis, m_behind, m_changed) : m_context.stores.results.catchUp(id());
+    if (kept)
+        m_behind = 0;
+    else
+        m_context.failed(kept.error());
 }
 
 void SwingEditor::settle()

@@ -22,6 +22,7 @@ class SwingEditor : public QObject {
 
 public:
     SwingEditor(EditContext& context, QUndoStack& stack, QObject* parent = nullptr);
+    ~SwingEditor() override;
 
     /// Shows another swing. Errors: those of SwingStore::record(); what was shown stays then.
     Result<void> open(SwingId id);
@@ -87,16 +88,21 @@ private:
     void analyseRecord();
     void askForResult(); ///< of the readings that are known to count
     void take(Result<Analysis> result);
+    void keepResult();
+    void leave();
     void analysePrevious();
     bool run(QUndoCommand* edit);
 
     EditContext& m_context;
+    db::Stores& m_stores; ///< that of the context, which may be gone before
     QUndoStack& m_stack;
     SwingRecord m_record;
     std::vector<std::size_t> m_used;
     std::shared_ptr<const Analysis> m_analysis;
     QString m_whyNoAnalysis;
-    bool m_computing = false, m_previousComputing = false;
+    bool m_computing = false, m_previousComputing = false, m_leaving = false;
+    int m_behind = 0;    ///< of the readings that are being computed (db::ResultStore)
+    ReadingId m_changed; ///< last
     std::optional<SwingRow> m_previous;
     std::shared_ptr<const Analysis> m_previousAnalysis;
     std::optional<ExpectedCurve> m_siblings;

@@ -21,7 +21,9 @@ namespace lubberline::ui {
 /// One row of a log is another: a keystroke waits for no plot. What is shown stays, said to be of before, until results are computed.
 void SwingPage::showComputing()
 {
-    if (!m_editor->computing()) { // nothing can be computed of it now, or its results are there
+    const bool panel = (m_signing && m_showSigning->isChecked()) || (m_card && m_showCard->isChecked())
+        || (m_derivation && m_derivation->isVisibleTo(this));
+    if (panel || !m_editor->computing()) { // what is signed or printed follows each figure; or nothing can be computed of it now
         showRecord();
         return;
     }

@@ -24,6 +24,8 @@ PageStack::~PageStack()
         page->disconnect(this);
         page->disconnect(&m_context.window);
     }
+    for (const auto& page : m_retired) // none of them outlives the database that it may have something to store in
+        delete page;
 }
 
 const PageDescription& PageStack::descriptionOf(const Destination& destination) const
@@ -87,6 +89,8 @@ void PageStack::retire(Page* page)
     page->setParent(nullptr);
     page->disconnect(this);
     page->disconnect(&m_context.window);
+    std::erase(m_retired, nullptr);
+    m_retired.emplace_back(page);
     if (QWidget* asking = QApplication::activeModalWidget())
         connect(asking, &QObject::destroyed, page, &QObject::deleteLater);
     else

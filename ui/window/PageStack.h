@@ -2,6 +2,7 @@
 /// The pages that were opened, one of them in front. Each is made when it is first needed; one that owns a record is made anew for
 /// another record, and the old one goes with whatever was typed or opened on it.
 
+#include <QPointer>
 #include <QStackedWidget>
 
 #include <map>
@@ -51,6 +52,7 @@ private:
     PageContext& m_context;
     std::vector<PageDescription> m_descriptions;
     std::map<QString, Page*> m_made;
+    std::vector<QPointer<Page>> m_retired;
 };
 
 } // namespace lubberline::ui

@@ -75,6 +75,7 @@ void readSensorParts(JsonObject& object, SensorRecord& sensor, FirstFault& fault
         model.only({"soft_iron", "hard_iron_nT", "soft_constant_nT", "circuits", "misalignment_deg"});
         sensor.model = readSensorModel(model);
     });
+    sensor.uncertainty = readCovariance(object);
     object.object("bench", [&](JsonObject& bench) { sensor.bench = readBench(bench, fault); });
     readStates(object, sensor.benchStates);
 }
@@ -84,6 +85,7 @@ void writeSensorParts(JsonWriter& json, const SensorRecord& sensor)
     json.beginObject("model");
     writeSensorModel(json, sensor.model);
     json.end();
+    writeCovariance(json, sensor.uncertainty);
     if (sensor.bench) {
         json.beginObject("bench");
         writeBench(json, *sensor.bench);

@@ -14,8 +14,8 @@ namespace lubberline::exchange {
 [[nodiscard]] FieldStamp readStamp(JsonObject& object);
 void writeStamp(JsonWriter& json, std::string_view key, const FieldStamp& stamp);
 
-/// The keys "model" (as in a Model JSON), "bench" (as in a Bench JSON) and "bench_states" of a sensor; a sensor without bench
-/// has neither of the last two.
+/// The keys "model" and "covariance" (as in a Model JSON), "bench" (as in a Bench JSON) and "bench_states" of a sensor; a sensor without
+/// bench has neither of the last two.
 void readSensorParts(JsonObject& object, SensorRecord& sensor, FirstFault& fault);
 void writeSensorParts(JsonWriter& json, const SensorRecord& sensor);
 

@@ -293,7 +293,8 @@ int exchangeVersionOf(const Fleet& fleet)
             [&](const Swing& swing) { return any(swing.signatures, [&](const Signature& one) { return one.contents >= contents; }); });
     };
     const bool sixth = any(fleet.swings, [](const Swing& swing) { return swing.sharedErrors.any(); });
-    return sixth ? 6 : signedBy(3) ? 5 : signedBy(2) ? 4 : third ? 3 : second ? 2 : 1;
+    const bool seventh = any(fleet.sensors, [](const SensorRecord& one) { return one.uncertainty.has_value(); });
+    return seventh ? 7 : sixth ? 6 : signedBy(3) ? 5 : signedBy(2) ? 4 : third ? 3 : second ? 2 : 1;
 }
 
 std::string writeExchange(const Fleet& fleet) { return FleetWriter(fleet).write(); }

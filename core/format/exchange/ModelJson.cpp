@@ -97,17 +97,6 @@ std::variant<MeridianField, PlaceAndDate> readField(JsonObject& object)
 constexpr std::array<std::string_view, 8> kKeys{
     "note", "field", "covariance", "soft_iron", "hard_iron_nT", "soft_constant_nT", "circuits", "misalignment_deg"};
 
-ModelUncertainty readCovariance(JsonObject& object)
-{
-    ModelUncertainty uncertainty; // symmetric: rows are columns
-    object.numberRows(
-        "covariance", {uncertainty.covariance.data(), static_cast<std::size_t>(uncertainty.covariance.size())}, kUncertainParameters, kAny);
-    const auto& c = uncertainty.covariance;
-    if (c.diagonal().minCoeff() < 0 || (c - c.transpose()).cwiseAbs().maxCoeff() > 1e-6 * c.diagonal().maxCoeff())
-        object.fault("covariance", MARKED("core", "is none: expected a symmetric matrix with no negative figure on its diagonal"));
-    return uncertainty;
-}
-
 SensorSetup readSetup(JsonObject& object)
 {
     object.only(kKeys);
@@ -117,8 +106,7 @@ SensorSetup readSetup(JsonObject& object)
         object.missing("field", MARKED("core", "{H_nT, dip_deg} or {lat_deg, lon_deg, alt_m, date}"));
     object.object("field", [&](JsonObject& field) { setup.field = readField(field); });
     setup.model = readSensorModel(object);
-    if (object.has("covariance"))
-        setup.uncertainty = readCovariance(object);
+    setup.uncertainty = readCovariance(object);
     return setup;
 }
 
@@ -203,6 +191,49 @@ Result<SensorSetup> readModelJson(std::string_view text, const std::string& name
 {
     return readJsonObject<SensorSetup>(text, name, kExpectedModel, readSetup);
 }
+
+std::optional<ModelUncertainty> readCovariance(JsonObject& object)
+{
+    if (!object.has("covariance"))
+        return std::nullopt;
+    ModelUncertainty uncertainty; // symmetric: rows are columns
+    object.numberRows(
+        "covariance", {uncertainty.covariance.data(), static_cast<std::size_t>(uncertainty.covariance.size())}, kUncertainParameters, kAny);
+    const auto& c = uncertainty.covariance;
+    if (c.diagonal().minCoeff() < 0 || (c - c.transpose()).cwiseAbs().maxCoeff() > 1e-6 * c.diagonal().maxCoeff())
+        object.fault("covariance", MARKED("core", "is none: expected a symmetric matrix with no negative figure on its diagonal"));
+    return uncertainty;
+}
+
+void writeCovariance(JsonWriter& json, const std::optional<ModelUncertainty>& uncertainty)
+{
+    if (!uncertainty)
+        return;
+    json.beginArray("covariance");
+    for (Eigen::Index row = 0; row < kUncertainParameters; ++row)
+        json.numbers({}, {uncertainty->covariance.col(row).data(), kUncertainParameters});
+    json.end();
+}
+
+Result<ModelUncertainty> readUncertaintyJson(std::string_view text, const std::string& name)
+{
+    return readJsonObject<ModelUncertainty>(text, name, kExpectedModel, [](JsonObject& object) {
+        object.only({"covariance"});
+        if (!object.has("covariance"))
+            object.missing("covariance", MARKED("core", "twelve rows of twelve numbers"));
+        return readCovariance(object).value_or(ModelUncertainty());
+    });
+}
+
+std::string writeUncertaintyJson(const ModelUncertainty& uncertainty)
+{
+    JsonWriter json;
+    json.beginObject();
+    writeCovariance(json, uncertainty);
+    json.end();
+    return json.take();
+}
+
 Result<SensorModel> readSensorModelJson(std::string_view text, const std::string& name)
 {
     return readJsonObject<SensorModel>(text, name, kExpectedModel, readOnlyModel);
@@ -229,12 +260,7 @@ std::string writeModelJson(const SensorSetup& setup)
         writePlace(json, std::get<PlaceAndDate>(setup.field));
     json.end();
     writeSensorModel(json, setup.model);
-    if (setup.uncertainty) {
-        json.beginArray("covariance");
-        for (Eigen::Index row = 0; row < kUncertainParameters; ++row)
-            json.numbers({}, {setup.uncertainty->covariance.col(row).data(), kUncertainParameters});
-        json.end();
-    }
+    writeCovariance(json, setup.uncertainty);
     json.end();
     return json.take();
 }

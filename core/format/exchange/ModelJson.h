@@ -10,6 +10,7 @@
 /// left out and is zero then, `alt_m` too; a circuit has all its four keys. Z_nT (positive down) is for a field whose dip does
 /// not tell it: at a magnetic pole H is 0.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,14 @@ Result<SensorSetup> readModelJsonFile(const std::string& path);
 /// The same without `field` and `note`: how a sensor model is kept where the field is not part of it.
 Result<SensorModel> readSensorModelJson(std::string_view text, const std::string& name);
 [[nodiscard]] std::string writeSensorModelJson(const SensorModel& model);
+
+/// {"covariance": …} alone: how the uncertainty of a stored model is kept beside it.
+Result<ModelUncertainty> readUncertaintyJson(std::string_view text, const std::string& name);
+[[nodiscard]] std::string writeUncertaintyJson(const ModelUncertainty& uncertainty);
+
+/// The key "covariance" inside another object.
+[[nodiscard]] std::optional<ModelUncertainty> readCovariance(JsonObject& object);
+void writeCovariance(JsonWriter& json, const std::optional<ModelUncertainty>& uncertainty); ///< none: no key
 
 /// The keys of a sensor model inside another object: reads and writes them as keys of it. The object's finish() or only() is
 /// the caller's.

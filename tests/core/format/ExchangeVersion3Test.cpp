@@ -107,6 +107,28 @@ TEST(ExchangeVersion3, errorsThatReadingsShareAreOfVersionSix)
     EXPECT_FALSE(readExchange(wrong, "ramp.json"));
 }
 
+TEST(ExchangeVersion3, howSureASensorModelIsIsOfVersionSeven)
+{
+    Fleet fleet = fullFleet();
+    SensorRecord sensor;
+    sensor.id = SensorModelId{1};
+    sensor.record = newRecordId();
+    sensor.compass = fleet.compasses.front().id;
+    sensor.name = "calibrated";
+    sensor.uncertainty.emplace();
+    sensor.uncertainty->covariance.diagonal().setConstant(0.25);
+    sensor.uncertainty->covariance(0, 11) = sensor.uncertainty->covariance(11, 0) = 0.125;
+    fleet.sensors = {sensor};
+    EXPECT_EQ(exchangeVersionOf(fleet), 7);
+    const std::string text = writeExchange(fleet);
+    const auto back = readExchange(text, "ramp.json");
+    ASSERT_TRUE(back) << back.error().message.english();
+    EXPECT_EQ(back->sensors.front().uncertainty, sensor.uncertainty);
+    EXPECT_EQ(writeExchange(*back), text);
+    fleet.sensors.front().uncertainty.reset();
+    EXPECT_LT(exchangeVersionOf(fleet), 7);
+}
+
 TEST(ExchangeVersion3, aFleetWithoutItStaysInTheOlderVersion)
 {
     Fleet fleet = fullFleet();

@@ -39,6 +39,7 @@ private slots:
     void aPlotLeavesWithItsOwnCurves();
     void nobodySignsWhatIsBeingComputed();
     void leavingEndsTheWork();
+    void whoLeavesALogLeavesItsResults();
     void theSwingBeforeIsComputedBesides();
 
 private:
@@ -98,8 +99,10 @@ void LogSwingTest::aFigureLeavesTheResultsOfBeforeUntilTheNewOnesAreThere()
     const auto rows = fleet.stores.swings.swingsOf(fleet.compass);
     const auto row = std::find_if(rows->begin(), rows->end(), [id](const SwingRow& one) { return one.id == id; });
     QCOMPARE(*row->coefficient_deg[1], toDegrees(*whole->approximate.value[1]));
+    QVERIFY(fleet.stores.results.behind(id) && *fleet.stores.results.behind(id) == 0);
     open.trigger("undo");
     QVERIFY(editor.computing());
+    QCOMPARE(*fleet.stores.results.behind(id), 1);
     editor.settle();
     QCOMPARE(editor.analysis()->approximate.value, before->approximate.value);
 }
@@ -153,6 +156,35 @@ void LogSwingTest::leavingEndsTheWork()
     }
     QTest::qWait(50);
     QCOMPARE(static_cast<int>(editorOf(open).analysis()->readings.size()), 3);
+}
+
+void LogSwingTest::whoLeavesALogLeavesItsResults()
+{
+    SmallFleet fleet;
+    const SwingId one = fleet.addSwing("2026-11-21", logOf(kReadings)),
+                  other = fleet.addSwing("2026-11-22", {{0, 1}, {120, 121}, {240, 239}});
+    const auto kept = [&] {
+        const auto rows = fleet.stores.swings.swingsOf(fleet.compass);
+        return std::find_if(rows->begin(), rows->end(), [one](const SwingRow& row) { return row.id == one; })->coefficient_deg[1];
+    };
+    const auto wanted = [&] { return toDegrees(*fleet.stores.results.resultOf(one)->approximate.value[1]); };
+    {
+        OpenWindow open(fleet.stores);
+        open.window.go(one);
+        editorOf(open).settle();
+        type(open, 3, "92.5");
+        QVERIFY(editorOf(open).computing());
+        QVERIFY(!kept()); // nothing rather than what is not true any more
+        open.window.go(other);
+        QTRY_VERIFY(kept());
+        QVERIFY(std::abs(*kept() - wanted()) < 1e-9);
+        open.window.go(one);
+        editorOf(open).settle();
+        type(open, 3, "40");
+        QVERIFY(!kept());
+    } // the window is closed while it computes
+    QVERIFY(kept());
+    QVERIFY(std::abs(*kept() - wanted()) < 1e-9);
 }
 
 void LogSwingTest::theSwingBeforeIsComputedBesides()

@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,6 +21,8 @@ struct MapPicture {
     bool difference = false;         ///< of two deviations
     std::vector<MapExtreme> extremes;
     std::vector<VanishingPlace> vanishing;
+    /// Half of the 95 % band round the value at x and y, where the calibration of the model tells it; empty: not known.
+    std::function<std::optional<double>(double x_deg, double y_deg)> band_deg;
     bool coarse = false; ///< while the hand is on a slider: quicker, a little less fine
 };
 

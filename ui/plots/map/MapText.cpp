@@ -82,9 +82,12 @@ QString vanishingText() { return Words::tr("horizontal field vanishes"); }
 QString mapReadOut(const MapPicture& picture, double x_deg, double y_deg, std::optional<double> value_deg)
 {
     const MapRequest& request = picture.map->request;
-    const QString value = !value_deg ? vanishingText()
-        : picture.difference         ? Words::tr("difference %1").arg(mapValueText(*value_deg))
-                                     : Words::tr("deviation %1").arg(mapValueText(*value_deg));
+    const auto band_deg = value_deg && picture.band_deg ? picture.band_deg(x_deg, y_deg) : std::nullopt;
+    QString value = !value_deg ? vanishingText()
+        : picture.difference   ? Words::tr("difference %1").arg(mapValueText(*value_deg))
+                               : Words::tr("deviation %1").arg(mapValueText(*value_deg));
+    if (band_deg)
+        value = Words::tr("%1 ± %2° (95 %, by its calibration)").arg(value).arg(*band_deg, 0, 'f', *band_deg < 0.95 ? 2 : 1);
     return Words::tr("%1, %2, %3").arg(attitudeText(request.x.axis, x_deg), attitudeText(request.y.axis, y_deg), value);
 }
 
