@@ -133,8 +133,9 @@ TEST_F(ResultStore, aChangeInALogWaitsForNoResultAndLeavesNoOldOne)
     EXPECT_EQ(row().status, Status::NotKnown);
     auto report = db::verify(m_database, {}); // no damage, and worth knowing
     EXPECT_TRUE(report->findings.empty());
-    EXPECT_THAT(report->notes, testing::Contains(testing::ResultOf([](const Message& one) { return one.english(); },
-                                   testing::HasSubstr("results are not computed since"))));
+    EXPECT_THAT(report->notes,
+        testing::Contains(
+            testing::ResultOf([](const Message& one) { return one.english(); }, testing::HasSubstr("results are not computed since"))));
     // What was computed of the readings before another change is not kept.
     const auto record = *m_swings.record(id);
     const auto analysis = *m_results.resultOf(record);
