@@ -18,12 +18,33 @@ namespace {
 
 using Told = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 using ToldVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
-constexpr int kSimulated = 999, kEnough = 100;
+constexpr int kSimulated = 999, kEnough = 20;
+
+/// L with L Lᵀ = A, of A that tells not all directions, too: what it does not tell comes out as a column of zeros.
+Told rootOf(const Told& a)
+{
+    Told root = Told::Zero(a.rows(), a.rows());
+    for (Eigen::Index j = 0; j < a.rows(); ++j) {
+        double pivot = a(j, j);
+        for (Eigen::Index k = 0; k < j; ++k)
+            pivot -= root(j, k) * root(j, k);
+        if (!(pivot > 1e-12 * a(j, j)))
+            continue;
+        root(j, j) = std::sqrt(pivot);
+        for (Eigen::Index i = j + 1; i < a.rows(); ++i) {
+            double rest = a(i, j);
+            for (Eigen::Index k = 0; k < j; ++k)
+                rest -= root(i, k) * root(j, k);
+            root(i, j) = rest / root(j, j);
+        }
+    }
+    return root;
+}
 
 /// Flights in the directions that are told.
 struct ChangeSeries {
     int rank = 0;
-    std::vector<Told> information, root;
+    std::vector<Told> information;
     std::vector<ToldVector> score;
     std::vector<Told> within; ///< of each place: (W)⁻¹, W = M₁ − M₁ M⁻¹ M₁
     std::vector<Told> before; ///< M₁ M⁻¹
@@ -59,8 +80,6 @@ ChangeSeries changeSeriesOf(std::span<const FlightTold> flights, const Clustered
         const Told information = carried(u.transpose(), flight.information.topLeftCorner<3, 3>());
         series.information.push_back(information);
         series.score.push_back(u.transpose() * flight.score.head<3>());
-        const SymmetricParts parts = symmetricParts(information);
-        series.root.push_back(parts.vectors * parts.values.cwiseMax(0.0).cwiseSqrt().asDiagonal());
         all += information;
     }
     Told sum = Told::Zero(fit.rank, fit.rank);
@@ -86,7 +105,7 @@ double tailOf(double statistic, int rank, double freedom)
 }
 
 /// Share of series without a change whose largest statistic is as large. Where that is no rare thing it is told by few of them: drawing
-/// ends with the hundredth (Besag and Clifford 1991).
+/// ends with the twentieth (Besag and Clifford 1991).
 double simulatedChance(const ChangeSeries& series, double statistic, double freedom)
 {
     ContentSeed seed;
@@ -94,13 +113,15 @@ double simulatedChance(const ChangeSeries& series, double statistic, double free
         seed.add(information(0, 0));
     FleetRandom random(seed.value());
     std::vector<ToldVector> scores(series.score.size());
+    std::vector<Told> root(scores.size());
+    std::transform(series.information.begin(), series.information.end(), root.begin(), rootOf);
     int beyond = 0;
     for (int draw = 0; draw < kSimulated; ++draw) {
         for (std::size_t f = 0; f < scores.size(); ++f) {
             ToldVector normal(series.rank);
             for (int i = 0; i < series.rank; ++i)
                 normal(i) = random.normal();
-            scores[f] = series.root[f] * normal;
+            scores[f] = root[f].triangularView<Eigen::Lower>() * normal;
         }
         const double scale = freedom > 0 ? random.chiSquare(std::max(1, static_cast<int>(freedom))) / freedom : 1.0;
         if (series.largest(scores).first >= statistic * scale)

@@ -26,19 +26,20 @@ void WindSense::take(const WindReport& report, const double ground[2], const dou
 {
     ++m_count;
     // Along the track alone: across it the heading error stands in the reported wind.
-    const double speed = std::max(std::hypot(ground[0], ground[1]), 1e-9);
+    const auto sizeOf = [](double east, double north) { return std::sqrt(east * east + north * north); };
+    const double speed = std::max(sizeOf(ground[0], ground[1]), 1e-9);
     const auto along = [&](double east, double north) { return (ground[0] * east + ground[1] * north) / speed; };
     const bool hasAirspeed = std::isfinite(report.tas_kt);
     m_triangles += hasAirspeed ? 1 : 0;
     for (std::size_t h = 0; h < kHypotheses; ++h) {
         const double east = kHypotheticalFactor[h] * wind[0], north = kHypotheticalFactor[h] * wind[1];
         if (hasAirspeed)
-            m_triangle[h] += std::pow(report.tas_kt - std::hypot(ground[0] - east, ground[1] - north), 2);
+            m_triangle[h] += std::pow(report.tas_kt - sizeOf(ground[0] - east, ground[1] - north), 2);
         m_apart[h] += std::pow(along(reference[0] - east, reference[1] - north), 2);
     }
     for (std::size_t sense = 0; sense < 2; ++sense) {
         const double sign = sense == 0 ? -1.0 : 1.0;
-        const double airspeed = std::hypot(ground[0] + sign * reference[0], ground[1] + sign * reference[1]);
+        const double airspeed = sizeOf(ground[0] + sign * reference[0], ground[1] + sign * reference[1]);
         m_airspeed[sense] += airspeed;
         m_airspeedSquares[sense] += airspeed * airspeed;
     }

@@ -1,7 +1,12 @@
 #include "core/format/csv/FigureCsv.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
@@ -16,12 +21,37 @@ constexpr std::size_t kMostComments = 1000,
                       kMostCommentBytes = std::size_t{4}
     << 20; ///< above a header; of a file that has no other lines memory is not taken for all
 
-bool onlyAscii(std::string_view text)
+/// Where cells part, and what else a line holds, in one look at each byte.
+struct Looked {
+    bool quoted = false, ascii = true;
+};
+
+/// @param ends the places of the separator, and the line's end
+Looked lookAt(std::string_view text, char separator, std::vector<std::uint32_t>& ends)
 {
-    unsigned char together = 0;
-    for (const char c : text)
-        together |= static_cast<unsigned char>(c);
-    return together < 0x80;
+    ends.clear();
+    Looked looked;
+    std::size_t at = 0;
+#ifdef __SSE2__
+    const __m128i parting = _mm_set1_epi8(separator), quote = _mm_set1_epi8('"');
+    int high = 0, quotes = 0;
+    for (; at + 16 <= text.size(); at += 16) {
+        const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(text.data() + at));
+        high |= _mm_movemask_epi8(bytes);
+        quotes |= _mm_movemask_epi8(_mm_cmpeq_epi8(bytes, quote));
+        for (auto places = static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(bytes, parting))); places != 0; places &= places - 1)
+            ends.push_back(static_cast<std::uint32_t>(at) + static_cast<std::uint32_t>(std::countr_zero(places)));
+    }
+    looked = {quotes != 0, high == 0};
+#endif
+    for (; at < text.size(); ++at) {
+        looked.quoted = looked.quoted || text[at] == '"';
+        looked.ascii = looked.ascii && static_cast<unsigned char>(text[at]) < 0x80;
+        if (text[at] == separator)
+            ends.push_back(static_cast<std::uint32_t>(at));
+    }
+    ends.push_back(static_cast<std::uint32_t>(text.size()));
+    return looked;
 }
 
 char separatorByKnown(const std::string& header, std::span<const std::string_view> known, char told)
@@ -68,7 +98,9 @@ Result<bool> FigureCsv::nextLine()
     m_line = m_lines.lineNumber();
     if (m_line == 1 && std::string_view(m_text).starts_with(kByteOrderMark))
         m_text.erase(0, kByteOrderMark.size());
-    if (!onlyAscii(m_text))
+    const Looked looked = lookAt(m_text, m_separator, m_ends);
+    m_quoted = looked.quoted;
+    if (!looked.ascii)
         if (const Message bytes = notUtf8(m_text); !bytes.empty())
             return Error{ErrorCode::Format, bytes, m_name, m_line};
     return true;
@@ -77,20 +109,18 @@ Result<bool> FigureCsv::nextLine()
 Result<void> FigureCsv::split()
 {
     m_cells.clear();
-    if (m_text.find('"') == std::string::npos) {
-        std::string_view rest = m_text;
-        for (;;) {
-            const auto end = std::min(rest.find(m_separator), rest.size());
-            std::string_view cell = rest.substr(0, end);
+    if (!m_quoted) {
+        std::size_t begin = 0;
+        for (const std::uint32_t end : m_ends) {
+            std::string_view cell(m_text.data() + begin, end - begin);
             if (!cell.empty()
                 && (static_cast<unsigned char>(cell.front()) <= ' ' || static_cast<unsigned char>(cell.back()) <= ' '
                     || static_cast<unsigned char>(cell.front()) >= 0x80 || static_cast<unsigned char>(cell.back()) >= 0x80))
                 cell = trimmed(cell);
             m_cells.push_back(cell);
-            if (end == rest.size())
-                return {};
-            rest.remove_prefix(end + 1);
+            begin = end + std::size_t{1};
         }
+        return {};
     }
     if (m_splitter.begin(m_text) != RowSplitter::State::Complete)
         return Error{
@@ -131,6 +161,7 @@ Result<void> FigureCsv::readHeader(std::span<const std::string_view> known)
     }
     m_separator = separatorByKnown(m_text, known, told);
     m_splitter = RowSplitter(m_separator);
+    m_quoted = lookAt(m_text, m_separator, m_ends).quoted;
     if (const auto row = split(); !row)
         return row;
     while (!m_cells.empty() && m_cells.back().empty())

@@ -75,6 +75,8 @@ private:
     Message m_expected;
     std::string m_text;
     std::vector<std::string> m_columns, m_comments;
+    std::vector<std::uint32_t> m_ends; ///< of cells, where there are no quotes
+    bool m_quoted = false;
     std::vector<std::string_view> m_cells;
     RowSplitter m_splitter{','};
     char m_separator = ',';

@@ -9,6 +9,7 @@
 #include "core/base/FileText.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/FigureCsv.h"
+#include "core/format/csv/WindHands.h"
 
 namespace lubberline {
 
@@ -124,6 +125,7 @@ public:
     WindReader(
         std::istream& input, const std::string& name, const WindOptions& options, const WindReading& reading, const Progress& progress)
         : m_csv(input, name, MARKED("core", "a Wind CSV: named columns, a report a row"), progress)
+        , m_name(name)
         , m_study(options)
         , m_reading(reading)
     {
@@ -133,15 +135,23 @@ public:
     {
         if (const auto header = takeHeader(); !header)
             return header.error();
-        for (;;) {
-            const auto more = m_csv.next();
-            if (!more)
-                return more.error();
-            if (!*more)
-                break;
-            if (const auto row = takeRow(); !row)
-                return row.error();
+        WindHands hands(m_study);
+        const auto rows = takeRows(hands);
+        const auto stopped = hands.done(); // which is above the row that cannot be read, if both are there
+        switch (stopped.excess) {
+        case WindHands::Excess::None: break;
+        case WindHands::Excess::Aircraft:
+            return Error{ErrorCode::InvalidInput,
+                {MARKED("core", "there are more than %1 aircraft; expected reports of fewer at a time"), WindHands::kMostAircraft}, m_name,
+                stopped.line};
+        case WindHands::Excess::Flights:
+            return Error{ErrorCode::InvalidInput,
+                {MARKED("core", "there are more than %1 flights; expected reports of fewer at a time, and those of a flight together"),
+                    WindHands::kMostFlights},
+                m_name, stopped.line};
         }
+        if (!rows)
+            return rows.error();
         if (m_study.observations() == 0)
             return m_csv.wholeFile(MARKED("core", "has a header but no reports; expected one a row below it"));
         WindFile file;
@@ -203,7 +213,21 @@ private:
         return {};
     }
 
-    Result<void> takeRow()
+    Result<void> takeRows(WindHands& hands)
+    {
+        while (!hands.stopped()) {
+            const auto more = m_csv.next();
+            if (!more)
+                return more.error();
+            if (!*more)
+                break;
+            if (const auto row = takeRow(hands); !row)
+                return row;
+        }
+        return {};
+    }
+
+    Result<void> takeRow(WindHands& hands)
     {
         WindReport report;
         for (const auto& [field, column] : m_fields) {
@@ -245,15 +269,7 @@ private:
                 m_decimals = std::clamp(latitude.size() - point - 1, m_decimals, std::size_t{9});
             report.positionStep_deg = kSteps_deg[m_decimals];
         }
-        m_study.add(report);
-        // What is kept of each takes memory; reports do not.
-        constexpr std::size_t kMostAircraft = 10'000, kMostFlights = 200'000;
-        if (m_study.aircraft() > kMostAircraft)
-            return m_csv.here({MARKED("core", "there are more than %1 aircraft; expected reports of fewer at a time"), kMostAircraft});
-        if (m_study.flights() > kMostFlights)
-            return m_csv.here(
-                {MARKED("core", "there are more than %1 flights; expected reports of fewer at a time, and those of a flight together"),
-                    kMostFlights});
+        hands.add(report, m_csv.line());
         return {};
     }
 
@@ -268,6 +284,7 @@ private:
     }
 
     FigureCsv m_csv;
+    std::string m_name;
     WindStudy m_study;
     std::string m_day;
     double m_dayFrom_s = kMissing;
