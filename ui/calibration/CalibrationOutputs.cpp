@@ -86,10 +86,7 @@ void CalibrationPage::writeReport()
     ReferenceSheet sheet = calibrationSheet(m_run->ellipsoid ? outcomeOf(*m_run->ellipsoid) : outcomeOf(*m_run->attitude), *m_run->part,
         m_run->compensated ? &*m_run->compensated : nullptr, QFileInfo(m_path).fileName());
     sheet.madeAtUtc = m_now();
-    if (const auto written = writeReferenceSheet(sheet, path); !written)
-        emit failed(messageOf(written.error()));
-    else
-        emit readOut(tr("wrote %1").arg(path));
+    m_questions.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }
 
 } // namespace lubberline::ui

@@ -198,10 +198,7 @@ void LineOfSightPage::writeReport()
         return;
     ReferenceSheet sheet = sightSheet(now->given, sightBudget(now->given, now->look, now->helmetRoll_deg));
     sheet.madeAtUtc = m_now();
-    if (const auto written = writeReferenceSheet(sheet, path); !written)
-        emit failed(messageOf(written.error()));
-    else
-        emit readOut(tr("wrote %1").arg(path));
+    m_questions.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }
 
 } // namespace lubberline::ui

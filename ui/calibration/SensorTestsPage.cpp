@@ -325,10 +325,7 @@ void SensorTestsPage::writeReport()
         : tab == kInterferenceTab              ? interferenceSheet(**m_tests->interference, *m_tests->log, source)
                                                : distancesSheet(m_installation->measured_m());
     sheet.madeAtUtc = toText(m_clock.nowUtc());
-    if (const auto written = writeReferenceSheet(sheet, path); !written)
-        emit failed(messageOf(written.error()));
-    else
-        emit readOut(tr("wrote %1").arg(path));
+    m_questions.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }
 
 } // namespace lubberline::ui

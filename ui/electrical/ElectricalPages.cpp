@@ -22,10 +22,9 @@ void writeRecordFile(PageContext& context, const ElectricalSwing& swing, const C
         ElectricalPage::tr("Write the record of the electrical swing"), stem + ".pdf", ElectricalPage::tr("PDF (*.pdf)"));
     if (path.isEmpty())
         return;
-    if (const auto written = writeElectricalSheet({swing, *aircraft, compass, toText(context.stores.clock().nowUtc())}, path); !written)
-        context.fail(messageOf(written.error()));
-    else
-        context.say(ElectricalPage::tr("Record written: %1").arg(path));
+    const ElectricalSheet sheet{swing, *aircraft, compass, toText(context.stores.clock().nowUtc())};
+    context.files.write({path, [sheet, path](const Progress&) { return writeElectricalSheet(sheet, path); },
+        ElectricalPage::tr("Record written: %1").arg(path)});
 }
 
 } // namespace

@@ -93,7 +93,6 @@ PageDescription PopulationPage::description(PageContext& context)
         QStringLiteral("population"), [&context] {
             auto* population = new PopulationPage(context.stores, context.files);
             connect(population, &PopulationPage::openSwing, &context.window, [&context](SwingId id) { context.go({{}, id}); });
-            connect(population, &PopulationPage::done, &context.window, [&context](const QString& message) { context.say(message); });
             return population;
         }};
     page.help = tr(

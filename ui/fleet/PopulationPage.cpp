@@ -378,15 +378,14 @@ void PopulationPage::save()
     if (path.isEmpty())
         return;
     const QString ending = QFileInfo(path).suffix().toLower();
-    const auto written = ending == QStringLiteral("csv") ? writeWholeFile(path.toStdString(), toCsv(m_news->report, m_news->fleet))
-        : ending == QStringLiteral("json")
-        ? writeWholeFile(path.toStdString(), toJson(m_news->report, m_news->fleet) + "\n")
-        : writeFleetDocument({m_news->report, m_news->fleet, m_news->selection, toText(m_stores.clock().nowUtc())}, path,
-            ending == QStringLiteral("html") ? DocumentKind::Html : DocumentKind::Pdf);
-    if (!written)
-        emit failed(messageOf(written.error()));
-    else
-        emit done(tr("wrote %1").arg(path));
+    m_questions.write({path, [news = m_news, now = toText(m_stores.clock().nowUtc()), ending, path](const Progress& progress) {
+                           if (ending == QStringLiteral("csv"))
+                               return writeWholeFile(path.toStdString(), toCsv(news->report, news->fleet));
+                           if (ending == QStringLiteral("json"))
+                               return writeWholeFile(path.toStdString(), toJson(news->report, news->fleet) + "\n");
+                           return writeFleetDocument({news->report, news->fleet, news->selection, now}, path,
+                               ending == QStringLiteral("html") ? DocumentKind::Html : DocumentKind::Pdf, progress);
+                       }});
 }
 
 } // namespace lubberline::ui

@@ -42,7 +42,6 @@ public:
 
 signals:
     void openSwing(lubberline::SwingId swing);
-    void done(const QString& message);
     void computed(bool whole);
 
 private:

@@ -277,10 +277,7 @@ void FlightLogPage::writeReport()
     ReferenceSheet sheet
         = legs ? legsSheet(*legs, source, m_said) : continuousSheet(std::get<ContinuousResult>(m_log->solved), source, m_said);
     sheet.madeAtUtc = toText(m_stores.clock().nowUtc());
-    if (const auto written = writeReferenceSheet(sheet, path); !written)
-        emit failed(messageOf(written.error()));
-    else
-        emit readOut(tr("wrote %1").arg(path));
+    m_questions.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }
 
 void FlightLogPage::make()

@@ -214,11 +214,9 @@ void WindsPage::writeTables()
     const QString path = m_questions.save(tr("Write the tables"), QStringLiteral("deviation-tables.csv"), tr("CSV (*.csv)"));
     if (path.isEmpty())
         return;
-    const auto written = writeWholeFile(path.toStdString(), windTableCsv(m_file->result, factor()), {m_path.toStdString()});
-    if (written)
-        emit readOut(tr("wrote %1").arg(path));
-    else
-        emit failed(messageOf(written.error()));
+    m_questions.write({path, [result = m_file->result, factor = factor(), from = m_path.toStdString(), path](const Progress&) {
+                           return writeWholeFile(path.toStdString(), windTableCsv(result, factor), {from});
+                       }});
 }
 
 void WindsPage::writeReport()
@@ -230,11 +228,8 @@ void WindsPage::writeReport()
     const QString path = m_questions.save(tr("Write the report"), QStringLiteral("deviation-from-winds.pdf"), tr("PDF (*.pdf)"));
     if (path.isEmpty())
         return;
-    const auto written = writeWindSheet({m_file->result, factor(), QFileInfo(m_path).fileName(), m_now()}, path);
-    if (written)
-        emit readOut(tr("wrote %1").arg(path));
-    else
-        emit failed(messageOf(written.error()));
+    const WindSheet sheet{m_file->result, factor(), QFileInfo(m_path).fileName(), m_now()};
+    m_questions.write({path, [sheet, path](const Progress& progress) { return writeWindSheet(sheet, path, progress); }});
 }
 
 } // namespace lubberline::ui

@@ -1,11 +1,14 @@
 #include "ui/kit/Dialogs.h"
 
+#include <QCoreApplication>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
+#include <QFileIconProvider>
 #include <QFileInfo>
 #include <QPrintPreviewDialog>
 #include <QPrinter>
+#include <QProgressDialog>
 #include <QRegularExpression>
 #include <QSettings>
 #include <QUrl>
@@ -15,6 +18,19 @@ namespace lubberline::ui {
 namespace {
 
 const QString kFolder = QStringLiteral("files/folder");
+
+/// By the name alone: the usual ones open every file of the folder, and with that take the locks of a database that is open here
+/// (db/engine/HeldFile.h).
+class IconsByName : public QFileIconProvider {
+public:
+    using QFileIconProvider::icon;
+    QIcon icon(const QFileInfo& file) const override { return icon(file.isDir() ? Folder : File); }
+    QString type(const QFileInfo& file) const override { return file.isDir() ? QString() : file.suffix(); }
+};
+
+struct DialogWords {
+    Q_DECLARE_TR_FUNCTIONS(lubberline::ui::Dialogs)
+};
 
 /// "lubberline.json" of "Exchange files (*.lubberline.json)".
 QString endingOf(const QString& filter)
@@ -48,6 +64,8 @@ QString DesktopDialogs::saveFile(QWidget* parent, const QString& title, const QS
 
 QString DesktopDialogs::ask(QFileDialog& dialog)
 {
+    static auto* const icons = new IconsByName; // a dialog asks it to its end
+    dialog.setIconProvider(icons);
     const QString before = m_settings.value(kFolder).toString();
     dialog.setDirectory(QFileInfo(before).isDir() ? before : QDir::homePath());
     if (dialog.exec() != QDialog::Accepted)
@@ -64,12 +82,24 @@ QString DesktopDialogs::chooseFolder(QWidget* parent, const QString& title, cons
 
 bool DesktopDialogs::openOutside(const QString& path) { return QDesktopServices::openUrl(QUrl::fromLocalFile(path)); }
 
-bool DesktopDialogs::printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint)
+bool DesktopDialogs::printPreview(QWidget* parent, const PaintPages& paint)
 {
+    const auto show = [parent, &paint](QPrinter& target) {
+        QProgressDialog working(DialogWords::tr("Setting the pages…"), DialogWords::tr("Cancel"), 0, 100, parent);
+        working.setWindowModality(Qt::ApplicationModal);
+        paint(target, [&working](double fraction) {
+            working.setValue(static_cast<int>(fraction * 100)); // seen, and heard, where it takes its time
+            return !working.wasCanceled();
+        });
+        return !working.wasCanceled();
+    };
     QPrinter printer(QPrinter::HighResolution);
     printer.setPageSize(QPageSize(QPageSize::A4));
     QPrintPreviewDialog preview(&printer, parent);
-    QObject::connect(&preview, &QPrintPreviewDialog::paintRequested, &preview, [&paint](QPrinter* target) { paint(*target); });
+    QObject::connect(&preview, &QPrintPreviewDialog::paintRequested, &preview, [&](QPrinter* target) {
+        if (!show(*target))
+            QMetaObject::invokeMethod(&preview, &QDialog::reject, Qt::QueuedConnection);
+    });
     preview.resize(900, 700);
     return preview.exec() == QDialog::Accepted; // it closes itself when it has printed
 }

@@ -5,6 +5,8 @@
 
 #include <functional>
 
+#include "core/base/Progress.h"
+
 class QFileDialog;
 class QPrinter;
 class QSettings;
@@ -21,8 +23,9 @@ public:
     virtual QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) = 0;
     /// @return the folder chosen, or empty.
     virtual QString chooseFolder(QWidget* parent, const QString& title, const QString& before) = 0;
-    /// @return whether it was printed.
-    virtual bool printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) = 0;
+    using PaintPages = std::function<void(QPrinter&, const Progress&)>;
+    /// Pages are painted in the window's thread, which a preview wants; they can be cancelled between two. @return whether it was printed.
+    virtual bool printPreview(QWidget* parent, const PaintPages& paint) = 0;
     /// A file or folder in the program that the desktop has for it. @return false: there is none
     virtual bool openOutside(const QString& path) = 0;
 };
@@ -35,7 +38,7 @@ public:
     QString openFile(QWidget* parent, const QString& title, const QString& filter) override;
     QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) override;
     QString chooseFolder(QWidget* parent, const QString& title, const QString& before) override;
-    bool printPreview(QWidget* parent, const std::function<void(QPrinter&)>& paint) override;
+    bool printPreview(QWidget* parent, const PaintPages& paint) override;
     bool openOutside(const QString& path) override;
 
 private:

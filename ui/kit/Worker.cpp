@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "ui/plots/base/ChartOnPaper.h"
+
 namespace lubberline::ui {
 
 WorkerThread::WorkerThread(std::function<void(int percent)> progressed) : m_progressed(std::move(progressed))
@@ -13,7 +15,7 @@ WorkerThread::~WorkerThread()
 {
     cancel();
     m_pool.clear();
-    m_pool.waitForDone();
+    wait();
 }
 
 void WorkerThread::cancel()
@@ -22,9 +24,17 @@ void WorkerThread::cancel()
         m_run->cancelled = true;
 }
 
+/// A document that is painted there may wait for a chart that is drawn here.
+void WorkerThread::wait()
+{
+    constexpr int kBetween_ms = 5;
+    while (!m_pool.waitForDone(kBetween_ms))
+        drawWanted();
+}
+
 void WorkerThread::finish()
 {
-    m_pool.waitForDone();
+    wait();
     QCoreApplication::sendPostedEvents(&m_home, QEvent::MetaCall);
 }
 

@@ -38,6 +38,7 @@ private:
         std::atomic<bool> cancelled{false};
         std::atomic<int> percent{-1};
     };
+    void wait();
     bool report(const std::shared_ptr<Run>& run, double fraction);
 
     std::function<void(int)> m_progressed;

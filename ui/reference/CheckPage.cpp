@@ -264,7 +264,7 @@ void CheckPage::writeReport()
     sheet.text << m_answer->text() << message().split(QLatin1Char('\n'));
     sheet.table = {tr("Readings"),
         {{tr("Turn to"), tr("by compass"), QStringLiteral("°")}, {tr("Datum"), tr("magnetic"), QStringLiteral("°")},
-            {tr("Compass"), {}, QStringLiteral("°")}, {tr("From card"), {}, QStringLiteral("°")}},
+            {tr("Compass"), tr("heading"), QStringLiteral("°")}, {tr("From card"), {}, QStringLiteral("°")}},
         {}};
     for (int row = 0; row < m_table->rowCount(); ++row) {
         QStringList cells;
@@ -274,8 +274,7 @@ void CheckPage::writeReport()
     }
     sheet.signatures = true;
     sheet.madeAtUtc = toText(m_stores.clock().nowUtc());
-    if (const auto written = writeReferenceSheet(sheet, path); !written)
-        emit failed(messageOf(written.error()));
+    m_files.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }
 
 } // namespace lubberline::ui

@@ -286,8 +286,7 @@ void ComparePage::writeReport()
                 {{plainNumber(printedHeading_deg(pair.first.degrees(), 1), 1), plainNumber(printedHeading_deg(pair.second.degrees(), 1), 1),
                     pair.datum ? plainNumber(printedHeading_deg(pair.datum->degrees(), 1), 1) : QString()}});
     sheet.madeAtUtc = toText(m_stores.clock().nowUtc());
-    if (const auto written = writeReferenceSheet(sheet, path); !written)
-        emit failed(messageOf(written.error()));
+    m_files.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }
 
 } // namespace lubberline::ui

@@ -345,8 +345,7 @@ void DatumPage::writeReport()
     for (int row = 0; row < m_budget->rowCount(); ++row)
         sheet.table.rows.push_back({{m_budget->item(row, 0)->text(), m_budget->item(row, 1)->text()}});
     sheet.madeAtUtc = QString::fromStdString(m_nowUtc());
-    if (const auto written = writeReferenceSheet(sheet, path); !written)
-        emit failed(messageOf(written.error()));
+    m_files.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }
 
 } // namespace lubberline::ui

@@ -57,8 +57,7 @@ void ReferencePage::writeReport()
     for (const Manoeuvre& one : m_scenario.manoeuvres)
         sheet.table.rows.push_back({{plainNumber(one.from_s, 1), plainNumber(one.to_s, 1), signedNumber(one.turnRate_deg_s, 2),
             signedNumber(one.acceleration_m_s2, 2), signedNumber(one.climb_m_s, 1)}});
-    if (const auto written = writeReferenceSheet(sheet, path); !written)
-        emit failed(messageOf(written.error()));
+    m_files.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }
 
 } // namespace lubberline::ui

@@ -3,8 +3,13 @@
 #include <QCoreApplication>
 #include <QPrinter>
 
+#include <cmath>
+#include <memory>
+#include <utility>
+
 #include "ui/kit/PageContext.h"
 #include "ui/kit/Words.h"
+#include "ui/report/swing/ReportPages.h"
 #include "ui/swing/Documents.h"
 #include "ui/swing/Gathering.h"
 #include "ui/swing/RecordDocuments.h"
@@ -19,12 +24,12 @@ struct FileWords {
     Q_DECLARE_TR_FUNCTIONS(lubberline::ui::SwingFiles)
 };
 
-void tell(PageContext& context, const Result<void>& done, const QString& success)
+/// @param write (what is written, path), on a worker
+template <class Input>
+void writeFile(PageContext& context, const Input& input, Result<void> (*write)(const Input&, const QString&), const QString& path,
+    const QString& success, std::function<void()> then = {})
 {
-    if (done)
-        context.say(success);
-    else
-        context.fail(messageOf(done.error()));
+    context.files.write({path, [input, write, path](const Progress&) { return write(input, path); }, success, std::move(then)});
 }
 
 /// @param use  with the report of the swing as it is stored now
@@ -56,6 +61,21 @@ void withCard(PageContext& context, SwingPage& page, const CardOptions& options,
         });
 }
 
+/// What failed is told; who cancels knows it. @return whether all was painted
+bool told(PageContext& context, const Result<void>& done)
+{
+    if (!done && done.error().code != ErrorCode::Cancelled)
+        context.fail(messageOf(done.error()));
+    return done.ok();
+}
+
+/// In another size of paper than was to be expected it is laid out anew.
+bool fits(const ReportPages& pages, const QPrinter& printer)
+{
+    const QSizeF off = pages.sheet() - sheetSize(printer);
+    return std::abs(off.width()) < mm(0.1) && std::abs(off.height()) < mm(0.1);
+}
+
 /// A card that went out, as a file or on paper: the next one is a reprint.
 void noteIssued(PageContext& context, const CardInput& card)
 {
@@ -73,18 +93,33 @@ void writeReportFile(PageContext& context, SwingPage& page)
         const QString path = context.files.save(FileWords::tr("Write report"), fileStem(input.record) + ".pdf",
             FileWords::tr("PDF with the data attached (*.pdf);;HTML (*.html);;Readings (*.csv);;Results (*.json)"));
         if (!path.isEmpty())
-            tell(context, writeReport(input, path), FileWords::tr("Report written: %1").arg(path));
+            context.files.write({path, [input, path](const Progress& progress) { return writeReport(input, path, {}, progress); },
+                FileWords::tr("Report written: %1").arg(path)});
     });
 }
 
 void previewReport(PageContext& context, SwingPage& page)
 {
-    withReport(context, page, [&context](const ReportInput& input) {
-        context.dialogs.printPreview(&context.window, [&context, &input](QPrinter& printer) {
-            if (const auto printed = printReport(input, printer); !printed)
-                context.fail(messageOf(printed.error()));
+    using Laid = std::pair<ReportInput, std::shared_ptr<const ReportPages>>;
+    const QString now = toText(context.stores.clock().nowUtc());
+    page.gathering().start<Laid>(
+        [id = page.editor().id(), now](db::Stores& stores, const Progress& progress) -> Result<Laid> {
+            auto input = reportOf(stores, id, now, progress);
+            if (!input)
+                return input.error();
+            auto pages = layOutReport(*input, a4Sheet());
+            return pages ? Result<Laid>(Laid(std::move(*input), *pages)) : pages.error();
+        },
+        [&context](const Result<Laid>& laid) {
+            if (!laid) {
+                context.fail(FileWords::tr("No report: %1").arg(messageOf(laid.error())));
+                return;
+            }
+            context.dialogs.printPreview(&context.window, [&](QPrinter& printer, const Progress& progress) {
+                const auto& [input, pages] = *laid;
+                (void)told(context, fits(*pages, printer) ? printReport(*pages, printer, progress) : printReport(input, printer, progress));
+            });
         });
-    });
 }
 
 void writeCardFile(PageContext& context, SwingPage& page, const CardOptions& options)
@@ -94,10 +129,8 @@ void writeCardFile(PageContext& context, SwingPage& page, const CardOptions& opt
         const QString path = context.files.save(FileWords::tr("Write correction card"), name, FileWords::tr("PDF (*.pdf)"));
         if (path.isEmpty())
             return;
-        const auto written = writeCard(input, path);
-        tell(context, written, FileWords::tr("Card written: %1").arg(path));
-        if (written)
-            noteIssued(context, input);
+        writeFile(context, input, writeCard, path, FileWords::tr("Card written: %1").arg(path),
+            [&context, input] { noteIssued(context, input); });
     });
 }
 
@@ -105,11 +138,8 @@ void previewCard(PageContext& context, SwingPage& page)
 {
     withCard(context, page, {}, [&context](const CardInput& input) {
         bool painted = true;
-        const bool printed = context.dialogs.printPreview(&context.window, [&](QPrinter& printer) {
-            const auto done = printCard(input, printer);
-            painted = static_cast<bool>(done);
-            if (!done)
-                context.fail(messageOf(done.error()));
+        const bool printed = context.dialogs.printPreview(&context.window, [&](QPrinter& printer, const Progress&) {
+            painted = told(context, printCard(input, printer));
         });
         if (printed && painted)
             noteIssued(context, input);
@@ -126,7 +156,7 @@ void writeJobCardFile(PageContext& context, SwingPage& page)
     const QString path = context.files.save(
         FileWords::tr("Write a blank job card"), fileStem(input->record) + " job card.pdf", FileWords::tr("PDF (*.pdf)"));
     if (!path.isEmpty())
-        tell(context, writeJobCard(*input, path), FileWords::tr("Job card written: %1").arg(path));
+        writeFile(context, *input, writeJobCard, path, FileWords::tr("Job card written: %1").arg(path));
 }
 
 void write1613File(PageContext& context, SwingPage& page)
@@ -142,7 +172,7 @@ void write1613File(PageContext& context, SwingPage& page)
             const QString path = context.files.save(
                 FileWords::tr("Write a sheet in DD 1613 style"), fileStem(sheet->record) + " DD 1613.pdf", FileWords::tr("PDF (*.pdf)"));
             if (!path.isEmpty())
-                tell(context, write1613(*sheet, path), FileWords::tr("Sheet written: %1").arg(path));
+                writeFile(context, *sheet, write1613, path, FileWords::tr("Sheet written: %1").arg(path));
         });
 }
 

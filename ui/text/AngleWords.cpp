@@ -3,6 +3,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "ui/text/NumberText.h"
@@ -11,7 +12,7 @@ namespace lubberline::ui {
 
 namespace {
 
-AngleStyle g_style = AngleStyle::DecimalDegrees; // of the window's one thread
+std::atomic<AngleStyle> g_style = AngleStyle::DecimalDegrees; // the window chooses; workers that make documents read it
 
 /// @param decimals of the degrees; two less of the minutes say as much.
 QString degreesMinutes(double size_deg, int decimals)

@@ -130,7 +130,7 @@ private:
     void saveCopy();
     void backUp();
     void restore();
-    void writeBackup(const QString& path);
+    void writeBackup(const QString& path, std::function<void()> then = {});
     void tellWritten(const QString& message, const QString& path);
 
     // MainWindowRecovery.cpp: what could not be stored
@@ -141,6 +141,7 @@ private:
 
     // MainWindowFiles.cpp: import, export
     void chooseImport();
+    void write(const FileToWrite& file);
     void finishTransfer(const Result<TransferOutcome>& outcome);
     void askWhose(const QString& path);
     void startTransfer(const QString& what, const Transfer& transfer);

@@ -137,8 +137,10 @@ void MainWindow::tellWritten(const QString& message, const QString& path)
                 fail(tr("%1: nothing on this machine opens it.").arg(what));
         };
     };
-    m_messages->add(MessagePanel::Kind::Information, message,
-        {{tr("Open"), open(path), false}, {tr("Show in folder"), open(QFileInfo(path).absolutePath()), false}});
+    std::vector<MessagePanel::Answer> answers{{tr("Show in folder"), open(QFileInfo(path).absolutePath()), false}};
+    if (QFileInfo(path).suffix() != QStringLiteral("lubberline")) // another database is opened from the menu
+        answers.insert(answers.begin(), {tr("Open"), open(path), false});
+    m_messages->add(MessagePanel::Kind::Information, message, answers);
 }
 
 void MainWindow::saveCopy()
@@ -149,15 +151,10 @@ void MainWindow::saveCopy()
         writeBackup(path);
 }
 
-void MainWindow::writeBackup(const QString& path)
+void MainWindow::writeBackup(const QString& path, std::function<void()> then)
 {
-    m_asked.clear();
-    if (const auto done = m_services.backup(path); !done) {
-        fail(messageOf(done.error()));
-        return;
-    }
-    m_messages->add(MessagePanel::Kind::Information, tr("Backup written: %1").arg(path),
-        {{tr("Show in folder"), [this, path] { m_services.dialogs.openOutside(QFileInfo(path).absolutePath()); }, false}});
+    write({path, [backup = m_services.backup, path](const Progress&) { return backup(path); }, tr("Backup written: %1").arg(path),
+        std::move(then)});
 }
 
 /// Into the folder that was chosen for it, where the oldest beyond the number that is kept go; else a name is asked for.
@@ -177,17 +174,19 @@ void MainWindow::backUp()
     QString name = moment.left(19);
     name.replace(u'T', u'-').remove(u':');
     const QString path = folder.filePath(QStringLiteral("%1-%2.lubberline").arg(stem, name));
-    writeBackup(path);
-    if (!QFileInfo::exists(path))
-        return;
-    QStringList backups = backupsIn(folder, stem);
-    for (const int most = m_preferences.backupsKept(); backups.size() > most; backups.removeFirst())
-        QFile::remove(folder.filePath(backups.front()));
+    writeBackup(path, [folder, stem, most = m_preferences.backupsKept()] {
+        for (QStringList backups = backupsIn(folder, stem); backups.size() > most; backups.removeFirst())
+            QFile::remove(folder.filePath(backups.front()));
+    });
 }
 
 void MainWindow::restore()
 {
     leaveField();
+    if (m_transfer.running()) {
+        fail(tr("A file is being read or written. Wait for it, or cancel it."));
+        return;
+    }
     const QString path = m_services.dialogs.openFile(this, tr("Restore from a backup"), databases());
     if (path.isEmpty())
         return;
@@ -205,7 +204,7 @@ void MainWindow::print()
     if (const PageDescription* front = m_pages->description(); front && front->print)
         front->print(m_pages->current());
     else
-        m_services.dialogs.printPreview(this, [&page = m_pages->current()](QPrinter& printer) { // as long as it is asked, of this one
+        m_services.dialogs.printPreview(this, [&page = m_pages->current()](QPrinter& printer, const Progress&) { // as long as it is asked, of this one
             printer.setPageOrientation(page.width() > page.height() ? QPageLayout::Landscape : QPageLayout::Portrait);
             printPage(page, printer);
         });

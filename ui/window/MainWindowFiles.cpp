@@ -34,6 +34,17 @@ void MainWindow::importFile(const QString& path, const CsvParticulars& particula
     startTransfer(tr("Importing %1").arg(QFileInfo(path).fileName()), importing(m_stores, path, particulars));
 }
 
+/// A document that a page has asked a name for.
+void MainWindow::write(const FileToWrite& file)
+{
+    if (m_transfer.running()) {
+        fail(tr("Another file is being read or written. Wait for it, or cancel it."));
+        return;
+    }
+    m_asked = file.path;
+    startTransfer(tr("Writing %1").arg(QFileInfo(file.path).fileName()), writing(file));
+}
+
 void MainWindow::startTransfer(const QString& what, const Transfer& transfer)
 {
     m_messages->mended(); // of the file before
@@ -56,6 +67,8 @@ void MainWindow::finishTransfer(const Result<TransferOutcome>& outcome)
         else
             fail(messageOf(error));
     } else {
+        if (outcome->then)
+            outcome->then();
         if (outcome->fleetChanged)
             m_stores.changes().announceFleet();
         if (outcome->swing.valid())

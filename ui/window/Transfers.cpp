@@ -81,4 +81,16 @@ Transfer exporting(const db::Stores& stores, const std::vector<AircraftId>& airc
     return [&stores, aircraft, path](const Progress& progress) { return exportFile(stores, aircraft, path, progress); };
 }
 
+Transfer writing(const FileToWrite& file)
+{
+    return [file](const Progress& progress) -> Result<TransferOutcome> {
+        if (const auto written = file.work(progress); !written)
+            return written.error();
+        TransferOutcome outcome;
+        outcome.message = file.success.isEmpty() ? TransferWords::tr("Written: %1").arg(file.path) : file.success;
+        outcome.then = file.then;
+        return outcome;
+    };
+}
+
 } // namespace lubberline::ui

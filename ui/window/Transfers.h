@@ -7,6 +7,7 @@
 
 #include "db/stores/Stores.h"
 #include "ui/intake/ImportFile.h"
+#include "ui/kit/FileQuestions.h"
 #include "ui/kit/Worker.h"
 
 namespace lubberline::ui {
@@ -16,6 +17,7 @@ struct TransferOutcome {
     QStringList warnings;
     SwingId swing; ///< what to show then, if valid
     bool fleetChanged = false;
+    std::function<void()> then = {}; ///< on the window's thread
 };
 using Transfer = Worker<TransferOutcome>::Work;
 
@@ -24,5 +26,8 @@ using Transfer = Worker<TransferOutcome>::Work;
 
 /// Writes aircraft (none: all) as an exchange file: beside it, then renamed. Errors: Io.
 [[nodiscard]] Transfer exporting(const db::Stores& stores, const std::vector<AircraftId>& aircraft, const QString& path);
+
+/// A document. Errors: those of its work.
+[[nodiscard]] Transfer writing(const FileToWrite& file);
 
 } // namespace lubberline::ui

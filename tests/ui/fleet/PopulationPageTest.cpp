@@ -167,14 +167,11 @@ private slots:
         OpenPopulation open;
         QVERIFY(open.computeType(kDemoPopulationType));
         const QTemporaryDir folder;
-        QSignalSpy done(open.page.get(), &PopulationPage::done), failed(open.page.get(), &PopulationPage::failed);
         for (const char* name : {"a.csv", "a.html", "a.pdf", "a.json"}) {
             open.path = folder.filePath(QString::fromLatin1(name));
             open.find<QPushButton>("populationSave")->click();
             QVERIFY(QFile(open.path).size() > 1000);
         }
-        QCOMPARE(done.count(), 4);
-        QCOMPARE(failed.count(), 0);
     }
 
     void aFleetThatChangesIsTold()

@@ -24,6 +24,7 @@ public:
     QString answer;
     int previews = 0;
     std::function<void(const std::function<void(QPrinter&)>&)> onPreview;
+    Progress patience; ///< of who looks at the preview
     QString openFile(QWidget*, const QString&, const QString&) override { return answer; }
     QString suggested;
     std::function<void()> meanwhile; ///< what happens while a name is asked for
@@ -42,11 +43,11 @@ public:
         return true;
     }
     bool prints = false; ///< what is previewed
-    bool printPreview(QWidget*, const std::function<void(QPrinter&)>& paint) override
+    bool printPreview(QWidget*, const PaintPages& paint) override
     {
         ++previews;
         if (onPreview)
-            onPreview(paint);
+            onPreview([this, &paint](QPrinter& printer) { paint(printer, patience); });
         return prints;
     }
 };
@@ -120,7 +121,7 @@ struct OpenWindow {
     bool writeBackups = false, refuse = false;
     Result<void> backup(const QString& path)
     {
-        backedUpTo = path;
+        backedUpTo = path; // on the window's worker, which finishWriting() waits for
         if (QFile file(path); writeBackups && !file.open(QIODevice::WriteOnly))
             qFatal("the test's backup cannot be written");
         return {};
@@ -160,6 +161,13 @@ struct OpenWindow {
         find<QAction>(action).trigger();
         for (auto* documents : window.findChildren<Gathering*>())
             documents->finish();
+        finishWriting();
+    }
+    void finishWriting()
+    {
+        auto& strip = find<QWidget>("progressStrip");
+        if (!QTest::qWaitFor([&strip] { return strip.isHidden(); }, 30000))
+            qFatal("a file is still being written");
     }
     /// Keys as a person types them: into the editor when one is open.
     void type(const QString& text)

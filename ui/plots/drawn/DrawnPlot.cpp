@@ -1,5 +1,6 @@
 #include "ui/plots/drawn/DrawnPlot.h"
 
+#include "ui/plots/base/ChartOnPaper.h"
 #include "ui/plots/drawn/DrawnChart.h"
 
 namespace lubberline::ui {
@@ -32,11 +33,13 @@ void DrawnPlot::render(QPainter& painter, const QRectF& target) const
 
 void renderDrawn(QPainter& painter, const QRectF& target, const DrawnPicture& picture)
 {
-    DrawnChart paper;
-    paper.setFont(paperFont());
-    paper.setColours(paperColours());
-    paper.setPicture(picture);
-    paper.paint(painter, target);
+    drawOnPaper(painter, target, [&picture](QPainter& sheet, const QRectF& room) {
+        DrawnChart paper;
+        paper.setFont(paperFont());
+        paper.setColours(paperColours());
+        paper.setPicture(picture);
+        paper.paint(sheet, room);
+    });
 }
 
 } // namespace lubberline::ui

@@ -3,6 +3,7 @@
 #include <QPainter>
 
 #include "ui/plots/base/ChartMouse.h"
+#include "ui/plots/base/ChartOnPaper.h"
 #include "ui/plots/map/MapChart.h"
 #include "ui/plots/map/MapPlotRendering.h"
 #include "ui/plots/map/OnPaper.h"
@@ -39,8 +40,10 @@ void MapPlot::render(QPainter& painter, const QRectF& target) const
 
 void renderMap(QPainter& painter, const QRectF& target, const MapPicture& picture)
 {
-    MapChart paper;
-    paintOnPaper(paper, painter, target, picture);
+    drawOnPaper(painter, target, [&picture](QPainter& sheet, const QRectF& room) {
+        MapChart paper;
+        paintOnPaper(paper, sheet, room, picture);
+    });
 }
 
 } // namespace lubberline::ui

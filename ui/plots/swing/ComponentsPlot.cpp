@@ -1,3 +1,4 @@
+#include "ui/plots/base/ChartOnPaper.h"
 #include "ui/plots/swing/ChartPlot.h"
 #include "ui/plots/swing/ComponentsChart.h"
 #include "ui/plots/swing/PlotRendering.h"
@@ -13,8 +14,10 @@ SwingPlot* makeComponentsPlot(QWidget* parent)
 
 void renderComponents(QPainter& painter, const QRectF& target, const SwingPicture& picture)
 {
-    ComponentsChart chart;
-    renderChart(chart, painter, target, picture);
+    drawOnPaper(painter, target, [&picture](QPainter& paper, const QRectF& room) {
+        ComponentsChart chart;
+        renderChart(chart, paper, room, picture);
+    });
 }
 
 } // namespace lubberline::ui

@@ -1,3 +1,4 @@
+#include "ui/plots/base/ChartOnPaper.h"
 #include "ui/plots/swing/ChartPlot.h"
 #include "ui/plots/swing/CurveChart.h"
 #include "ui/plots/swing/PlotRendering.h"
@@ -13,8 +14,10 @@ SwingPlot* makeCurvePlot(QWidget* parent)
 
 void renderCurve(QPainter& painter, const QRectF& target, const SwingPicture& picture)
 {
-    CurveChart chart;
-    renderChart(chart, painter, target, picture);
+    drawOnPaper(painter, target, [&picture](QPainter& paper, const QRectF& room) {
+        CurveChart chart;
+        renderChart(chart, paper, room, picture);
+    });
 }
 
 } // namespace lubberline::ui

@@ -1,3 +1,4 @@
+#include "ui/plots/base/ChartOnPaper.h"
 #include "ui/plots/swing/ChartPlot.h"
 #include "ui/plots/swing/PlotRendering.h"
 #include "ui/plots/swing/PolarChart.h"
@@ -13,8 +14,10 @@ SwingPlot* makePolarPlot(QWidget* parent)
 
 void renderPolar(QPainter& painter, const QRectF& target, const SwingPicture& picture)
 {
-    PolarChart chart;
-    renderChart(chart, painter, target, picture);
+    drawOnPaper(painter, target, [&picture](QPainter& paper, const QRectF& room) {
+        PolarChart chart;
+        renderChart(chart, paper, room, picture);
+    });
 }
 
 } // namespace lubberline::ui

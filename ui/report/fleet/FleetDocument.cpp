@@ -116,12 +116,12 @@ QByteArray fleetHtml(const FleetDocument& document, const PageFrame& frame, cons
 
 } // namespace
 
-Result<void> writeFleetDocument(const FleetDocument& document, const QString& path, DocumentKind kind)
+Result<void> writeFleetDocument(const FleetDocument& document, const QString& path, DocumentKind kind, const Progress& progress)
 {
     const PageFrame frame = fleetFrame(document);
     if (kind == DocumentKind::Pdf)
         return writeSheet(
-            frame, [&](const QString& family, QSizeF room) { return documentBlocks(document, family, room); }, path);
+            frame, [&](const QString& family, QSizeF room) { return documentBlocks(document, family, room); }, path, progress);
     const auto family = documentFamily();
     if (!family)
         return family.error();

@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/fleet/FleetReport.h"
 #include "core/fleet/FleetSelection.h"
@@ -19,6 +20,6 @@ struct FleetDocument {
 enum class DocumentKind { Pdf, Html };
 
 /// A4 with vector plots, or one self-contained page. Errors: Io, Unsupported (no font).
-Result<void> writeFleetDocument(const FleetDocument& document, const QString& path, DocumentKind kind);
+Result<void> writeFleetDocument(const FleetDocument& document, const QString& path, DocumentKind kind, const Progress& progress = {});
 
 } // namespace lubberline::ui

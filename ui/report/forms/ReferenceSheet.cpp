@@ -54,7 +54,7 @@ std::vector<Block> referenceBlocks(const ReferenceSheet& sheet, const QString& f
 
 } // namespace
 
-Result<void> writeReferenceSheet(const ReferenceSheet& sheet, const QString& path)
+Result<void> writeReferenceSheet(const ReferenceSheet& sheet, const QString& path, const Progress& progress)
 {
     PageFrame frame;
     frame.title = sheet.title;
@@ -63,7 +63,7 @@ Result<void> writeReferenceSheet(const ReferenceSheet& sheet, const QString& pat
     frame.hash = hashOfText(sheet.text.join(u'\n').toStdString());
     frame.made = madeWords(sheet.madeAtUtc);
     return writeSheet(
-        frame, [&sheet](const QString& family, QSizeF room) { return referenceBlocks(sheet, family, room.width()); }, path);
+        frame, [&sheet](const QString& family, QSizeF room) { return referenceBlocks(sheet, family, room.width()); }, path, progress);
 }
 
 } // namespace lubberline::ui

@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "ui/report/page/Table.h"
 
@@ -27,6 +28,6 @@ struct ReferenceSheet {
 };
 
 /// Errors: InvalidInput (an ending other than .pdf), Io, Unsupported (no font).
-Result<void> writeReferenceSheet(const ReferenceSheet& sheet, const QString& path);
+Result<void> writeReferenceSheet(const ReferenceSheet& sheet, const QString& path, const Progress& progress = {});
 
 } // namespace lubberline::ui

@@ -159,7 +159,7 @@ std::vector<Fact> remarks(const WindResult& result)
 
 } // namespace
 
-Result<void> writeWindSheet(const WindSheet& sheet, const QString& path)
+Result<void> writeWindSheet(const WindSheet& sheet, const QString& path, const Progress& progress)
 {
     PageFrame frame;
     frame.title = Words::tr("Deviation from winds");
@@ -181,7 +181,7 @@ Result<void> writeWindSheet(const WindSheet& sheet, const QString& path)
             append(blocks, factBlocks(remarks(sheet.result), {family, 7.5, mm(34)}, room.width()));
             return blocks;
         },
-        path);
+        path, progress);
 }
 
 } // namespace lubberline::ui

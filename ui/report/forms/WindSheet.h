@@ -4,6 +4,8 @@
 
 #include <QString>
 
+#include "core/base/Progress.h"
+#include "core/base/Result.h"
 #include "core/inflight/WindStudy.h"
 
 namespace lubberline::ui {
@@ -16,6 +18,6 @@ struct WindSheet {
 };
 
 /// Errors: InvalidInput (an ending other than .pdf), Io, Unsupported (no font).
-Result<void> writeWindSheet(const WindSheet& sheet, const QString& path);
+Result<void> writeWindSheet(const WindSheet& sheet, const QString& path, const Progress& progress = {});
 
 } // namespace lubberline::ui

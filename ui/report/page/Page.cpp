@@ -47,12 +47,15 @@ QSizeF sheetSize(const QPagedPaintDevice& device)
     return {mm(size.width()), mm(size.height())};
 }
 
-Result<void> paintSheets(QPagedPaintDevice& device, int pages, const std::function<void(QPainter&, int)>& paintPage)
+Result<void> paintSheets(
+    QPagedPaintDevice& device, int pages, const std::function<void(QPainter&, int)>& paintPage, const Progress& progress)
 {
     QPainter painter;
     if (!painter.begin(&device))
         return Error{ErrorCode::Io, said(Words::tr("the printer takes no pages; expected one that is switched on and connected"))};
     for (int page = 0; page < pages; ++page) {
+        if (progress && !progress(static_cast<double>(page) / pages))
+            return Error{ErrorCode::Cancelled, {}};
         if (page > 0 && !device.newPage())
             return Error{ErrorCode::Io, said(Words::tr("the printer stopped before page %1 of %2").arg(page + 1).arg(pages))};
         painter.save();
@@ -67,11 +70,10 @@ Result<void> paintSheets(QPagedPaintDevice& device, int pages, const std::functi
 void paintLine(QPainter& painter, const QFont& font, QPointF at, Qt::Alignment alignment, const QString& text)
 {
     const QString shown = inAngleStyle(text);
-    const double width = QFontMetricsF(font).horizontalAdvance(shown);
-    if (alignment & Qt::AlignRight)
-        at.rx() -= width;
-    else if (alignment & Qt::AlignHCenter)
-        at.rx() -= width / 2;
+    if (alignment & (Qt::AlignRight | Qt::AlignHCenter)) { // to measure is half the work
+        const double width = QFontMetricsF(font).horizontalAdvance(shown);
+        at.rx() -= alignment & Qt::AlignRight ? width : width / 2;
+    }
     painter.setFont(font);
     painter.drawText(at, shown);
 }
@@ -79,6 +81,8 @@ void paintLine(QPainter& painter, const QFont& font, QPointF at, Qt::Alignment a
 QStringList wrappedLines(const QFont& font, double width, const QString& given)
 {
     const QString text = inAngleStyle(given); // before it is measured
+    if (text.isEmpty())
+        return QStringList(QString());
     QTextLayout layout(text, font);
     QTextOption option;
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/Progress.h"
 #include "core/base/Result.h"
 
 class QFont;
@@ -24,8 +25,9 @@ constexpr double mm(double millimetres) { return millimetres * 100.0; }
 [[nodiscard]] QSizeF sheetSize(const QPagedPaintDevice& device);
 
 /// Paints `pages` sheets. The painter comes with the page's units set.
-/// Errors: Io when the device takes no painting.
-Result<void> paintSheets(QPagedPaintDevice& device, int pages, const std::function<void(QPainter&, int page)>& paintPage);
+/// Errors: Io when the device takes no painting; Cancelled.
+Result<void> paintSheets(
+    QPagedPaintDevice& device, int pages, const std::function<void(QPainter&, int page)>& paintPage, const Progress& progress = {});
 
 /// A single line from its baseline: `at` is left, centre or right of it by `alignment`.
 void paintLine(QPainter& painter, const QFont& font, QPointF at, Qt::Alignment alignment, const QString& text);

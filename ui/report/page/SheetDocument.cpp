@@ -11,7 +11,7 @@
 
 namespace lubberline::ui {
 
-Result<void> printSheet(const PageFrame& frame, const SheetBlocks& make, QPagedPaintDevice& device)
+Result<void> printSheet(const PageFrame& frame, const SheetBlocks& make, QPagedPaintDevice& device, const Progress& progress)
 {
     const auto family = documentFamily();
     if (!family)
@@ -21,13 +21,14 @@ Result<void> printSheet(const PageFrame& frame, const SheetBlocks& make, QPagedP
     const std::vector<Block> blocks = make(*family, room.size());
     const auto pages = paginate(blocks, room.height());
     const int count = static_cast<int>(pages.size());
-    return paintSheets(device, count, [&](QPainter& painter, int page) {
+    const auto paint = [&](QPainter& painter, int page) {
         paintFrame(painter, frame, *family, sheet, page, count);
         paintBlocks(painter, pages[static_cast<std::size_t>(page)], room);
-    });
+    };
+    return paintSheets(device, count, paint, progress);
 }
 
-Result<void> writeSheet(const PageFrame& frame, const SheetBlocks& blocks, const QString& path)
+Result<void> writeSheet(const PageFrame& frame, const SheetBlocks& blocks, const QString& path, const Progress& progress)
 {
     if (!isStandardStream(path.toStdString()) && QFileInfo(path).suffix().toLower() != "pdf")
         return Error{ErrorCode::InvalidInput,
@@ -35,7 +36,7 @@ Result<void> writeSheet(const PageFrame& frame, const SheetBlocks& blocks, const
     PdfKind kind;
     kind.title = joined({frame.title, frame.subject});
     kind.archive = true; // nothing is attached, and cards are kept for as long as the aircraft
-    const auto bytes = makePdf(kind, [&](QPagedPaintDevice& device) { return printSheet(frame, blocks, device); });
+    const auto bytes = makePdf(kind, [&](QPagedPaintDevice& device) { return printSheet(frame, blocks, device, progress); });
     if (!bytes) {
         Error error = bytes.error();
         error.file = path.toStdString();

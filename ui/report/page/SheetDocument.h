@@ -15,9 +15,9 @@ namespace lubberline::ui {
 /// The blocks of a sheet in a font, for a room. [units of the page]
 using SheetBlocks = std::function<std::vector<Block>(const QString& family, QSizeF room)>;
 
-Result<void> printSheet(const PageFrame& frame, const SheetBlocks& blocks, QPagedPaintDevice& device);
+Result<void> printSheet(const PageFrame& frame, const SheetBlocks& blocks, QPagedPaintDevice& device, const Progress& progress = {});
 /// Errors: InvalidInput (an ending other than .pdf), Io, Unsupported (no font).
 /// PDF/A-1b.
-Result<void> writeSheet(const PageFrame& frame, const SheetBlocks& blocks, const QString& path);
+Result<void> writeSheet(const PageFrame& frame, const SheetBlocks& blocks, const QString& path, const Progress& progress = {});
 
 } // namespace lubberline::ui

@@ -1,6 +1,7 @@
 #include "ui/report/page/TableBlocks.h"
 
 #include <QFontMetricsF>
+#include <QHash>
 #include <QPainter>
 
 #include <algorithm>
@@ -26,6 +27,19 @@ struct Setting {
     std::vector<double> left, width, point;
     QFont cell, bold, head;
     double row = kTableRow; ///< height of a row of one line
+
+    /// Measured once: the same figures come again and again in a column, and a log has tens of thousands.
+    double advance(const QFont& font, const QString& text) const
+    {
+        auto& known = font.bold() ? boldAdvances : advances;
+        auto found = known.constFind(text);
+        if (found == known.constEnd())
+            found = known.insert(text, QFontMetricsF(font).horizontalAdvance(text));
+        return *found;
+    }
+
+private:
+    mutable QHash<QString, double> advances, boldAdvances;
 };
 
 int pointOf(const QString& cell)
@@ -42,14 +56,13 @@ bool isFigure(const QString& cell)
 /// The place of the decimal point that centres the widest figures in the column.
 double pointPlace(const Setting& setting, std::size_t column)
 {
-    const QFontMetricsF metrics(setting.cell);
     double before = 0, after = 0;
     for (const TableRow& row : setting.table.rows) {
         const QString cell = row.cells.value(static_cast<qsizetype>(column));
         if (!isFigure(cell))
             continue;
-        before = std::max(before, metrics.horizontalAdvance(cell.left(pointOf(cell))));
-        after = std::max(after, metrics.horizontalAdvance(cell.mid(pointOf(cell))));
+        before = std::max(before, setting.advance(setting.cell, cell.left(pointOf(cell))));
+        after = std::max(after, setting.advance(setting.cell, cell.mid(pointOf(cell))));
     }
     return setting.left[column] + (setting.width[column] - before - after) / 2 + before;
 }
@@ -88,17 +101,17 @@ void paintCell(QPainter& painter, const Setting& setting, std::size_t column, co
     if (setting.table.columns[column].align == TableColumn::Align::Left) {
         const double ascent = QFontMetricsF(setting.cell).ascent();
         paintWrapped(painter, font, QRectF(left + kPadding, baseline - ascent, setting.width[column] - 2 * kPadding, row.height()), text);
-    } else if (const double room = setting.width[column] - kPadding, needed = QFontMetricsF(font).horizontalAdvance(text); needed > room) {
+    } else if (const double room = setting.width[column] - kPadding, needed = setting.advance(font, text); needed > room) {
         // what is too long for its column is set smaller, and never into the next
         paintLine(painter, smaller(font, room / needed), {left + setting.width[column] / 2, baseline}, Qt::AlignHCenter, text);
     } else if (isFigure(text)) {
         // The points stand one beneath the other, unless "2e-42" and "0.0011" would need more than the column for that.
-        const double whole = QFontMetricsF(font).horizontalAdvance(text.left(pointOf(text)));
+        const double whole = setting.advance(font, text.left(pointOf(text)));
         const double most = left + setting.width[column] - kPadding / 2 - needed;
         const double x = std::max(left + kPadding / 2, std::min(row.left() + setting.point[column] - whole, most));
         paintLine(painter, font, {x, baseline}, Qt::AlignLeft, text);
     } else {
-        paintLine(painter, font, {left + setting.width[column] / 2, baseline}, Qt::AlignHCenter, text);
+        paintLine(painter, font, {left + (setting.width[column] - needed) / 2, baseline}, Qt::AlignLeft, text);
     }
 }
 

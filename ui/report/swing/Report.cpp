@@ -14,10 +14,10 @@ namespace lubberline::ui {
 
 namespace {
 
-Result<QByteArray> reportAs(const QString& ending, const ReportInput& input, const QString& path)
+Result<QByteArray> reportAs(const QString& ending, const ReportInput& input, const QString& path, const Progress& progress)
 {
     if (ending == "pdf")
-        return reportPdf(input);
+        return reportPdf(input, progress);
     if (ending == "html")
         return reportHtml(contentOf(input));
     if (ending == "csv")
@@ -31,9 +31,9 @@ Result<QByteArray> reportAs(const QString& ending, const ReportInput& input, con
 
 } // namespace
 
-Result<void> writeReport(const ReportInput& input, const QString& path, const QString& kind)
+Result<void> writeReport(const ReportInput& input, const QString& path, const QString& kind, const Progress& progress)
 {
-    const auto bytes = reportAs(kind.isEmpty() ? QFileInfo(path).suffix().toLower() : kind, input, path);
+    const auto bytes = reportAs(kind.isEmpty() ? QFileInfo(path).suffix().toLower() : kind, input, path, progress);
     if (!bytes) {
         Error error = bytes.error();
         error.file = path.toStdString();

@@ -1,12 +1,15 @@
 #pragma once
 /// Swing reports: A4 pages with vector plots, HTML with the plots inside, CSV and JSON. All show the same result object.
 
+#include <QSizeF>
 #include <QString>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/angle/AngleText.h"
+#include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/record/Fleet.h"
 #include "core/record/SignatureState.h"
@@ -16,6 +19,8 @@
 class QPagedPaintDevice;
 
 namespace lubberline::ui {
+
+class ReportPages;
 
 /// The head of an audit trail: noted on paper, it can be held against the database later (`db verify --head`).
 struct AuditHead {
@@ -40,12 +45,18 @@ struct ReportInput {
 
 /// Writes a report; the ending says which: .pdf, .html, .csv or .json. Written beside and renamed: no half file is left.
 /// @param kind  "pdf", "html", "csv" or "json" where the path, "-" for standard output, has no ending.
-/// Errors: InvalidInput (another ending), Io (folder missing or not writable: named), Unsupported (no font for a PDF).
-Result<void> writeReport(const ReportInput& input, const QString& path, const QString& kind = {});
+/// Errors: InvalidInput (another ending), Io (folder missing or not writable: named), Unsupported (no font for a PDF), Cancelled.
+Result<void> writeReport(const ReportInput& input, const QString& path, const QString& kind = {}, const Progress& progress = {});
 
 /// Paints the pages of the PDF on any paged device: a QPrinter of the print dialog or preview, in its page size.
-/// Errors: Unsupported (no font), Io (the device takes no painting).
-Result<void> printReport(const ReportInput& input, QPagedPaintDevice& device);
+/// Errors: Unsupported (no font), Io (the device takes no painting), Cancelled.
+Result<void> printReport(const ReportInput& input, QPagedPaintDevice& device, const Progress& progress = {});
+
+/// The same in two steps: what takes longest can be done on a worker, for the size of sheet that is to be expected.
+/// Errors: Unsupported (no font).
+Result<std::shared_ptr<const ReportPages>> layOutReport(const ReportInput& input, QSizeF sheet);
+Result<void> printReport(const ReportPages& pages, QPagedPaintDevice& device, const Progress& progress);
+[[nodiscard]] QSizeF a4Sheet(); ///< [units of the page]
 
 /// How many A4 pages that makes. Errors: Unsupported (no font).
 Result<int> reportPageCount(const ReportInput& input);

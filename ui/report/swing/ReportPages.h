@@ -15,6 +15,7 @@ public:
     ReportPages(const ReportPages&) = delete;
     ReportPages& operator=(const ReportPages&) = delete;
 
+    [[nodiscard]] QSizeF sheet() const { return m_sheet; }
     [[nodiscard]] int count() const { return static_cast<int>(m_pages.size()); }
     /// @param page from 0
     void paint(QPainter& painter, int page) const;

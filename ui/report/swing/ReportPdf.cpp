@@ -10,41 +10,46 @@
 
 namespace lubberline::ui {
 
-namespace {
-
-QSizeF a4()
+QSizeF a4Sheet()
 {
     const QSizeF size_mm = QPageSize(QPageSize::A4).size(QPageSize::Millimeter);
     return {mm(size_mm.width()), mm(size_mm.height())};
 }
 
-} // namespace
-
-Result<QByteArray> reportPdf(const ReportInput& input)
+Result<QByteArray> reportPdf(const ReportInput& input, const Progress& progress)
 {
     PdfKind kind;
     kind.title = frameFor(input.record, Words::tr("Compass swing report"), {}).subject;
     kind.archive = input.archive;
     if (!input.archive)
         kind.attachment = QByteArray::fromStdString(writeExchange(toFleet(input.record)));
-    return makePdf(kind, [&input](QPagedPaintDevice& device) { return printReport(input, device); });
+    return makePdf(kind, [&](QPagedPaintDevice& device) { return printReport(input, device, progress); });
 }
 
-Result<void> printReport(const ReportInput& input, QPagedPaintDevice& device)
+Result<void> printReport(const ReportInput& input, QPagedPaintDevice& device, const Progress& progress)
+{
+    const auto pages = layOutReport(input, sheetSize(device));
+    return pages ? printReport(**pages, device, progress) : pages.error();
+}
+
+Result<std::shared_ptr<const ReportPages>> layOutReport(const ReportInput& input, QSizeF sheet)
 {
     const auto family = documentFamily();
     if (!family)
         return family.error();
-    const ReportPages pages(contentOf(input), *family, sheetSize(device));
-    return paintSheets(device, pages.count(), [&pages](QPainter& painter, int page) { pages.paint(painter, page); });
+    return std::shared_ptr<const ReportPages>(std::make_shared<ReportPages>(contentOf(input), *family, sheet));
+}
+
+Result<void> printReport(const ReportPages& pages, QPagedPaintDevice& device, const Progress& progress)
+{
+    return paintSheets(
+        device, pages.count(), [&pages](QPainter& painter, int page) { pages.paint(painter, page); }, progress);
 }
 
 Result<int> reportPageCount(const ReportInput& input)
 {
-    const auto family = documentFamily();
-    if (!family)
-        return family.error();
-    return ReportPages(contentOf(input), *family, a4()).count();
+    const auto pages = layOutReport(input, a4Sheet());
+    return pages ? Result<int>((*pages)->count()) : pages.error();
 }
 
 } // namespace lubberline::ui

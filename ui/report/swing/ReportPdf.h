@@ -8,6 +8,6 @@
 namespace lubberline::ui {
 
 /// Errors: Unsupported (no font), Io.
-Result<QByteArray> reportPdf(const ReportInput& input);
+Result<QByteArray> reportPdf(const ReportInput& input, const Progress& progress);
 
 } // namespace lubberline::ui
