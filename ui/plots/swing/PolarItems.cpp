@@ -107,7 +107,7 @@ void PolarGround::draw(
     if (limit)
         drawLimitEdge(*painter, radialMap, pole);
     drawHeadings(*painter, pole, radius);
-    drawScale(*painter, radialMap, pole);
+    drawScale(*painter, radialMap, pole, radius);
     drawCaptions(*painter, canvasRect, pole, radius);
 }
 
@@ -172,7 +172,8 @@ void PolarGround::drawHeadings(QPainter& painter, const QPointF& pole, double ra
     }
 }
 
-void PolarGround::drawScale(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const
+/// The names of the rim have their places first: where the outermost label would stand in one, it stands beneath, or nowhere.
+void PolarGround::drawScale(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole, double radius) const
 {
     painter.setFont(m_font);
     const QFontMetricsF metrics(m_font);
@@ -187,6 +188,13 @@ void PolarGround::drawScale(QPainter& painter, const QwtScaleMap& radialMap, con
         const double ring = radialMap.transform(i * m_scale.step);
         place.moveLeft(pole.x() + kScaleGap);
         place.moveTop(pole.y() - std::sqrt(std::max(0.0, ring * ring - kScaleGap * kScaleGap)) - place.height() / 2);
+        double beneath = place.top();
+        for (const int named_deg : {0, 30})
+            if (const QRectF rim = rimPlace(pole, radius, named_deg, named_deg == 0 ? boldOf(m_font) : m_font); rim.intersects(place))
+                beneath = std::max(beneath, rim.bottom());
+        if (beneath - place.top() > std::max(0.0, spacing * every - metrics.height()))
+            continue;
+        place.moveTop(beneath);
         painter.setPen(Qt::NoPen);
         const bool tinted = m_limit_deg && m_limitShown && std::abs(i * m_scale.step) < *m_limit_deg - 0.3 * m_scale.step;
         painter.setBrush(tinted ? m_colours.limit : m_colours.ground);

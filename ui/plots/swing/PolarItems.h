@@ -34,7 +34,7 @@ private:
     void drawLimitEdge(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const;
     void drawGrid(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole, double radius) const;
     void drawHeadings(QPainter& painter, const QPointF& pole, double radius) const;
-    void drawScale(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole) const;
+    void drawScale(QPainter& painter, const QwtScaleMap& radialMap, const QPointF& pole, double radius) const;
     void drawCaptions(QPainter& painter, const QRectF& within, const QPointF& pole, double radius) const;
 
     NiceScale m_scale;

@@ -27,7 +27,7 @@ namespace {
 constexpr int kLeastLastOrder = 12; ///< hatched up to here when the headings resolve fewer
 constexpr int kMostOrders = 60;     ///< drawn: of a log there are thousands, and higher ones say nothing of a compass
 
-/// Whole orders only, with "A", "B/C", "D/E" beneath: in two lines where the orders stand close. Figures that would touch are left out.
+/// Whole orders only, with "A", "B/C", "D/E" beneath: in two or three lines where the orders stand close. Figures that would touch are left out.
 class OrderScaleDraw : public CentredScaleDraw {
 public:
     void setFont(const QFont& font) { m_font = font; }
@@ -41,8 +41,10 @@ public:
         const QString name = orderName(whole);
         if (name.isEmpty())
             return number;
-        const bool close = metrics.horizontalAdvance(QStringLiteral("D/E")) + 4 > room;
-        return number + (close && whole == 1 ? QStringLiteral("\n\n") : QStringLiteral("\n")) + name;
+        // Beneath each other where they would touch: the next one, and of many orders the one after it, too.
+        const double width = metrics.horizontalAdvance(QStringLiteral("D/E")) + 4;
+        const int line = whole == 1 && width > room ? 2 : whole == 2 && width > 2 * room ? 3 : 1;
+        return number + QString(line, u'\n') + name;
     }
 
 private:

@@ -265,12 +265,13 @@ void PolarPlotTest::captionsRunIntoNothing()
     static const QRegularExpression ofRim(QStringLiteral("^([NESW]|\\d{3}°)$"));
     const QFontMetricsF metrics(paperFont());
     const QTemporaryDir folder;
-    for (const QSize size : {QSize(260, 300), QSize(330, 420), QSize(420, 330), QSize(500, 520), QSize(900, 650)}) {
+    static const QRegularExpression ofScale(QStringLiteral("^([+−]\\d+(\\.\\d+)?|0)°$"));
+    for (const QSize size : {QSize(190, 230), QSize(220, 260), QSize(260, 300), QSize(330, 420), QSize(420, 330), QSize(500, 520), QSize(900, 650)}) {
         const QString path = folder.filePath(QStringLiteral("p.svg"));
         QVERIFY(plot->exportTo(path, size));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
-        QList<QRectF> rim, captions;
+        QList<QRectF> rim, captions, scale;
         const QString svg = QString::fromUtf8(file.readAll());
         for (auto all = text.globalMatch(svg); all.hasNext();) {
             const auto one = all.next();
@@ -279,10 +280,16 @@ void PolarPlotTest::captionsRunIntoNothing()
                 metrics.ascent());
             if (ofRim.match(words).hasMatch())
                 rim += box;
+            else if (ofScale.match(words).hasMatch())
+                scale += box;
             else if (words.contains("deviation (") || words.contains("outward") || words == "magnetic" || words.contains("heading ("))
                 captions += box;
         }
         QCOMPARE(rim.size(), 12);
+        QVERIFY(scale.size() >= 3);
+        for (const QRectF& label : scale) // as the outermost would into 030°
+            for (const QRectF& name : rim)
+                QVERIFY2(!name.intersects(label), qPrintable(QStringLiteral("the scale at %1 px").arg(size.width())));
         if (size.width() >= 500)
             QCOMPARE(captions.size(), 4); // two lines each
         for (int i = 0; i < captions.size(); ++i) {
