@@ -138,10 +138,10 @@ Table exactFigures(const CardInput& input)
     const bool byCompass = input.columns.front().card.options.by == CardBy::Compass;
     const QString degrees = QStringLiteral("°");
     Table table{Words::tr("The figures before rounding, and half-way to the next row"),
-        {{byCompass ? Words::tr("COMPASS") : Words::tr("FOR"), byCompass ? Words::tr("compass") : Words::tr("magnetic"), degrees, 18}}, {}};
+        {{byCompass ? Words::tr("COMPASS") : Words::tr("FOR"), byCompass ? Words::tr("compass", "heading") : Words::tr("magnetic"), degrees, 18}}, {}};
     for (const CardColumn& column : input.columns) {
         table.columns.push_back({byCompass && input.columns.size() == 1 ? Words::tr("MAGNETIC") : column.heading,
-            byCompass ? Words::tr("magnetic") : Words::tr("compass"), degrees, 22});
+            byCompass ? Words::tr("magnetic") : Words::tr("compass", "heading"), degrees, 22});
         table.columns.push_back({Words::tr("Deviation"), Words::tr("corrected for"), degrees, 22});
         table.columns.push_back({Words::tr("95 % band"), Words::tr("±"), degrees, 18});
         table.columns.push_back({Words::tr("Half-way"), Words::tr("by the curve"), degrees, 20});

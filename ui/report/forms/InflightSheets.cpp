@@ -47,7 +47,7 @@ ReferenceSheet legsSheet(const LegsSolution& solution, const QString& source, co
         {{Words::tr("Leg"), {}, {}, 26, TableColumn::Align::Left}, {Words::tr("Track"), Words::tr("true"), degrees, 20},
             {Words::tr("Speed"), Words::tr("ground"), QStringLiteral("kt"), 20}, {Words::tr("Heading"), Words::tr("true"), degrees, 20},
             {Words::tr("±"), {}, degrees, 14}, {Words::tr("Heading"), Words::tr("magnetic"), degrees, 20},
-            {Words::tr("Compass"), {}, degrees, 20}, {Words::tr("Deviation"), {}, degrees, 20}},
+            {Words::tr("Compass", "heading"), Words::tr("heading"), degrees, 20}, {Words::tr("Deviation"), {}, degrees, 20}},
         {}};
     for (const SolvedLeg& leg : solution.legs)
         sheet.table.rows.push_back({{printable(leg.leg.name), headingFigure(leg.leg.track_deg, 1), figure(leg.leg.groundSpeed_kt, 1),
