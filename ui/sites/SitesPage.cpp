@@ -197,6 +197,7 @@ void SitesPage::buildForm(QFormLayout& form)
 
 void SitesPage::reload()
 {
+    say({}); // of what was done before
     auto sites = m_context.stores.sites.sites();
     if (!sites) {
         emit failed(messageOf(sites.error()));

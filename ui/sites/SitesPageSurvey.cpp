@@ -152,8 +152,12 @@ void SitesPage::paste()
         }
         after.survey.push_back(*point);
     }
-    if (!rows->empty())
-        store(after, tr("survey"));
+    const std::size_t before = m_fields.record().survey.size();
+    if (rows->empty())
+        return;
+    store(after, tr("survey"));
+    if (before > 0 && m_fields.record() == after)
+        say(tr("%1 points were added to the %2 of the survey before. Ctrl+Z takes them out.").arg(rows->size()).arg(before));
 }
 
 } // namespace lubberline::ui

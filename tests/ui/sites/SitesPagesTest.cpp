@@ -1,5 +1,6 @@
 // Compass bases and datum instruments: what is typed, and what it is told to mean.
 
+#include <QClipboard>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QUndoStack>
@@ -71,6 +72,14 @@ private slots:
         QCOMPARE(fleet.stores.sites.sites()->front().survey.size(), 3u);
         const QString summary = in<QLabel>(page, "surveySummary").text();
         QVERIFY2(summary.contains("mean 6.200°") && summary.contains("range 9.6′") && summary.contains("class 1"), qPrintable(summary));
+        // Another survey beside the first is not added in silence.
+        QApplication::clipboard()->setText("20\t0\t\t6.21\n0\t20\t\t6.19\n");
+        table.setFocus();
+        QTest::keySequence(&table, QKeySequence::Paste);
+        QCOMPARE(fleet.stores.sites.sites()->front().survey.size(), 5u);
+        QVERIFY2(page.message().contains("2 points were added to the 3"), qPrintable(page.message()));
+        stack.undo();
+        QCOMPARE(fleet.stores.sites.sites()->front().survey.size(), 3u);
         typeCell(table, 1, 3, "abc");
         QVERIFY(in<QLabel>(page, "surveySummary").text().contains("'abc'"));
         QCOMPARE(*fleet.stores.sites.sites()->front().survey[1].declination_deg, 6.28);
