@@ -4,12 +4,14 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -77,6 +79,11 @@ void FleetPanel::refresh()
     const bool before = std::exchange(m_selecting, true);
     m_model->refresh();
     m_selecting = before;
+    if (m_stack->currentWidget() == m_hits) { // what came is found, too, and what went no more
+        const int scrolled = m_hits->verticalScrollBar()->value();
+        search();
+        m_hits->verticalScrollBar()->setValue(scrolled);
+    }
 }
 
 void FleetPanel::showDue(const std::vector<DueLine>& lines, int due)
@@ -150,6 +157,8 @@ void FleetPanel::populate()
 
 void FleetPanel::select(const std::vector<FleetItem>& path)
 {
+    m_selected = path.empty() ? FleetItem() : path.back();
+    markHit();
     if (!m_tree->model())
         return;
     m_selecting = true;
@@ -244,6 +253,14 @@ void FleetPanel::search()
         auto* nothing = new QListWidgetItem(tr("Nothing found"), m_hits);
         nothing->setFlags(Qt::NoItemFlags);
     }
+    markHit();
+}
+
+/// What is found is marked while it is the one that is shown.
+void FleetPanel::markHit()
+{
+    const auto found = std::find(m_hitItems.begin(), m_hitItems.end(), m_selected);
+    m_hits->setCurrentRow(found == m_hitItems.end() ? -1 : static_cast<int>(found - m_hitItems.begin()));
 }
 
 void FleetPanel::chooseHit(int row)

@@ -45,6 +45,7 @@ private:
     void buildSearch();
     void search();
     void chooseHit(int row);
+    void markHit();
 
     db::Stores& m_stores;
     FleetModel* m_model;
@@ -56,6 +57,7 @@ private:
     QTimer* m_searchSoon;
     QTimer* m_refreshSoon;
     std::vector<FleetItem> m_hitItems;
+    FleetItem m_selected; ///< that is shown
     bool m_selecting = false;
 };
 

@@ -22,7 +22,9 @@ QString titleOf(const SwingRecord& record)
             parts += toText(part);
     QStringList swing{statedWord(record.swing.kind), statedWord(record.swing.stage)};
     swing.removeAll(QString());
-    parts += QString(toText(record.swing.date) + " " + swing.join(QStringLiteral(", "))).trimmed();
+    const QString date
+        = record.swing.date.empty() ? QCoreApplication::translate("lubberline::ui::FleetModel", "no date") : toText(record.swing.date);
+    parts += QString(date + " " + swing.join(QStringLiteral(", "))).trimmed();
     return parts.join(QStringLiteral(" · "));
 }
 
