@@ -91,7 +91,7 @@ void GuidedStart::build()
     m_procedure = addBox(*form, tr("&Procedure:"), "guidedProcedure", choiceWords<ProcedureKind>());
     m_meaning->setWordWrap(true);
     m_meaning->setFont(font());
-    m_meaning->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_meaning->setAlignment(Qt::AlignTop);
     m_start->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Return));
     form->addRow(QString(), m_meaning);
     m_points = addBox(*form, tr("&Check swing:"), "guidedPoints", {tr("8 headings"), tr("12 headings"), tr("24 headings")});

@@ -28,7 +28,7 @@ public:
     void setHistory(const std::vector<HistoryPoint>& points, std::optional<double> limit_deg);
     void render(QPainter& painter, const QRectF& target) const override;
     [[nodiscard]] QSize sizeHint() const override { return {560, 300}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 160}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 230}; } ///< the legend may take three lines
 
 signals:
     void swingSelected(int swing);
