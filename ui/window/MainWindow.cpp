@@ -117,7 +117,8 @@ PageContext MainWindow::contextOfPages()
 {
     const FileQuestions files{
         [this](const QString& title, const QString& filter) { return m_services.dialogs.openFile(this, title, filter); },
-        [this](const QString& title, const QString& suggestion, const QString& filter) { return askToSave(title, suggestion, filter); }};
+        [this](const QString& title, const QString& suggestion, const QString& filter) { return askToSave(title, suggestion, filter); },
+        [this](const FileToWrite& file) { write(file); }};
     PageContext context{m_stores, m_context, m_stack, m_services.settings, m_services.dialogs, *this, files};
     context.preferences = &m_preferences;
     context.pages = [this]() -> const std::vector<PageDescription>& { return m_pages->descriptions(); };
@@ -333,7 +334,7 @@ Shown MainWindow::shown() const
     return shown;
 }
 
-void MainWindow::afterFleetChange() { m_pages->current().fleetChanged(); }
+void MainWindow::afterFleetChange() { m_pages->fleetChanged(); }
 
 void MainWindow::fail(const QString& message)
 {

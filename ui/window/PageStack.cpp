@@ -85,6 +85,7 @@ Result<void> PageStack::show(const Destination& destination)
 /// report is to be written) comes back to it, while an import that ended beneath has shown another.
 void PageStack::retire(Page* page)
 {
+    m_stale.erase(page);
     removeWidget(page);
     page->setParent(nullptr);
     page->disconnect(this);
@@ -120,7 +121,17 @@ void PageStack::turnTo(Page& page)
 {
     finishControls(page);
     setCurrentWidget(&page);
+    if (m_stale.erase(&page) > 0)
+        page.fleetChanged();
     emit turned();
+}
+
+void PageStack::fleetChanged()
+{
+    for (const auto& [id, page] : m_made)
+        if (page != currentWidget())
+            m_stale.insert(page);
+    current().fleetChanged();
 }
 
 void PageStack::setAngleStyle(AngleStyle style)

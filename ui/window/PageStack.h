@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "core/angle/AngleText.h"
@@ -33,6 +34,7 @@ public:
     bool showAsLeft(const QString& id);
     /// One whose record is no more goes, unless it is in front.
     void drop(const QString& id);
+    void fleetChanged(); ///< the page in front hears of it at once, another when it comes to the front
     void setAngleStyle(AngleStyle style);
 
 signals:
@@ -53,6 +55,7 @@ private:
     std::vector<PageDescription> m_descriptions;
     std::map<QString, Page*> m_made;
     std::vector<QPointer<Page>> m_retired;
+    std::set<Page*> m_stale; ///< those that have not heard yet that the fleet has changed
 };
 
 } // namespace lubberline::ui

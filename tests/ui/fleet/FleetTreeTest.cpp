@@ -6,8 +6,11 @@
 #include <QSignalSpy>
 #include <QTreeView>
 
+#include <map>
+
 #include "tests/ui/window/Fixture.h"
 #include "ui/fleet/FleetModel.h"
+#include "ui/window/PageStack.h"
 
 using namespace lubberline;
 using namespace lubberline::ui;
@@ -21,6 +24,8 @@ private slots:
     void badgeFollowsTheReadings();
     void nothingIsAskedBeforeTheFirstPaint();
     void searchFindsAndGoes();
+    void whatIsFoundKeepsUpWithWhatIsShown();
+    void aPageBehindHearsOfTheFleetWhenItComesToTheFront();
 };
 
 void FleetTreeTest::asksOnlyWhatIsOpened()
@@ -115,6 +120,62 @@ void FleetTreeTest::searchFindsAndGoes()
     QCOMPARE(open.label("aircraftTitle"), QStringLiteral("Su-22 · 3713"));
     QTest::keyClick(&words, Qt::Key_Escape);
     QVERIFY(open.find<QTreeView>("fleetTree").isVisible());
+}
+
+void FleetTreeTest::whatIsFoundKeepsUpWithWhatIsShown()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.stores);
+    auto& words = open.find<QLineEdit>("searchLine");
+    auto& hits = open.find<QListWidget>("searchHits");
+    QTest::keyClicks(&words, "371");
+    QTRY_COMPARE(hits.count(), 3);
+    QCOMPARE(hits.currentRow(), -1); // nothing of it is shown
+    open.window.go(fleet.swing);
+    QCOMPARE(hits.currentRow(), 2);
+    const SwingId another = fleet.addSwing("2026-11-25", {});
+    fleet.stores.changes().announceFleet();
+    QCOMPARE(hits.count(), 4);
+    QVERIFY(hits.currentItem()->text().contains("2026-11-20")); // the one that is shown, wherever it stands now
+    open.window.go(another);
+    QVERIFY(hits.currentItem()->text().contains("2026-11-25"));
+    open.window.go({});
+    QCOMPARE(hits.currentRow(), -1);
+}
+
+namespace {
+
+struct HearingPage final : Page {
+    int heard = 0;
+    bool isOf(const FleetItem&) const override { return true; } // a list
+    void fleetChanged() override { ++heard; }
+};
+
+} // namespace
+
+void FleetTreeTest::aPageBehindHearsOfTheFleetWhenItComesToTheFront()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.stores);
+    EditContext edits{fleet.stores, [](const Error&) {}};
+    QUndoStack undo;
+    PageContext context{fleet.stores, edits, undo, open.settings, open.dialogs, open.window, {}};
+    std::map<QString, HearingPage*> made;
+    const auto page = [&made](const QString& id) {
+        return PageDescription{id, [&made, id] { return made[id] = new HearingPage; }};
+    };
+    PageStack stack(context, {page("front"), page("behind")});
+    QVERIFY(stack.show(Destination{"behind"}));
+    QVERIFY(stack.show(Destination{"front"}));
+    stack.fleetChanged();
+    stack.fleetChanged();
+    QCOMPARE(made["front"]->heard, 2);
+    QCOMPARE(made["behind"]->heard, 0); // it would work for nobody
+    QVERIFY(stack.show(Destination{"behind"}));
+    QCOMPARE(made["behind"]->heard, 1);
+    QVERIFY(stack.show(Destination{"front"}));
+    QVERIFY(stack.show(Destination{"behind"}));
+    QCOMPARE(made["behind"]->heard, 1);
 }
 
 QTEST_MAIN(FleetTreeTest)
