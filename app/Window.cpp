@@ -13,6 +13,7 @@
 #include "app/Paths.h"
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
+#include "db/engine/HeldFile.h"
 #include "db/schema/Schema.h"
 #include "db/transfer/Maintenance.h"
 #include "ui/text/Language.h"
@@ -77,6 +78,7 @@ private:
         m_restored.clear();
         QSettings settings;
         ui::speak(ui::wantedLanguages(settings.value("view/language").toString()));
+        const db::HeldFile held(m_stores->location());
         ui::DesktopDialogs dialogs(settings);
         ui::MainWindow window(*m_stores, services(dialogs, settings));
         m_window = &window;
