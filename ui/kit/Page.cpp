@@ -4,6 +4,8 @@
 #include <QLineEdit>
 #include <QScrollArea>
 
+#include <algorithm>
+
 #include "ui/kit/fit/LongWords.h"
 #include "ui/plots/base/Plot.h"
 #include "ui/text/AngleWords.h"
@@ -34,6 +36,68 @@ public:
     [[nodiscard]] int heightForWidth(int width) const override { return layout()->minimumHeightForWidth(width); }
 };
 
+/// The title stands beside the buttons while they leave it two lines; where it would become a column of words it stands above them.
+class PageHead final : public QHBoxLayout {
+public:
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override
+    {
+        return above(width) ? titleHeight(width) + spacing() + toolsHeight() : QHBoxLayout::heightForWidth(width);
+    }
+    [[nodiscard]] int minimumHeightForWidth(int width) const override
+    {
+        return above(width) ? heightForWidth(width) : QHBoxLayout::minimumHeightForWidth(width);
+    }
+    void setGeometry(const QRect& rect) override
+    {
+        if (!above(rect.width()))
+            return QHBoxLayout::setGeometry(rect);
+        QLayout::setGeometry(rect);
+        const int title = titleHeight(rect.width());
+        itemAt(0)->setGeometry({rect.left(), rect.top(), rect.width(), title});
+        const bool tight = toolsWidth(false) > rect.width();
+        QPoint at(rect.left(), rect.top() + title + spacing());
+        for (QLayoutItem* tool : tools()) {
+            const int width = tight ? tool->minimumSize().width() : tool->sizeHint().width();
+            tool->setGeometry({at, QSize(width, toolsHeight())});
+            at.rx() += width + spacing();
+        }
+    }
+
+private:
+    [[nodiscard]] std::vector<QLayoutItem*> tools() const
+    {
+        std::vector<QLayoutItem*> all;
+        for (int i = 1; i < count(); ++i)
+            if (!itemAt(i)->isEmpty())
+                all.push_back(itemAt(i));
+        return all;
+    }
+    [[nodiscard]] int toolsWidth(bool withGapBefore) const
+    {
+        int width = withGapBefore ? spacing() : -spacing();
+        for (const QLayoutItem* tool : tools())
+            width += tool->sizeHint().width() + spacing();
+        return width;
+    }
+    [[nodiscard]] int toolsHeight() const
+    {
+        int height = 0;
+        for (const QLayoutItem* tool : tools())
+            height = std::max(height, tool->sizeHint().height());
+        return height;
+    }
+    [[nodiscard]] int titleHeight(int width) const { return itemAt(0)->heightForWidth(width); }
+    [[nodiscard]] bool above(int width) const
+    {
+        const auto beside = tools();
+        if (beside.empty() || std::any_of(beside.begin(), beside.end(), [](const QLayoutItem* tool) { return tool->hasHeightForWidth(); }))
+            return false;
+        const int left = width - toolsWidth(true), line = QFontMetrics(itemAt(0)->widget()->font()).lineSpacing();
+        return left <= 0 || (titleHeight(left) > 2 * line + line / 2 && titleHeight(width) < titleHeight(left));
+    }
+};
+
 /// A page that is larger than its window is scrolled: it never makes the window larger than the screen.
 QScrollArea* scrolled(QVBoxLayout& body)
 {
@@ -54,7 +118,7 @@ QScrollArea* scrolled(QVBoxLayout& body)
 
 } // namespace
 
-Page::Page(QWidget* parent) : QWidget(parent), m_title(new QLabel), m_message(new QLabel), m_head(new QHBoxLayout), m_body(new QVBoxLayout)
+Page::Page(QWidget* parent) : QWidget(parent), m_title(new QLabel), m_message(new QLabel), m_head(new PageHead), m_body(new QVBoxLayout)
 {
     m_title->setObjectName(QStringLiteral("pageTitle"));
     QFont large = font();

@@ -12,6 +12,7 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
+#include "ui/kit/Page.h"
 #include "ui/kit/fit/ControlFit.h"
 #include "ui/kit/fit/FlowLayout.h"
 #include "ui/kit/fit/SideBySide.h"
@@ -31,6 +32,7 @@ private slots:
     void headingsAreWholeWhateverComesFirst();
     void aChoiceIsAsWideAsItsWords();
     void aChoiceSaysItsWholeTextAsATip();
+    void aTitleThatWouldBecomeAColumnStandsAboveItsButtons();
 };
 
 namespace {
@@ -215,6 +217,40 @@ void FitTest::aChoiceSaysItsWholeTextAsATip()
     QHelpEvent help(QEvent::ToolTip, {5, 5}, box->mapToGlobal(QPoint(5, 5)));
     QCoreApplication::sendEvent(box, &help);
     QCOMPARE(QToolTip::text(), QString(60, 'w') + "\nwhat it is for");
+}
+
+namespace {
+
+struct TitledPage final : Page {
+    QPushButton *first = new QPushButton("the first of two buttons"), *second = new QPushButton("the second of two buttons");
+    TitledPage()
+    {
+        head().addWidget(first);
+        head().addWidget(second);
+        setTitle("PZL-130 · 094 · standby compass · 2026-03-12 check swing, as left");
+    }
+    const QLabel& line() { return titleLine(); }
+};
+
+} // namespace
+
+void FitTest::aTitleThatWouldBecomeAColumnStandsAboveItsButtons()
+{
+    TitledPage page;
+    page.resize(1200, 300);
+    page.show();
+    QCoreApplication::processEvents();
+    QVERIFY(page.line().geometry().right() < page.first->x()); // beside
+    page.resize(page.minimumSizeHint().width() + 40, 300);
+    QCoreApplication::processEvents();
+    QVERIFY(page.line().geometry().bottom() < page.first->y());
+    QCOMPARE(page.first->y(), page.second->y());
+    QVERIFY(page.first->geometry().right() < page.second->x());
+    QVERIFY(page.rect().contains(page.second->geometry()));
+    QVERIFY(page.line().height() < 4 * page.line().fontMetrics().lineSpacing());
+    page.resize(1200, 300);
+    QCoreApplication::processEvents();
+    QVERIFY(page.line().geometry().right() < page.first->x());
 }
 
 QTEST_MAIN(FitTest)
