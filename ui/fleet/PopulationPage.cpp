@@ -19,6 +19,7 @@
 #include "ui/fleet/PaintedPlot.h"
 #include "ui/fleet/PopulationFilters.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/FlowLayout.h"
 #include "ui/kit/fit/TableFit.h"
 #include "ui/report/fleet/FleetDocument.h"
 #include "ui/report/fleet/FleetTables.h"
@@ -135,12 +136,11 @@ QWidget* PopulationPage::buildCommands()
     m_progress->setMaximumWidth(140);
     m_state->setObjectName(QStringLiteral("populationState"));
     auto* panel = new QWidget;
-    auto* row = new QHBoxLayout(panel);
+    auto* row = new FlowLayout(panel);
     row->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_compute, m_cancel, m_progress})
+    m_state->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_compute, m_cancel, m_progress, m_state, m_save})
         row->addWidget(part);
-    row->addWidget(m_state, 1);
-    row->addWidget(m_save);
     connect(m_compute, &QPushButton::clicked, this, &PopulationPage::compute);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     connect(m_save, &QPushButton::clicked, this, &PopulationPage::save);
