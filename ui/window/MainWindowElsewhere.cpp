@@ -58,9 +58,17 @@ void MainWindow::lookElsewhere()
     const QString title = m_pages->current().title();
     const FleetItem shown = pathOf(m_pages->current()).back();
     m_stores.changes().announceAll();
-    if (isThere(m_stores, shown))
+    const bool replaced = isThere(m_stores, shown) && !m_pages->ownsItsRecord();
+    if (isThere(m_stores, shown) && !replaced)
         return;
-    leaveRemoved();
+    const PageDescription* front = m_pages->description();
+    if (replaced && front) { // by one that got its number
+        const QString left = front->id;
+        navigate({});
+        m_pages->drop(left);
+    } else {
+        leaveRemoved();
+    }
     fail(tr("%1 has been removed in another window or by another program.").arg(title));
 }
 

@@ -119,6 +119,8 @@ private slots:
     void whatAnotherProgramRemovesIsGone();
     void backAndForwardGoAlongWhatWasShown();
     void aClickOnTheChosenItemShowsItsPageAgain();
+    void aNumberThatIsGivenAgainIsAnotherRecord();
+    void aSwingWhoseCreationIsUndoneTakesItsPanels();
 };
 
 void WrongRecordTest::whatIsTypedStaysWithItsRecord_data()
@@ -271,6 +273,60 @@ void WrongRecordTest::aClickOnTheChosenItemShowsItsPageAgain()
         }
         QCOMPARE(stack->description()->id, QStringLiteral("swing"));
     }
+}
+
+/// SQLite gives the number of the newest record again when that was removed.
+void WrongRecordTest::aNumberThatIsGivenAgainIsAnotherRecord()
+{
+    for (const bool inFront : {false, true}) {
+        TwoAircraft two;
+        OpenWindow open(two.fleet.stores);
+        auto* stack = open.window.findChild<PageStack*>();
+        const SwingId made = two.fleet.addSwing("2026-11-25", eightPoints());
+        open.window.go(made);
+        open.trigger("signSwing");
+        typeEverywhere(stack->current());
+        if (!inFront)
+            open.window.go(two.otherCompass);
+        const auto program = two.fleet.stores.another();
+        QVERIFY(program->swings.remove(made));
+        Swing other = *program->swings.swing(two.otherDraft);
+        other.id = {};
+        other.record = newRecordId();
+        const auto again = program->swings.add(other);
+        QVERIFY(again && *again == made); // else this test tests nothing
+        if (inFront)
+            QTRY_VERIFY(open.window.messages().shown().contains("removed"));
+        open.window.go(made);
+        every::settle();
+        QVERIFY(open.window.windowTitle().contains("3802"));
+        QVERIFY2(typedOn(stack->current()).isEmpty(), qPrintable(typedOn(stack->current()).join(", ")));
+    }
+}
+
+void WrongRecordTest::aSwingWhoseCreationIsUndoneTakesItsPanels()
+{
+    TwoAircraft two;
+    OpenWindow open(two.fleet.stores);
+    auto* stack = open.window.findChild<PageStack*>();
+    open.window.go(two.otherCompass);
+    open.trigger("newSwing");
+    open.find<QLineEdit>("newDate").setText("2026-11-25");
+    open.find<QPushButton>("createSwing").click();
+    open.trigger("signSwing");
+    typeEverywhere(stack->current());
+    open.trigger("undo");
+    every::settle();
+    QVERIFY(typedOn(stack->current()).isEmpty());
+    open.trigger("redo");
+    every::settle();
+    QVERIFY2(typedOn(stack->current()).isEmpty(), qPrintable(typedOn(stack->current()).join(", ")));
+    open.trigger("undo");
+    open.trigger("back");
+    open.trigger("forward");
+    every::settle();
+    QVERIFY(typedOn(stack->current()).isEmpty());
+    QVERIFY(!two.all(two.other).contains(kTyped) && !two.all(two.fleet.aircraft).contains(kTyped));
 }
 
 QTEST_MAIN(WrongRecordTest)
