@@ -10,6 +10,7 @@
 #include <QPrinter>
 #include <QProgressDialog>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QSettings>
 #include <QUrl>
 
@@ -100,7 +101,7 @@ bool DesktopDialogs::printPreview(QWidget* parent, const PaintPages& paint)
         if (!show(*target))
             QMetaObject::invokeMethod(&preview, &QDialog::reject, Qt::QueuedConnection);
     });
-    preview.resize(900, 700);
+    preview.resize(QSize(900, 700).boundedTo(preview.screen()->availableSize() - QSize(20, 60))); // with a frame, on a small screen, too
     return preview.exec() == QDialog::Accepted; // it closes itself when it has printed
 }
 
