@@ -102,7 +102,7 @@ bool DesktopDialogs::printPreview(QWidget* parent, const PaintPages& paint)
             QMetaObject::invokeMethod(&preview, &QDialog::reject, Qt::QueuedConnection);
     });
     preview.resize(QSize(900, 700).boundedTo(preview.screen()->availableSize() - QSize(20, 60))); // with a frame, on a small screen, too
-    return preview.exec() == QDialog::Accepted; // it closes itself when it has printed
+    return preview.exec() == QDialog::Accepted;                                                   // it closes itself when it has printed
 }
 
 } // namespace lubberline::ui

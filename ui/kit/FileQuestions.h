@@ -15,7 +15,7 @@ struct FileToWrite {
     QString path;
     /// On a worker, with all that it needs: the page that asked may be gone by then. Errors: those of writing; Cancelled
     std::function<Result<void>(const Progress&)> work;
-    QString success = {};             ///< said then; empty: "Written: path"
+    QString success = {};            ///< said then; empty: "Written: path"
     std::function<void()> then = {}; ///< on the window's thread, once it is written
 };
 

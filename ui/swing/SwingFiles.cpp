@@ -138,9 +138,8 @@ void previewCard(PageContext& context, SwingPage& page)
 {
     withCard(context, page, {}, [&context](const CardInput& input) {
         bool painted = true;
-        const bool printed = context.dialogs.printPreview(&context.window, [&](QPrinter& printer, const Progress&) {
-            painted = told(context, printCard(input, printer));
-        });
+        const bool printed = context.dialogs.printPreview(
+            &context.window, [&](QPrinter& printer, const Progress&) { painted = told(context, printCard(input, printer)); });
         if (printed && painted)
             noteIssued(context, input);
     });

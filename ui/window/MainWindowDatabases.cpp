@@ -204,10 +204,11 @@ void MainWindow::print()
     if (const PageDescription* front = m_pages->description(); front && front->print)
         front->print(m_pages->current());
     else
-        m_services.dialogs.printPreview(this, [&page = m_pages->current()](QPrinter& printer, const Progress&) { // as long as it is asked, of this one
-            printer.setPageOrientation(page.width() > page.height() ? QPageLayout::Landscape : QPageLayout::Portrait);
-            printPage(page, printer);
-        });
+        m_services.dialogs.printPreview(
+            this, [&page = m_pages->current()](QPrinter& printer, const Progress&) { // as long as it is asked, of this one
+                printer.setPageOrientation(page.width() > page.height() ? QPageLayout::Landscape : QPageLayout::Portrait);
+                printPage(page, printer);
+            });
 }
 
 } // namespace lubberline::ui

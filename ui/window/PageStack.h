@@ -64,7 +64,7 @@ private:
     std::map<QString, Page*> m_made;
     std::vector<QPointer<Page>> m_retired;
     std::map<const Page*, Owned> m_owned; ///< what each was opened with
-    std::set<Page*> m_stale; ///< those that have not heard yet that the fleet has changed
+    std::set<Page*> m_stale;              ///< those that have not heard yet that the fleet has changed
 };
 
 } // namespace lubberline::ui

@@ -161,9 +161,7 @@ void FleetTreeTest::aPageBehindHearsOfTheFleetWhenItComesToTheFront()
     QUndoStack undo;
     PageContext context{fleet.stores, edits, undo, open.settings, open.dialogs, open.window, {}};
     std::map<QString, HearingPage*> made;
-    const auto page = [&made](const QString& id) {
-        return PageDescription{id, [&made, id] { return made[id] = new HearingPage; }};
-    };
+    const auto page = [&made](const QString& id) { return PageDescription{id, [&made, id] { return made[id] = new HearingPage; }}; };
     PageStack stack(context, {page("front"), page("behind")});
     QVERIFY(stack.show(Destination{"behind"}));
     QVERIFY(stack.show(Destination{"front"}));

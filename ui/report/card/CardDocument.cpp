@@ -138,7 +138,9 @@ Table exactFigures(const CardInput& input)
     const bool byCompass = input.columns.front().card.options.by == CardBy::Compass;
     const QString degrees = QStringLiteral("°");
     Table table{Words::tr("The figures before rounding, and half-way to the next row"),
-        {{byCompass ? Words::tr("COMPASS") : Words::tr("FOR"), byCompass ? Words::tr("compass", "heading") : Words::tr("magnetic"), degrees, 18}}, {}};
+        {{byCompass ? Words::tr("COMPASS") : Words::tr("FOR"), byCompass ? Words::tr("compass", "heading") : Words::tr("magnetic"), degrees,
+            18}},
+        {}};
     for (const CardColumn& column : input.columns) {
         table.columns.push_back({byCompass && input.columns.size() == 1 ? Words::tr("MAGNETIC") : column.heading,
             byCompass ? Words::tr("magnetic") : Words::tr("compass", "heading"), degrees, 22});

@@ -58,8 +58,8 @@ std::optional<double> leftOn(const Swing& left, std::optional<double> nominal_de
 Table asFoundTable(const SwingJob& job, const JobState& state, const Swing& left)
 {
     Table table{Words::tr("As found, before a control was turned on it, and what was left there"),
-        {degrees(Words::tr("nominal")), degrees(Words::tr("magnetic")), degrees(Words::tr("compass", "heading")), degrees(Words::tr("deviation")),
-            degrees(Words::tr("as left")), words(Words::tr("note"), 60)},
+        {degrees(Words::tr("nominal")), degrees(Words::tr("magnetic")), degrees(Words::tr("compass", "heading")),
+            degrees(Words::tr("deviation")), degrees(Words::tr("as left")), words(Words::tr("note"), 60)},
         {}};
     if (job.plan.kind == ProcedureKind::CheckOnly)
         return table;

@@ -12,7 +12,8 @@ QString pointRuleWords(const Analysis& analysis)
 {
     if (!analysis.pointRules)
         return Words::tr("none: a cardinal point has no reading near enough.");
-    const QString argument = analysis.pointRules->argument == HeadingArgument::Magnetic ? Words::tr("magnetic") : Words::tr("compass", "heading");
+    const QString argument
+        = analysis.pointRules->argument == HeadingArgument::Magnetic ? Words::tr("magnetic") : Words::tr("compass", "heading");
     if (analysis.pointRules->points == 4) {
         return Words::tr("from the readings nearest to N, E, S, W by %1 heading: A mean of the four, B = (E − W)/2, C = (N − S)/2, "
                          "E = ((N + S) − (E + W))/4; D cannot be told.")

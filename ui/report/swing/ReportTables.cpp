@@ -21,7 +21,8 @@ constexpr int kLongestRemark = 300; ///< a row must fit a page; the whole text i
 std::vector<TableColumn> readingColumns(const QString& angleUnit)
 {
     return {{Words::tr("No."), {}, {}, 9, Align::Point}, {Words::tr("Nominal"), Words::tr("heading"), angleUnit, 17},
-        {Words::tr("Magnetic"), Words::tr("heading"), angleUnit, 18}, {Words::tr("Compass", "heading"), Words::tr("heading"), angleUnit, 18},
+        {Words::tr("Magnetic"), Words::tr("heading"), angleUnit, 18},
+        {Words::tr("Compass", "heading"), Words::tr("heading"), angleUnit, 18},
         {Words::tr("Deviation"), Words::tr("east +"), angleUnit, 19},
         {Words::tr("Residual"), Words::tr("approximate"), QStringLiteral("°"), 20},
         {Words::tr("Residual"), Words::tr("exact"), QStringLiteral("°"), 18},
@@ -104,10 +105,11 @@ std::vector<TableColumn> coefficientColumns(const Analysis& analysis)
 {
     const QString degrees = QStringLiteral("°");
     const auto& rules = analysis.pointRules;
-    const QString points = rules ? Words::tr("%1 points, %2")
-                                       .arg(rules->points)
-                                       .arg(rules->argument == HeadingArgument::Magnetic ? Words::tr("magnetic") : Words::tr("compass", "heading"))
-                                 : Words::tr("none");
+    const QString points = rules
+        ? Words::tr("%1 points, %2")
+              .arg(rules->points)
+              .arg(rules->argument == HeadingArgument::Magnetic ? Words::tr("magnetic") : Words::tr("compass", "heading"))
+        : Words::tr("none");
     return {{Words::tr("Coefficient"), {}, {}, 22, Align::Left}, {Words::tr("Approximate"), Words::tr("compass heading"), degrees, 26},
         {Words::tr("std. error"), {}, degrees, 18}, {Words::tr("95 % ±"), {}, degrees, 16},
         {Words::tr("Exact"), Words::tr("magnetic heading"), Words::tr("no unit"), 26}, {Words::tr("95 % ±"), {}, Words::tr("no unit"), 18},

@@ -266,7 +266,8 @@ void PolarPlotTest::captionsRunIntoNothing()
     const QFontMetricsF metrics(paperFont());
     const QTemporaryDir folder;
     static const QRegularExpression ofScale(QStringLiteral("^([+−]\\d+(\\.\\d+)?|0)°$"));
-    for (const QSize size : {QSize(190, 230), QSize(220, 260), QSize(260, 300), QSize(330, 420), QSize(420, 330), QSize(500, 520), QSize(900, 650)}) {
+    for (const QSize size :
+        {QSize(190, 230), QSize(220, 260), QSize(260, 300), QSize(330, 420), QSize(420, 330), QSize(500, 520), QSize(900, 650)}) {
         const QString path = folder.filePath(QStringLiteral("p.svg"));
         QVERIFY(plot->exportTo(path, size));
         QFile file(path);
