@@ -58,17 +58,9 @@ void MainWindow::lookElsewhere()
     const QString title = m_pages->current().title();
     const FleetItem shown = pathOf(m_pages->current()).back();
     m_stores.changes().announceAll();
-    const bool replaced = isThere(m_stores, shown) && !m_pages->ownsItsRecord();
-    if (isThere(m_stores, shown) && !replaced)
+    if (isThere(m_stores, shown))
         return;
-    const PageDescription* front = m_pages->description();
-    if (replaced && front) { // by one that got its number
-        const QString left = front->id;
-        navigate({});
-        m_pages->drop(left);
-    } else {
-        leaveRemoved();
-    }
+    leaveRemoved();
     fail(tr("%1 has been removed in another window or by another program.").arg(title));
 }
 

@@ -60,7 +60,7 @@ Result<void> PageStack::show(const Destination& destination)
     const PageDescription& description = descriptionOf(destination);
     const auto made = m_made.find(description.id);
     Page* before = made == m_made.end() ? nullptr : made->second;
-    Page* page = before && before->isOf(destination.record) && ownsItsRecord(*before) ? before : make(description);
+    Page* page = before && before->isOf(destination.record) ? before : make(description);
     if (auto opened = page->open(destination.record); !opened) {
         if (page != before)
             delete page;
@@ -69,7 +69,6 @@ Result<void> PageStack::show(const Destination& destination)
     if (page != before)
         addWidget(page);
     m_made[description.id] = page;
-    m_owned[page] = ownedBy(*page);
     turnTo(*page);
     if (before && page != before) {
         page->takeLook(*before);
@@ -87,7 +86,6 @@ Result<void> PageStack::show(const Destination& destination)
 void PageStack::retire(Page* page)
 {
     m_stale.erase(page);
-    m_owned.erase(page);
     removeWidget(page);
     page->setParent(nullptr);
     page->disconnect(this);
@@ -100,37 +98,10 @@ void PageStack::retire(Page* page)
         page->deleteLater();
 }
 
-PageStack::Owned PageStack::ownedBy(const Page& page) const
-{
-    db::Stores& stores = m_context.stores;
-    const Shown shown = page.shown();
-    if (shown.swing.valid()) {
-        const auto swing = stores.swings.recordOf(shown.swing);
-        return {shown.swing, swing ? *swing : RecordId()};
-    }
-    if (shown.aircraft.valid()) {
-        const auto aircraft = stores.fleet.aircraft(shown.aircraft);
-        return {shown.aircraft, aircraft ? aircraft->record : RecordId()};
-    }
-    if (!shown.compass.valid())
-        return {};
-    const auto compass = stores.fleet.compass(shown.compass);
-    return {shown.compass, compass ? compass->record : RecordId()};
-}
-
-bool PageStack::ownsItsRecord(const Page& page) const
-{
-    const auto owned = m_owned.find(&page);
-    if (owned == m_owned.end())
-        return true;
-    const auto& [item, record] = ownedBy(page);
-    return item != owned->second.item || record == owned->second.record; // a page that has begun a swing has gone on to another
-}
-
 bool PageStack::showAsLeft(const QString& id)
 {
     const auto made = m_made.find(id);
-    if (made == m_made.end() || !made->second->shown().aircraft.valid() || !ownsItsRecord(*made->second))
+    if (made == m_made.end() || !made->second->shown().aircraft.valid())
         return false;
     turnTo(*made->second);
     return true;

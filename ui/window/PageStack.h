@@ -32,8 +32,6 @@ public:
     using QStackedWidget::show;
     /// Puts a page in front as it was left. @return false: it was not opened, or its record is no more
     bool showAsLeft(const QString& id);
-    /// Whether the record of the page in front is the one that it was opened with: the number of one that was removed may be given again.
-    [[nodiscard]] bool ownsItsRecord() const { return ownsItsRecord(current()); }
     /// One whose record is no more goes, unless it is in front.
     void drop(const QString& id);
     void fleetChanged(); ///< the page in front hears of it at once, another when it comes to the front
@@ -52,19 +50,12 @@ private:
     Page* make(const PageDescription& description);
     void retire(Page* page); ///< takes it out of the window at once
     void turnTo(Page& page);
-    struct Owned {
-        FleetItem item;
-        RecordId record; ///< as it is stored now; empty: of none, or of one that is no more
-    };
-    [[nodiscard]] Owned ownedBy(const Page& page) const;
-    [[nodiscard]] bool ownsItsRecord(const Page& page) const;
 
     PageContext& m_context;
     std::vector<PageDescription> m_descriptions;
     std::map<QString, Page*> m_made;
     std::vector<QPointer<Page>> m_retired;
-    std::map<const Page*, Owned> m_owned; ///< what each was opened with
-    std::set<Page*> m_stale;              ///< those that have not heard yet that the fleet has changed
+    std::set<Page*> m_stale; ///< those that have not heard yet that the fleet has changed
 };
 
 } // namespace lubberline::ui

@@ -119,7 +119,6 @@ private slots:
     void whatAnotherProgramRemovesIsGone();
     void backAndForwardGoAlongWhatWasShown();
     void aClickOnTheChosenItemShowsItsPageAgain();
-    void aNumberThatIsGivenAgainIsAnotherRecord();
     void aSwingWhoseCreationIsUndoneTakesItsPanels();
 };
 
@@ -272,35 +271,6 @@ void WrongRecordTest::aClickOnTheChosenItemShowsItsPageAgain()
             QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(tree.currentIndex()).center());
         }
         QCOMPARE(stack->description()->id, QStringLiteral("swing"));
-    }
-}
-
-/// SQLite gives the number of the newest record again when that was removed.
-void WrongRecordTest::aNumberThatIsGivenAgainIsAnotherRecord()
-{
-    for (const bool inFront : {false, true}) {
-        TwoAircraft two;
-        OpenWindow open(two.fleet.stores);
-        auto* stack = open.window.findChild<PageStack*>();
-        const SwingId made = two.fleet.addSwing("2026-11-25", eightPoints());
-        open.window.go(made);
-        open.trigger("signSwing");
-        typeEverywhere(stack->current());
-        if (!inFront)
-            open.window.go(two.otherCompass);
-        const auto program = two.fleet.stores.another();
-        QVERIFY(program->swings.remove(made));
-        Swing other = *program->swings.swing(two.otherDraft);
-        other.id = {};
-        other.record = newRecordId();
-        const auto again = program->swings.add(other);
-        QVERIFY(again && *again == made); // else this test tests nothing
-        if (inFront)
-            QTRY_VERIFY(open.window.messages().shown().contains("removed"));
-        open.window.go(made);
-        every::settle();
-        QVERIFY(open.window.windowTitle().contains("3802"));
-        QVERIFY2(typedOn(stack->current()).isEmpty(), qPrintable(typedOn(stack->current()).join(", ")));
     }
 }
 
