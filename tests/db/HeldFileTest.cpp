@@ -40,7 +40,7 @@ protected:
         QProcess other;
         other.start(LUBBERLINE_READING_WRITER, {m_path, "open"});
         ASSERT_TRUE(other.waitForFinished(20000));
-        ASSERT_EQ(other.exitStatus(), QProcess::NormalExit);
+        ASSERT_TRUE(other.exitStatus() == QProcess::NormalExit && other.exitCode() == 0) << other.readAllStandardError().constData();
     }
 
     QTemporaryDir m_folder;
