@@ -62,7 +62,11 @@ public:
             missing(m_last + 1, m_head.entries);
         else if (m_last > m_head.entries || m_before != m_head.head)
             find({MARKED("db", "the head of the audit trail is not that of its last entry, %1"), m_last});
-        if (m_head.before > 0)
+        if (m_head.before > m_head.entries)
+            find({MARKED(
+                      "db", "the head of the audit trail says that %1 entries were there when it was begun; expected no more than its %2"),
+                m_head.before, m_head.entries});
+        else if (m_head.before > 0)
             m_report.notes.push_back(
                 {MARKED("db", "the audit trail is chained from %1 on: the %2 entries before are as they were found then"), m_head.sinceUtc,
                     m_head.before});

@@ -24,7 +24,7 @@ struct CachedResult {
 [[nodiscard]] CachedResult resultOf(const Swing& swing, const std::optional<LimitsProfile>& limits);
 
 /// A swing of more readings than this is a log: a change of one reading marks its results as behind, and whoever analyses it keeps them.
-inline constexpr int kRefreshedAtOnce = 2000;
+inline constexpr std::size_t kRefreshedAtOnce = 2000;
 /// Of a log: nothing is known of it until its results are kept or computed again. Inside the caller's transaction.
 Result<void> markBehind(Database& database, SwingId swing, CompassId compass);
 /// Computes the results of all swings that are behind (a program was killed between).

@@ -33,19 +33,20 @@ Result<void> checkTexts(const Reading& reading)
     return {};
 }
 
-Result<bool> hasManyReadings(Database& database, SwingId swing)
+/// Counted no further than it takes to know: a whole log may be changed in one step.
+Result<bool> isALog(Database& database, SwingId swing)
 {
-    Statement statement(database, "SELECT COUNT(*) FROM reading WHERE swing_id = ?");
-    statement << swing;
-    const auto count = firstOf<std::int64_t>(statement, [](Statement& row) { return row.integer(0); });
-    return count ? Result<bool>(count->value_or(0) > kRefreshedAtOnce) : Result<bool>(count.error());
+    Statement statement(database, "SELECT COUNT(*) FROM (SELECT 1 FROM reading WHERE swing_id = ? LIMIT ?)");
+    statement << swing << static_cast<std::int64_t>(kRefreshedAtOnce + 1);
+    return oneOf<bool>(statement, database, MARKED("db", "swing"),
+        [](Statement& row) { return row.integer(0) > static_cast<std::int64_t>(kRefreshedAtOnce); });
 }
 
 /// After a change of readings: cached results, audit entry, commit. @param only the reading whose figures are all that changed.
 Result<void> finish(Database& database, Transaction& transaction, const Swing& swing, const std::string& what, const std::string& detail,
     ReadingId only = {})
 {
-    const auto isLog = only.valid() ? hasManyReadings(database, swing.id) : Result<bool>(false);
+    const auto isLog = only.valid() ? isALog(database, swing.id) : Result<bool>(false);
     if (!isLog)
         return isLog.error();
     if (const auto refreshed = *isLog ? markBehind(database, swing.id, swing.compass) : refreshSwing(database, swing.id); !refreshed)
@@ -57,6 +58,14 @@ Result<void> finish(Database& database, Transaction& transaction, const Swing& s
 }
 
 } // namespace
+
+Result<std::size_t> countOfReadings(Database& database, SwingId swing)
+{
+    Statement statement(database, "SELECT COUNT(*) FROM reading WHERE swing_id = ?");
+    statement << swing;
+    return oneOf<std::size_t>(
+        statement, database, MARKED("db", "swing"), [](Statement& row) { return static_cast<std::size_t>(row.integer(0)); });
+}
 
 Result<ReadingId> insertReadings(Database& database, SwingId swing, int position, std::span<const Reading> readings)
 {

@@ -13,6 +13,7 @@ namespace lubberline::db {
 Result<Swing> particularsOf(Database& database, SwingId id);
 /// The particulars of a swing whose readings may be changed. Errors: NotFound, Frozen.
 Result<Swing> openSwing(Database& database, SwingId id);
+Result<std::size_t> countOfReadings(Database& database, SwingId swing);
 /// Readings one after the other from `position` on, with one prepared statement. @return the id of the last. Errors: InvalidInput (a text
 /// that is too long).
 Result<ReadingId> insertReadings(Database& database, SwingId swing, int position, std::span<const Reading> readings);

@@ -75,10 +75,16 @@ Result<Swing> SwingStore::swing(SwingId id, ReadingParts parts)
     Statement statement(m_database,
         "SELECT " + (all ? readingColumns() : headingColumns()) + " FROM reading r WHERE r.swing_id = ? ORDER BY r.position, r.id");
     statement << id;
-    auto readings = rowsOf<Reading>(statement, [all](Statement& row) { return all ? readingFrom(row, 0) : headingsOnlyFrom(row, 0); });
-    if (!readings)
-        return readings.error();
-    swing->readings = std::move(*readings);
+    const auto count = countOfReadings(m_database, id);
+    if (!count)
+        return count.error();
+    swing->readings.reserve(*count); // a log has thousands: what grows moves them again and again
+    if (const auto done = statement.run(); !done)
+        return done.error();
+    while (statement.next())
+        swing->readings.push_back(all ? readingFrom(statement, 0) : headingsOnlyFrom(statement, 0));
+    if (const auto whole = statement.finished(); !whole)
+        return whole.error();
     auto signatures = signaturesOf(m_database, id);
     if (!signatures)
         return signatures.error();

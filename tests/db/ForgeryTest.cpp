@@ -97,6 +97,8 @@ const Forgery kForgeries[] = {
     {"anEntryIsPutIn",
         {"INSERT INTO audit_entry (time_utc, what, record, detail) VALUES ('2026-11-20T10:00:00.000Z', 'changed swing', 'x', 'date')"},
         "was put in behind the program's back", true},
+    {"moreEntriesAreCalledOlderThanThereAre", {"UPDATE audit_head SET entries_before = 999999"}, "says that 999999 entries were there",
+        true},
     {"theTailIsCutAndTheHeadMoved",
         {"DELETE FROM audit_entry WHERE id > 8",
             "UPDATE audit_head SET entries = 8, head = (SELECT file_link FROM audit_entry WHERE id = 8)"},

@@ -108,8 +108,8 @@ Swing logSwing(const Stored& stored)
 {
     Swing swing = swingOf(stored);
     swing.readings.clear();
-    for (int i = 0; i <= db::kRefreshedAtOnce; ++i) {
-        const double magnetic_deg = std::fmod(0.733 * i, 360.0);
+    for (std::size_t i = 0; i <= db::kRefreshedAtOnce; ++i) {
+        const double magnetic_deg = std::fmod(0.733 * static_cast<double>(i), 360.0);
         swing.readings.push_back(reading(magnetic_deg, magnetic_deg - 3 * std::sin(toRadians(magnetic_deg))));
     }
     return swing;
