@@ -67,6 +67,14 @@ Result<void> check(int file, const QString& path)
 /// Neither through a link, nor waiting for the other end of a pipe.
 constexpr int kCarefully = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
 
+/// A program that was killed, or a full drive, may have left half a line: the next one must not go on with it.
+bool endsInALine(int file)
+{
+    const off_t size = ::lseek(file, 0, SEEK_END);
+    char last = '\n';
+    return size <= 0 || ::pread(file, &last, 1, size - 1) != 1 || last == '\n';
+}
+
 } // namespace
 
 Result<QByteArray> readPrivateFile(const QString& path)
@@ -99,15 +107,15 @@ Result<void> appendPrivately(const QString& path, const QByteArray& text)
     if (!folder)
         return folder.error();
     const Handle in(*folder),
-        file(::openat(
-            in.get(), QFile::encodeName(QFileInfo(path).fileName()).constData(), O_WRONLY | O_APPEND | O_CREAT | kCarefully, 0600));
+        file(::openat(in.get(), QFile::encodeName(QFileInfo(path).fileName()).constData(), O_RDWR | O_APPEND | O_CREAT | kCarefully, 0600));
     if (!file.valid())
         return refused(MARKED("ui", "this file cannot be written; expected one of the user's own"), path);
     if (const auto fine = check(file.get(), path); !fine)
         return fine;
+    const QByteArray all = endsInALine(file.get()) ? text : '\n' + text;
     qsizetype done = 0;
-    while (done < text.size()) {
-        const auto written = ::write(file.get(), text.constData() + done, static_cast<std::size_t>(text.size() - done));
+    while (done < all.size()) {
+        const auto written = ::write(file.get(), all.constData() + done, static_cast<std::size_t>(all.size() - done));
         if (written < 0 && errno != EINTR)
             return refused(MARKED("ui", "the drive takes no more; expected room for it"), path);
         done += std::max<qsizetype>(written, 0);
