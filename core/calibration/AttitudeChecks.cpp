@@ -3,6 +3,7 @@
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 #include "core/calibration/AttitudeParts.h"
+#include "core/calibration/EllipsoidParts.h"
 
 namespace lubberline {
 
@@ -17,6 +18,44 @@ double largestIn(const std::vector<double>& values)
         if (std::isfinite(value))
             largest = std::max(largest, std::abs(value));
     return largest;
+}
+
+constexpr std::size_t kRowsForNorth = 5000;
+constexpr double kMostVariation_deg = 40; ///< beyond it there is no compass to calibrate
+
+/// Where the place is not known: the one angle between the headings and magnetic north that explains the samples best.
+void checkUnknownNorth(AttitudeResult& result, const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options)
+{
+    std::vector<std::uint8_t> some(used.size(), 0);
+    for (const auto row : someRows(used, kRowsForNorth))
+        some[row] = 1;
+    const auto varianceAt = [&](double turned_deg) {
+        return regress(momentsOfRows(log, some, options.field, {1.0, 1.0, -turned_deg}), 0).variance;
+    };
+    const double stated = varianceAt(0);
+    if (std::sqrt(stated) * options.field.total_nT() < kExact_nT)
+        return;
+    double best_deg = 0, step_deg = 4, least = stated;
+    for (double at = -kMostVariation_deg; at <= kMostVariation_deg; at += step_deg)
+        if (const double one = varianceAt(at); one < least) {
+            least = one;
+            best_deg = at;
+        }
+    while (step_deg > 0.1) {
+        step_deg /= 2;
+        for (const double at : {best_deg - step_deg, best_deg + step_deg})
+            if (const double one = varianceAt(at); one < least) {
+                least = one;
+                best_deg = at;
+            }
+    }
+    if (std::abs(best_deg) < 1 || least > 0.25 * stated)
+        return;
+    result.reasons.push_back(
+        {MARKED("core",
+             "the headings look turned by %1° against magnetic north: with that taken out they explain the samples far better; true headings where the variation is so? Expected magnetic headings"),
+            signedFigureText(best_deg, 1)});
+    result.verdict = std::max(result.verdict, CalibrationVerdict::Doubtful);
 }
 
 } // namespace
@@ -93,7 +132,11 @@ void checkAxes(AttitudeResult& result, const RegressionMoments& moments)
 void checkNorth(
     AttitudeResult& result, const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options, double variance)
 {
-    if (!options.variation || std::abs(options.variation->degrees()) < 1)
+    if (!options.variation) {
+        checkUnknownNorth(result, log, used, options);
+        return;
+    }
+    if (std::abs(options.variation->degrees()) < 1)
         return;
     if (std::sqrt(variance) * options.field.total_nT() < kExact_nT)
         return; // nothing is left to explain
@@ -104,7 +147,7 @@ void checkNorth(
         {MARKED("core",
              "the headings look true instead of magnetic: with the place's variation (%1°) taken out they explain the samples far better; expected magnetic headings"),
             signedFigureText(options.variation->degrees(), 1)});
-    result.verdict = CalibrationVerdict::Doubtful;
+    result.verdict = std::max(result.verdict, CalibrationVerdict::Doubtful);
 }
 
 } // namespace lubberline

@@ -136,6 +136,13 @@ void misalign(AttitudeResult& result)
     result.misalignment.roll_rad = std::atan2(turn(1, 2), turn(2, 2));
 }
 
+/// How far a sensor is turned about the vertical, by what the horizontal field does alone: all that a level log tells.
+double levelYaw_deg(const SensorModel& model)
+{
+    const auto& s = model.softIron;
+    return toDegrees(std::atan2(s(0, 1) - s(1, 0), 2.0 + s(0, 0) + s(1, 1)));
+}
+
 void judgeAttitude(AttitudeResult& result, const AttitudeOptions& options)
 {
     const double total_nT = options.field.total_nT();
@@ -177,6 +184,19 @@ void judgeAttitude(AttitudeResult& result, const AttitudeOptions& options)
         atMost(CalibrationVerdict::Doubtful,
             {MARKED("core", "headings that were held out are off by %1° rms; expected %2° or less"),
                 figureText(result.validation->heading_deg, 2), figureText(kHeldOutHeading_deg, 1)});
+    const double yaw_deg = result.rank < result.parametersAsked ? levelYaw_deg(result.model) : toDegrees(result.misalignment.yaw_rad);
+    const bool likeVariation = options.variation && std::abs(options.variation->degrees()) >= 2
+        && std::abs(std::abs(yaw_deg) - std::abs(options.variation->degrees())) < 1.0;
+    if (likeVariation)
+        result.warnings.push_back(
+            {MARKED("core",
+                 "the sensor seems turned by %1°, which is the variation of the place (%2°): are the headings true instead of magnetic?"),
+                signedFigureText(yaw_deg, 1), signedFigureText(options.variation->degrees(), 1)});
+    else if (result.rank < result.parametersAsked && fieldTold >= 3 && std::abs(yaw_deg) >= 2)
+        result.warnings.push_back(
+            {MARKED("core",
+                 "the sensor seems turned by %1°: of such a log nothing tells that from headings that are off by it, as true ones are by the variation"),
+                signedFigureText(yaw_deg, 1)});
     if (result.rank < result.parametersAsked)
         return;
     const double scale = std::cbrt(std::abs((Eigen::Matrix3d::Identity() + result.model.softIron).determinant()));
@@ -186,14 +206,6 @@ void judgeAttitude(AttitudeResult& result, const AttitudeOptions& options)
                  "the log's field is %1 nT, %2 % off the %3 nT that were given; expected within %4 %: another unit, another place, or a sensor of another scale"),
                 figureText(scale * total_nT, 0), signedFigureText(100 * (scale - 1), 0), figureText(total_nT, 0),
                 figureText(100 * kFieldContradiction, 0)});
-    if (!options.variation || std::abs(options.variation->degrees()) < 2)
-        return;
-    const double yaw_deg = toDegrees(result.misalignment.yaw_rad);
-    if (std::abs(std::abs(yaw_deg) - std::abs(options.variation->degrees())) < 1.0)
-        result.warnings.push_back(
-            {MARKED("core",
-                 "the sensor seems turned by %1°, which is the variation of the place (%2°): are the headings true instead of magnetic?"),
-                signedFigureText(yaw_deg, 1), signedFigureText(options.variation->degrees(), 1)});
 }
 
 } // namespace

@@ -209,7 +209,10 @@ Result<CompensatedLog> compensate(const SensorLog& log, const SensorModel& model
     std::optional<double> latency;
     if (options.latency_ms)
         latency = *options.latency_ms + options.filter_ms;
-    result.demands = {{{MARKED("core", "samples a second")}, result.rate_hz, kHelmetRate_hz, "Hz", true},
+    std::optional<double> rate; // to 0.01 Hz: times of a log are rounded
+    if (result.rate_hz)
+        rate = std::round(100 * *result.rate_hz) / 100;
+    result.demands = {{{MARKED("core", "samples a second")}, rate, kHelmetRate_hz, "Hz", true},
         {{MARKED("core", "latency of the sensor and the filter")}, latency, kHelmetLatency_ms, "ms", false},
         {{MARKED("core", "heading error, rms")}, result.after ? std::optional(result.after->rms_deg) : std::nullopt, kHelmetHeading_deg,
             "deg", false}};

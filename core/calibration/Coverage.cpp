@@ -14,10 +14,11 @@ constexpr int kBands = 10, kSectors = 20;         // 200 cells of equal area: ba
 constexpr int kFineBands = 45, kFineSectors = 90; // what stands for the samples when the largest hole is looked for
 constexpr int kCandidates = 1500;
 
-int cellOf(const Eigen::Vector3d& u, int bands, int sectors)
+double turnOf(const Eigen::Vector3d& u) { return std::atan2(u.y(), u.x()) / (2.0 * kPi) + 0.5; }
+
+int cellOf(const Eigen::Vector3d& u, double turn, int bands, int sectors)
 {
     const int band = std::clamp(static_cast<int>((u.z() + 1.0) / 2.0 * bands), 0, bands - 1);
-    const double turn = std::atan2(u.y(), u.x()) / (2.0 * kPi) + 0.5;
     return band * sectors + std::clamp(static_cast<int>(turn * sectors), 0, sectors - 1);
 }
 
@@ -54,17 +55,23 @@ Coverage coverageOf(std::span<const Eigen::Vector3d> directions)
     std::vector<std::uint8_t> coarse(kBands * kSectors, 0);
     std::vector<Eigen::Vector3d> fine(kFineBands * kFineSectors, Eigen::Vector3d::Zero());
     for (const auto& u : directions) {
-        coarse[static_cast<std::size_t>(cellOf(u, kBands, kSectors))] = 1;
-        fine[static_cast<std::size_t>(cellOf(u, kFineBands, kFineSectors))] = u;
+        const double turn = turnOf(u);
+        coarse[static_cast<std::size_t>(cellOf(u, turn, kBands, kSectors))] = 1;
+        fine[static_cast<std::size_t>(cellOf(u, turn, kFineBands, kFineSectors))] = u;
     }
     coverage.share = static_cast<double>(std::count(coarse.begin(), coarse.end(), 1)) / static_cast<double>(coarse.size());
+    const std::vector<Eigen::Vector3d> cells = fine;
     fine.erase(std::remove_if(fine.begin(), fine.end(), [](const auto& u) { return u.isZero(); }), fine.end());
     double least = 2.0;
     for (int i = 0; i < kCandidates; ++i) {
         const Eigen::Vector3d at = evenPoint(i, kCandidates);
+        // In a hole that is no larger than one already found: mostly the sample of its own cell says so.
+        const Eigen::Vector3d& own = cells[static_cast<std::size_t>(cellOf(at, turnOf(at), kFineBands, kFineSectors))];
+        if (!own.isZero() && at.dot(own) >= least)
+            continue;
         double nearest = -1.0;
-        for (const auto& u : fine)
-            nearest = std::max(nearest, at.dot(u));
+        for (auto u = fine.begin(); u != fine.end() && nearest < least; ++u)
+            nearest = std::max(nearest, at.dot(*u));
         if (nearest >= least)
             continue;
         least = nearest;

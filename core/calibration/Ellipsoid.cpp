@@ -31,6 +31,13 @@ double distanceFrom(const Quadric& quadric, const Eigen::Vector3d& m)
     return size > 0 && slope > 0 ? (size - 1.0) * size / slope : 1.0 / quadric.toUnit.norm();
 }
 
+LUBBERLINE_VECTOR_CLONES void dropOutside(const double* values, std::size_t count, double least, double most, std::uint8_t* used)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        used[i] = static_cast<std::uint8_t>(
+            used[i] & static_cast<std::uint8_t>(!(values[i] < least)) & static_cast<std::uint8_t>(!(values[i] > most)));
+}
+
 /// Rows far outside of where the log is on an axis: a whole spike of many fields' size would drown all else.
 void dropFarRows(const SensorLog& log, std::vector<std::uint8_t>& used)
 {
@@ -38,14 +45,16 @@ void dropFarRows(const SensorLog& log, std::vector<std::uint8_t>& used)
     if (rows.size() < 20)
         return;
     for (const auto& values : log.field) {
-        std::vector<double> sorted;
+        std::vector<double> some;
+        some.reserve(rows.size());
         for (const auto row : rows)
-            sorted.push_back(values[row]);
-        std::sort(sorted.begin(), sorted.end());
-        const double low = sorted[sorted.size() / 20], high = sorted[sorted.size() - 1 - sorted.size() / 20];
-        const double margin = 1.5 * (high - low);
-        for (std::size_t row = 0; row < used.size(); ++row)
-            used[row] = static_cast<std::uint8_t>(used[row] != 0 && !(values[row] < low - margin || values[row] > high + margin));
+            some.push_back(values[row]);
+        const auto twentieth = static_cast<std::ptrdiff_t>(some.size() / 20);
+        std::nth_element(some.begin(), some.begin() + twentieth, some.end());
+        const double low = some[static_cast<std::size_t>(twentieth)];
+        std::nth_element(some.begin() + twentieth, some.end() - 1 - twentieth, some.end());
+        const double high = *(some.end() - 1 - twentieth), margin = 1.5 * (high - low);
+        dropOutside(values.data(), values.size(), low - margin, high + margin, used.data());
     }
 }
 

@@ -93,6 +93,11 @@ std::vector<std::size_t> someRows(const std::vector<std::uint8_t>& used, std::si
     const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
     std::vector<std::size_t> rows;
     rows.reserve(count / step + 1);
+    if (count == used.size()) {
+        for (std::size_t row = 0; row < count; row += step)
+            rows.push_back(row);
+        return rows;
+    }
     std::size_t seen = 0, next = 0;
     for (std::size_t row = 0; row < used.size(); ++row)
         if (used[row] != 0 && seen++ == next) {

@@ -21,6 +21,17 @@ void note(LogQuality& quality, std::size_t row, SampleFault fault)
         quality.faults[row] = fault;
 }
 
+/// Rows in stretches all over a long log: as many as tell its scatter to a percent.
+template <class Use>
+void someStretches(std::size_t count, Use&& use)
+{
+    constexpr std::size_t stretch = 256, stretches = 200;
+    const std::size_t step = std::max(stretch, count / stretches);
+    for (std::size_t from = 0; from < count; from += step)
+        for (std::size_t row = from; row < std::min(from + stretch, count); ++row)
+            use(row);
+}
+
 void findGaps(const SensorLog& log, LogQuality& quality)
 {
     std::vector<double> steps;
@@ -34,8 +45,18 @@ void findGaps(const SensorLog& log, LogQuality& quality)
                 {MARKED("core", "time stands at %1 s in all rows: no rate and no gaps are known"), shortestNumber(log.time_s.front())});
         return;
     }
-    const double step = middleOf(std::move(steps));
-    quality.rate_hz = 1.0 / step;
+    // Of a long log's steps enough to tell the middle one: nearly all are alike.
+    std::vector<double> some;
+    someStretches(steps.size(), [&](std::size_t i) { some.push_back(steps[i]); });
+    const double step = middleOf(std::move(some));
+    // The mean of those like it: times that are written to a millisecond or two have no step of their true length.
+    double lasting = 0, alike = 0;
+    for (const double one : steps)
+        if (one > 0.5 * step && one < 1.5 * step) {
+            lasting += one;
+            alike += 1;
+        }
+    quality.rate_hz = alike / lasting;
     double longest = 0, lost = 0;
     for (std::size_t row = 1; row < log.time_s.size(); ++row) {
         const double length = log.time_s[row] - log.time_s[row - 1];
@@ -183,26 +204,6 @@ LUBBERLINE_VECTOR_CLONES void awayFromMiddle(const double* v, std::size_t count,
     }
 }
 
-/// How far each row leaves the middle of five around it; NaN where that is not known.
-std::vector<double> awayFromMiddles(const std::vector<double>& values)
-{
-    std::vector<double> away(values.size(), kNoValue);
-    if (values.size() > 4)
-        awayFromMiddle(values.data(), values.size() - 4, away.data() + 2);
-    return away;
-}
-
-/// Rows in stretches all over a long log: as many as tell its scatter to a percent.
-template <class Use>
-void someStretches(std::size_t count, Use&& use)
-{
-    constexpr std::size_t stretch = 256, stretches = 200;
-    const std::size_t step = std::max(stretch, count / stretches);
-    for (std::size_t from = 0; from < count; from += step)
-        for (std::size_t row = from; row < std::min(from + stretch, count); ++row)
-            use(row);
-}
-
 /// How far a row may leave the middle of five: 12 of the log's own scatter.
 double spikeLimit(const std::vector<double>& values, const std::vector<double>& away)
 {
@@ -257,8 +258,9 @@ void findSpikes(const SensorLog& log, LogQuality& quality)
 {
     if (log.size() < 20)
         return;
+    std::vector<double> away(log.size(), kNoValue); // how far each row leaves the middle of five around it; NaN where that is not known
     for (const auto& values : log.field) {
-        const auto away = awayFromMiddles(values);
+        awayFromMiddle(values.data(), values.size() - 4, away.data() + 2);
         const double limit = spikeLimit(values, away);
         for (std::size_t row = 0; row < away.size(); ++row)
             if (std::abs(away[row]) > limit && log.hasField(row) && !comesAgain(away, row) && !amongMany(away, row, limit))

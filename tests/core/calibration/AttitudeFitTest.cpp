@@ -151,6 +151,40 @@ TEST(AttitudeFit, trueHeadingsAreDoubted)
     EXPECT_THAT(said(result->reasons), HasSubstr("look true instead of magnetic"));
 }
 
+/// Nobody says where the log was taken: of a tilted one the angle itself is found; magnetic headings of a turned sensor are not doubted.
+TEST(AttitudeFit, trueHeadingsAreDoubtedWithoutAPlace)
+{
+    SensorModel turned = unsymmetric();
+    turned.misalignment.yaw_rad = toRadians(-5);
+    for (const double variation_deg : {7.0, -12.5, 0.0}) {
+        const LogPlan plan{.model = turned, .tilt_deg = 20, .samples = 1000};
+        SensorLog log = makeLog(plan);
+        for (auto& heading : log.heading_deg)
+            heading = wrap360(heading + variation_deg);
+        const auto result = fitAttitude(log, {plan.field});
+        ASSERT_TRUE(result) << describe(result.error());
+        if (variation_deg == 0) {
+            EXPECT_EQ(result->verdict, CalibrationVerdict::Good) << said(result->reasons);
+            continue;
+        }
+        EXPECT_EQ(result->verdict, CalibrationVerdict::Doubtful);
+        EXPECT_THAT(said(result->reasons), testing::ContainsRegex(variation_deg > 0 ? "turned by .(6.9|7.0|7.1)" : "turned by .*12.[456]"));
+    }
+}
+
+/// Level, a turned sensor and headings that are off are the same log.
+TEST(AttitudeFit, levelTrueHeadingsAreAskedAbout)
+{
+    const LogPlan plan{.tilt_deg = 0, .noise_nT = 20, .samples = 500};
+    SensorLog log = makeLog(plan);
+    for (auto& heading : log.heading_deg)
+        heading = wrap360(heading + 6);
+    EXPECT_THAT(
+        said(fitAttitude(log, {plan.field, 0, Variation::fromDegrees(6)})->warnings), HasSubstr("are the headings true instead of"));
+    EXPECT_THAT(said(fitAttitude(log, {plan.field})->warnings), HasSubstr("nothing tells that from headings that are off by it"));
+    EXPECT_THAT(said(fitAttitude(makeLog(plan), {plan.field})->warnings), testing::Not(HasSubstr("seems turned")));
+}
+
 TEST(AttitudeFit, whatIsRefused)
 {
     const LogPlan plan{.model = unsymmetric(), .tilt_deg = 20, .samples = 400};

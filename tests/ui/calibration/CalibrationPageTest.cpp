@@ -13,10 +13,13 @@
 #include <cmath>
 #include <random>
 
+#include "tests/db/TestStores.h"
 #include "ui/calibration/CalibrationPage.h"
 #include "ui/calibration/CoverageSphere.h"
+#include "ui/kit/Words.h"
 #include "ui/plots/series/SeriesChart.h"
 #include "ui/plots/series/SeriesPlot.h"
+#include "ui/sensor/SensorEdits.h"
 
 using namespace lubberline;
 using namespace lubberline::ui;
@@ -90,6 +93,40 @@ private slots:
         open.saveAs = open.folder.filePath("model.h");
         open.page.findChild<QPushButton*>("calibrationSave")->click();
         QVERIFY(QFile::exists(open.saveAs));
+    }
+
+    /// How sure the calibration is goes with the model into the compass's models.
+    void aStoredModelKeepsItsUncertainty()
+    {
+        OpenCalibration open;
+        test::TestStores stores;
+        AircraftType type;
+        type.name = "Su-22";
+        Aircraft aircraft;
+        aircraft.type = *stores.save(type);
+        aircraft.registration = "3713";
+        CompassSystem remote;
+        remote.name = "remote compass";
+        remote.aircraft = *stores.save(aircraft);
+        const CompassId compass = *stores.save(remote);
+        EditContext context{stores, [](const Error& error) { QFAIL(qPrintable(messageOf(error))); }};
+        QUndoStack undo;
+        connect(&open.page, &CalibrationPage::storeModel, &open.page, [&](const SensorRecord& sensor) {
+            undo.push(new MakeSensor(context, sensor, MakeSensor::Direction::Make, QStringLiteral("calibration")));
+        });
+        QVERIFY(open.page.open(compass));
+        open.page.openLog(open.log("time_s,bx_uT,by_uT,bz_uT", 600));
+        open.finish();
+        const auto wanted = open.page.run()->uncertainty;
+        QVERIFY(wanted);
+        QVERIFY(wanted->covariance(9, 9) > 0);
+        open.page.findChild<QPushButton*>("calibrationStore")->click();
+        undo.undo();
+        QVERIFY(stores.sensors.of(compass)->empty());
+        undo.redo();
+        const auto kept = stores.sensors.of(compass);
+        QCOMPARE(kept->size(), std::size_t{1});
+        QVERIFY(kept->front().uncertainty == wanted);
     }
 
     void aFlatLogSaysWhyAndWhatToDo()
