@@ -16,7 +16,7 @@ struct TransferGyro {
 /// Lined up on a runway whose direction is published (the book: better than 0.5°).
 struct RunwayAlignment {
     double published_deg = 0.1; ///< its direction; a designator of whole tens has 3°
-    double offCentre_m = 0.5;   ///< by how much nose and tail may miss the line, each
+    double offCentre_m = 0.05;  ///< by how much nose and tail may miss the line, each
     double wheelbase_m = 10;    ///< between the two points that are lined up
 };
 [[nodiscard]] ErrorBudget budgetOf(const RunwayAlignment& runway);

@@ -16,8 +16,9 @@ TEST(Alignment, budgetsAreOfTheBooksSize)
     late.minutes = 60;
     EXPECT_GT(budgetOf(late).total_deg(), 0.5);
     RunwayAlignment runway;
-    runway.wheelbase_m = 100; // over the length of a taxi
     EXPECT_LT(budgetOf(runway).total_deg(), 0.5);
+    runway.wheelbase_m = 100; // over the length of a taxi
+    EXPECT_LT(budgetOf(runway).total_deg(), 0.15);
     EXPECT_NEAR(budgetOf(SynchroTransmission{}).total_deg(), 0.2, 1e-12); // 0.2° twice, over √2
     EXPECT_NEAR(withVariation({{{MARKED("core", "setting"), 0.3}}}, 0.4).total_deg(), 0.5, 1e-12);
 }

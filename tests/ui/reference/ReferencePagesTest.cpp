@@ -232,7 +232,7 @@ private slots:
         auto& method = find<QComboBox>(page, "datumMethod");
         method.setCurrentIndex(1);
         type("runwayWheelbase", "10");
-        QVERIFY(headline.text().contains("± 4.05"));
+        QVERIFY(headline.text().contains("± 0.42"));
         method.setCurrentIndex(2);
         QVERIFY2(headline.text().contains("± 0.11"), qPrintable(headline.text()));
         method.setCurrentIndex(4);
