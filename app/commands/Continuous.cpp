@@ -25,7 +25,7 @@ struct ContinuousArguments {
     std::string file, state;
     Output output, swing;
     ContinuousOptions filter;
-    bool json = false;
+    bool json = false, whole = false;
 };
 
 void printContinuous(const ContinuousResult& result)
@@ -39,6 +39,17 @@ void printContinuous(const ContinuousResult& result)
             put("%-16s %+8.3f +- %.3f\n", result.names[i].c_str(), *result.state_deg[i], *result.standardError_deg[i]);
         else
             put("%-16s %8s\n", result.names[i].c_str(), "-");
+    if (const auto& whole = result.whole) {
+        if (const auto& model = whole->model)
+            put("hard iron P %+.0f, Q %+.0f, R %+.0f nT\n", model->hardIron_nT.x(), model->hardIron_nT.y(), model->hardIron_nT.z());
+        put("level where H is %.0f nT:", whole->field.horizontal_nT);
+        for (std::size_t c = 0; c < whole->level_deg.size(); ++c)
+            if (whole->level_deg[c])
+                put("  %c %+.2f +- %.2f", "ABCDE"[c], *whole -> level_deg[c], *whole -> levelError_deg[c]);
+            else
+                put("  %c -", "ABCDE"[c]);
+        put(" deg\n");
+    }
     for (const auto& direction : result.nullDirections)
         put("%s\n", direction.english().c_str());
     for (const auto& alarm : result.alarms) {
@@ -107,6 +118,8 @@ int continuousCommand(const ContinuousArguments& arguments)
     if (!start)
         return fail(start.error());
     options.filter.start = std::move(start.value());
+    if (options.whole)
+        options.filter.wholeModelOver_nT = 0; // that of the log
     const auto file = readContinuousCsvFile(options.file, options.filter, consoleProgress("reading " + nameOfInput(options.file)));
     if (!file)
         return fail(file.error());
@@ -143,6 +156,8 @@ void addContinuous(CLI::App& app, Invocation& invocation)
     command->add_option("--drift", options->filter.drift_deg, "random walk of each coefficient over the square root of a day [deg]")
         ->check(CLI::Range(0.0, 90.0))
         ->capture_default_str();
+    command->add_flag("--whole-model", options->whole,
+        "follow the whole sensor model (soft and hard iron) in place of A to E: the log has pitch_deg, roll_deg, horizontal_nT and dip_deg");
     command->add_option("--state", options->state, "goes on from this file of the last flight, and keeps the state in it")
         ->type_name("FILE");
     auto* json = command->add_flag("--json", options->json, "one JSON object on standard output");

@@ -22,7 +22,7 @@ constexpr std::size_t kMostPoints = 500;
 StateFilter filterOf(const ContinuousOptions& options)
 {
     return options.start ? StateFilter(options.start->state_deg, options.start->covariance)
-                         : StateFilter(static_cast<int>(5 + 2 * options.loads.size()));
+                         : StateFilter(coreStates(options.wholeModelOver_nT.has_value()) + 2 * static_cast<int>(options.loads.size()));
 }
 
 /// "A + 0.6 E", the largest first.
@@ -79,8 +79,10 @@ ContinuousSwing::ContinuousSwing(const ContinuousOptions& options)
     , m_watch(m_filter.states())
     , m_previousRow(StateFilter::State::Zero(m_filter.states()))
 {
-    for (const char letter : {'A', 'B', 'C', 'D', 'E'})
-        m_names.emplace_back(1, letter);
+    if (options.wholeModelOver_nT)
+        m_names.assign(kModelNames.begin(), kModelNames.end());
+    else
+        m_names = {"A", "B", "C", "D", "E"};
     for (const auto& load : options.loads)
         for (const char letter : {'B', 'C'})
             m_names.push_back(std::string(1, letter) + " per A of " + load);
@@ -93,7 +95,7 @@ void ContinuousSwing::add(const ContinuousSample& sample)
     const double error_deg = sample.referenceError_deg.value_or(m_options.noise_deg);
     if (!sample.leg) {
         endLeg();
-        update(sample.time_s, sample.compassHeading_deg, sample.deviation_deg, error_deg * error_deg, sample.current_A);
+        update(sample, error_deg * error_deg);
         auto& sector = m_sectors[static_cast<std::size_t>(wrap360(sample.compassHeading_deg) / 10.0) % 36];
         if (sector.samples == 0) {
             sector.time_s = sample.time_s;
@@ -113,6 +115,7 @@ void ContinuousSwing::add(const ContinuousSample& sample)
         m_leg = *sample.leg;
         m_legFirst = sample.deviation_deg;
         m_legCurrent.assign(m_options.loads.size(), 0.0);
+        m_legAt = {};
     }
     ++m_legSamples;
     m_legSine += std::sin(toRadians(sample.compassHeading_deg));
@@ -120,6 +123,10 @@ void ContinuousSwing::add(const ContinuousSample& sample)
     m_legDeviation += wrap180(sample.deviation_deg - m_legFirst);
     m_legVariance += error_deg * error_deg;
     m_legTime += sample.time_s;
+    m_legAt.pitch_deg += sample.at.pitch_deg;
+    m_legAt.roll_deg += sample.at.roll_deg;
+    m_legAt.field.horizontal_nT += sample.at.field.horizontal_nT;
+    m_legAt.field.down_nT += sample.at.field.down_nT;
     for (std::size_t i = 0; i < m_legCurrent.size() && i < sample.current_A.size(); ++i)
         m_legCurrent[i] += sample.current_A[i];
 }
@@ -132,28 +139,53 @@ void ContinuousSwing::endLeg()
     const double n = m_legSamples;
     LegMean mean{m_leg, m_legTime / n, wrap360(toDegrees(std::atan2(m_legSine, m_legCosine))), wrap180(m_legFirst + m_legDeviation / n),
         m_legSamples};
-    for (double& current : m_legCurrent)
+    ContinuousSample whole{mean.time_s, mean.compassHeading_deg, mean.deviation_deg, {}, {}, m_legCurrent,
+        {m_legAt.pitch_deg / n, m_legAt.roll_deg / n, {m_legAt.field.horizontal_nT / n, m_legAt.field.down_nT / n}}};
+    for (double& current : whole.current_A)
         current /= n;
     const double variance = m_legVariance / n;
-    const auto current = m_legCurrent;
     m_legSamples = 0;
     m_legSine = m_legCosine = m_legDeviation = m_legVariance = m_legTime = 0;
     m_legs.push_back(mean);
-    update(mean.time_s, mean.compassHeading_deg, mean.deviation_deg, variance, current);
+    update(whole, variance);
 }
 
-void ContinuousSwing::update(double time_s, double compass_deg, double deviation_deg, double variance, const std::vector<double>& current_A)
+StateFilter::State ContinuousSwing::rowOf(const ContinuousSample& sample) const
 {
+    StateFilter::State row = continuousRow(sample.compassHeading_deg, sample.current_A, m_options.loads.size());
+    if (!m_options.wholeModelOver_nT)
+        return row;
+    const auto at = [&](double deviation_deg) {
+        StateFilter::State whole(m_filter.states());
+        whole << modelRow(sample.compassHeading_deg, deviation_deg, sample.at, *m_options.wholeModelOver_nT), row.tail(row.size() - 5);
+        return whole;
+    };
+    // The field is turned by what is expected once it is told: turned by what was read, the row would hold the reading's own error, and draw
+    // a, e and R after it.
+    const StateFilter::State read = at(sample.deviation_deg);
+    if (!m_filter.told())
+        return read;
+    return at(toDegrees(std::asin(std::clamp(toRadians(read.dot(m_filter.state())), -1.0, 1.0))));
+}
+
+void ContinuousSwing::update(const ContinuousSample& sample, double variance)
+{
+    const double time_s = sample.time_s;
     if (m_options.drift_deg > 0 && m_last_s)
         m_filter.widen(StateFilter::State::Constant(
             m_filter.states(), m_options.drift_deg * m_options.drift_deg * std::max(0.0, time_s - *m_last_s) / kDay_s));
     m_last_s = time_s;
     ++m_updates;
     Kept kept;
-    kept.h = continuousRow(compass_deg, current_A, m_options.loads.size());
+    m_lastAt = sample.at;
+    kept.h = rowOf(sample);
     kept.before = m_filter.state();
-    // A deviation lies round a circle: the nearest turn to what is expected.
-    kept.z = m_filter.told() ? kept.h.dot(m_filter.state()) + wrap180(deviation_deg - kept.h.dot(m_filter.state())) : deviation_deg;
+    if (m_options.wholeModelOver_nT)
+        kept.z = toDegrees(std::sin(toRadians(sample.deviation_deg)));
+    else if (m_filter.told()) // a deviation lies round a circle: the nearest turn to what is expected
+        kept.z = kept.h.dot(m_filter.state()) + wrap180(sample.deviation_deg - kept.h.dot(m_filter.state()));
+    else
+        kept.z = sample.deviation_deg;
     kept.time_s = time_s;
     const auto innovation = m_filter.update(kept.h, kept.z, variance, kGate);
     if (innovation.told) {
@@ -170,7 +202,19 @@ void ContinuousSwing::keepPoint(double time_s)
 {
     if (!m_filter.told() || m_updates % m_stride != 0)
         return;
-    m_history.push_back({time_s, m_filter.state(), m_filter.covariance().diagonal().cwiseMax(0.0).cwiseSqrt()});
+    if (m_options.wholeModelOver_nT) {
+        const auto rows = levelRows(m_lastAt.field, *m_options.wholeModelOver_nT);
+        const auto core = m_filter.covariance().topLeftCorner<kModelStates, kModelStates>();
+        ContinuousPoint point{time_s, StateFilter::State(rows.size()), StateFilter::State(rows.size())};
+        for (std::size_t c = 0; c < rows.size(); ++c) {
+            const auto place = static_cast<Eigen::Index>(c);
+            point.state_deg(place) = rows[c].dot(m_filter.state().head<kModelStates>());
+            point.standardError_deg(place) = std::sqrt(std::max(0.0, rows[c].dot(core * rows[c])));
+        }
+        m_history.push_back(point);
+    } else {
+        m_history.push_back({time_s, m_filter.state(), m_filter.covariance().diagonal().cwiseMax(0.0).cwiseSqrt()});
+    }
     if (m_history.size() < kMostPoints)
         return;
     for (std::size_t i = 0; 2 * i < m_history.size(); ++i)
@@ -185,6 +229,7 @@ ContinuousResult ContinuousSwing::finish()
     nameChange();
     ContinuousResult result;
     result.names = m_names;
+    result.historyNames = m_options.wholeModelOver_nT ? std::vector<std::string>{"A", "B", "C", "D", "E"} : m_names;
     result.updates = m_updates;
     result.gated = m_gated;
     result.told = m_filter.told();
@@ -220,18 +265,34 @@ ContinuousResult ContinuousSwing::finish()
                 {MARKED("core", "%1 is not told by the headings and loads so far"), directionText(direction, m_names)});
         }
     const auto partial = m_filter.partial();
-    for (int i = 0; i < m_filter.states(); ++i) {
-        const bool told = 1.0 - untold(i, i) > kOwnShare;
-        double variance = 0;
+    // What a row makes of the state, with its standard error; nothing where it is not told.
+    const auto tell = [&](const StateFilter::State& row, std::optional<double>& value, std::optional<double>& error) {
+        const double left = row.dot(untold * row);
+        if (left >= (1.0 - kOwnShare) * row.squaredNorm())
+            return;
+        double variance = left * 4.0; // a usual size of what is not told leaks
         for (int j = 0; j < m_filter.states(); ++j)
             if (parts.values(j) >= 1.0 / (kUntold_deg * kUntold_deg))
-                variance += std::pow(parts.vectors(i, j), 2) / parts.values(j);
-        variance += untold(i, i) * 4.0; // a usual size of what is not told leaks
-        result.state_deg.push_back(told ? std::optional(partial(i)) : std::nullopt);
-        result.standardError_deg.push_back(told ? std::optional(std::sqrt(variance * result.widened)) : std::nullopt);
+                variance += std::pow(parts.vectors.col(j).dot(row), 2) / parts.values(j);
+        value = row.dot(partial);
+        error = std::sqrt(variance * result.widened);
+    };
+    for (int i = 0; i < m_filter.states(); ++i)
+        tell(StateFilter::State::Unit(m_filter.states(), i), result.state_deg.emplace_back(), result.standardError_deg.emplace_back());
+    if (const auto over_nT = m_options.wholeModelOver_nT; over_nT && m_last_s) {
+        result.whole.emplace().field = m_lastAt.field;
+        if (std::all_of(result.state_deg.begin(), result.state_deg.begin() + kModelStates, [](const auto& one) { return one.has_value(); }))
+            result.whole->model = modelOf(partial, *over_nT);
+        const auto rows = levelRows(m_lastAt.field, *over_nT);
+        for (std::size_t c = 0; c < rows.size(); ++c) {
+            StateFilter::State row = StateFilter::State::Zero(m_filter.states());
+            row.head<kModelStates>() = rows[c];
+            tell(row, result.whole->level_deg[c], result.whole->levelError_deg[c]);
+        }
     }
     if (result.told && m_last_s)
-        result.state = {*m_last_s, m_before + m_updates, m_options.loads, m_filter.state(), m_filter.covariance()};
+        result.state
+            = {*m_last_s, m_before + m_updates, m_options.loads, m_options.wholeModelOver_nT, m_filter.state(), m_filter.covariance()};
     for (const auto& alarm : m_alarms) {
         Message words{MARKED("core", "the iron changed: %1 by %2\u00B0 \u00B1 %3\u00B0, between %4 s and %5 s"), alarm.coefficient,
             signedFigureText(alarm.change_deg, 2), figureText(alarm.standardError_deg, 2), figureText(alarm.since_s, 0),

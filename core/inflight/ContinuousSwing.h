@@ -1,7 +1,7 @@
 #pragma once
 /// The continuous swing: A to E followed through flights against any heading reference,
 ///   δ = A + B sin ψ' + C cos ψ' + D sin 2ψ' + E cos 2ψ' + Σ I (b sin ψ' + c cos ψ'),   I the current of each electrical load [A]
-/// by a Kalman filter, with an alarm when the iron changed: χ² of what the last 10, 20, 40 and 80 whitened innovations say of it
+/// (of a whole sensor model the row of ModelRow.h in place of the first five) by a Kalman filter, with an alarm when the iron changed: χ² of what the last 10, 20, 40 and 80 whitened innovations say of it
 /// (InnovationWatch.h), at a chance that gives a false alarm in one of ten series of 1400 updates (simulated). Innovations that resemble
 /// their neighbours are whitened by their own correlation first, with room for what that correlation is not known by, and the errors that
 /// are told widened by (1 + ρ)/(1 − ρ): with correlations of 0.5 to 0.99 no more than 12 % of series have a false alarm (simulated on legs
@@ -16,6 +16,7 @@
 
 #include "core/base/Result.h"
 #include "core/inflight/InnovationWatch.h"
+#include "core/inflight/ModelRow.h"
 #include "core/inflight/StateFilter.h"
 
 namespace lubberline {
@@ -27,6 +28,7 @@ struct ContinuousSample {
     std::optional<double> referenceError_deg;
     std::optional<std::string> leg;
     std::vector<double> current_A; ///< of each load
+    FlownAt at;                    ///< of a whole model
 };
 
 /// What is kept with a compass from flight to flight.
@@ -34,6 +36,7 @@ struct ContinuousState {
     double time_s = 0; ///< of the last update, as the log had it
     std::int64_t updates = 0;
     std::vector<std::string> loads;
+    std::optional<double> horizontal_nT; ///< of a whole model: that P, Q and R are counted over
     StateFilter::State state_deg;
     StateFilter::Covariance covariance;
 };
@@ -42,6 +45,8 @@ struct ContinuousOptions {
     double noise_deg = 0.5; ///< of a heading pair where the log states none
     double drift_deg = 0;   ///< random walk of each coefficient over √day
     std::vector<std::string> loads;
+    /// The whole sensor model is followed in place of A to E; P, Q and R are counted over this H.
+    std::optional<double> wholeModelOver_nT;
     std::optional<ContinuousState> start;
 };
 
@@ -73,15 +78,25 @@ struct ContinuousResult {
     double widened = 1; ///< (1 + ρ)/(1 − ρ) in the variances above, where neighbours resemble each other
     std::vector<Message> nullDirections;
     std::vector<ContinuousAlarm> alarms;
-    std::vector<ContinuousPoint> history; ///< at most some 500
-    std::vector<LegMean> legs;            ///< headings of 10° together where the log names no legs
-    ContinuousState state;                ///< only where told
+    std::vector<ContinuousPoint> history;  ///< at most some 500
+    std::vector<std::string> historyNames; ///< of its figures: those of the states; of a whole model A to E, level in the field of the time
+    std::vector<LegMean> legs;             ///< headings of 10° together where the log names no legs
+    /// Of a whole model: it, and what it makes of A to E level in the field of the last update.
+    struct Whole {
+        std::optional<SensorModel> model; ///< where all of it is told; k is 0
+        std::array<std::optional<double>, 5> level_deg, levelError_deg;
+        MeridianField field;
+    };
+    std::optional<Whole> whole;
+    ContinuousState state; ///< only where told
     bool told = false;
     std::vector<Message> warnings;
 };
 
 /// 1, sin ψ', cos ψ', sin 2ψ', cos 2ψ', and I sin ψ', I cos ψ' of each load.
 [[nodiscard]] StateFilter::State continuousRow(double compass_deg, const std::vector<double>& current_A, std::size_t loads);
+/// States before those of loads.
+[[nodiscard]] inline int coreStates(bool wholeModel) { return wholeModel ? kModelStates : 5; }
 
 /// A state that knows no loads, before a log that has some: of these nothing is known yet.
 [[nodiscard]] ContinuousState withLoads(const ContinuousState& state, const std::vector<std::string>& loads);
@@ -101,7 +116,8 @@ private:
         double z = 0, variance = 1, noise = 1, time_s = 0; ///< variance: of the innovation; noise: of z
     };
     void endLeg();
-    void update(double time_s, double compass_deg, double deviation_deg, double variance, const std::vector<double>& current_A);
+    void update(const ContinuousSample& sample, double variance);
+    [[nodiscard]] StateFilter::State rowOf(const ContinuousSample& sample) const;
     void watch(const Kept& kept, double white);
     void raise(int window, double p);
     void nameChange();
@@ -134,6 +150,8 @@ private:
     std::string m_leg;
     double m_legSine = 0, m_legCosine = 0, m_legDeviation = 0, m_legVariance = 0, m_legTime = 0, m_legFirst = 0;
     std::vector<double> m_legCurrent;
+    FlownAt m_legAt; ///< sums
+    FlownAt m_lastAt;
     int m_legSamples = 0;
     std::array<LegMean, 36> m_sectors{};
     std::array<double, 36> m_sectorOff{};

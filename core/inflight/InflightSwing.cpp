@@ -56,7 +56,7 @@ std::optional<ContinuousState> stateAfter(std::span<const Swing> swings, double 
         }
     if (!filter.told())
         return {};
-    return ContinuousState{0, updates, {}, filter.state(), filter.covariance()};
+    return ContinuousState{0, updates, {}, {}, filter.state(), filter.covariance()};
 }
 
 } // namespace lubberline

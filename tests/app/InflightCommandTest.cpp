@@ -95,6 +95,52 @@ TEST(ContinuousCommand, theStateGoesFromFlightToFlight)
     EXPECT_EQ(sandbox.run({"continuous", second, "--state", state}).status, 1);
 }
 
+/// Hard iron (700, −400) nT and nothing else, at attitudes: sin δ = (P x + Q y)/H with x, y across the compass heading.
+std::string attitudeLog(int from, int to)
+{
+    std::string csv = "time_s,compass_heading_deg,deviation_deg,pitch_deg,roll_deg,horizontal_nT,dip_deg\n";
+    for (int i = from; i < to; ++i) {
+        const double heading_deg = i * 77 % 360, heading = toRadians(heading_deg), pitch = toRadians(i * 13 % 31 - 15),
+                     roll = toRadians(i * 29 % 41 - 20);
+        const double forward = std::cos(pitch) * std::sin(heading),
+                     starboard = std::sin(roll) * std::sin(pitch) * std::sin(heading) + std::cos(roll) * std::cos(heading);
+        const double deviation_deg
+            = toDegrees(std::asin((700 * forward - 400 * starboard) / 18700)) + 0.2 * std::sin(12.9898 * i) * std::sqrt(2.0);
+        csv += std::to_string(i);
+        for (const double figure : {heading_deg, deviation_deg, toDegrees(pitch), toDegrees(roll), 18700.0, 67.0})
+            csv += "," + shortestNumber(figure);
+        csv += "\n";
+    }
+    return csv;
+}
+
+TEST(ContinuousCommand, theWholeSensorModel)
+{
+    const Sandbox sandbox;
+    const auto all = sandbox.write("all.csv", attitudeLog(0, 1200)), state = sandbox.path("state.json");
+    const auto whole = sandbox.run({"continuous", all, "--whole-model", "--json"});
+    ASSERT_EQ(whole.status, 0) << whole.err;
+    const auto json = whole.json();
+    EXPECT_NEAR(json.at("sensor_model").at("hard_iron_nT")[0].get<double>(), 700, 60);
+    EXPECT_NEAR(json.at("sensor_model").at("hard_iron_nT")[1].get<double>(), -400, 60);
+    EXPECT_NEAR(json.at("level").at("B_deg").get<double>(), toDegrees(700 / 18700.0), 0.1);
+    EXPECT_NEAR(json.at("level").at("C_deg").get<double>(), toDegrees(-400 / 18700.0), 0.1);
+    EXPECT_TRUE(json.at("state").contains("P_deg"));
+    EXPECT_TRUE(json.at("history")[0].at("state").contains("B_deg"));
+    // From flight to flight, as A to E; the two kinds do not mix.
+    const auto second = sandbox.write("2.csv", attitudeLog(600, 1200));
+    ASSERT_EQ(sandbox.run({"continuous", sandbox.write("1.csv", attitudeLog(0, 600)), "--whole-model", "--state", state}).status, 0);
+    const auto after = sandbox.run({"continuous", second, "--whole-model", "--state", state, "--json"});
+    ASSERT_EQ(after.status, 0) << after.err;
+    for (const char* key : {"a_deg", "h_deg", "P_deg", "R_deg"})
+        EXPECT_NEAR(after.json().at("state").at(key).get<double>(), json.at("state").at(key).get<double>(), 1e-7) << key;
+    EXPECT_EQ(sandbox.run({"continuous", second, "--state", state}).status, 1);
+    const auto missing = sandbox.run({"continuous", sandbox.write("level.csv", continuousLog(0, 50, false)), "--whole-model"});
+    EXPECT_EQ(missing.status, 1);
+    EXPECT_NE(missing.err.find("pitch_deg"), std::string::npos);
+    EXPECT_EQ(sandbox.run({"continuous", all, "--whole-model", "-o", sandbox.path("report.pdf")}).status, 0);
+}
+
 TEST(ContinuousCommand, badInputIsOneErrorWithItsLine)
 {
     const Sandbox sandbox;

@@ -1,5 +1,6 @@
 #include "ui/inflight/FlightLogPage.h"
 
+#include <QCheckBox>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
@@ -35,6 +36,8 @@ Result<FlightLog> readFlightLog(const std::string& path, const LegsOptions& legs
         return FlightLog{std::move(continuous->result), continuous->warnings};
     if (continuous.error().code == ErrorCode::Cancelled || continuous.error().code == ErrorCode::Io)
         return continuous.error();
+    if (filter.wholeModelOver_nT)
+        return continuous.error();
     const auto file = readLegsCsvFile(path, progress);
     if (!file)
         return continuous.error().line > 1 ? continuous.error() : file.error();
@@ -63,6 +66,20 @@ QStringList wordsOf(const ContinuousResult& result)
                   .arg(toText(result.names[i]), signedNumber(*result.state_deg[i], 2), plainNumber(*result.standardError_deg[i], 2))
             : FlightLogPage::tr("%1 not told").arg(toText(result.names[i]));
     QStringList lines{FlightLogPage::tr("%1 updates: %2.").arg(result.updates).arg(values.join(QStringLiteral(", ")))};
+    if (const auto& whole = result.whole) {
+        if (const auto& model = whole->model)
+            lines += FlightLogPage::tr("Hard iron P %1, Q %2, R %3 nT.")
+                         .arg(signedNumber(model->hardIron_nT.x(), 0), signedNumber(model->hardIron_nT.y(), 0),
+                             signedNumber(model->hardIron_nT.z(), 0));
+        QStringList level;
+        for (std::size_t c = 0; c < whole->level_deg.size(); ++c)
+            if (whole->level_deg[c])
+                level += FlightLogPage::tr("%1 %2° ± %3°")
+                             .arg(QString(QLatin1Char("ABCDE"[c])))
+                             .arg(signedNumber(*whole->level_deg[c], 2), plainNumber(*whole->levelError_deg[c], 2));
+        lines += FlightLogPage::tr("Level, where H is %1 nT: %2.")
+                     .arg(plainNumber(whole->field.horizontal_nT, 0), level.join(QStringLiteral(", ")));
+    }
     for (const auto& direction : result.nullDirections)
         lines += toText(direction);
     return lines; // alarms stand among the warnings
@@ -76,6 +93,7 @@ FlightLogPage::FlightLogPage(db::Stores& stores, FileQuestions questions, QWidge
     , m_questions(std::move(questions))
     , m_variation(new QLineEdit)
     , m_noise(new QLineEdit)
+    , m_whole(new QCheckBox(tr("&Whole sensor model")))
     , m_open(new QPushButton(tr("&Open a log of legs or headings…")))
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_make(new QPushButton(tr("&Make a swing of it")))
@@ -97,6 +115,8 @@ void FlightLogPage::build()
     m_variation->setPlaceholderText(tr("variation of the legs, E +"));
     m_noise->setObjectName(QStringLiteral("flightNoise"));
     m_noise->setPlaceholderText(tr("error of a heading pair, 0.5°"));
+    m_whole->setObjectName(QStringLiteral("flightWhole"));
+    m_whole->setToolTip(tr("Soft and hard iron in place of A to E: the log has pitch_deg, roll_deg, horizontal_nT and dip_deg, too."));
     m_open->setObjectName(QStringLiteral("flightOpen"));
     m_make->setObjectName(QStringLiteral("flightMake"));
     m_make->setEnabled(false);
@@ -104,7 +124,7 @@ void FlightLogPage::build()
     for (QLineEdit* line : {m_variation, m_noise})
         showHint(*line);
     auto* row = new FlowLayout; // beside the title they would cut it
-    for (QWidget* one : std::initializer_list<QWidget*>{m_open, m_cancel, m_make, m_variation, m_noise})
+    for (QWidget* one : std::initializer_list<QWidget*>{m_open, m_cancel, m_make, m_variation, m_noise, m_whole})
         row->addWidget(one);
     body().addLayout(row);
     messageLine().setWordWrap(true);
@@ -120,6 +140,7 @@ void FlightLogPage::build()
     connect(m_open, &QPushButton::clicked, this, &FlightLogPage::choose);
     connect(m_make, &QPushButton::clicked, this, &FlightLogPage::make);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
+    connect(m_whole, &QCheckBox::toggled, this, &FlightLogPage::start);
     for (QLineEdit* line : {m_variation, m_noise}) {
         connect(line, &QLineEdit::textEdited, this, [this] { m_make->setEnabled(false); }); // Enter reads it again
         connect(line, &QLineEdit::returnPressed, this, &FlightLogPage::start);
@@ -212,7 +233,10 @@ void FlightLogPage::start()
         }
         filter.noise_deg = *noise_deg;
     }
-    filter.start = m_before;
+    if (m_whole->isChecked())
+        filter.wholeModelOver_nT = 0; // that of the log
+    else
+        filter.start = m_before;
     m_cancel->show();
     m_open->setEnabled(false);
     m_make->setEnabled(false);
@@ -234,7 +258,7 @@ void FlightLogPage::take(Result<FlightLog> read)
     m_swing = legs ? swingOf(*legs) : swingOf(continuous->legs);
     QStringList lines{QFileInfo(m_path).fileName()};
     lines += legs ? wordsOf(*legs) : wordsOf(*continuous);
-    if (continuous && m_flown > 0)
+    if (continuous && m_flown > 0 && !continuous->whole)
         lines += tr("It goes on from %n swing(s) in flight on record, recomputed from their readings.", nullptr, m_flown);
     m_said.clear();
     if (legs)

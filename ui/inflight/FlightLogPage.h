@@ -11,6 +11,7 @@
 #include "ui/kit/Page.h"
 #include "ui/kit/Worker.h"
 
+class QCheckBox;
 class QLineEdit;
 class QPushButton;
 class QTabWidget;
@@ -61,6 +62,7 @@ private:
     std::shared_ptr<const FlightLog> m_log;
     QStringList m_said;
     QLineEdit *m_variation, *m_noise;
+    QCheckBox* m_whole; ///< the sensor model in place of A to E
     QPushButton *m_open, *m_cancel, *m_make;
     QTabWidget* m_tabs;
     SwingPlot* m_plot;

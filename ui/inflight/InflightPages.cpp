@@ -41,11 +41,15 @@ PageDescription FlightLogPage::description(PageContext& context)
         needsCompass}};
     page.outputs = {{MenuId::File, 216, tr("Write the &report as PDF…"), {}, "writeFlightReport",
         [](Page& shown) { dynamic_cast<FlightLogPage&>(shown).writeReport(); }}};
-    page.help = tr(
-        "Legs: ground velocities of three or more headings lie on a circle about the wind, whose radius is the airspeed, so the heading of each leg follows "
-        "without a model. Continuous: δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ is followed by a Kalman filter, without process noise the least-squares "
-        "solution; χ² of the last 10, 20, 40 and 80 innovations raises an alarm, falsely in one of ten logs of 1400 updates. The means of the legs become the readings "
-        "of a swing; the next log of the compass goes on from the swings in flight since its last other swing, recomputed from those readings.");
+    page.help
+        = tr("Legs: ground velocities of three or more headings lie on a circle about the wind, whose radius is the airspeed, so the heading of each leg follows "
+             "without a model. Continuous: δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ is followed by a Kalman filter, without process noise the least-squares "
+             "solution; χ² of the last 10, 20, 40 and 80 innovations raises an alarm, falsely in one of ten logs of 1400 updates. The means of the legs become the readings "
+             "of a swing; the next log of the compass goes on from the swings in flight since its last other swing, recomputed from those readings.")
+        + QLatin1Char(' ')
+        + tr(
+            "Whole sensor model: sin δ = Σ g (S b + p/H) with b the Earth's field in the aircraft over H and g what a field along each axis does across the heading "
+            "read, exact at every attitude (after Poisson; Kayton and Fried 1997, 9.13); level flight tells A to E of it.");
     return page;
 }
 

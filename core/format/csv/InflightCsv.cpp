@@ -156,7 +156,16 @@ Result<ContinuousFile> readContinuousCsv(std::istream& input, const std::string&
             currents.emplace_back(i);
             options.loads.push_back(csv.columns()[i].substr(kCurrent.size()));
         }
-    constexpr std::size_t kMostLoads = (kMostStates - 5) / 2;
+    const bool whole = options.wholeModelOver_nT.has_value();
+    const auto pitch = csv.column("pitch_deg"), roll = csv.column("roll_deg"), horizontal = csv.column("horizontal_nt"),
+               dip = csv.column("dip_deg");
+    if (whole)
+        for (const auto& [place, column] :
+            {std::pair{pitch, "pitch_deg"}, {roll, "roll_deg"}, {horizontal, "horizontal_nT"}, {dip, "dip_deg"}})
+            if (!place)
+                return columnMissing(
+                    csv, column, MARKED("core", "pitch_deg, roll_deg, horizontal_nT and dip_deg for the whole sensor model"));
+    const auto kMostLoads = static_cast<std::size_t>((kMostStates - coreStates(whole)) / 2);
     if (currents.size() > kMostLoads)
         return csv.here({MARKED("core", "there are %1 loads; expected %2 at most"), currents.size(), kMostLoads});
     if (options.start && options.start->loads.empty() && !options.loads.empty())
@@ -164,7 +173,13 @@ Result<ContinuousFile> readContinuousCsv(std::istream& input, const std::string&
     if (options.start && options.start->loads != options.loads)
         return csv.here(
             MARKED("core", "the state that was kept has other electrical loads than this log; expected the same current_A columns"));
-    ContinuousSwing swing(options);
+    if (options.start && options.start->horizontal_nT.has_value() != whole)
+        return csv.wholeFile(
+            MARKED("core", "is to go on from a state of another kind; expected both A to E, or both the whole sensor model"));
+    std::optional<ContinuousSwing> swing; // P, Q and R of a whole model are counted over the H of the first row, or of the state before
+    if (whole && options.start)
+        options.wholeModelOver_nT = options.start->horizontal_nT;
+    const bool overFirst = whole && !options.start;
     ContinuousFile file;
     double last_s = -std::numeric_limits<double>::infinity();
     std::int64_t missing = 0, rows = 0;
@@ -185,6 +200,19 @@ Result<ContinuousFile> readContinuousCsv(std::istream& input, const std::string&
         for (const auto& place : currents) {
             const double current = row.figure(place);
             sample.current_A.push_back(std::isfinite(current) ? current : 0.0);
+        }
+        if (whole) {
+            sample.at.pitch_deg = row.figure(pitch);
+            sample.at.roll_deg = row.figure(roll);
+            const double horizontal_nT = row.figure(horizontal), dip_deg = row.figure(dip);
+            sample.at.field = MeridianField::fromDip(horizontal_nT, toRadians(dip_deg));
+            const bool known = std::isfinite(sample.at.pitch_deg + sample.at.roll_deg + horizontal_nT + dip_deg);
+            if (!row.error() && known && (std::abs(sample.at.pitch_deg) > 90 || std::abs(sample.at.roll_deg) > 180))
+                return csv.here(MARKED("core", "pitch_deg or roll_deg is out of range; expected -90 to 90, and -180 to 180"));
+            if (!row.error() && known && (!(horizontal_nT >= 500 && horizontal_nT <= 50'000) || std::abs(dip_deg) > 89))
+                return csv.here(MARKED("core", "horizontal_nT or dip_deg is out of range; expected 500 to 50000 nT, and -89 to 89"));
+            if (!known)
+                sample.compassHeading_deg = std::numeric_limits<double>::quiet_NaN();
         }
         if (row.error())
             return *row.error();
@@ -212,13 +240,20 @@ Result<ContinuousFile> readContinuousCsv(std::istream& input, const std::string&
         }
         if (leg)
             sample.leg = lastLeg;
-        swing.add(sample);
+        if (!swing) {
+            if (overFirst)
+                options.wholeModelOver_nT = sample.at.field.horizontal_nT;
+            swing.emplace(options);
+        }
+        swing->add(sample);
     }
-    if (rows == missing)
+    if (!swing)
         return csv.wholeFile(MARKED("core", "holds no pair of headings; expected a compass and a reference heading a row"));
-    file.result = swing.finish();
+    file.result = swing->finish();
     if (missing > 0)
-        file.warnings.push_back({MARKED_N("core", "%n row(s) without a compass or reference heading passed over"), missing});
+        file.warnings.push_back({whole ? MARKED_N("core", "%n row(s) without headings, attitude or field passed over")
+                                       : MARKED_N("core", "%n row(s) without a compass or reference heading passed over"),
+            missing});
     file.warnings.insert(file.warnings.end(), file.result.warnings.begin(), file.result.warnings.end());
     return file;
 }

@@ -2,7 +2,7 @@
 /// Logs of deviation in flight.
 /// Legs CSV: `track_deg, ground_speed_kt` (or _m_s, _km_h), optional `leg, compass_heading_deg, variation_deg`; rows that share a leg are averaged.
 /// Continuous CSV: `time_s, compass_heading_deg` and `reference_heading_deg` (magnetic) or `deviation_deg`; optional `reference_error_deg, leg,
-/// current_A:NAME` for each electrical load. Times do not go back.
+/// current_A:NAME` for each electrical load; for the whole sensor model `pitch_deg, roll_deg, horizontal_nT, dip_deg`. Times do not go back.
 
 #include <istream>
 #include <string>

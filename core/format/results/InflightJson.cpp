@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/algebra/Spectra.h"
+#include "core/angle/Angle.h"
 #include "core/base/Number.h"
 #include "core/format/csv/TextCell.h"
 #include "core/format/json/ReadObject.h"
@@ -62,11 +63,28 @@ std::string toJson(const ContinuousResult& result)
             {"standard_error_deg", alarm.standardError_deg}});
     for (const auto& point : result.history) {
         InflightTree values, errors;
-        for (std::size_t i = 0; i < result.names.size(); ++i) {
-            values[stateKey(result.names[i])] = point.state_deg(static_cast<Eigen::Index>(i));
-            errors[stateKey(result.names[i])] = point.standardError_deg(static_cast<Eigen::Index>(i));
+        for (std::size_t i = 0; i < result.historyNames.size(); ++i) {
+            values[stateKey(result.historyNames[i])] = point.state_deg(static_cast<Eigen::Index>(i));
+            errors[stateKey(result.historyNames[i])] = point.standardError_deg(static_cast<Eigen::Index>(i));
         }
         json["history"].push_back({{"time_s", point.time_s}, {"state", values}, {"standard_error_deg", errors}});
+    }
+    if (const auto& whole = result.whole) {
+        InflightTree level{{"H_nT", whole->field.horizontal_nT}, {"dip_deg", toDegrees(whole->field.inclination_rad())}};
+        constexpr std::string_view kLetters = "ABCDE";
+        for (std::size_t c = 0; c < kLetters.size(); ++c) {
+            level[std::string(1, kLetters[c]) + "_deg"] = orNothing(whole->level_deg[c]);
+            level[std::string(1, kLetters[c]) + "_standard_error_deg"] = orNothing(whole->levelError_deg[c]);
+        }
+        json["level"] = level;
+        json["sensor_model"] = InflightTree();
+        if (const auto& model = whole->model) {
+            InflightTree soft = InflightTree::array();
+            for (int row = 0; row < 3; ++row)
+                soft.push_back({model->softIron(row, 0), model->softIron(row, 1), model->softIron(row, 2)});
+            json["sensor_model"]
+                = {{"soft_iron", soft}, {"hard_iron_nT", {model->hardIron_nT.x(), model->hardIron_nT.y(), model->hardIron_nT.z()}}};
+        }
     }
     for (const auto& leg : result.legs)
         json["legs"].push_back({{"leg", leg.leg.empty() ? InflightTree() : InflightTree(leg.leg)}, {"time_s", leg.time_s},
@@ -78,7 +96,7 @@ std::string toJson(const ContinuousResult& result)
 std::string historyCsv(const ContinuousResult& result)
 {
     std::string csv = "time_s";
-    for (const auto& name : result.names)
+    for (const auto& name : result.historyNames)
         csv += "," + csvTextCell(stateKey(name)) + "," + csvTextCell("standard error of " + stateKey(name));
     csv += "\n";
     for (const auto& point : result.history) {
@@ -95,6 +113,8 @@ std::string stateJson(const ContinuousState& state)
     InflightTree json{{"format", "lubberline continuous swing"}, {"version", kStateVersion}, {"time_s", state.time_s},
         {"updates", state.updates}, {"loads", state.loads}, {"state_deg", InflightTree::array()},
         {"covariance_deg2", InflightTree::array()}};
+    if (state.horizontal_nT)
+        json["whole_model_over_nT"] = *state.horizontal_nT;
     for (Eigen::Index i = 0; i < state.state_deg.size(); ++i) {
         json["state_deg"].push_back(state.state_deg(i));
         for (Eigen::Index j = 0; j < state.state_deg.size(); ++j)
@@ -107,7 +127,7 @@ Result<ContinuousState> readStateJson(std::string_view text, const std::string& 
 {
     return readJsonObject<ContinuousState>(text, name, MARKED("core", "the state of a continuous swing"), [](JsonObject& object) {
         ContinuousState state;
-        object.only({"format", "version", "time_s", "updates", "loads", "state_deg", "covariance_deg2"});
+        object.only({"format", "version", "time_s", "updates", "loads", "whole_model_over_nT", "state_deg", "covariance_deg2"});
         if (object.requiredText("format") != "lubberline continuous swing")
             object.fault("format", MARKED("core", "is another; expected the state of a continuous swing"));
         if (object.requiredNumber("version", {}) != kStateVersion)
@@ -118,12 +138,15 @@ Result<ContinuousState> readStateJson(std::string_view text, const std::string& 
             if (value.is_string())
                 state.loads.push_back(value.get<std::string>());
         });
-        constexpr std::size_t kMostLoadsKept = (kMostStates - 5) / 2;
+        if (object.has("whole_model_over_nT"))
+            state.horizontal_nT = object.requiredNumber("whole_model_over_nT", {500, 50'000});
+        const int core = coreStates(state.horizontal_nT.has_value());
+        const auto kMostLoadsKept = static_cast<std::size_t>((kMostStates - core) / 2);
         if (state.loads.size() > kMostLoadsKept) {
             object.fault("loads", {MARKED("core", "has more than %1 loads"), kMostLoadsKept});
             state.loads.clear();
         }
-        const auto states = static_cast<Eigen::Index>(5 + 2 * state.loads.size());
+        const auto states = static_cast<Eigen::Index>(core) + 2 * static_cast<Eigen::Index>(state.loads.size());
         std::vector<double> values(static_cast<std::size_t>(states)), covariance(static_cast<std::size_t>(states * states));
         for (const char* key : {"state_deg", "covariance_deg2"})
             if (!object.has(key))

@@ -68,6 +68,10 @@ ReferenceSheet continuousSheet(const ContinuousResult& result, const QString& so
         << Words::tr(
                "δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′, followed by a Kalman filter; an alarm is raised by χ² of the last 10, 20, 40 "
                "and 80 innovations, falsely in one of ten logs of 1400 updates.");
+    if (result.whole)
+        sheet.text << Words::tr("sin δ = Σ g (S b + p/H): the sensor's soft and hard iron followed by a Kalman filter at every attitude; "
+                                "a scale that all axes share turns no heading, so k is 0. Figures are degrees: soft iron times 57.3, P, "
+                                "Q and R over H. A to E are level where the last update was.");
     for (const Message& direction : result.nullDirections)
         sheet.text << printable(direction);
     sheet.text << warnings;
@@ -79,6 +83,10 @@ ReferenceSheet continuousSheet(const ContinuousResult& result, const QString& so
     for (std::size_t i = 0; i < result.names.size(); ++i)
         sheet.table.rows.push_back(
             {{printable(result.names[i]), signedFigure(result.state_deg[i], 2), figure(result.standardError_deg[i], 2)}});
+    if (result.whole)
+        for (std::size_t c = 0; c < result.whole->level_deg.size(); ++c)
+            sheet.table.rows.push_back({{QString(QLatin1Char("ABCDE"[c])), signedFigure(result.whole->level_deg[c], 2),
+                figure(result.whole->levelError_deg[c], 2)}});
     return sheet;
 }
 
