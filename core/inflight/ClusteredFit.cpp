@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include <boost/math/distributions/fisher_f.hpp>
 
 #include "core/algebra/Products.h"
 #include "core/algebra/Solve.h"
 #include "core/algebra/Spectra.h"
+#include "core/inflight/Alongside.h"
 
 namespace lubberline {
 
@@ -187,10 +190,11 @@ SharedError sharedErrorOf(std::span<const AircraftFlights> fleet)
     for (const auto& run : runs)
         best.freedom += run.freedom;
     const auto value = [&](double offset_deg, double sine_deg) {
-        double sum = 0;
-        for (const auto& run : runs)
-            sum += deviance(run.flights, run.scatter, {offset_deg, sine_deg, 0});
-        return sum;
+        std::vector<double> each(runs.size());
+        alongside(runs.size(), [&](std::size_t run) {
+            each[run] = deviance(runs[run].flights, runs[run].scatter, {offset_deg, sine_deg, 0});
+        });
+        return std::accumulate(each.begin(), each.end(), 0.0); // in their order
     };
     // On a grid of ratios, finer about the best: the likelihood is smooth and has one maximum.
     constexpr double kLeast_deg = 0.003;

@@ -9,6 +9,7 @@
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/fleet/Proportion.h"
+#include "core/inflight/Alongside.h"
 #include "core/inflight/WindStudy.h"
 #include "core/inflight/WindStudyParts.h"
 
@@ -180,16 +181,18 @@ WindResult WindStudy::finish() const
             own.flights.push_back(&flight->sums);
         if (own.flights.empty() || (!aircraft->sense.fault().empty() && !m_options.believed))
             continue;
-        own.scatter = scatterWithin(own.flights, 3);
         fleet.push_back(std::move(own));
     }
+    alongside(fleet.size(), [&](std::size_t place) { fleet[place].scatter = scatterWithin(fleet[place].flights, 3); });
     const SharedError shared = sharedErrorOf(fleet);
     double airspeed = 0;
     std::int64_t count = 0;
     const std::vector<bool> hasChanged = changed(order, shared);
+    result.aircraft.resize(order.size());
+    alongside(order.size(), [&](std::size_t place) { result.aircraft[place] = resultOf(*order[place], shared, hasChanged[place]); });
     for (std::size_t place = 0; place < order.size(); ++place) {
         const Aircraft* aircraft = order[place];
-        AircraftWinds one = resultOf(*aircraft, shared, hasChanged[place]);
+        AircraftWinds& one = result.aircraft[place];
         if (one.fitted) {
             warnOfCoverage(one);
             const auto n = static_cast<double>(aircraft->declined);
@@ -210,7 +213,6 @@ WindResult WindStudy::finish() const
         result.used += one.used;
         airspeed += aircraft->airspeed;
         count += aircraft->used;
-        result.aircraft.push_back(std::move(one));
     }
     groupUp(result);
     result.common = commonOf(result.aircraft, result.control ? m_options.control : std::string());

@@ -3,6 +3,7 @@
 
 #include "core/angle/Angle.h"
 #include "core/fleet/Proportion.h"
+#include "core/inflight/Alongside.h"
 #include "core/inflight/WindStudy.h"
 #include "core/inflight/WindStudyParts.h"
 
@@ -135,19 +136,17 @@ std::vector<const WindStudy::Flight*> WindStudy::inOrder(const Aircraft& aircraf
 /// Which aircraft changed, with few false ones among those that are said to have.
 std::vector<bool> WindStudy::changed(const std::vector<const Aircraft*>& all, const SharedError& shared) const
 {
-    std::vector<double> chances;
-    for (const auto* aircraft : all) {
+    std::vector<double> chances(all.size(), 1.0);
+    alongside(all.size(), [&](std::size_t place) {
         std::vector<const FlightSums*> flights;
-        for (const auto* flight : inOrder(*aircraft))
+        for (const auto* flight : inOrder(*all[place]))
             flights.push_back(&flight->sums);
-        double p = 1;
         if (flights.size() > 2 && shared.freedom > 0) {
             const auto told = toldBy(flights, scatterWithin(flights, 3), shared, 3);
             if (const auto change = largestChange(told, fitFlights(told, together(flights), 3, true), shared.freedom))
-                p = change->p;
+                chances[place] = change->p;
         }
-        chances.push_back(p);
-    }
+    });
     return discoveries(chances, kChangesKept, chances.size());
 }
 
