@@ -1,5 +1,6 @@
 #include "ui/reference/ReferencePage.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHeaderView>
@@ -14,6 +15,7 @@
 #include "core/base/OutputFile.h"
 #include "core/format/reference/ReferenceJson.h"
 #include "core/format/reference/ScenarioJson.h"
+#include "core/reference/LevelIron.h"
 #include "core/reference/LevellingLoop.h"
 #include "ui/kit/PlaySlider.h"
 #include "ui/kit/Words.h"
@@ -56,12 +58,14 @@ QString manoeuvreFigure(double value) { return value == 0 ? QString() : plainNum
 
 } // namespace
 
-ReferencePage::ReferencePage(FileQuestions files, QWidget* parent)
+ReferencePage::ReferencePage(FileQuestions files, FindIron find, QWidget* parent)
     : Page(parent)
     , m_files(std::move(files))
+    , m_find(std::move(find))
     , m_scenario(firstScenario())
     , m_loop(new QComboBox)
     , m_compass(new QComboBox)
+    , m_iron(new QCheckBox)
     , m_table(new QTableWidget)
     , m_time(new DrawnPlot(tr("Heading error"), {260, 180}))
     , m_gain(new DrawnPlot(tr("Gain"), {150, 140}))
@@ -171,6 +175,11 @@ QWidget* ReferencePage::buildControls()
     m_compass->setObjectName(QStringLiteral("referenceCompass"));
     m_compass->addItems({tr("needle"), tr("flux valve"), tr("flux valve, slaved gyro")});
     form->addRow(tr("&Compass:"), m_compass);
+    m_iron->setObjectName(QStringLiteral("referenceIron"));
+    m_iron->setToolTip(tr("As its newest swing has it, level: what a swing on the ground cannot tell (R, c, f, g, h, k) counts as none."));
+    m_iron->hide();
+    form->addRow(m_iron);
+    connect(m_iron, &QCheckBox::toggled, this, &ReferencePage::takeIron);
     m_table->setObjectName(QStringLiteral("referenceTable"));
     m_table->setColumnCount(5);
     m_table->setHorizontalHeaderLabels({tr("from s"), tr("to s"), tr("turn °/s"), tr("m/s²"), tr("climb m/s")});
@@ -235,9 +244,34 @@ void ReferencePage::showScenario(const Scenario& scenario)
     run();
 }
 
+Result<void> ReferencePage::open(const FleetItem& record)
+{
+    if (auto own = m_find ? m_find(record) : std::nullopt)
+        m_own = std::move(own); // asked for from a page of no compass it stays that of the last
+    m_iron->setVisible(m_own.has_value());
+    if (m_own)
+        m_iron->setText(tr("&Own deviation of %1").arg(m_own->of));
+    showControls();
+    return {};
+}
+
+SensorModel ReferencePage::ownModel() const { return levelIron(m_own->smith, m_scenario.compass.horizontal_nT); }
+
+void ReferencePage::takeIron()
+{
+    if (m_showing || !m_own)
+        return;
+    constexpr double kUsual_nT = 18'000; // any: level, the deviation is that of the swing
+    if (m_scenario.compass.horizontal_nT <= 0)
+        m_scenario.compass.horizontal_nT = kUsual_nT;
+    m_scenario.compass.model = m_iron->isChecked() ? std::optional(ownModel()) : std::nullopt;
+    run();
+}
+
 void ReferencePage::showControls()
 {
     m_showing = true;
+    m_iron->setChecked(m_own && m_scenario.compass.model == std::optional(ownModel()));
     m_loop->setCurrentIndex(m_scenario.vertical ? static_cast<int>(m_scenario.vertical->loop) + 1 : 0);
     m_compass->setCurrentIndex(m_scenario.gyro ? 2 : m_scenario.compass.type == CompassType::FluxValve ? 1 : 0);
     for (const Knob& knob : m_knobs) {

@@ -4,6 +4,7 @@
 
 #include <QTimer>
 
+#include "core/deviation/Smith.h"
 #include "core/reference/ReferenceRun.h"
 #include "ui/kit/FileQuestions.h"
 #include "ui/kit/Page.h"
@@ -22,14 +23,21 @@ class PlaySlider;
 class ManoeuvreLine;
 class Painted;
 
+/// What the newest swing of a compass tells of its iron.
+struct OwnIron {
+    QString of; ///< "SP-DEA · standby compass"
+    ExactSmith smith;
+};
+using FindIron = std::function<std::optional<OwnIron>(const FleetItem&)>;
+
 class ReferencePage : public Page {
     Q_OBJECT
 
 public:
-    explicit ReferencePage(FileQuestions files, QWidget* parent = nullptr);
+    explicit ReferencePage(FileQuestions files, FindIron find = {}, QWidget* parent = nullptr);
 
     static PageDescription description(PageContext& context);
-    Result<void> open(const FleetItem&) override { return {}; }
+    Result<void> open(const FleetItem& record) override; ///< a compass whose own deviation may be flown with
     [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
 
     [[nodiscard]] Plot* plot() const override;
@@ -58,6 +66,8 @@ private:
     [[nodiscard]] static int positionOf(const Knob& knob, const Scenario& scenario);
     void addKnob(class QFormLayout& form, const QString& title, const char* name, Knob knob);
     void turned();
+    void takeIron();
+    [[nodiscard]] SensorModel ownModel() const;
     void takeTable();
     void takeManoeuvres(std::vector<Manoeuvre> manoeuvres);
     void showControls();
@@ -67,11 +77,14 @@ private:
     void showFrame();
 
     FileQuestions m_files;
+    FindIron m_find;
+    std::optional<OwnIron> m_own;
     Scenario m_scenario;
     std::optional<ReferenceRun> m_run;
     std::shared_ptr<TimePicture> m_picture = std::make_shared<TimePicture>(); ///< whose film moves
     std::vector<Knob> m_knobs;
     QComboBox *m_loop, *m_compass;
+    QCheckBox* m_iron;
     QTableWidget* m_table;
     DrawnPlot *m_time, *m_gain;
     ManoeuvreLine* m_line;

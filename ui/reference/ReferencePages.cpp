@@ -1,6 +1,8 @@
 // How the window reaches heading references, the two-minute check and two compasses compared.
 
+#include "db/stores/Stores.h"
 #include "ui/kit/PageDescription.h"
+#include "ui/kit/Words.h"
 #include "ui/reference/CheckPage.h"
 #include "ui/reference/ComparePage.h"
 #include "ui/reference/DatumPage.h"
@@ -8,11 +10,34 @@
 
 namespace lubberline::ui {
 
+namespace {
+
+/// Of the newest swing of a compass that has one.
+std::optional<OwnIron> ownIron(db::Stores& stores, const FleetItem& record)
+{
+    const auto* id = std::get_if<CompassId>(&record);
+    const auto rows = id ? stores.swings.swingsOf(*id) : Result<std::vector<SwingRow>>(std::vector<SwingRow>());
+    const auto compass = id ? stores.fleet.compass(*id) : Result<CompassSystem>(CompassSystem());
+    if (!rows || !compass)
+        return {};
+    const auto aircraft = stores.fleet.aircraft(compass->aircraft);
+    for (const SwingRow& row : *rows)
+        if (const auto result = row.superseded ? Result<Analysis>(Error{}) : stores.results.resultOf(row.id); result && aircraft)
+            return OwnIron{QStringLiteral("%1 · %2").arg(toText(aircraft->registration), toText(compass->name)), result->exact.smith()};
+    return {};
+}
+
+} // namespace
+
 PageDescription ReferencePage::description(PageContext& context)
 {
-    PageDescription page{QStringLiteral("reference"), [&context] { return new ReferencePage(context.files); }};
-    page.commands = {{MenuId::Model, 140, tr("Heading &references in flight"), tr("Ctrl+Alt+R"), "reference",
-        [&context](Page&) { context.go({"reference"}); }}};
+    PageDescription page{QStringLiteral("reference"), [&context] {
+                             return new ReferencePage(
+                                 context.files, [&context](const FleetItem& record) { return ownIron(context.stores, record); });
+                         }};
+    page.commands = {{MenuId::Model, 140, tr("Heading &references in flight"), tr("Ctrl+Alt+R"), "reference", [&context](Page& shown) {
+                          context.go({"reference", shown.shown().compass});
+                      }}};
     page.help = tr(
         "Draw manoeuvres on the time line or type them, turn the sliders, and see what a vertical gyro, a needle or a slaved gyro makes of them: the error read − magnetic with the share of each source "
         "(the run with all less the run without it), and the gains of the loops against frequency. "

@@ -1,5 +1,6 @@
 // The pages of heading references, of the two-minute check and of two compasses compared, with real widgets.
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
@@ -108,6 +109,29 @@ private slots:
         table.item(0, 0)->setText("20");
         QCOMPARE(page.scenario().manoeuvres[0].from_s, 20.0);
         QVERIFY(!page.grab().isNull());
+    }
+
+    void theAircraftsOwnDeviationIsFlownWith()
+    {
+        ReferencePage page(files(), [](const FleetItem& record) {
+            return std::holds_alternative<CompassId>(record) ? std::optional(OwnIron{"SP-ABC · standby", {0.01, 0.05, -0.02, 0.01, 0}})
+                                                             : std::nullopt;
+        });
+        QVERIFY(page.open(FleetItem()));
+        auto& iron = find<QCheckBox>(page, "referenceIron");
+        QVERIFY(iron.isHidden());
+        QVERIFY(page.open(FleetItem(CompassId{})));
+        QVERIFY(!iron.isHidden() && iron.text().contains("SP-ABC"));
+        QVERIFY(!page.scenario().compass.model);
+        iron.setChecked(true);
+        QVERIFY(page.scenario().compass.model);
+        QCOMPARE(page.scenario().compass.model->hardIron_nT.x(), 0.05 * page.scenario().compass.horizontal_nT);
+        find<QSlider>(page, "referenceTau1").setValue(100); // what else is changed leaves it
+        QVERIFY(page.scenario().compass.model && iron.isChecked());
+        QVERIFY(page.open(FleetItem())); // from a page of no compass it is still the last one's
+        QVERIFY(iron.isChecked());
+        iron.setChecked(false);
+        QVERIFY(!page.scenario().compass.model);
     }
 
     void slidersGoFineAndCoarseAndReset()
