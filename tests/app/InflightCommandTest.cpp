@@ -41,6 +41,14 @@ TEST(LegsCommand, jsonAndSwing)
     const auto analysed = sandbox.run({"analyse", sandbox.path("swing.csv"), "--json"});
     ASSERT_EQ(analysed.status, 0) << analysed.err;
     EXPECT_NEAR(analysed.json().at("approximate").at("A_deg").get<double>(), -2.0, 1e-6);
+    // What was read once stands as it was read.
+    const auto threes = sandbox.run({"legs",
+        sandbox.write("raw.csv",
+            "track_deg,ground_speed_kt,compass_heading_deg,variation_deg\n10,120,3,6\n102,115,93.1,6\n188,105,183,6\n281,110,273,6\n"),
+        "--json"});
+    ASSERT_EQ(threes.status, 0) << threes.err;
+    EXPECT_EQ(threes.json().at("legs")[0].at("compass_heading_deg").get<double>(), 3.0);
+    EXPECT_EQ(threes.json().at("legs")[1].at("compass_heading_deg").get<double>(), 93.1);
     EXPECT_EQ(sandbox.run({"legs", sandbox.write("two.csv", "track_deg,ground_speed_kt\n10,60\n190,70\n")}).status, 1);
 }
 

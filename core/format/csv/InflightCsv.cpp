@@ -57,7 +57,7 @@ Error columnMissing(const FigureCsv& csv, std::string_view name, const Message& 
 struct LegSums {
     Leg leg;
     Eigen::Vector2d ground = Eigen::Vector2d::Zero(), compass = Eigen::Vector2d::Zero();
-    double variation_deg = 0;
+    double variation_deg = 0, onlyCompass_deg = 0;
     int rows = 0, compasses = 0, variations = 0;
 };
 
@@ -107,6 +107,7 @@ Result<LegsFile> readLegsCsv(std::istream& input, const std::string& name, const
         ++one.rows;
         if (std::isfinite(compass_deg)) {
             one.compass += velocityOf(compass_deg, 1.0);
+            one.onlyCompass_deg = compass_deg;
             ++one.compasses;
         }
         if (std::isfinite(variation_deg)) {
@@ -121,7 +122,7 @@ Result<LegsFile> readLegsCsv(std::istream& input, const std::string& name, const
         one.leg.groundSpeed_kt = ground.norm();
         one.leg.samples = one.rows;
         if (one.compasses > 0)
-            one.leg.compassHeading_deg = directionOf_deg(one.compass);
+            one.leg.compassHeading_deg = one.compasses > 1 ? directionOf_deg(one.compass) : wrap360(one.onlyCompass_deg); // as it was read
         if (one.variations > 0)
             one.leg.variation_deg = one.variation_deg / one.variations;
         file.legs.push_back(std::move(one.leg));
