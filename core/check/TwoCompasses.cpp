@@ -193,9 +193,11 @@ Message inWords(const PairVerdict& verdict)
         return probability > 0.99 ? std::string("> 99") : probability < 0.01 ? std::string("< 1") : figureText(100 * probability, 0);
     };
     if (!verdict.named)
-        return {
-            MARKED("core",
-                "not told which: the first has moved with %1 %, the second with %2 %, neither with %3 %; read them once beside a datum"),
+        return {verdict.withDatum > 0
+                ? MARKED("core",
+                    "not told which: the first has moved with %1 %, the second with %2 %, neither with %3 %; read them on more headings beside the datum")
+                : MARKED("core",
+                    "not told which: the first has moved with %1 %, the second with %2 %, neither with %3 %; read them once beside a datum"),
             percent(verdict.firstFault), percent(verdict.secondFault), percent(verdict.probability[0])};
     const double probability = 1 - verdict.errorProbability;
     switch (*verdict.named) {

@@ -71,6 +71,14 @@ TEST(TwoCompasses, equalsAreNotToldApartButByADatum)
     EXPECT_EQ(with->withDatum, 1u);
 }
 
+TEST(TwoCompasses, whatIsWantedNextIsWhatIsNotThereYet)
+{
+    PairVerdict verdict;
+    EXPECT_NE(inWords(verdict).english().find("once beside a datum"), std::string::npos);
+    verdict.withDatum = 2;
+    EXPECT_NE(inWords(verdict).english().find("more headings beside the datum"), std::string::npos);
+}
+
 TEST(TwoCompasses, whatMovedMakesASwingDue)
 {
     const auto steady = compassOf(0.05), unsteady = compassOf(2.0);
