@@ -4,7 +4,7 @@
 #include "app/Paths.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
-#include "core/record/Completeness.h"
+#include "core/record/ClockDates.h"
 #include "core/swing/SwingResult.h"
 
 namespace lubberline::app {
@@ -18,7 +18,7 @@ Result<SourcedSwing> swingFromCsv(const std::string& path)
     sourced.source = nameOfInput(path);
     sourced.warnings = file->warnings;
     sourced.record = recordOf(std::move(file.value())); // a million readings are not kept twice
-    if (const auto doubt = comesLater(sourced.record.swing.date, today()); !doubt.empty())
+    if (const auto doubt = doubtOfDate(sourced.record.swing.date, today()); !doubt.empty())
         sourced.warnings.push_back(doubt);
     if (sourced.record.site)
         sourced.record.site->variation_deg = sourced.record.swing.variation_deg;

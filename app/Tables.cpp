@@ -47,7 +47,7 @@ std::string slipsTable(const Analysis& analysis)
     std::string out;
     for (const auto& slip : analysis.slips.slips) {
         const auto& reading = analysis.readings[slip.reading];
-        out += text("look again at %.1f, which reads %.1f: %s with %.0f %%", printedHeading_deg(reading.magnetic.degrees(), 1),
+        out += text("look again at %.1f magnetic, which reads %.1f: %s with %.0f %%", printedHeading_deg(reading.magnetic.degrees(), 1),
             printedHeading_deg(reading.compass.degrees(), 1),
             slip.orReadings.empty() ? "it was misread" : "one of the readings that cannot be told apart was misread",
             100 * slip.probability);

@@ -10,7 +10,7 @@
 #include "app/commands/Command.h"
 #include "core/base/WholeFile.h"
 #include "core/format/csv/YearsCsv.h"
-#include "core/record/Completeness.h"
+#include "core/record/ClockDates.h"
 #include "db/transfer/Transfer.h"
 #include "db/transfer/Years.h"
 #include "ui/intake/ImportFile.h"
@@ -141,7 +141,7 @@ int importSwings(const ImportArguments& options, const std::string& database)
             return fail(read.error());
         warn(read->warnings);
         for (const Swing& swing : read->fleet.swings)
-            if (const auto doubt = comesLater(swing.date, today()); !doubt.empty())
+            if (const auto doubt = doubtOfDate(swing.date, today()); !doubt.empty())
                 warn({doubt});
         fleets.push_back(std::move(read->fleet));
     }

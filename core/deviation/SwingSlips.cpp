@@ -9,35 +9,34 @@
 #include <Eigen/Core>
 
 #include "core/angle/Circle.h"
+#include "core/deviation/CurvePrior.h"
 #include "core/deviation/SlipVariants.h"
 
 namespace lubberline {
 
 namespace {
 
-using Row5 = Eigen::Matrix<double, 5, 1>;
 using Normal5 = Eigen::Matrix<double, 5, 5>;
 
-/// What crews and compasses add to the division when they read: about a third of a degree, seldom under a tenth or over one and a half.
-constexpr double kHandling_deg = 0.35, kHandlingSpread = 0.9;
+/// What crews and compasses add to the division when they read: about half a degree, seldom under a tenth or over two.
+constexpr double kHandling_deg = 0.45, kHandlingSpread = 0.9;
 constexpr std::array kHandlingSteps{-2.5, -2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0};
 /// A slip without a name: a few degrees to some tens.
 constexpr double kUnnamedSize_deg = 15.0, kUnnamedRate = 5e-4;
-/// A reading is looked at again when a slip in it is not twelve times less likely than none: a look costs seconds, a miss a wrong card.
-/// Found by simulation of eight readings to 1° (tests/core/deviation/SwingSlipsTest): scatter 0.3° and 0.5° give no false alarm, 1°
-/// one swing in eight. A second slip, which its first could feign, must be likelier than none.
-constexpr double kOdds = 0.08, kOddsMore = 1.0;
+/// A reading is looked at again when a slip in it is not thirteen times less likely than none: a look costs seconds, a miss a wrong card.
+/// Found by simulation of eight readings to 1° (tests/core/deviation/SwingSlipsTest), where a slip of 5° at a scatter of 0.3° and no slip
+/// at 1° are hard to tell apart: 97 in 100 of the one are found, and one in twenty of the other is looked at. A second slip, which its
+/// first could feign, must be likelier than none.
+constexpr double kOdds = 0.075, kOddsMore = 1.0;
+/// Five coefficients go through five readings: what one of them slipped by is a large coefficient as well as a slip, and only what no
+/// compass has is named.
+constexpr std::size_t kUnchecked = 5;
+constexpr double kOddsUnchecked = 100.0;
 /// A reading that could be the slipped one instead must be at least this likely, given that one slipped.
-constexpr double kLeastLikely = 0.02;
+constexpr double kLeastLikely = 0.01;
 constexpr double kLeastShown_share = 0.01;
-/// How often a compass deviates as its last swing lets expect.
-constexpr double kAsBefore = 0.8;
 /// Readings beyond this many are only looked at where they stand out most: a log is no list that somebody wrote.
 constexpr std::size_t kLookedAt = 48;
-
-/// The two forms of Smith's formula, both linear in their coefficients. A large deviation is written otherwise by each; a reading that
-/// either of them explains is no slip.
-enum class Form { Exact, Approximate };
 
 Row5 rowOf(Form form, double magnetic_deg, double deviation_deg)
 {
@@ -85,27 +84,6 @@ double middle_deg(std::span<const Observation> readings)
     return *std::min_element(deviations_deg.begin(), deviations_deg.end(), [&](double a, double b) { return distance(a) < distance(b); });
 }
 
-/// Of the coefficients, before any reading.
-struct Prior {
-    Row5 mean, precision;
-    double log = 0; ///< of its share, and of the determinant of its precision to the half
-};
-
-Prior priorOf(Form form, const ExpectedCurve& expected, double share)
-{
-    Prior prior;
-    const ExactSmith exact = toExact(expected.mean);
-    if (form == Form::Exact)
-        prior.mean << 0.0, exact.B, exact.C, exact.D, exact.E; // the index is taken out
-    else
-        prior.mean << 0.0, expected.mean.B_rad, expected.mean.C_rad, expected.mean.D_rad, expected.mean.E_rad;
-    const auto& spread = expected.standardDeviation;
-    const double middle_rad = std::max(spread.A_rad, anyCurve().standardDeviation.A_rad); // a middle is no A
-    prior.precision = Row5{middle_rad, spread.B_rad, spread.C_rad, spread.D_rad, spread.E_rad}.array().square().inverse();
-    prior.log = std::log(share) + 0.5 * prior.precision.array().log().sum();
-    return prior;
-}
-
 /// What the other readings say of one, for one size of the scatter and one prior.
 struct Foretold {
     double deviation_deg = 0; ///< at the reading's own magnetic heading
@@ -139,7 +117,7 @@ public:
     [[nodiscard]] double seenFrom_deg() const;
 
 private:
-    [[nodiscard]] Foretold foretell(std::size_t reading, double sigma_deg, const Prior& prior) const;
+    [[nodiscard]] Foretold foretell(std::size_t reading, double sigma_deg, const CurvePrior& prior) const;
     [[nodiscard]] std::vector<Foretold> foretellings(std::size_t reading) const;
     void weigh(std::size_t reading, Pass& pass) const;
     [[nodiscard]] std::vector<std::size_t> standingOut() const;
@@ -150,7 +128,7 @@ private:
     double m_middle_deg = 0;
     std::vector<double> m_deviation_deg; ///< the index taken out
     std::vector<double> m_sigmas_deg, m_logPrior;
-    std::vector<Prior> m_priors;
+    std::vector<CurvePrior> m_priors;
     std::vector<bool> m_out; ///< readings found so far
     Normal5 m_information;   ///< Σ x xᵀ of those that are in
     Row5 m_sum;              ///< Σ x sin δ
@@ -162,6 +140,7 @@ Search::Search(Form form, std::span<const Observation> readings, double resoluti
     : m_form(form)
     , m_readings(readings)
     , m_middle_deg(middle_deg(readings))
+    , m_priors(curvePriors(form, history))
     , m_out(readings.size(), false)
 {
     for (const auto& reading : readings)
@@ -170,9 +149,6 @@ Search::Search(Form form, std::span<const Observation> readings, double resoluti
         m_sigmas_deg.push_back(std::hypot(resolution_deg / std::sqrt(12.0), kHandling_deg * std::exp(step * kHandlingSpread)));
         m_logPrior.push_back(-0.5 * step * step);
     }
-    m_priors.push_back(priorOf(form, anyCurve(), history ? 1.0 - kAsBefore : 1.0));
-    if (history)
-        m_priors.push_back(priorOf(form, *history, kAsBefore));
     m_information.setZero();
     m_sum.setZero();
     for (std::size_t i = 0; i < readings.size(); ++i)
@@ -189,7 +165,7 @@ void Search::add(std::size_t reading, double sign)
     m_count += sign > 0 ? 1 : -1;
 }
 
-Foretold Search::foretell(std::size_t reading, double sigma_deg, const Prior& prior) const
+Foretold Search::foretell(std::size_t reading, double sigma_deg, const CurvePrior& prior) const
 {
     const double magnetic_deg = m_readings[reading].magnetic.degrees();
     const double own = m_out[reading] ? 0.0 : 1.0; // a reading that is out already does not speak
@@ -218,7 +194,7 @@ Foretold Search::foretell(std::size_t reading, double sigma_deg, const Prior& pr
 std::vector<Foretold> Search::foretellings(std::size_t reading) const
 {
     std::vector<Foretold> all;
-    for (const Prior& prior : m_priors)
+    for (const CurvePrior& prior : m_priors)
         for (std::size_t s = 0; s < m_sigmas_deg.size(); ++s) {
             all.push_back(foretell(reading, m_sigmas_deg[s], prior));
             all.back().logEvidence += m_logPrior[s];
@@ -365,12 +341,13 @@ SlipSearch findSlips(
         return {};
     BothForms forms(readings, resolution_deg, history);
     SlipSearch found;
+    const double odds = readings.size() <= kUnchecked && !history ? kOddsUnchecked : kOdds;
     // Beyond a third of the readings nothing is left to hold the others against.
     const std::size_t most = std::max<std::size_t>(1, readings.size() / 3);
     for (Pass pass = forms.look(); found.slips.size() < most && readings.size() - found.slips.size() > 3;) {
         if (progress && !progress(static_cast<double>(found.slips.size()) / static_cast<double>(most)))
             break;
-        if (pass.odds <= (found.slips.empty() ? kOdds : kOddsMore))
+        if (pass.odds <= (found.slips.empty() ? odds : std::max(odds, kOddsMore)))
             break;
         const auto likely = likelyOnes(pass);
         forms.takeOut(likely.front());

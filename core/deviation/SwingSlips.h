@@ -1,7 +1,7 @@
 #pragma once
 /// Which readings of a whole swing were misread, misheard or written wrong, by Bayes' rule over "all as read" and every slip of
 /// every reading. Eight readings leave three degrees of freedom: their scatter alone finds little. What is known besides is used:
-/// how a compass is read (the scatter, within what crews reach), how aircraft compasses deviate (ExpectedCurve), this one by its last
+/// how a compass is read (the scatter, within what crews reach), how aircraft compasses deviate (most a little, some much), this one by its last
 /// swing, and how people slip.
 ///   model: sin δ = 𝔄 cos δ + 𝔅 sin ψ' + ℭ cos ψ' + 𝔇 sin(ψ+ψ') + 𝔈 cos(ψ+ψ') + ε [P 3, multiplied out], coefficients normal,
 ///   ε normal with a scatter that is itself uncertain (log-normal about half a degree, besides the division of the compass).

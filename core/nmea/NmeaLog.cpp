@@ -47,6 +47,7 @@ void NmeaLog::take(const NmeaSentence& sentence)
     ++sentences;
     ++m_place;
     withoutChecksum += sentence.hasChecksum ? 0 : 1;
+    takeUnread(sentence);
     const NmeaValue value = valueOf(sentence);
     if (const auto* compass = std::get_if<NmeaCompass>(&value)) {
         take(*compass);
@@ -66,6 +67,18 @@ void NmeaLog::take(const NmeaSentence& sentence)
     } else if (std::holds_alternative<NmeaNoHeading>(value)) {
         ++noHeadings;
     }
+}
+
+void NmeaLog::takeUnread(const NmeaSentence& sentence)
+{
+    NmeaUnread unread = unreadOf(sentence);
+    const auto count = [](std::string& written, std::int64_t& counted, std::string& first) {
+        if (!written.empty() && counted++ == 0)
+            first = std::move(written);
+    };
+    count(unread.time, unreadTimes, firstUnreads.time);
+    count(unread.date, unreadDates, firstUnreads.date);
+    count(unread.place, unreadPlaces, firstUnreads.place);
 }
 
 void NmeaLog::take(const NmeaCompass& compass)
@@ -97,7 +110,8 @@ void NmeaLog::take(const NmeaTrack& track)
     takeVariation(source, track.variation, track.unread);
     takeTime(source, track.time);
     takePlace(track.latitude_deg, track.longitude_deg);
-    send(source, NmeaNorth::Track, track.track ? std::optional(track.track->degrees()) : std::nullopt, track.speed_kt);
+    send(source, NmeaNorth::Track, track.track ? std::optional(track.track->degrees()) : std::nullopt, track.speed_kt,
+        track.type == "RMC" && !track.time);
 }
 
 void NmeaLog::take(const NmeaFix& fix)
@@ -136,7 +150,7 @@ void NmeaLog::takeVariation(const NmeaSource& source, const std::optional<Variat
         told->told_deg.push_back(variation->degrees());
 }
 
-void NmeaLog::send(const NmeaSource& source, NmeaNorth north, std::optional<double> angle_deg, std::optional<double> speed_kt)
+void NmeaLog::send(const NmeaSource& source, NmeaNorth north, std::optional<double> angle_deg, std::optional<double> speed_kt, bool untimed)
 {
     NmeaStream* stream = entryOf(m_streams, source);
     if (!stream) {
@@ -144,7 +158,7 @@ void NmeaLog::send(const NmeaSource& source, NmeaNorth north, std::optional<doub
         return;
     }
     stream->north = north;
-    stream->sent.push_back({m_place, angle_deg, speed_kt});
+    stream->sent.push_back({m_place, angle_deg, speed_kt, untimed});
     headings += north == NmeaNorth::Compass ? 1 : 0;
 }
 

@@ -193,6 +193,13 @@ std::vector<Message> toldOfLog(const NmeaLog& log)
         MARKED_N("core", "%n estimated track(s) or heading(s) (mode E, dead reckoning): perhaps from the very compass that is swung"));
     tell(ofMode(NmeaMode::Manual), MARKED_N("core", "%n track(s) or heading(s) typed in (mode M)"));
     tell(ofMode(NmeaMode::Simulated), MARKED_N("core", "%n track(s) or heading(s) from a simulator (mode S)"));
+    const auto tellWritten = [&told](std::int64_t count, Pattern pattern, const std::string& first) {
+        if (count > 0)
+            told.push_back({pattern, static_cast<std::size_t>(count), first});
+    };
+    tellWritten(log.unreadTimes, MARKED_N("core", "%n time(s) left out, no time of the day: '%1'; expected hhmmss"), log.firstUnreads.time);
+    tellWritten(log.unreadDates, MARKED_N("core", "%n date(s) left out, no day of the calendar: '%1'"), log.firstUnreads.date);
+    tellWritten(log.unreadPlaces, MARKED_N("core", "%n position(s) left out, no place on the Earth: '%1'"), log.firstUnreads.place);
     if (log.unreadAngles > 0)
         told.push_back({MARKED_N("core",
                             "%n variation(s) or deviation(s) left out, written without a side as '%1'; expected a size "

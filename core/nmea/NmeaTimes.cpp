@@ -145,7 +145,8 @@ std::vector<std::optional<double>> NmeaTimes::of(const NmeaStream& stream) const
     }
     if (stream.source == m_clock)
         for (std::size_t i = 0; i < times.size(); ++i)
-            if (const Mark* mark = markAt(stream.sent[i].place); mark && (stream.sent[i].angle_deg || mark->place == stream.sent[i].place))
+            if (const Mark* mark = markAt(stream.sent[i].place);
+                mark && !stream.sent[i].untimed && (stream.sent[i].angle_deg || mark->place == stream.sent[i].place))
                 times[i] = mark->seconds; // a sentence that repeats the time has no mark of its own
     return times;
 }

@@ -143,15 +143,21 @@ NmeaValue waterOf(const NmeaSentence& sentence)
     return water.heading || water.compass ? NmeaValue(water) : NmeaValue();
 }
 
-/// hhmmss.ss, day, month, year of four figures.
+/// Day, month, year of four figures.
+std::optional<Date> longDateOf(const NmeaSentence& sentence)
+{
+    const auto day = number(sentence.field(1)), month = number(sentence.field(2)), year = number(sentence.field(3));
+    const bool inside = day && month && year && *year >= 1000 && *year <= 9999 && *month >= 1 && *month <= 12 && *day >= 1 && *day <= 31;
+    return inside ? dateOf(static_cast<int>(*year), static_cast<int>(*month), static_cast<int>(*day)) : std::nullopt;
+}
+
+/// hhmmss.ss, and the date.
 NmeaValue clockOf(const NmeaSentence& sentence)
 {
     auto time = timeOf(sentence.field(0));
     if (!time)
         return {};
-    const auto day = number(sentence.field(1)), month = number(sentence.field(2)), year = number(sentence.field(3));
-    if (day && month && year && *year >= 1000 && *year <= 9999 && *month >= 1 && *month <= 12 && *day >= 1 && *day <= 31)
-        time->date = dateOf(static_cast<int>(*year), static_cast<int>(*month), static_cast<int>(*day));
+    time->date = longDateOf(sentence);
     return NmeaClock{sentence.talker, *time};
 }
 
@@ -215,6 +221,33 @@ NmeaValue fixOf(const NmeaSentence& sentence)
 }
 
 } // namespace
+
+NmeaUnread unreadOf(const NmeaSentence& sentence)
+{
+    const bool minimum = sentence.type == "RMC", fix = sentence.type == "GGA", clock = sentence.type == "ZDA";
+    if (sentence.talker == "P" || (!minimum && !fix && !clock))
+        return {};
+    const auto written = [&sentence](std::size_t first, std::size_t count) {
+        std::string text;
+        for (std::size_t i = first; i < first + count; ++i)
+            text += (i > first ? "," : "") + std::string(sentence.field(i));
+        return text.find_first_not_of(',') == std::string::npos ? std::string() : text;
+    };
+    NmeaUnread unread;
+    if (!timeOf(sentence.field(0)))
+        unread.time = written(0, 1);
+    if (minimum && !shortDateOf(sentence.field(8)))
+        unread.date = written(8, 1);
+    if (clock && !longDateOf(sentence))
+        unread.date = written(1, 3);
+    const std::size_t place = minimum ? 2 : 1;
+    const bool tells = minimum ? sentence.field(1) == "A" : fix && sentence.field(5) != "0" && !sentence.field(5).empty();
+    if (tells
+        && (!coordinate(sentence.field(place), sentence.field(place + 1), 'N', 'S', 90.0)
+            || !coordinate(sentence.field(place + 2), sentence.field(place + 3), 'E', 'W', 180.0)))
+        unread.place = written(place, 4);
+    return unread;
+}
 
 NmeaValue valueOf(const NmeaSentence& sentence)
 {

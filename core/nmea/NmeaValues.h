@@ -96,4 +96,11 @@ using NmeaValue
 /// Nothing (monostate) for sentences of other types, and for those that hold no value.
 [[nodiscard]] NmeaValue valueOf(const NmeaSentence& sentence);
 
+/// What RMC, GGA and ZDA say of when and where, and is none: hour 24, the 31st of a month of 30, a latitude of 95°; as it is written.
+/// Empty: nothing. What a receiver without a fix leaves empty is no such thing.
+struct NmeaUnread {
+    std::string time, date, place;
+};
+[[nodiscard]] NmeaUnread unreadOf(const NmeaSentence& sentence);
+
 } // namespace lubberline

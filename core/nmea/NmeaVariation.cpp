@@ -8,6 +8,7 @@
 #include "core/base/Middle.h"
 #include "core/base/Number.h"
 #include "core/earth/FieldModel.h"
+#include "core/record/ClockDates.h"
 
 namespace lubberline {
 
@@ -16,8 +17,6 @@ namespace {
 constexpr double kApart_deg = 1.0;
 /// Where a model states no uncertainty (IGRF): WMM states some 0.4° at middle latitudes for its own five years.
 constexpr double kUnstatedError_deg = 0.5;
-constexpr int kRollOver_days = 1024 * 7;
-constexpr Date kGpsBegins = "1980-01-06";
 
 /// What other clocks of the log say of the day.
 void compareClocks(const NmeaLog& log, NmeaDate& date)
@@ -128,8 +127,7 @@ NmeaDate dateOfLog(const NmeaLog& log, Date stated, Date today)
     if (date.date.empty())
         return date;
     compareClocks(log, date);
-    const int sinceGps = daysBetween(kGpsBegins, date.date);
-    const bool weekZero = sinceGps >= 0 && sinceGps % kRollOver_days == 0;
+    const bool weekZero = beginsGpsWeeks(date.date);
     if (weekZero && stated.empty()) {
         date.perhaps = today; // as good a guess as any
         date.doubts.push_back({MARKED("core",
@@ -142,8 +140,8 @@ NmeaDate dateOfLog(const NmeaLog& log, Date stated, Date today)
     const int ago = daysBetween(date.date, today);
     if (ago < -1) { // somewhere it is tomorrow already
         date.doubts.push_back({MARKED("core", "the log is dated %1, and today is %2: one of the clocks is wrong"), date.date, today});
-    } else if (ago >= kRollOver_days && stated.empty() && !weekZero) {
-        date.perhaps = addDays(date.date, ago / kRollOver_days * kRollOver_days);
+    } else if (ago >= kGpsRollOver_days && stated.empty() && !weekZero) {
+        date.perhaps = addDays(date.date, ago / kGpsRollOver_days * kGpsRollOver_days);
         date.doubts.push_back(
             {MARKED("core",
                  "the log is dated %1: a receiver that missed the turn of the GPS week count (1024 weeks) writes so for %2; "

@@ -290,14 +290,14 @@ void SwingOfLog::tellDelay()
             {MARKED("core", "the headings are too uneven to tell the delay between heading and reference: each second of it is %1° of A"),
                 degrees});
     else if (delay.seconds)
-        tellLimit({MARKED("core", "the reference is %1 ± %2 s older than the heading beside it; that is taken out"),
-            signedFigureText(*delay.seconds, 2), figureText(delay.standardError_s, 2)});
-    std::vector<double> turning;
+        tellLimit({*delay.seconds < 0.0 ? MARKED("core", "the reference is %1 ± %2 s newer than the heading beside it; that is taken out")
+                                        : MARKED("core", "the reference is %1 ± %2 s older than the heading beside it; that is taken out"),
+            figureText(std::abs(*delay.seconds), 2), figureText(delay.standardError_s, 2)});
+    int turning = 0, fast = 0;
     for (const auto& pair : m_swing.pairs)
         if (pair.used && pair.turnRate_deg_s && std::abs(*pair.turnRate_deg_s) >= kSlowestTurn_deg_s)
-            turning.push_back(std::abs(*pair.turnRate_deg_s));
-    const auto fast = std::count_if(turning.begin(), turning.end(), [](double rate) { return rate > 1.1 * kFastestTurn_deg_s; });
-    if (2 * fast > static_cast<std::ptrdiff_t>(turning.size()))
+            ++turning, fast += std::abs(*pair.turnRate_deg_s) > 1.1 * kFastestTurn_deg_s ? 1 : 0;
+    if (2 * fast > turning)
         tell({MARKED("core", "most of the turn is faster than %1°/s: a card in its liquid lags; %2 to %1°/s tells more"),
             figureText(kFastestTurn_deg_s, 1), figureText(kSlowestTurn_deg_s, 1)});
 }

@@ -1,5 +1,7 @@
 #include "core/record/Completeness.h"
 
+#include "core/record/ClockDates.h"
+
 namespace lubberline {
 
 namespace {
@@ -21,8 +23,8 @@ Message missingIn(const Swing& swing, Date today)
 {
     if (swing.date.empty())
         return MARKED("core", "its date is not stated");
-    if (auto later = comesLater(swing.date, today); !later.empty())
-        return later;
+    if (auto doubt = doubtOfDate(swing.date, today); !doubt.empty())
+        return doubt;
     if (samePerson(swing.people.adjuster, swing.people.inspector))
         return {MARKED("core", "adjuster and inspector are both %1; expected another person who checks the work"), swing.people.inspector};
     for (std::size_t i = 0; i < swing.readings.size(); ++i) {

@@ -95,6 +95,11 @@ void warnOfSlips(std::vector<Message>& warnings, const SlipSearch& slips, std::s
     if (!slips.seenFrom_deg || *slips.seenFrom_deg > 90.0)
         warnings.push_back(
             {MARKED_N("core", "%n reading(s) cannot be checked against each other: a misread figure would not be seen"), readings});
+    else if (readings <= kCoefficients.size())
+        warnings.push_back(
+            {MARKED_N("core",
+                 "%n reading(s) cannot tell a slip from a large coefficient: a figure misread by less than about %1° could pass unseen"),
+                readings, static_cast<int>(std::ceil(*slips.seenFrom_deg))});
     else
         warnings.push_back(
             {MARKED_N("core", "%n reading(s) hold little against each other: a figure misread by less than about %1° could pass unseen"),
@@ -104,15 +109,15 @@ void warnOfSlips(std::vector<Message>& warnings, const SlipSearch& slips, std::s
 Summary summarise(const std::vector<AnalysedReading>& readings)
 {
     Summary summary;
-    double sumOfSquares = 0;
+    double sumOfSquares = 0, largest = 0;
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const double deviation = readings[i].deviation.radians();
         sumOfSquares += deviation * deviation;
-        // Of two equal ones the smaller heading is named, whatever the order of the readings.
-        const bool larger = std::abs(deviation) > summary.maxAbsDeviation_rad;
-        const bool same
-            = std::abs(deviation) == summary.maxAbsDeviation_rad && readings[i].magnetic.degrees() < summary.maxAbsDeviationAt.degrees();
+        // Of two equal ones the easterly is named, then the smaller heading, whatever the order of the readings.
+        const bool larger = std::abs(deviation) > summary.maxAbsDeviation_rad || (deviation == -largest && deviation > 0);
+        const bool same = deviation == largest && readings[i].magnetic.degrees() < summary.maxAbsDeviationAt.degrees();
         if (i == 0 || larger || same) {
+            largest = deviation;
             summary.maxAbsDeviation_rad = std::abs(deviation);
             summary.maxAbsDeviationAt = readings[i].magnetic;
         }
@@ -146,23 +151,39 @@ void addResiduals(Analysis& analysis)
     }
 }
 
-/// The one reading without which the others are those of a compass: a reciprocal, a figure of another row. None: the whole list is at fault.
-std::optional<std::size_t> astrayReading(std::span<const Observation> readings, const AnalysisOptions& options)
+/// The readings without which the others are those of a compass: reciprocals, figures of another row. None: the whole list is at fault.
+std::vector<std::size_t> astrayReadings(std::span<const Observation> readings, const AnalysisOptions& options)
 {
-    constexpr std::size_t kMost = 100; // among more, one reading does not hide that the others follow
-    constexpr std::size_t kFewestOfTheRest = 5;
+    constexpr std::size_t kMost = 100;                            // among more, one reading does not hide that the others follow
+    constexpr std::size_t kFewestOfTheRest = 5, kFewestOnOne = 6; // more astray is a list at fault
     if (readings.size() <= kFewestOfTheRest || readings.size() > kMost)
-        return std::nullopt;
+        return {};
     const auto search = findSlips(readings, options.resolution_deg, options.history);
-    if (search.slips.size() != 1 || search.slips.front().probability < 0.9)
-        return std::nullopt;
-    std::vector<Observation> rest(readings.begin(), readings.end());
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(search.slips.front().reading));
+    std::vector<std::size_t> astray;
+    for (const auto& slip : search.slips)
+        if (slip.probability >= 0.9 && slip.orReadings.empty())
+            astray.push_back(slip.reading);
+    std::sort(astray.begin(), astray.end());
+    if (astray.empty() || kFewestOnOne * astray.size() > readings.size())
+        return {};
+    std::vector<Observation> rest;
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        if (!std::binary_search(astray.begin(), astray.end(), i))
+            rest.push_back(readings[i]);
     const auto approximate = fitApproximate(rest);
     const auto exact = fitExact(rest);
     if (!approximate || !exact || faultOf(*approximate, *exact))
-        return std::nullopt;
-    return search.slips.front().reading;
+        return {};
+    return astray;
+}
+
+bool looksLikeRadians(std::span<const Observation> readings)
+{
+    constexpr std::size_t kFewest = 4;
+    const auto within = [](double figure) { return figure <= 2.0 * kPi; };
+    return readings.size() >= kFewest && std::all_of(readings.begin(), readings.end(), [&](const auto& reading) {
+        return within(reading.magnetic.degrees()) && within(reading.compass.degrees());
+    });
 }
 
 /// A compass that deviates by more than any that is expected, whose readings go with its own exact curve all the same: a search that
@@ -230,14 +251,15 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
         return cancelled;
     Analysis analysis;
     if (auto fault = faultOf(*approximate, *exact)) {
-        const auto astray = options.findSlips ? astrayReading(readings, options) : std::nullopt;
-        if (!astray)
+        const auto astray = options.findSlips ? astrayReadings(readings, options) : std::vector<std::size_t>();
+        if (astray.empty())
             return *std::move(fault);
-        analysis.warnings.push_back(
-            {MARKED("core",
-                 "the reading on %1 magnetic goes with none of the others: the coefficients mean nothing and there is no card "
-                 "until it is read again or excluded"),
-                formatHeading(readings[*astray].magnetic.degrees(), AngleStyle::DecimalDegrees, 0)});
+        for (const auto reading : astray)
+            analysis.warnings.push_back(
+                {MARKED("core",
+                     "the reading on %1 magnetic goes with none of the others: the coefficients mean nothing and there is no card "
+                     "until it is read again or excluded"),
+                    formatHeading(readings[reading].magnetic.degrees(), AngleStyle::DecimalDegrees, 0)});
     }
 
     std::vector<HarmonicSample> samples;
@@ -255,6 +277,8 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     analysis.pointRules = pointRules(readings);
     analysis.summary = summarise(analysis.readings);
     addResiduals(analysis);
+    if (looksLikeRadians(readings))
+        analysis.warnings.push_back(MARKED("core", "all headings lie between 0 and 6.3, as if they were in radians; expected degrees"));
     widenTo(analysis.approximate, options.readingError_rad);
     widenTo(analysis.exact, options.readingError_rad);
     takeShared(analysis, options.shared);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kRoundingOfGaps_deg = 1e-6; // headings are decimal: 60.000000000000014 is 60
 constexpr double kReadThere_deg = 3;
+constexpr double kTenth_deg = 0.1; ///< no band is told as none
 
 /// Clockwise from `from` to `heading` [deg], [0, 360).
 double clockwise_deg(double from_deg, double heading_deg) { return wrap360(heading_deg - from_deg); }
@@ -67,7 +68,7 @@ Message wordsOf(const ReadingGap& gap)
         return {MARKED("core", "no reading between %1 and %2 (compass), an arc of %3: how far the curve is off there is not known"), from,
             to, width};
     return {MARKED("core", "no reading between %1 and %2 (compass), an arc of %3: the curve there is known to ±%4 only (95 %)"), from, to,
-        width, figureText(toDegrees(*gap.widestBand_rad), 1) + "°"};
+        width, figureText(std::max(kTenth_deg, toDegrees(*gap.widestBand_rad)), 1) + "°"};
 }
 
 } // namespace lubberline

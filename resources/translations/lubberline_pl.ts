@@ -17109,20 +17109,20 @@ Escape przywraca zapisaną wartość.</translation>
         <translation>Sprawdź ponownie: najpewniej %1, miało być %2 (%3)</translation>
     </message>
     <message>
-        <source>on %1 the compass reads %2; %3 ± %4° is expected.</source>
-        <translation>na kursie %1 busola wskazuje %2; oczekiwano %3 ± %4°.</translation>
+        <source>on %1 magnetic the compass reads %2; %3 ± %4° is expected.</source>
+        <translation>na kursie magnetycznym %1 busola wskazuje %2; oczekiwano %3 ± %4°.</translation>
     </message>
     <message>
         <source>Look again: no usual slip explains it</source>
         <translation>Sprawdź ponownie: nie tłumaczy tego żadna zwykła pomyłka</translation>
     </message>
     <message>
-        <source>on %1 the compass reads %2.</source>
-        <translation>na kursie %1 busola wskazuje %2.</translation>
+        <source>on %1 magnetic the compass reads %2.</source>
+        <translation>na kursie magnetycznym %1 busola wskazuje %2.</translation>
     </message>
     <message>
-        <source>one of the readings on %1 was probably misread (%2); these readings cannot tell which: look at them again</source>
-        <translation>jeden z odczytów na kursach %1 jest prawdopodobnie błędny (%2); te odczyty nie mówią, który: sprawdź je ponownie</translation>
+        <source>one of the readings on %1 magnetic may be misread (%2); these readings cannot tell which: look at them again</source>
+        <translation>jeden z odczytów na kursach magnetycznych %1 może być błędny (%2); te odczyty nie mówią, który: sprawdź je ponownie</translation>
     </message>
     <message>
         <source>, </source>
@@ -17813,8 +17813,8 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
         <translation> Jeden z odczytów jest wątpliwy: sprawdź go, zanim użyjesz tych wartości.</translation>
     </message>
     <message>
-        <source>Largest deviation %1 at %2. </source>
-        <translation>Największa dewiacja %1 na kursie %2. </translation>
+        <source>Largest deviation %1 at %2 magnetic. </source>
+        <translation>Największa dewiacja %1 na kursie magnetycznym %2. </translation>
     </message>
     <message>
         <source> Not read: %1 (compass).</source>

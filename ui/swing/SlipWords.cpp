@@ -52,14 +52,14 @@ QString suspicionOf(const Analysis& analysis, std::size_t index, AngleStyle styl
     if (found == slips.end())
         return {};
     const AnalysedReading& reading = analysis.readings.at(index);
-    const QString reads = SlipWordsTexts::tr("on %1 the compass reads %2.")
+    const QString reads = SlipWordsTexts::tr("on %1 magnetic the compass reads %2.")
                               .arg(figure(reading.magnetic.degrees(), style), figure(reading.compass.degrees(), style));
     if (!found->orReadings.empty()) {
         QStringList places{figure(reading.magnetic.degrees(), style)};
         for (const auto other : found->orReadings)
             places += figure(analysis.readings.at(other).magnetic.degrees(), style);
         return SlipWordsTexts::tr(
-            "one of the readings on %1 was probably misread (%2); these readings cannot tell which: look at them again")
+            "one of the readings on %1 magnetic may be misread (%2); these readings cannot tell which: look at them again")
             .arg(places.join(SlipWordsTexts::tr(", ")), percent(found->probability));
     }
     const bool named = !found->candidates.empty() && found->candidates.front().slip != Slip::Unexplained;
@@ -157,7 +157,7 @@ QString slipSentence(const SlipJudgement& judgement, const Reading& reading, Ang
     if (!judgement.lookAgain())
         return {};
     const QString reads
-        = SlipWordsTexts::tr("on %1 the compass reads %2; %3 ± %4° is expected.")
+        = SlipWordsTexts::tr("on %1 magnetic the compass reads %2; %3 ± %4° is expected.")
               .arg(figure(reading.magnetic->degrees(), style), figure(reading.compass->degrees(), style),
                   toText(formatHeading(judgement.expected.degrees(), style, 0)), QString::number(judgement.expectedError_deg, 'f', 1));
     const bool named = !judgement.candidates.empty() && judgement.candidates.front().probability > judgement.probabilityUnexplained;

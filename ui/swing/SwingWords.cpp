@@ -80,7 +80,7 @@ QString unreadSentence(const Analysis& analysis)
 QString meaningOf(const Analysis& analysis, const std::optional<LimitsProfile>& limits, AngleStyle style)
 {
     const Summary& summary = analysis.summary;
-    return SwingWordsTexts::tr("Largest deviation %1 at %2. ")
+    return SwingWordsTexts::tr("Largest deviation %1 at %2 magnetic. ")
                .arg(toText(formatSignedAngle(toDegrees(extreme_rad(summary)), style)), place(summary.maxAbsDeviationAt))
         + judgementSentence(summary, limits) + suspicionSentence(analysis) + unreadSentence(analysis);
 }

@@ -49,7 +49,7 @@ RowSplitter::State RowSplitter::takeByte(char c)
         } else if (c != ' ' && c != '\t') {
             return State::TextAfterQuote;
         }
-    } else if (c == '"' && m_place == Place::CellStart) {
+    } else if (c == '"' && (m_place == Place::CellStart || m_cell == "=")) { // ="000": a text, so that a spreadsheet keeps its zeros
         m_cell.clear();
         m_place = Place::Quoted;
     } else {
@@ -62,6 +62,9 @@ RowSplitter::State RowSplitter::takeByte(char c)
 
 void RowSplitter::endCell()
 {
+    const bool textFormula = m_cell.size() >= 3 && m_cell.starts_with("=\"") && m_cell.ends_with('"'); // "=""000""", the same in quotes
+    if (textFormula)
+        m_cell = m_cell.substr(2, m_cell.size() - 3);
     m_cells.push_back(m_place == Place::AfterQuote ? m_cell : std::string(trimmed(m_cell)));
     m_cell.clear();
     m_place = Place::CellStart;

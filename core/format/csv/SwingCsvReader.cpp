@@ -7,6 +7,7 @@
 #include "core/base/WholeFile.h"
 #include "core/format/csv/RowSplitter.h"
 #include "core/format/csv/SwingCsv.h"
+#include "core/format/csv/SwingCsvAside.h"
 #include "core/format/csv/SwingCsvColumns.h"
 #include "core/format/csv/SwingCsvKeys.h"
 #include "core/format/csv/SwingCsvRow.h"
@@ -85,6 +86,7 @@ private:
     Result<void> takeHeader();
     void keepTitle(const std::vector<std::string>& cells);
     Result<void> takeReading();
+    [[nodiscard]] bool standsAside();
     Result<SwingFile> finish();
     void tellNorthTwice();
 
@@ -282,11 +284,30 @@ void SwingReader::keepTitle(const std::vector<std::string>& cells)
     m_titles.push_back(std::move(title));
 }
 
+/// A row that is no reading, and is told; where only its note sounds so it is read, and told as well.
+bool SwingReader::standsAside()
+{
+    const auto& cells = m_splitter->cells();
+    auto& warnings = m_file.warnings;
+    if (m_file.swing.readings.empty() && isUnitsRow(cells, *m_columns)) {
+        warnings.push_back({MARKED("core", "line %1 holds the units of the columns and no reading"), m_rowLine});
+        return true;
+    }
+    const SummaryRow summary = summaryRowOf(cells, *m_columns);
+    if (summary.word.empty() || m_file.swing.readings.empty() || warnings.size() > kMostTitleRows)
+        return false;
+    const bool read = summary.onlyInNote && m_rows->read(cells);
+    warnings.push_back({read ? MARKED("core", "line %1 is noted as %2 and taken for a reading: exclude it where it sums up the others")
+                             : MARKED("core", "line %1 is left out: %2 sums up the readings and is none"),
+        m_rowLine, inQuotes(summary.word)});
+    return !read;
+}
+
 Result<void> SwingReader::takeReading()
 {
     if (const auto split = splitRow(); !split)
         return split.error();
-    if (isEmptyRow(m_splitter->cells()))
+    if (isEmptyRow(m_splitter->cells()) || standsAside())
         return {};
     auto row = m_rows->read(m_splitter->cells());
     if (!row)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/swing/Analysis.h"
 #include "tests/core/deviation/Independent.h"
@@ -79,6 +80,21 @@ TEST(Independent, theOrderOfReadingsDoesNotCount)
         }
         EXPECT_NEAR(again.approximate.rms_rad, first.approximate.rms_rad, 1e-12);
         EXPECT_EQ(again.summary.maxAbsDeviationAt, first.summary.maxAbsDeviationAt);
+    }
+}
+
+/// +4 and −4: the figure that is named is that of the heading that is named, in any order.
+TEST(Independent, theLargestDeviationIsOfItsHeading)
+{
+    std::vector<Observation> readings;
+    for (const auto& [magnetic, compass] :
+        {std::pair(0.0, 0.0), {45.0, 49.0}, {90.0, 92.0}, {135.0, 131.0}, {225.0, 221.0}, {270.0, 270.0}})
+        readings.push_back({MagneticHeading::fromDegrees(magnetic), CompassHeading::fromDegrees(compass)});
+    for (int turn = 0; turn < 2; ++turn, std::reverse(readings.begin(), readings.end())) {
+        const auto summary = analyse(readings)->summary;
+        EXPECT_NEAR(toDegrees(summary.maxDeviation_rad), 4.0, 1e-9);
+        EXPECT_NEAR(toDegrees(summary.minDeviation_rad), -4.0, 1e-9);
+        EXPECT_EQ(summary.maxAbsDeviationAt.degrees(), 135.0);
     }
 }
 

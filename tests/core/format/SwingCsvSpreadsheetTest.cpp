@@ -319,4 +319,46 @@ TEST(SwingCsvSpreadsheet, aHeaderThatIsNoneIsNotTakenForATitle)
     EXPECT_FALSE(readCsv(many + kPlain)); // that is another kind of file
 }
 
+/// Below the header stand units, below the readings what sums them up: neither is a reading.
+TEST(SwingCsvSpreadsheet, unitsBelowTheHeaderAreNoReading)
+{
+    for (const char* units : {",deg,deg", "deg,deg,deg", "(\u00B0),[\u00B0],(\u00B0)", "st,\u00B0M,\u00B0C"}) {
+        const auto file = readCsv(std::string("point,magnetic heading,compass heading\n") + units + "\nN,0,358\nE,90,91\n");
+        ASSERT_TRUE(file) << units << describe(file.error());
+        EXPECT_THAT(magnetic_deg(*file), ElementsAre(0.0, 90.0)) << units;
+        EXPECT_THAT(compass_deg(*file), ElementsAre(358.0, 91.0)) << units;
+        EXPECT_THAT(file->warnings.back().english(), HasSubstr("line 2 holds the units")) << units;
+    }
+    for (const char* other : {",rad,rad", ",deg,rad", ",mils,mils", ",deg,358"})
+        EXPECT_FALSE(readCsv(std::string("point,magnetic heading,compass heading\n") + other + "\nN,0,358\n")) << other;
+}
+
+TEST(SwingCsvSpreadsheet, whatSumsUpTheReadingsIsNone)
+{
+    for (const char* sum :
+        {"Mean,135,134.5", "\u015Arednia,135,134.5", "Average:,,134.5", "max. dev.,,", "(mean),135,134.5", ",Mean,134.5", "Std dev,,1.2"}) {
+        const auto file = readCsv(std::string("point,magnetic heading,compass heading\nN,0,358\nE,90,91\nS,180,181\n") + sum + "\n");
+        ASSERT_TRUE(file) << sum << describe(file.error());
+        EXPECT_THAT(compass_deg(*file), ElementsAre(358.0, 91.0, 181.0)) << sum;
+        EXPECT_THAT(file->warnings.back().english(), HasSubstr("line 5 is left out")) << sum;
+    }
+    const auto noted = readCsv("magnetic heading,compass heading,note\n0,358,mean\n90,91,mean of two\n135,134,Mean\n,134,Mean\n");
+    ASSERT_TRUE(noted) << describe(noted.error());
+    EXPECT_THAT(compass_deg(*noted), ElementsAre(358.0, 91.0, 134.0));
+    EXPECT_THAT(noted->warnings.back().english(), HasSubstr("line 5 is left out"));
+    EXPECT_THAT(noted->warnings.at(noted->warnings.size() - 2).english(), HasSubstr("line 4 is noted as"));
+}
+
+/// ="000" keeps the zeros in a spreadsheet; as it is, and in quotes.
+TEST(SwingCsvSpreadsheet, textFormulasAreRead)
+{
+    const auto file
+        = readCsv("magnetic heading,compass heading,note\n=\"000\",=\"358\",=\"rain, gusts\"\n\"=\"\"090\"\"\",\"=\"\"091\"\"\",calm\n");
+    ASSERT_TRUE(file) << describe(file.error());
+    EXPECT_THAT(magnetic_deg(*file), ElementsAre(0.0, 90.0));
+    EXPECT_THAT(compass_deg(*file), ElementsAre(358.0, 91.0));
+    EXPECT_EQ(file->swing.readings[0].note, "rain, gusts");
+    EXPECT_FALSE(readCsv("magnetic heading,compass heading\n=A1,358\n90,91\n")); // a formula is not computed
+}
+
 } // namespace lubberline::test

@@ -55,6 +55,44 @@ TEST(NmeaReasons, whyNothingIsLeftIsSaid)
     EXPECT_THAT(inEnglish(swingOf({})->warnings), Not(Contains(HasSubstr("never moves"))));
 }
 
+/// A time, a day and a place that are none are told as they are written, and taken from nowhere: the sentence gets its time by its place.
+TEST(NmeaReasons, whatIsNoTimeDayOrPlaceIsTold)
+{
+    const auto read = [](const char* time, const char* place = "4736.0,N,12218.0,W", const char* date = "201125") {
+        std::string log;
+        char text[160];
+        for (int second = 0; second < 180; ++second) {
+            std::snprintf(text, sizeof text, "HCHDG,%.2f,,,,", wrap360(0.1 + 2.0 * second));
+            log += makeNmea(text) + "\r\n";
+            char right[16];
+            std::snprintf(right, sizeof right, "09%02d%02d.00", second / 60, second % 60);
+            const bool wrong = second == 90;
+            std::snprintf(text, sizeof text, "GPRMC,%s,A,%s,6.0,%.1f,%s,15.2,E,A", wrong ? time : right,
+                wrong ? place : "4736.0,N,12218.0,W", wrap360(2.0 * second), wrong ? date : "201125");
+            log += makeNmea(text) + "\r\n";
+        }
+        std::istringstream stream(log);
+        return readNmeaSwing(stream, "turn.nmea", {});
+    };
+    const auto right = read("090130.00");
+    ASSERT_TRUE(right);
+    EXPECT_THAT(inEnglish(right->warnings), Not(Contains(HasSubstr("left out"))));
+    for (const char* time : {"240000.00", "096000.00", "090161.00", "-10000.00", "9:01:30", "0901"}) {
+        const auto wrong = read(time);
+        ASSERT_TRUE(wrong) << time;
+        EXPECT_THAT(
+            inEnglish(wrong->warnings), Contains(std::string("1 time left out, no time of the day: '") + time + "'; expected hhmmss"));
+        ASSERT_EQ(wrong->pairs.size(), right->pairs.size());
+        for (std::size_t i = 0; i < right->pairs.size(); ++i)
+            EXPECT_NEAR(wrong->pairs[i].magnetic.degrees(), right->pairs[i].magnetic.degrees(), 0.1) << time << " " << i;
+    }
+    EXPECT_THAT(
+        inEnglish(read("090130.00", "9536.0,N,12218.0,W")->warnings), Contains(HasSubstr("place on the Earth: '9536.0,N,12218.0,W'")));
+    EXPECT_THAT(inEnglish(read("090130.00", "4760.0,N,12218.0,W")->warnings), Contains(HasSubstr("1 position left out")));
+    EXPECT_THAT(inEnglish(read("090130.00", "4736.0,N,12218.0,W", "311125")->warnings),
+        Contains(HasSubstr("1 date left out, no day of the calendar: '311125'")));
+}
+
 /// An instrument that says that it has no heading (THS, mode V) is not one that is missing.
 TEST(NmeaReasons, aTrueHeadingThatIsNotValidIsNamed)
 {

@@ -387,6 +387,11 @@ TEST(NmeaTurn, withoutTimesTheTurnIsTakenAsADegreeASecond)
     ASSERT_TRUE(both.swing.delay.seconds);
     EXPECT_NEAR(*both.swing.delay.seconds / both.swing.step_s, 1.5, 0.1);
     EXPECT_NE(toSwing(both.swing).note.find("older than the heading beside it"), std::string::npos);
+    const auto early = answerOf(timeless({{{2.0, 200.0}, {-2.0, 200.0}}, 6.0, 0.0, 0.0, -1.5}), stated);
+    ASSERT_TRUE(early.swing.delay.seconds);
+    EXPECT_LT(*early.swing.delay.seconds, -1.0);
+    EXPECT_NE(toSwing(early.swing).note.find("the reference is 1."), std::string::npos);
+    EXPECT_NE(toSwing(early.swing).note.find("s newer than the heading beside it"), std::string::npos);
 }
 
 TEST(NmeaTurn, receiversThatMakeItUpAreTold)

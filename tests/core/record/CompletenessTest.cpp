@@ -31,6 +31,26 @@ TEST(Completeness, aSwingIsOfADayThatWas)
     EXPECT_FALSE(missingIn(ofCardinals(""), "2026-11-26").empty());
 }
 
+/// What a receiver without a fix, one that missed the turn of its week count, a computer and a spreadsheet write.
+TEST(Completeness, aDayOfAClockThatDoesNotKnowTheDateIsDoubted)
+{
+    for (const Date date :
+        {Date("1980-01-06"), Date("1999-08-22"), Date("2019-04-07"), Date("1970-01-01"), Date("1899-12-30"), Date("1904-01-01")})
+        EXPECT_NE(missingIn(ofCardinals(date), "2026-11-28").english().find("do not know the day"), std::string::npos) << date.text();
+    for (const Date date : {Date("1980-01-07"), Date("1999-08-23"), Date("2019-04-06"), Date("2012-05-04"), Date("1943-06-01")})
+        EXPECT_TRUE(missingIn(ofCardinals(date), "2026-11-28").empty()) << date.text();
+    EXPECT_TRUE(missingIn(ofCardinals("2019-04-07"), "2019-04-07").empty()); // on that day it is right
+    // 1024 weeks before today, of a draft that is some days old, and in the east tomorrow.
+    EXPECT_EQ(missingIn(ofCardinals("2007-04-14"), "2026-11-28").english(),
+        "its date 2007-04-14 is what a receiver that missed the turn of the GPS week count (1024 weeks) writes for 2026-11-28; expected the day "
+        "on which it was swung");
+    EXPECT_FALSE(missingIn(ofCardinals("2007-04-10"), "2026-11-28").empty());
+    EXPECT_FALSE(missingIn(ofCardinals("2007-04-15"), "2026-11-28").empty());
+    EXPECT_FALSE(missingIn(ofCardinals("1987-08-29"), "2026-11-28").empty()); // twice
+    EXPECT_TRUE(missingIn(ofCardinals("2007-04-16"), "2026-11-28").empty());
+    EXPECT_TRUE(missingIn(ofCardinals("2007-04-01"), "2026-11-28").empty());
+}
+
 TEST(Completeness, fourReadingsThatCount)
 {
     Swing swing = ofCardinals("2026-11-26");

@@ -14,6 +14,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 std::vector<Observation> around(int count, const std::function<double(double psi_deg)>& compass_deg)
 {
@@ -88,6 +89,24 @@ TEST(CompassAtFault, oneReadingFarAstrayIsNamedAmongOthersThatFollow)
     for (const std::size_t row : {1u, 4u})
         two[row].compass = CompassHeading::fromDegrees(two[row].compass.degrees() + 180.0);
     EXPECT_FALSE(analyse(two)); // the list as a whole
+    auto ofTwelve = around(12, reads);
+    ofTwelve[3].compass = CompassHeading::fromDegrees(ofTwelve[3].compass.degrees() + 10.0);
+    ofTwelve[8].compass = CompassHeading::fromDegrees(ofTwelve[8].compass.degrees() + 180.0);
+    const auto both = analyse(ofTwelve);
+    ASSERT_TRUE(both) << both.error().message.english();
+    EXPECT_THAT(inEnglish(both->warnings), Contains(HasSubstr("the reading on 240° magnetic goes with none of the others")));
+    EXPECT_FALSE(makeCard(*both, {30, CardSource::Fit, {}}));
+}
+
+TEST(CompassAtFault, figuresInRadiansAreDoubted)
+{
+    std::vector<Observation> radians;
+    for (int i = 0; i < 8; ++i)
+        radians.push_back({MagneticHeading::fromDegrees(toRadians(45.0 * i)), CompassHeading::fromDegrees(toRadians(45.0 * i + 2.0))});
+    const auto analysis = analyse(radians);
+    ASSERT_TRUE(analysis);
+    EXPECT_THAT(inEnglish(analysis->warnings), Contains(HasSubstr("as if they were in radians")));
+    EXPECT_THAT(inEnglish(analyse(around(8, [](double psi) { return psi; }))->warnings), Not(Contains(HasSubstr("radians"))));
 }
 
 TEST(CompassAtFault, aMirroredCompassIsNamed)

@@ -1,0 +1,19 @@
+#pragma once
+/// Days that a clock shows which does not know the date: a swing or a log of such a day is doubted.
+
+#include "core/base/Date.h"
+#include "core/base/Message.h"
+
+namespace lubberline {
+
+/// The week count of GPS begins anew after 1024 weeks; a receiver that misses it is that much behind.
+inline constexpr int kGpsRollOver_days = 1024 * 7;
+
+/// The GPS week count begins on this day: 1980-01-06 and every 1024 weeks from it.
+[[nodiscard]] bool beginsGpsWeeks(Date date);
+
+/// Doubt of a date: more than a day after today; a day on which receivers, computers or spreadsheets begin to count; a whole number
+/// of 1024 weeks before one of the last seven days. Empty: none.
+[[nodiscard]] Message doubtOfDate(Date date, Date today);
+
+} // namespace lubberline
