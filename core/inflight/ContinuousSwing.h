@@ -28,7 +28,7 @@ struct ContinuousSample {
     std::optional<double> referenceError_deg;
     std::optional<std::string> leg;
     std::vector<double> current_A; ///< of each load
-    FlownAt at;                    ///< of a whole model
+    FlownAt at = {};               ///< of a whole model
 };
 
 /// What is kept with a compass from flight to flight.
