@@ -4662,6 +4662,106 @@
         <source>is no moment; expected UTC as YYYY-MM-DDTHH:MM:SSZ</source>
         <translation>nie jest chwilą; oczekiwano UTC jako RRRR-MM-DDTGG:MM:SSZ</translation>
     </message>
+    <message>
+        <source>the headings look turned by %1° against magnetic north: with that taken out they explain the samples far better; true headings where the variation is so? Expected magnetic headings</source>
+        <translation>kursy wyglądają na obrócone o %1° względem północy magnetycznej: po odjęciu tego tłumaczą próbki znacznie lepiej; kursy geograficzne tam, gdzie deklinacja jest taka? Oczekiwano kursów magnetycznych</translation>
+    </message>
+    <message>
+        <source>the sensor seems turned by %1°: of such a log nothing tells that from headings that are off by it, as true ones are by the variation</source>
+        <translation>czujnik wydaje się obrócony o %1°: z takiego zapisu nie można tego odróżnić od kursów przesuniętych o tyle, jak kursy geograficzne o deklinację</translation>
+    </message>
+    <message>
+        <source>not told which: the first has moved with %1 %, the second with %2 %, neither with %3 %; read them on more headings beside the datum</source>
+        <translation>nie wiadomo która: pierwsza zmieniła się z prawdopodobieństwem %1 %, druga %2 %, żadna %3 %; odczytać obie na większej liczbie kursów obok wzorca</translation>
+    </message>
+    <message>
+        <source>pitch_deg, roll_deg, horizontal_nT and dip_deg for the whole sensor model</source>
+        <translation>pitch_deg, roll_deg, horizontal_nT i dip_deg dla całego modelu czujnika</translation>
+    </message>
+    <message>
+        <source>is to go on from a state of another kind; expected both A to E, or both the whole sensor model</source>
+        <translation>ma być kontynuowane ze stanu innego rodzaju; oczekiwano obu od A do E albo obu całego modelu czujnika</translation>
+    </message>
+    <message>
+        <source>pitch_deg or roll_deg is out of range; expected -90 to 90, and -180 to 180</source>
+        <translation>pitch_deg lub roll_deg poza zakresem; oczekiwano od -90 do 90 i od -180 do 180</translation>
+    </message>
+    <message>
+        <source>horizontal_nT or dip_deg is out of range; expected 500 to 50000 nT, and -89 to 89</source>
+        <translation>horizontal_nT lub dip_deg poza zakresem; oczekiwano od 500 do 50000 nT i od -89 do 89</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) without headings, attitude or field passed over</source>
+        <translation>
+            <numerusform>pominięto %n wiersz bez kursów, położenia przestrzennego lub pola</numerusform>
+            <numerusform>pominięto %n wiersze bez kursów, położenia przestrzennego lub pola</numerusform>
+            <numerusform>pominięto %n wierszy bez kursów, położenia przestrzennego lub pola</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>line %1 holds the units of the columns and no reading</source>
+        <translation>wiersz %1 zawiera jednostki kolumn i żadnego odczytu</translation>
+    </message>
+    <message>
+        <source>line %1 is noted as %2 and taken for a reading: exclude it where it sums up the others</source>
+        <translation>wiersz %1 ma uwagę „%2” i został przyjęty jako odczyt: wyłączyć go, jeśli jest podsumowaniem innych</translation>
+    </message>
+    <message>
+        <source>line %1 is left out: %2 sums up the readings and is none</source>
+        <translation>wiersz %1 pominięto: „%2” podsumowuje odczyty i nim nie jest</translation>
+    </message>
+    <message>
+        <source>twelve rows of twelve numbers</source>
+        <translation>dwanaście wierszy po dwanaście liczb</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s) left out, no time of the day: &apos;%1&apos;; expected hhmmss</source>
+        <translation>
+            <numerusform>pominięto %n czas, który nie jest porą dnia: „%1”; oczekiwano ggmmss</numerusform>
+            <numerusform>pominięto %n czasy, które nie są porą dnia: „%1”; oczekiwano ggmmss</numerusform>
+            <numerusform>pominięto %n czasów, które nie są porą dnia: „%1”; oczekiwano ggmmss</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n date(s) left out, no day of the calendar: &apos;%1&apos;</source>
+        <translation>
+            <numerusform>pominięto %n datę, która nie jest dniem kalendarza: „%1”</numerusform>
+            <numerusform>pominięto %n daty, które nie są dniami kalendarza: „%1”</numerusform>
+            <numerusform>pominięto %n dat, które nie są dniami kalendarza: „%1”</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n position(s) left out, no place on the Earth: &apos;%1&apos;</source>
+        <translation>
+            <numerusform>pominięto %n pozycję, która nie jest miejscem na Ziemi: „%1”</numerusform>
+            <numerusform>pominięto %n pozycje, które nie są miejscami na Ziemi: „%1”</numerusform>
+            <numerusform>pominięto %n pozycji, które nie są miejscami na Ziemi: „%1”</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the reference is %1 ± %2 s newer than the heading beside it; that is taken out</source>
+        <translation>wzorzec jest o %1 ± %2 s nowszy niż kurs obok niego; zostało to odjęte</translation>
+    </message>
+    <message>
+        <source>its date %1 is one from which clocks count that do not know the day (a receiver without a fix, a spreadsheet); expected the day on which it was swung</source>
+        <translation>jej data %1 to jedna z tych, od których liczą zegary nieznające dnia (odbiornik bez pozycji, arkusz); oczekiwano dnia, w którym wykonano dewiację</translation>
+    </message>
+    <message>
+        <source>its date %1 is what a receiver that missed the turn of the GPS week count (1024 weeks) writes for %2; expected the day on which it was swung</source>
+        <translation>jej data %1 to ta, którą odbiornik po przeoczonym przejściu licznika tygodni GPS (1024 tygodnie) zapisuje zamiast %2; oczekiwano dnia, w którym wykonano dewiację</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) cannot tell a slip from a large coefficient: a figure misread by less than about %1° could pass unseen</source>
+        <translation>
+            <numerusform>z %n odczytu nie można odróżnić pomyłki od dużego współczynnika: odczyt błędny o mniej niż około %1° mógłby pozostać niezauważony</numerusform>
+            <numerusform>z %n odczytów nie można odróżnić pomyłki od dużego współczynnika: odczyt błędny o mniej niż około %1° mógłby pozostać niezauważony</numerusform>
+            <numerusform>z %n odczytów nie można odróżnić pomyłki od dużego współczynnika: odczyt błędny o mniej niż około %1° mógłby pozostać niezauważony</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>all headings lie between 0 and 6.3, as if they were in radians; expected degrees</source>
+        <translation>wszystkie kursy leżą między 0 a 6,3, jakby były w radianach; oczekiwano stopni</translation>
+    </message>
 </context>
 <context>
     <name>db</name>
@@ -5488,6 +5588,14 @@
     <message>
         <source>the time of a reading, %1, is no moment; expected UTC as YYYY-MM-DDTHH:MM:SSZ</source>
         <translation>czas odczytu, %1, nie jest chwilą; oczekiwano UTC jako RRRR-MM-DDTGG:MM:SSZ</translation>
+    </message>
+    <message>
+        <source>the head of the audit trail says that %1 entries were there when it was begun; expected no more than its %2</source>
+        <translation>głowa dziennika zmian podaje, że przy jej założeniu było %1 wpisów; oczekiwano nie więcej niż jej %2</translation>
+    </message>
+    <message>
+        <source>the swing of %1 (record %2): its readings were changed last and its results are not computed since; the next program that opens this file to write does it</source>
+        <translation>dewiacja z %1 (zapis %2): jej odczyty zmieniono jako ostatnie i od tego czasu nie obliczono wyników; zrobi to następny program, który otworzy ten plik do zapisu</translation>
     </message>
 </context>
 <context>
@@ -6540,10 +6648,6 @@ soft iron S:</source>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>wrote %1</source>
-        <translation>zapisano %1</translation>
-    </message>
-    <message>
         <source>Deviation map</source>
         <translation>Mapa dewiacji</translation>
     </message>
@@ -6799,6 +6903,10 @@ soft iron S:</source>
     <message>
         <source>Write the &amp;report…</source>
         <translation>Zapisz &amp;sprawozdanie…</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>kurs</translation>
     </message>
 </context>
 <context>
@@ -7548,6 +7656,17 @@ soft iron S:</source>
     <message>
         <source>Close</source>
         <translation>Zamknij</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::Dialogs</name>
+    <message>
+        <source>Setting the pages…</source>
+        <translation>Składanie stron…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
     </message>
 </context>
 <context>
@@ -10519,6 +10638,20 @@ soft iron S:</source>
         <source>%1; then it was swung otherwise: %2</source>
         <translation>%1; potem wykonano dewiację inaczej: %2</translation>
     </message>
+    <message>
+        <source>compass</source>
+        <comment>heading</comment>
+        <translation>kurs kompasowy</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <comment>heading</comment>
+        <translation>Kurs kompasowy</translation>
+    </message>
+    <message>
+        <source>sin δ = Σ g (S b + p/H): the sensor&apos;s soft and hard iron followed by a Kalman filter at every attitude; a scale that all axes share turns no heading, so k is 0. Figures are degrees: soft iron times 57.3, P, Q and R over H. A to E are level where the last update was.</source>
+        <translation>sin δ = Σ g (S b + p/H): żelazo miękkie i twarde czujnika śledzone filtrem Kalmana w każdym położeniu; wspólna skala wszystkich osi nie zmienia kursu, więc k wynosi 0. Wartości w stopniach: żelazo miękkie razy 57,3, P, Q i R przez H. Od A do E w locie poziomym tam, gdzie była ostatnia aktualizacja.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::DueBadge</name>
@@ -11569,10 +11702,6 @@ soft iron S:</source>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>wrote %1</source>
-        <translation>zapisano %1</translation>
-    </message>
-    <message>
         <source>Swing in &amp;flight from a log…</source>
         <translation>Pomiar dewiacji w &amp;locie z zapisu…</translation>
     </message>
@@ -11587,6 +11716,26 @@ soft iron S:</source>
     <message>
         <source>Legs: ground velocities of three or more headings lie on a circle about the wind, whose radius is the airspeed, so the heading of each leg follows without a model. Continuous: δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ is followed by a Kalman filter, without process noise the least-squares solution; χ² of the last 10, 20, 40 and 80 innovations raises an alarm, falsely in one of ten logs of 1400 updates. The means of the legs become the readings of a swing; the next log of the compass goes on from the swings in flight since its last other swing, recomputed from those readings.</source>
         <translation>Odcinki: prędkości względem ziemi na trzech lub więcej kursach leżą na okręgu wokół wiatru, którego promieniem jest prędkość powietrzna, więc kurs każdego odcinka wynika bez modelu. Ciągły: δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′ śledzi filtr Kalmana, bez szumu procesu równy najmniejszym kwadratom; χ² ostatnich 10, 20, 40 i 80 innowacji podnosi alarm, fałszywie w jednym na dziesięć zapisów po 1400 aktualizacji. Średnie odcinków stają się odczytami pomiaru; następny zapis busoli kontynuuje od pomiarów w locie od jej ostatniego innego pomiaru, przeliczonych z tych odczytów.</translation>
+    </message>
+    <message>
+        <source>Hard iron P %1, Q %2, R %3 nT.</source>
+        <translation>Żelazo twarde P %1, Q %2, R %3 nT.</translation>
+    </message>
+    <message>
+        <source>Level, where H is %1 nT: %2.</source>
+        <translation>W locie poziomym, gdzie H wynosi %1 nT: %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Whole sensor model</source>
+        <translation>&amp;Cały model czujnika</translation>
+    </message>
+    <message>
+        <source>Soft and hard iron in place of A to E: the log has pitch_deg, roll_deg, horizontal_nT and dip_deg, too.</source>
+        <translation>Żelazo miękkie i twarde zamiast od A do E: zapis ma też pitch_deg, roll_deg, horizontal_nT i dip_deg.</translation>
+    </message>
+    <message>
+        <source>Whole sensor model: sin δ = Σ g (S b + p/H) with b the Earth&apos;s field in the aircraft over H and g what a field along each axis does across the heading read, exact at every attitude (after Poisson; Kayton and Fried 1997, 9.13); level flight tells A to E of it.</source>
+        <translation>Cały model czujnika: sin δ = Σ g (S b + p/H), gdzie b to pole Ziemi w samolocie przez H, a g to wpływ pola wzdłuż każdej osi w poprzek odczytanego kursu, dokładnie w każdym położeniu (według Poissona; Kayton i Fried 1997, 9.13); lot poziomy mówi z tego od A do E.</translation>
     </message>
 </context>
 <context>
@@ -13239,10 +13388,6 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
     </message>
-    <message>
-        <source>wrote %1</source>
-        <translation>zapisano %1</translation>
-    </message>
 </context>
 <context>
     <name>lubberline::ui::LiveActions</name>
@@ -13911,6 +14056,10 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
         <source>%1 has been removed in another window or by another program.</source>
         <translation>%1 usunięto w innym oknie albo w innym programie.</translation>
     </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Zapisywanie %1</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::ManoeuvreLine</name>
@@ -14097,6 +14246,10 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     <message>
         <source>%1, %2, %3</source>
         <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 ± %2° (95 %, by its calibration)</source>
+        <translation>%1 ± %2° (95 %, według kalibracji)</translation>
     </message>
 </context>
 <context>
@@ -15106,10 +15259,6 @@ magnetyczny (°)</translation>
         <translation>Raport (*.pdf);;Strona (*.html);;Tabele (*.csv);;Liczby (*.json)</translation>
     </message>
     <message>
-        <source>wrote %1</source>
-        <translation>zapisano %1</translation>
-    </message>
-    <message>
         <source>Distributions</source>
         <translation>Rozkłady</translation>
     </message>
@@ -15988,6 +16137,14 @@ Escape przywraca zapisaną wartość.</translation>
     <message>
         <source>Arrow keys, or Shift while dragging: fine steps; page keys: coarse ones; double click: back to where it began</source>
         <translation>Strzałki albo Shift przy przeciąganiu: drobne kroki; Page Up i Down: grube; dwuklik: powrót do początku</translation>
+    </message>
+    <message>
+        <source>As its newest swing has it, level: what a swing on the ground cannot tell (R, c, f, g, h, k) counts as none.</source>
+        <translation>Jak w najnowszej dewiacji, w poziomie: to, czego dewiacja na ziemi nie mówi (R, c, f, g, h, k), przyjmuje się jako zero.</translation>
+    </message>
+    <message>
+        <source>&amp;Own deviation of %1</source>
+        <translation>&amp;Własna dewiacja %1</translation>
     </message>
 </context>
 <context>
@@ -17093,6 +17250,10 @@ Escape przywraca zapisaną wartość.</translation>
         <source>Remove this base</source>
         <translation>Usuwanie bazy</translation>
     </message>
+    <message>
+        <source>%1 points were added to the %2 of the survey before. Ctrl+Z takes them out.</source>
+        <translation>Dodano %1 punktów do %2 dotychczasowego pomiaru. Ctrl+Z je usuwa.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::SlipWords</name>
@@ -17835,6 +17996,10 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
         <source>%1: swings exported: %2.</source>
         <translation>%1: zapisano pomiarów: %2.</translation>
     </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapisano: %1</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::WindsPage</name>
@@ -18025,10 +18190,6 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
     <message>
         <source>CSV (*.csv)</source>
         <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>wrote %1</source>
-        <translation>zapisano %1</translation>
     </message>
     <message>
         <source>Write the report</source>
