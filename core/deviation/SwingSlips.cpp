@@ -25,8 +25,8 @@ constexpr std::array kHandlingSteps{-2.5, -2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0,
 constexpr double kUnnamedSize_deg = 15.0, kUnnamedRate = 5e-4;
 /// A reading is looked at again when a slip in it is not thirteen times less likely than none: a look costs seconds, a miss a wrong card.
 /// Found by simulation of eight readings to 1° (tests/core/deviation/SwingSlipsTest), where a slip of 5° at a scatter of 0.3° and no slip
-/// at 1° are hard to tell apart: 97 in 100 of the one are found, and one in twenty of the other is looked at. A second slip, which its
-/// first could feign, must be likelier than none.
+/// at 1° are hard to tell apart: 96 in 100 of the one are found, and 7 in 100 of the other are looked at. A second slip, which its first
+/// could feign, must be likelier than none.
 constexpr double kOdds = 0.075, kOddsMore = 1.0;
 /// Five coefficients go through five readings: what one of them slipped by is a large coefficient as well as a slip, and only what no
 /// compass has is named.
