@@ -114,6 +114,9 @@ ErrorBudget sunBudget(const Place& place, UtcTime time, const SunSighting& sight
         {MARKED("core", "pointing"), sighting.pointing_deg}}};
 }
 
+/// Near a pole: the azimuth follows the longitude, and a kilometre is degrees of it.
+constexpr double kTellsLittle_deg = 3.0;
+
 SunDoubts doubtsOf(const SunPosition& sun, UtcTime time, const ErrorBudget& budget)
 {
     SunDoubts doubts;
@@ -125,6 +128,9 @@ SunDoubts doubtsOf(const SunPosition& sun, UtcTime time, const ErrorBudget& budg
         doubts.warnings.push_back(
             {MARKED("core", "the sun stands %1° high: its azimuth tells little (±%2°, one standard deviation); wait until it is lower"),
                 figureText(sun.elevation_deg, 1), figureText(budget.total_deg(), 1)});
+    } else if (budget.total_deg() > kTellsLittle_deg) {
+        doubts.warnings.push_back(
+            {MARKED("core", "the sun's azimuth tells little here (±%1°, one standard deviation)"), figureText(budget.total_deg(), 1)});
     } else if (sun.elevation_deg < 3) {
         doubts.warnings.push_back({MARKED("core", "the sun stands %1° high: shadows are %2 times as long as the pin, and faint"),
             figureText(sun.elevation_deg, 1), sun.shadowRatio > 0 ? figureText(sun.shadowRatio, 0) : std::string("∞")});

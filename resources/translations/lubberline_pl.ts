@@ -4762,6 +4762,10 @@
         <source>all headings lie between 0 and 6.3, as if they were in radians; expected degrees</source>
         <translation>wszystkie kursy leżą między 0 a 6,3, jakby były w radianach; oczekiwano stopni</translation>
     </message>
+    <message>
+        <source>the sun&apos;s azimuth tells little here (±%1°, one standard deviation)</source>
+        <translation>azymut Słońca mówi tu niewiele (±%1°, jedno odchylenie standardowe)</translation>
+    </message>
 </context>
 <context>
     <name>db</name>
