@@ -1,5 +1,6 @@
 #pragma once
-/// Long work on a thread of its own, with progress and cancel: the only place of the program where a thread begins.
+/// Long work on a thread of its own, with progress and cancel: the only place of the window where a thread begins. (Core reads reports of
+/// wind with two hands of its own: core/format/csv/WindHands.h, core/inflight/Alongside.h.)
 
 #include <QObject>
 #include <QThreadPool>
