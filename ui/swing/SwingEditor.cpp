@@ -4,14 +4,16 @@
 #include <utility>
 
 #include "core/swing/Observations.h"
+#include "db/stores/ResultCache.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
 
 namespace {
 
-/// More readings than this are computed on a worker: nobody types so many, and their results take longer than a keystroke may.
-constexpr std::size_t kComputedAtOnce = 2000;
+/// More readings than this are computed on a worker: nobody types so many, and their results take longer than a keystroke may. The same
+/// number as that beyond which the store leaves results to who computes them.
+constexpr std::size_t kComputedAtOnce = db::kRefreshedAtOnce;
 
 } // namespace
 

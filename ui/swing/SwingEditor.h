@@ -45,7 +45,7 @@ public:
     [[nodiscard]] int analysedIndex(int row) const;
     [[nodiscard]] const std::optional<SwingRow>& previous() const { return m_previous; }
     [[nodiscard]] const std::shared_ptr<const Analysis>& previousAnalysis() const { return m_previousAnalysis; }
-    /// What the other aircraft of its type let expect of a compass without a swing before (db::JobStore::siblingsOf()).
+    /// What the other aircraft of its type let expect of a compass without a swing before (db::ResultStore::siblingsOf()).
     [[nodiscard]] const std::optional<ExpectedCurve>& siblings() const { return m_siblings; }
 
     /// Why nothing can be changed: signed, complete, or a database that can only be read. Empty: it can.
