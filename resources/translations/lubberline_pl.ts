@@ -15409,8 +15409,8 @@ magnetyczny (°)</translation>
         <translation>Wybierz pomiar, potem bazę, do której przenosi się statek powietrzny.</translation>
     </message>
     <message>
-        <source>all swings of this compass at different places</source>
-        <translation>wszystkie pomiary tej busoli w różnych miejscach</translation>
+        <source>all its swings at different places</source>
+        <translation>wszystkie jej pomiary w różnych miejscach</translation>
     </message>
     <message>
         <source>&amp;From:</source>

@@ -56,6 +56,7 @@ public:
     }
 
     [[nodiscard]] Watch& watch() { return *m_watch; }
+    void setClock(Clock clock) { database().setClock(std::move(clock)); }
     void makeReadOnly() { LUBBERLINE_EXPECT(database().onlyRead().ok(), "a connection stops writing"); }
 
     /// A new record, or the changed one of this id or record id, whatever it was before.

@@ -105,7 +105,7 @@ QWidget* PredictionPage::buildForm()
     };
     m_basis = new QComboBox;
     m_basis->setObjectName(QStringLiteral("predictionBasis"));
-    m_basis->addItems({tr("this swing alone"), tr("all swings of this compass at different places")});
+    m_basis->addItems({tr("this swing alone"), tr("all its swings at different places")});
     connect(m_basis, &QComboBox::activated, this, &PredictionPage::useSwings);
     form->addRow(tr("&From:"), m_basis);
     m_site = new QComboBox;

@@ -60,6 +60,16 @@ QString timeWords(UtcTime time)
 
 QString sizeWords(double size) { return toText(shortestNumber(size)); }
 
+/// In degrees, as documents take them.
+std::vector<TableRow> budgetRows(const ErrorBudget& budget)
+{
+    std::vector<TableRow> rows;
+    for (const ErrorPart& part : budget.parts)
+        rows.push_back({{toText(part.what), plainNumber(part.size_deg, 3)}});
+    rows.push_back({{DatumPage::tr("in all"), plainNumber(budget.total_deg(), 3)}});
+    return rows;
+}
+
 } // namespace
 
 DatumPage::DatumPage(FileQuestions files, std::function<std::string()> nowUtc, QWidget* parent)
@@ -312,17 +322,14 @@ void DatumPage::answer()
     m_lines->setText(inAngleStyle(told->lines.join(u'\n')));
     if (!told->budget)
         return;
-    const auto add = [this](const QString& what, double size_deg) {
+    for (const TableRow& part : budgetRows(*told->budget)) {
         const int row = m_budget->rowCount();
         m_budget->insertRow(row);
-        m_budget->setItem(row, 0, new QTableWidgetItem(what));
-        auto* size = new QTableWidgetItem(plainNumber(size_deg, 3));
+        m_budget->setItem(row, 0, new QTableWidgetItem(part.cells[0]));
+        auto* size = new QTableWidgetItem(inAngleColumn(part.cells[1]));
         size->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         m_budget->setItem(row, 1, size);
-    };
-    for (const ErrorPart& part : told->budget->parts)
-        add(toText(part.what), part.size_deg);
-    add(tr("in all"), told->budget->total_deg());
+    }
     m_budget->setFixedHeight(heightOfRows(*m_budget, m_budget->rowCount()) + 2);
 }
 
@@ -342,8 +349,8 @@ void DatumPage::writeReport()
             {80, [day = sunDay(inputs())](QPainter& painter, const QRectF& rect) { renderDrawn(painter, rect, day); }});
     sheet.table = {tr("Parts of the error"),
         {{tr("Part"), {}, {}, 60, TableColumn::Align::Left}, {tr("Size"), tr("one standard deviation"), QStringLiteral("°"), 40}}, {}};
-    for (int row = 0; row < m_budget->rowCount(); ++row)
-        sheet.table.rows.push_back({{m_budget->item(row, 0)->text(), m_budget->item(row, 1)->text()}});
+    if (const auto told = answerOf(method(), inputs()); told && told->budget)
+        sheet.table.rows = budgetRows(*told->budget);
     sheet.madeAtUtc = QString::fromStdString(m_nowUtc());
     m_files.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }

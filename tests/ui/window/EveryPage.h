@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QRadioButton>
 #include <QTabWidget>
 
@@ -42,6 +43,18 @@ inline void partsOf(QWidget& page, const QString& where, const LookAt& look)
             look(QStringLiteral("%1, tab %2").arg(where, tabs->tabText(tab)));
         }
         tabs->setCurrentIndex(before);
+    }
+    for (auto* choice : page.findChildren<QComboBox*>()) {
+        if (!choice->isVisible() || !choice->isEnabled() || choice->isEditable() || choice->objectName().isEmpty())
+            continue;
+        const int before = choice->currentIndex();
+        for (int one = 0; one < choice->count(); ++one) {
+            choice->setCurrentIndex(one);
+            settle();
+            look(QStringLiteral("%1, %2 of %3").arg(where, choice->currentText(), choice->objectName()));
+        }
+        choice->setCurrentIndex(before);
+        settle();
     }
     for (auto* button : page.findChildren<QAbstractButton*>()) {
         if (!button->isVisible() || !button->isEnabled() || !button->isCheckable() || button->objectName().isEmpty()
@@ -123,6 +136,8 @@ inline void stepsOfGuided(OpenWindow& open, SmallFleet& fleet, const LookAt& loo
 /// @param look is told what is in front each time.
 inline void everyPage(OpenWindow& open, SmallFleet& fleet, const LookAt& look)
 {
+    using namespace std::chrono;
+    fleet.stores.setClock({[] { return Clock::Time(sys_days(2026y / November / 24) + hours(10)); }}); // the sun stands over the demonstration's places
     const SwingId draft = fleet.addSwing("2026-11-21", eightPoints()), complete = fleet.addSwing("2026-11-22", eightPoints());
     if (!fleet.stores.signing.complete(complete))
         qFatal("the swing is not complete");
