@@ -82,6 +82,7 @@ int runCommandLine(int argc, char** argv)
     addElectrical(app, invocation);
     addCalibrate(app, invocation);
     addCompensate(app, invocation);
+    addCoil(app, invocation);
     addSensorTests(app, invocation);
     addInstallation(app, invocation);
     addLineOfSight(app, invocation);

@@ -5,6 +5,7 @@
 #include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/record/ClockDates.h"
+#include "core/record/Completeness.h"
 #include "core/swing/SwingResult.h"
 
 namespace lubberline::app {
@@ -25,9 +26,9 @@ Result<SourcedSwing> swingFromCsv(const std::string& path)
     return sourced;
 }
 
-Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options)
+Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options, const std::optional<SensorBench>& bench)
 {
-    auto analysis = resultOf(swing.record, nullptr, options);
+    auto analysis = resultOf(swing.record, nullptr, options, bench);
     if (analysis)
         return analysis;
     Error error = analysis.error();

@@ -7,7 +7,7 @@
 
 #include "core/base/Result.h"
 #include "core/record/Fleet.h"
-#include "core/swing/Analysis.h"
+#include "core/swing/SwingResult.h"
 
 namespace lubberline::app {
 
@@ -22,6 +22,6 @@ struct SourcedSwing {
 Result<SourcedSwing> swingFromCsv(const std::string& path);
 
 /// resultOf() the readings that count; an error names the source.
-Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options = {});
+Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options = {}, const std::optional<SensorBench>& bench = {});
 
 } // namespace lubberline::app

@@ -1,7 +1,11 @@
 #include "app/Console.h"
+#include "app/LogOptions.h"
+#include "app/Outputs.h"
 #include "app/SwingSource.h"
 #include "app/Tables.h"
 #include "app/commands/Command.h"
+#include "core/base/WholeFile.h"
+#include "core/coil/CoilHistory.h"
 #include "core/format/results/AnalysisJson.h"
 #include "core/swing/CardRemarks.h"
 #include "core/swing/Removal.h"
@@ -11,18 +15,38 @@ namespace lubberline::app {
 namespace {
 
 struct AnalyseArguments {
-    std::string file;
+    std::string file, bench;
     CoefficientSet removed;
     int orders = -1;
     bool json = false;
 };
+
+/// None where none is given.
+Result<std::optional<SensorBench>> benchIn(const std::string& file)
+{
+    if (file.empty())
+        return std::optional<SensorBench>();
+    LogArguments what;
+    what.file = file;
+    const auto log = readLog(what);
+    if (!log)
+        return log.error();
+    auto record = coilRecordOf(*log);
+    if (!record)
+        return Error{record.error().code, record.error().message, nameOfInput(file)};
+    const auto bench = sensorBenchOf(*record);
+    return bench ? Result<std::optional<SensorBench>>(*bench) : bench.error();
+}
 
 int analyseCommand(const AnalyseArguments& options)
 {
     const auto swing = swingFromCsv(options.file);
     if (!swing)
         return fail(swing.error());
-    auto analysis = analyseSwing(*swing, {options.orders});
+    const auto bench = benchIn(options.bench);
+    if (!bench)
+        return fail(bench.error());
+    auto analysis = analyseSwing(*swing, {options.orders}, *bench);
     if (!analysis)
         return fail(analysis.error());
     const auto removal = removeComponents(*analysis, options.removed);
@@ -54,6 +78,8 @@ void addAnalyse(CLI::App& app, Invocation& invocation)
     addInputOption(*command, invocation, "SWING.csv", options->file, "a Swing CSV")->required();
     command->add_option("--orders", options->orders, "highest harmonic wanted (default: all that the headings resolve)")
         ->check(CLI::Range(0, 1'000'000));
+    addInputOption(*command, invocation, "--bench", options->bench,
+        "the sensor's coil bench (as of `coil`): its noise, hysteresis and nonlinearity in the field of the swing are in the errors");
     addRemoveOption(*command, options->removed, "show what would remain without these components, as in B,C");
     command->add_flag("--json", options->json, "one JSON object on standard output");
     command->callback([options, &invocation] { invocation.action = [options] { return analyseCommand(*options); }; });

@@ -63,7 +63,8 @@ void addDue(CLI::App& app, Invocation& invocation);          ///< due, event, wa
 void addRule(CLI::App& app, Invocation& invocation);         ///< the calendar rules of due
 void addInstallation(CLI::App& app, Invocation& invocation); ///< locate, distances, site-check
 void addLineOfSight(CLI::App& app, Invocation& invocation);
-void addSensorTests(CLI::App& app, Invocation& invocation); ///< spectrum, coil, interference
+void addCoil(CLI::App& app, Invocation& invocation);
+void addSensorTests(CLI::App& app, Invocation& invocation); ///< spectrum, interference
 void addSign(CLI::App& app, Invocation& invocation);        ///< complete, reopen, sign, amend, audit
 void addKeys(CLI::App& app, Invocation& invocation);        ///< list, add, remove the keys that the station knows
 void addVerify(CLI::App& app, Invocation& invocation);      ///< a signature that was written as files

@@ -1,6 +1,4 @@
-// spectrum, coil and interference: what a log of a sensor tells beside its calibration.
-#include <optional>
-
+// spectrum and interference: what a log of a sensor tells beside its calibration.
 #include "app/Console.h"
 #include "app/LogOptions.h"
 #include "app/Outputs.h"
@@ -114,54 +112,6 @@ int spectrumCommand(const SensorTestArguments& options)
     return kDone;
 }
 
-void printThree(const char* name, const Eigen::Vector3d& values, int decimals)
-{
-    put("%-28s%14.*f%14.*f%14.*f\n", name, decimals, values.x(), decimals, values.y(), decimals, values.z());
-}
-
-/// The result as JSON, or its warnings, and its report. @return the exit status where no table is wanted besides.
-template <class Test, class MakeSheet>
-std::optional<int> tellTest(const Test& result, const SensorLog& log, const SensorTestArguments& options, MakeSheet makeSheet)
-{
-    if (options.json)
-        put("%s\n", toJson(result, log).c_str());
-    else {
-        warn(log.warnings);
-        warn(result.warnings);
-    }
-    if (!options.output.empty())
-        return writeSheet(makeSheet(), options.output);
-    return options.json ? std::optional(kDone) : std::nullopt;
-}
-
-int coilCommand(const SensorTestArguments& options)
-{
-    const auto log = readLog(options.log);
-    if (!log)
-        return fail(log.error());
-    const auto result = coilBench(*log);
-    if (!result)
-        return failIn(result.error(), options);
-    if (const auto status = tellTest(*result, *log, options, [&] { return ui::coilSheet(*result, ui::sourceName(options.log.file)); }))
-        return *status;
-    put("%s, %zu used\n%-28s%14s%14s%14s\n", counted(static_cast<std::int64_t>(result->samples), "sample").c_str(), result->used, "", "x",
-        "y", "z");
-    printThree("scale, measured per applied", result->scale, 6);
-    printThree("  standard error", result->scaleError, 6);
-    printThree("bias", result->bias_nT, 1);
-    printThree("  standard error", result->biasError_nT, 1);
-    if (result->temperature_nT_per_c)
-        printThree("per degree of temperature", *result->temperature_nT_per_c, 2);
-    if (result->hysteresis_nT)
-        printThree("hysteresis, up - down", *result->hysteresis_nT, 1);
-    printThree("nonlinearity, largest", result->nonlinearity_nT, 1);
-    printThree("noise, rms", result->noise_nT, 1);
-    put("not orthogonal: xy %+.3f, xz %+.3f, yz %+.3f deg; mount: roll %+.3f, pitch %+.3f, yaw %+.3f deg\n",
-        result->nonOrthogonality_deg.x(), result->nonOrthogonality_deg.y(), result->nonOrthogonality_deg.z(),
-        toDegrees(result->misalignment.roll_rad), toDegrees(result->misalignment.pitch_rad), toDegrees(result->misalignment.yaw_rad));
-    return kDone;
-}
-
 int interferenceCommand(const SensorTestArguments& options)
 {
     const auto actions = readActionsFile(options.actions);
@@ -173,9 +123,16 @@ int interferenceCommand(const SensorTestArguments& options)
     const auto result = interferenceTest(*log, *actions, {options.limits_nT[0], options.limits_nT[1], options.limits_nT[2]});
     if (!result)
         return failIn(result.error(), options);
-    if (const auto status
-        = tellTest(*result, *log, options, [&] { return ui::interferenceSheet(*result, *log, ui::sourceName(options.log.file)); }))
-        return *status;
+    if (options.json)
+        put("%s\n", toJson(*result, *log).c_str());
+    else {
+        warn(log->warnings);
+        warn(result->warnings);
+    }
+    if (!options.output.empty())
+        return writeSheet(ui::interferenceSheet(*result, *log, ui::sourceName(options.log.file)), options.output);
+    if (options.json)
+        return kDone;
     put("limits %.0f, %.0f, %.0f nT\n%-32s%10s%27s%29s\n", result->limits_nT.x(), result->limits_nT.y(), result->limits_nT.z(), "action",
         "from (s)", "worst x, y, z (nT)", "at (s)");
     for (const auto& action : result->actions)
@@ -189,7 +146,7 @@ int interferenceCommand(const SensorTestArguments& options)
     return kDone;
 }
 
-/// The part that all three share.
+/// The part that both share.
 CLI::App* addTest(CLI::App& app, Invocation& invocation, const std::shared_ptr<SensorTestArguments>& options, const char* name,
     const char* what, int (*run)(const SensorTestArguments&))
 {
@@ -215,11 +172,6 @@ void addSensorTests(CLI::App& app, Invocation& invocation)
         ->check(CLI::Range(0.01, 10000.0));
     addOutputOption(*spectrum, invocation, "-o,--output", options->output, "write frequency and density, the plot, or the report",
         {".csv", ".png", ".svg", ".pdf"});
-
-    options = std::make_shared<SensorTestArguments>();
-    auto* coil
-        = addTest(app, invocation, options, "coil", "a sensor in a coil: applied (ax_nT, ay_nT, az_nT) against measured", coilCommand);
-    addOutputOption(*coil, invocation, "-o,--output", options->output, "the report", {".pdf"});
 
     options = std::make_shared<SensorTestArguments>();
     auto* interference = addTest(

@@ -1,5 +1,7 @@
 #include "core/calibration/SensorLog.h"
 
+#include "core/base/FileText.h"
+
 namespace lubberline {
 
 namespace {
@@ -22,6 +24,14 @@ void keep(std::vector<double>& values, const std::vector<std::size_t>& rows)
 
 double nanoteslaPer(FieldUnit unit) { return kNanotesla[static_cast<std::size_t>(unit)]; }
 std::string_view nameOf(FieldUnit unit) { return kUnitNames[static_cast<std::size_t>(unit)]; }
+
+const std::vector<double>* columnOf(const SensorLog& log, std::string_view name)
+{
+    for (const auto& column : log.others)
+        if (inSmallLetters(column.name) == inSmallLetters(name))
+            return &column.values;
+    return nullptr;
+}
 
 SensorLog partOf(const SensorLog& log, double from, double to)
 {

@@ -59,6 +59,9 @@ struct SensorLog {
     [[nodiscard]] std::string_view figureUnit() const { return unit == FieldUnit::Counts ? "counts" : "nT"; }
 };
 
+/// Another column by its name in small or large letters; null: there is none.
+[[nodiscard]] const std::vector<double>* columnOf(const SensorLog& log, std::string_view name);
+
 /// The rows of a time span, both ends belong to it. A log without time is counted in rows.
 [[nodiscard]] SensorLog partOf(const SensorLog& log, double from, double to);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/record/Aircraft.h"
+#include "core/record/CoilBench.h"
 #include "core/record/DueRule.h"
 #include "core/record/ElectricalSwing.h"
 #include "core/record/SensorRecord.h"
@@ -29,6 +30,13 @@ struct ElectricalRecord {
     friend bool operator==(const ElectricalRecord&, const ElectricalRecord&) = default;
 };
 
+/// A coil bench of a compass's sensor.
+struct CoilRecord {
+    CompassId compass;
+    CoilBench bench;
+    friend bool operator==(const CoilRecord&, const CoilRecord&) = default;
+};
+
 /// A self-contained part of a fleet. References between records are by the ids inside this struct, which are its own
 /// (1, 2, 3 …): they say nothing about any database. Records are told apart across machines by their RecordId.
 struct Fleet {
@@ -42,6 +50,7 @@ struct Fleet {
     std::vector<Swing> swings;
     std::vector<JobRecord> jobs;
     std::vector<ElectricalRecord> electrical;
+    std::vector<CoilRecord> coilBenches;
     std::vector<Waiver> waivers; ///< each answers an event of this fleet
     std::vector<DatumInstrument> instruments;
     std::vector<DueRule> dueRules;

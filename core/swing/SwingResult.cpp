@@ -39,7 +39,8 @@ ExpectedCurve expectedAfter(const ApproximateSmith& last, SwingKind kindOfLast, 
     return expected;
 }
 
-SwingQuestion questionOf(const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options)
+SwingQuestion questionOf(
+    const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options, const std::optional<SensorBench>& bench)
 {
     SwingQuestion question{observationsOf(record.swing), options};
     question.options.resolution_deg = record.compass.resolution_deg;
@@ -47,21 +48,31 @@ SwingQuestion questionOf(const SwingRecord& record, const SwingJob* job, const A
     question.options.shared = record.swing.sharedErrors;
     double& ofA_deg = question.options.shared.of_deg[indexOf(Coefficient::A)];
     ofA_deg = std::hypot(ofA_deg, variationDoubt_deg(record.swing, record.site));
+    if (bench) {
+        const auto stamp = record.swing.field ? record.swing.field : stampFor(record.swing, record.site);
+        const auto error_rad = stamp ? errorIn(*bench, stamp->field.horizontal_nT()) : std::nullopt;
+        if (error_rad)
+            question.options.readingError_rad = std::hypot(question.options.readingError_rad, *error_rad);
+        question.words.push_back(wordsOf(*bench, error_rad, stamp ? stamp->field.horizontal_nT() : 0.0));
+    }
     return question;
 }
 
 Result<Analysis> answerTo(const SwingQuestion& question, const Progress& progress)
 {
     auto analysis = analyse(question.readings, question.options, progress);
-    if (analysis)
-        for (const auto& gap : gapsOf(*analysis)) // with the band that the reading error leaves
-            analysis->warnings.push_back(wordsOf(gap));
+    if (!analysis)
+        return analysis;
+    for (const auto& gap : gapsOf(*analysis)) // with the band that the reading error leaves
+        analysis->warnings.push_back(wordsOf(gap));
+    analysis->warnings.insert(analysis->warnings.end(), question.words.begin(), question.words.end());
     return analysis;
 }
 
-Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options)
+Result<Analysis> resultOf(
+    const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options, const std::optional<SensorBench>& bench)
 {
-    return answerTo(questionOf(record, job, options));
+    return answerTo(questionOf(record, job, options, bench));
 }
 
 double divisionOf_deg(const Swing& swing)

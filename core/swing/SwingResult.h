@@ -4,6 +4,7 @@
 #include "core/record/Fleet.h"
 #include "core/record/SwingJob.h"
 #include "core/swing/Analysis.h"
+#include "core/swing/SensorBench.h"
 
 namespace lubberline {
 
@@ -15,16 +16,20 @@ namespace lubberline {
 struct SwingQuestion {
     std::vector<Observation> readings; ///< those that count, as the compass stands since (core/swing/Observations.h)
     AnalysisOptions options;
+    std::vector<Message> words = {}; ///< what the result says besides: the part of the sensor's bench in its errors
 };
 
 /// The options with the reading error (core/swing/ReadingError.h) of the smallest division of the compass and, after a guided swing, of
-/// its datum: readings that happen to lie on a curve are no surer than they were read. @param job the guided swing that it came from, or
-/// none.
-[[nodiscard]] SwingQuestion questionOf(const SwingRecord& record, const SwingJob* job = nullptr, const AnalysisOptions& options = {});
+/// its datum: readings that happen to lie on a curve are no surer than they were read. The sensor's bench adds what the sensor itself leaves
+/// uncertain in the field of the swing. @param job the guided swing that it came from, or none. @param bench of the sensor before the swing,
+/// or none.
+[[nodiscard]] SwingQuestion questionOf(const SwingRecord& record, const SwingJob* job = nullptr, const AnalysisOptions& options = {},
+    const std::optional<SensorBench>& bench = {});
 /// The analysis, with what the gaps between the readings leave unknown. Errors: those of analyse().
 Result<Analysis> answerTo(const SwingQuestion& question, const Progress& progress = {});
 /// Both at once.
-Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job = nullptr, const AnalysisOptions& options = {});
+Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job = nullptr, const AnalysisOptions& options = {},
+    const std::optional<SensorBench>& bench = {});
 
 /// The division that a file's figures speak of, where nobody states it: the coarsest of 1°, 0.5°, 0.1° and 0.01° of which every
 /// compass heading that was read is a multiple; 0.01 too where they are finer (computed figures). Of no readings: 1.

@@ -25,7 +25,7 @@ struct OfSwing { ///< its particulars or readings
     ReadingId only = {}; ///< valid: nothing of it but the figures of this reading
     friend bool operator==(OfSwing, OfSwing) = default;
 };
-struct Sensors { ///< sensor models of a compass
+struct Sensors { ///< sensor models or coil benches of a compass
     CompassId of;
     friend bool operator==(Sensors, Sensors) = default;
 };

@@ -270,11 +270,19 @@ const Migration kTenth{10, "a sensor model is kept with how sure it is; results 
         "CREATE INDEX swing_behind ON swing(id) WHERE results_behind > 0",
     }};
 
+const Migration kEleventh{11, "coil benches of sensors",
+    {
+        "CREATE TABLE coil_bench (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, compass_id INTEGER NOT NULL REFERENCES compass(id),"
+        " date TEXT NOT NULL CHECK (date <> ''), coil_json TEXT NOT NULL CHECK (coil_json <> ''))",
+        "CREATE INDEX coil_bench_by_compass ON coil_bench(compass_id, date)",
+    }};
+
 } // namespace
 
 const std::vector<Migration>& migrations()
 {
-    static const std::vector<Migration> steps{kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh, kEighth, kNinth, kTenth};
+    static const std::vector<Migration> steps{
+        kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh, kEighth, kNinth, kTenth, kEleventh};
     return steps;
 }
 

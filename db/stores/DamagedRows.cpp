@@ -123,7 +123,7 @@ std::vector<Message> damagedRows(Database& database)
                 all.push_back(damage);
     };
     for (const Table* table : {&typeTable(), &aircraftTable(), &compassTable(), &eventTable(), &swingTable(), &siteTable(), &limitsTable(),
-             &instrumentTable(), &sensorTable(), &electricalTable(), &ruleTable(), &waiverTable()}) {
+             &instrumentTable(), &sensorTable(), &electricalTable(), &coilTable(), &ruleTable(), &waiverTable()}) {
         Statement statement(database, selectFrom(*table));
         add(damagesIn(statement, [table](Statement& row) {
             (void)row.id<RowId>(0);

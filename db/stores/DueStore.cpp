@@ -4,7 +4,7 @@
 
 #include "core/record/Completeness.h"
 #include "core/record/Ranges.h"
-#include "db/stores/Saving.h"
+#include "db/saving/Saving.h"
 #include "db/stores/Tables.h"
 
 namespace lubberline::db {

@@ -1,7 +1,7 @@
 #include "db/stores/ElectricalStore.h"
 
 #include "core/format/exchange/ElectricalJson.h"
-#include "db/stores/Saving.h"
+#include "db/saving/Saving.h"
 #include "db/stores/Tables.h"
 
 namespace lubberline::db {

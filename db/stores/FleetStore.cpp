@@ -1,8 +1,8 @@
 #include "db/stores/FleetStore.h"
 
 #include "core/record/Ranges.h"
+#include "db/saving/Saving.h"
 #include "db/stores/ResultCache.h"
-#include "db/stores/Saving.h"
 #include "db/stores/Tables.h"
 
 namespace lubberline::db {

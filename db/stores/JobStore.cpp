@@ -7,8 +7,8 @@
 #include "core/record/RecordWords.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
-#include "db/stores/Audit.h"
-#include "db/stores/Saving.h"
+#include "db/saving/Audit.h"
+#include "db/saving/Saving.h"
 #include "db/stores/SwingStore.h"
 
 namespace lubberline::db {

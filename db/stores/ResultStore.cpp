@@ -5,10 +5,11 @@
 #include <utility>
 
 #include "core/fleet/SoftIron.h"
+#include "db/saving/Saving.h"
+#include "db/stores/CoilStore.h"
 #include "db/stores/JobStore.h"
 #include "db/stores/PopulationStore.h"
 #include "db/stores/ResultCache.h"
-#include "db/stores/Saving.h"
 #include "db/stores/SwingStore.h"
 
 namespace lubberline::db {
@@ -117,7 +118,17 @@ Result<SwingQuestion> ResultStore::questionOf(const SwingRecord& record, const s
     if (!before)
         return before.error();
     const auto own = *before ? historyOf(**before, record.swing) : std::nullopt;
-    return lubberline::questionOf(record, *job ? &(*job)->job : nullptr, {.history = own ? own : siblings});
+    const auto kept = CoilStore(m_database).before(record.compass.id, record.swing.date, record.compass.serialNumber);
+    if (!kept)
+        return kept.error();
+    std::optional<SensorBench> bench;
+    if (*kept) {
+        const auto told = sensorBenchOf(**kept);
+        if (!told)
+            return told.error();
+        bench = *told;
+    }
+    return lubberline::questionOf(record, *job ? &(*job)->job : nullptr, {.history = own ? own : siblings}, bench);
 }
 
 Result<SwingQuestion> ResultStore::questionOf(SwingId swing)

@@ -3,7 +3,7 @@
 #include "core/format/exchange/BenchJson.h"
 #include "core/format/exchange/ModelJson.h"
 #include "core/format/exchange/RowJson.h"
-#include "db/stores/Saving.h"
+#include "db/saving/Saving.h"
 #include "db/stores/SensorText.h"
 #include "db/stores/Tables.h"
 

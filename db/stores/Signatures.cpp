@@ -3,7 +3,7 @@
 #include "core/format/exchange/SignedContent.h"
 #include "core/record/RecordWords.h"
 #include "db/engine/Statement.h"
-#include "db/stores/Audit.h"
+#include "db/saving/Audit.h"
 
 namespace lubberline::db {
 

@@ -12,7 +12,7 @@
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
 #include "db/openpgp/KeyCheck.h"
-#include "db/stores/Audit.h"
+#include "db/saving/Audit.h"
 #include "db/stores/JobStore.h"
 #include "db/stores/KeyStore.h"
 #include "db/stores/SignatureChecks.h"

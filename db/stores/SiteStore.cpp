@@ -2,8 +2,8 @@
 
 #include "core/format/exchange/SiteJson.h"
 #include "core/record/Ranges.h"
+#include "db/saving/Saving.h"
 #include "db/stores/ResultCache.h"
-#include "db/stores/Saving.h"
 #include "db/stores/Tables.h"
 
 namespace lubberline::db {

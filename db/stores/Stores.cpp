@@ -45,6 +45,7 @@ Stores::Stores(Database database)
     , sites(m_database)
     , due(m_database)
     , electrical(m_database)
+    , coilBenches(m_database)
     , keys(m_database)
 {
 }

@@ -11,6 +11,7 @@
 #include "db/engine/Changes.h"
 #include "db/engine/Database.h"
 #include "db/engine/Transaction.h"
+#include "db/stores/CoilStore.h"
 #include "db/stores/DueStore.h"
 #include "db/stores/ElectricalStore.h"
 #include "db/stores/FleetStore.h"
@@ -61,6 +62,7 @@ public:
     SiteStore sites;
     DueStore due;
     ElectricalStore electrical;
+    CoilStore coilBenches;
     KeyStore keys;
 };
 

@@ -8,9 +8,9 @@
 #include "core/record/Ranges.h"
 #include "db/engine/Changes.h"
 #include "db/engine/Transaction.h"
-#include "db/stores/Audit.h"
+#include "db/saving/Audit.h"
+#include "db/saving/Saving.h"
 #include "db/stores/ResultCache.h"
-#include "db/stores/Saving.h"
 #include "db/stores/SwingRows.h"
 #include "db/stores/SwingStore.h"
 

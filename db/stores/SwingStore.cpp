@@ -4,10 +4,10 @@
 
 #include "core/record/Ranges.h"
 #include "core/swing/SwingField.h"
-#include "db/stores/Audit.h"
+#include "db/saving/Audit.h"
+#include "db/saving/Saving.h"
 #include "db/stores/FleetStore.h"
 #include "db/stores/ResultCache.h"
-#include "db/stores/Saving.h"
 #include "db/stores/Signatures.h"
 #include "db/stores/SiteStore.h"
 #include "db/stores/SwingReadings.h"

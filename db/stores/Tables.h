@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "db/stores/Saving.h"
+#include "db/saving/Saving.h"
 
 namespace lubberline::db {
 
@@ -17,6 +17,7 @@ namespace lubberline::db {
 [[nodiscard]] const Table& instrumentTable();
 [[nodiscard]] const Table& sensorTable();
 [[nodiscard]] const Table& electricalTable();
+[[nodiscard]] const Table& coilTable();
 [[nodiscard]] const Table& ruleTable();
 [[nodiscard]] const Table& waiverTable();
 

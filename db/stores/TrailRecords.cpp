@@ -13,7 +13,7 @@ QStringList tables()
 {
     QStringList names;
     for (const Table* table : {&typeTable(), &aircraftTable(), &compassTable(), &eventTable(), &swingTable(), &siteTable(), &limitsTable(),
-             &instrumentTable(), &sensorTable(), &electricalTable(), &ruleTable(), &waiverTable()})
+             &instrumentTable(), &sensorTable(), &electricalTable(), &coilTable(), &ruleTable(), &waiverTable()})
         names += table->name;
     return names;
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "db/engine/Transaction.h"
+#include "db/stores/CoilStore.h"
 #include "db/stores/DueStore.h"
 #include "db/stores/ElectricalStore.h"
 #include "db/stores/FleetStore.h"
@@ -74,6 +75,11 @@ Result<void> append(Database& database, Fleet& fleet, std::set<AircraftTypeId>& 
             return electrical.error();
         for (const auto& one : *electrical)
             fleet.electrical.push_back({row.id, one});
+        auto benches = CoilStore(database).of(row.id);
+        if (!benches)
+            return benches.error();
+        for (auto& one : *benches)
+            fleet.coilBenches.push_back({row.id, std::move(one)});
         const auto rows = swings.swingsOf(row.id);
         if (!rows)
             return rows.error();

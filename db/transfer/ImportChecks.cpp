@@ -3,7 +3,7 @@
 #include <optional>
 #include <set>
 
-#include "db/stores/Audit.h"
+#include "db/saving/Audit.h"
 #include "db/stores/SignatureChecks.h"
 #include "db/stores/SigningStore.h"
 #include "db/stores/SwingStore.h"

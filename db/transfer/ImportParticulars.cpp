@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "db/stores/CoilStore.h"
 #include "db/stores/DueStore.h"
 #include "db/stores/ElectricalStore.h"
 #include "db/stores/FleetStore.h"
@@ -21,7 +22,7 @@ public:
     {
         using One = ParticularsImporter;
         for (const auto& step : {&One::limits, &One::sites, &One::types, &One::aircraft, &One::compasses, &One::sensors, &One::events,
-                 &One::instruments, &One::dueRules, &One::waivers, &One::electrical})
+                 &One::instruments, &One::dueRules, &One::waivers, &One::electrical, &One::coilBenches})
             if (const auto done = (this->*step)(); !done)
                 return done.error();
         return std::move(m_known);
@@ -39,6 +40,7 @@ private:
     Result<void> dueRules();
     Result<void> waivers();
     Result<void> electrical();
+    Result<void> coilBenches();
 
     /// The id of the record with this RecordId, else of the one that `where` finds by name; not valid: none.
     template <class IdType, class... Values>
@@ -222,6 +224,19 @@ Result<void> ParticularsImporter::electrical()
             return found.error();
         if (!found->valid())
             if (const auto saved = ElectricalStore(m_database).add(translated(m_known.compasses, one.compass), one.swing); !saved)
+                return saved.error();
+    }
+    return {};
+}
+
+Result<void> ParticularsImporter::coilBenches()
+{
+    for (const auto& one : m_fleet.coilBenches) {
+        const auto found = rowWhere<Id<struct CoilRow>>(m_database, "coil_bench", "record = ?", one.bench.record);
+        if (!found)
+            return found.error();
+        if (!found->valid())
+            if (const auto saved = CoilStore(m_database).add(translated(m_known.compasses, one.compass), one.bench); !saved)
                 return saved.error();
     }
     return {};

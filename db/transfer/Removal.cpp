@@ -10,7 +10,7 @@
 #include "db/engine/SqlError.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
-#include "db/stores/Audit.h"
+#include "db/saving/Audit.h"
 
 namespace lubberline::db {
 

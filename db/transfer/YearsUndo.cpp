@@ -5,7 +5,7 @@
 #include "db/engine/Changes.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
-#include "db/stores/Audit.h"
+#include "db/saving/Audit.h"
 #include "db/stores/ResultCache.h"
 
 namespace lubberline::db {
@@ -58,7 +58,7 @@ Result<std::int64_t> undoYears(Database& database, const YearsMade& made)
     // Of what was made for them, what nobody uses.
     const std::pair<const char*, const MadeRows*> steps[] = {
         {"DELETE FROM compass WHERE id BETWEEN ? AND ? AND id NOT IN (SELECT compass_id FROM swing) AND id NOT IN (SELECT compass_id FROM"
-         " sensor_model) AND id NOT IN (SELECT compass_id FROM electrical_swing)",
+         " sensor_model) AND id NOT IN (SELECT compass_id FROM electrical_swing) AND id NOT IN (SELECT compass_id FROM coil_bench)",
             &made.compasses},
         {"DELETE FROM aircraft WHERE id BETWEEN ? AND ? AND id NOT IN (SELECT aircraft_id FROM compass) AND id NOT IN (SELECT aircraft_id FROM"
          " event)",

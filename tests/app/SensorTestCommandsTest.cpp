@@ -154,6 +154,53 @@ TEST(CoilCommand, hasEveryKeyOfTheContract)
         EXPECT_TRUE(json.contains(key)) << key;
 }
 
+/// A bench kept with a compass: compared a year later, in the errors of a swing by its own log too, removed again.
+TEST(CoilCommand, aBenchIsKeptComparedAndInTheErrors)
+{
+    const Sandbox sandbox;
+    const auto bench = [&](const std::string& name, double bias_nT) {
+        std::string log = "ax_nT,ay_nT,az_nT,bx_nT,by_nT,bz_nT\n";
+        int row = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            for (const int a : {-60000, -30000, 0, 30000, 60000, 30000, 0, -30000}) {
+                const int x = axis == 0 ? a : 0, y = axis == 1 ? a : 0, z = axis == 2 ? a : 0, noise = row++ % 2 ? 300 : -300;
+                log += std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + "," + std::to_string(x + bias_nT + noise)
+                    + "," + std::to_string(y - noise) + "," + std::to_string(z + noise) + "\n";
+            }
+        return sandbox.write(name, log);
+    };
+    const std::string swing
+        = "# aircraft: 3713\n# compass: remote\n# date: 2026-06-01\n# latitude_deg: 52\n# longitude_deg: 21\nmagnetic_deg,compass_deg\n"
+          "0,1\n45,46\n90,91\n135,136\n180,181\n225,226\n270,271\n315,316\n";
+    const auto file = sandbox.write("swing.csv", swing);
+    ASSERT_EQ(sandbox.run({"import", file, "--db", "f.db"}).status, 0);
+    const auto first
+        = sandbox.run({"coil", bench("first.csv", 100), "--keep", "3713", "--date", "2024-05-01", "--serial", "S 12", "--db", "f.db"});
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_THAT(first.err, HasSubstr("kept as "));
+    ASSERT_EQ(sandbox.run({"coil", bench("second.csv", 160), "--keep", "3713", "--date", "2026-05-01", "--serial", "S 12", "--db", "f.db"})
+                  .status,
+        0);
+    const auto history = sandbox.run({"coil", "--history", "3713", "--db", "f.db", "--json"});
+    ASSERT_EQ(history.status, 0) << history.err;
+    const auto benches = history.json().at("benches");
+    ASSERT_EQ(benches.size(), 2u);
+    EXPECT_EQ(benches[0].at("log"), "second.csv");
+    EXPECT_EQ(benches[0].at("result").at("range_nT"), 60000);
+    EXPECT_NEAR(benches[0].at("drift").at("bias_nT_per_year")[0], 30, 0.1);
+    EXPECT_NEAR(benches[0].at("drift").at("bias_nT_per_year")[1], 0, 0.1);
+    EXPECT_GT(benches[0].at("drift").at("bias_interval95_nT_per_year")[0], 30) << "noise of 300 nT tells no drift of 30";
+    EXPECT_TRUE(benches[1].at("drift").is_null());
+    EXPECT_THAT(sandbox.run({"coil", "--history", "3713", "--db", "f.db"}).out, HasSubstr("since 2024-05-01"));
+    const auto with = sandbox.run({"analyse", file, "--bench", "second.csv", "--json"});
+    ASSERT_EQ(with.status, 0) << with.err;
+    EXPECT_THAT(with.out, HasSubstr("by its coil bench, noise"));
+    ASSERT_EQ(sandbox.run({"coil", "--history", "3713", "--remove", benches[0].at("record"), "--db", "f.db"}).status, 0);
+    EXPECT_EQ(sandbox.run({"coil", "--history", "3713", "--db", "f.db", "--json"}).json().at("benches").size(), 1u);
+    EXPECT_EQ(sandbox.run({"coil", "first.csv", "--history", "3713", "--db", "f.db"}).status, 2);
+    EXPECT_NE(sandbox.run({"coil", "--history", "3714", "--db", "f.db"}).status, 0);
+}
+
 TEST(InterferenceCommand, hasEveryKeyOfTheContract)
 {
     const Sandbox sandbox;

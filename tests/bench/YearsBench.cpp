@@ -12,8 +12,8 @@
 
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
+#include "db/saving/Saving.h"
 #include "db/schema/Schema.h"
-#include "db/stores/Saving.h"
 #include "db/stores/SwingRows.h"
 #include "db/transfer/Years.h"
 #include "tests/bench/BenchFleet.h"

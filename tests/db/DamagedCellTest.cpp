@@ -60,6 +60,7 @@ protected:
         ElectricalSwing electrical;
         electrical.date = "2026-11-20";
         EXPECT_TRUE(save(db::ElectricalStore(m_database), m_stored.compass, electrical));
+        EXPECT_TRUE(db::CoilStore(m_database).add(m_stored.compass, coilBenchOn("2026-01-01")));
         EXPECT_TRUE(db::execute(m_database, "INSERT INTO job_typed (job_id, field, typed) VALUES (1, 'guidedDatum', '44')"));
         EXPECT_TRUE(db::KeyStore(m_database).put({std::string(40, 'A'), "Ada", "a public key", ""}));
         EXPECT_TRUE(m_swings.remove(draft())); // its number is used
@@ -133,6 +134,7 @@ protected:
         tell(m_fleet.compass(id));
         tell(db::SensorStore(m_database).of(id));
         tell(db::ElectricalStore(m_database).of(id));
+        tell(db::CoilStore(m_database).of(id));
         if (const auto swings = m_swings.swingsOf(id); tell(swings))
             for (const auto& swing : *swings) {
                 tell(m_swings.previous(swing.id));

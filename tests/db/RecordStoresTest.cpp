@@ -125,6 +125,34 @@ TEST_F(RecordStores, instrumentsRulesWaiversAndElectricalSwings)
     EXPECT_EQ(electrical.of(m_stored.compass)->size(), 1u);
 }
 
+TEST_F(RecordStores, coilBenchesAreKeptFoundByDayAndGoWithTheFleet)
+{
+    db::CoilStore benches(m_database);
+    CoilBench first = coilBenchOn("2025-05-01"), second = coilBenchOn("2026-05-01");
+    second.serialNumber = "S 2";
+    first.record = *benches.add(m_stored.compass, first);
+    second.record = *benches.add(m_stored.compass, second);
+    const auto all = *benches.of(m_stored.compass);
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(all[0], second);
+    EXPECT_EQ(all[1], first);
+    EXPECT_EQ(*benches.before(m_stored.compass, "2025-04-30", ""), std::nullopt);
+    EXPECT_EQ(*benches.before(m_stored.compass, "2025-05-01", ""), first);
+    EXPECT_EQ(*benches.before(m_stored.compass, "2026-11-28", ""), second);
+    EXPECT_EQ(*benches.before(m_stored.compass, "2026-11-28", "S 1"), first) << "the other is of another sensor";
+    EXPECT_EQ(*benches.before(m_stored.compass, {}, ""), std::nullopt) << "a swing without a date is after none";
+    db::Database elsewhere = inMemory();
+    const Fleet fleet = *db::exportFleet(m_database, {}, {});
+    ASSERT_TRUE(db::importFleet(elsewhere, fleet, {}));
+    ASSERT_TRUE(db::importFleet(elsewhere, fleet, {})); // a second time it is known
+    EXPECT_EQ(db::exportFleet(elsewhere, {}, {})->coilBenches.size(), 2u);
+    EXPECT_EQ(db::exportFleet(elsewhere, {}, {})->coilBenches.front().bench, fleet.coilBenches.front().bench);
+    ASSERT_TRUE(benches.remove(m_stored.compass, second.record));
+    EXPECT_EQ(benches.remove(m_stored.compass, second.record).error().code, ErrorCode::NotFound);
+    EXPECT_EQ(benches.of(m_stored.compass)->size(), 1u);
+    EXPECT_THAT(db::verify(m_database, {})->findings, testing::IsEmpty());
+}
+
 TEST_F(RecordStores, aWholeFleetGoesToAnotherDatabaseAndBackTheSame)
 {
     const SwingId id = guided();

@@ -34,6 +34,34 @@ TEST_F(ResultStore, theSwingBeforeIsTheHistoryOfTheNext)
     }
 }
 
+/// Noise of 212 nT rms in a field of 18 000 nT: 0.7° on each reading of a swing after the bench, none before it.
+TEST_F(ResultStore, theSensorsBenchIsInTheErrorsOfEveryLaterSwing)
+{
+    Swing before = worksheetSwing(m_stored), after = before;
+    before.date = "2026-04-30";
+    after.date = "2026-05-02";
+    const FieldStamp stamp{"WMM2025", {51.55, 21.89, 117}, "2026-05-02", {18000, 0, 46000}};
+    before.field = after.field = stamp;
+    const SwingId first = *save(m_swings, before), next = *save(m_swings, after);
+    const auto none = m_results.resultOf(next);
+    const auto withoutBench = m_results.questionOf(next)->options.readingError_rad;
+    const RecordId record = *db::CoilStore(m_database).add(m_stored.compass, coilBenchOn("2026-05-01"));
+    EXPECT_EQ(m_results.questionOf(first)->words.size(), 0u);
+    const auto question = m_results.questionOf(next);
+    ASSERT_EQ(question->words.size(), 1u);
+    EXPECT_THAT(question->words.front().english(), testing::HasSubstr("by its coil bench of 2026-05-01"));
+    const double sensor_rad = std::sqrt(std::pow(question->options.readingError_rad, 2) - std::pow(withoutBench, 2));
+    const auto bench = sensorBenchOf(coilBenchOn("2026-05-01"));
+    EXPECT_NEAR(sensor_rad, std::atan(bench->whole_nT() / 18000), 1e-12);
+    EXPECT_NEAR(toDegrees(sensor_rad), 0.7, 0.15);
+    const auto with = m_results.resultOf(next);
+    EXPECT_GT(*with->approximate.standardError[0], *none->approximate.standardError[0]);
+    EXPECT_EQ(with->approximate.smith().B_rad, none->approximate.smith().B_rad);
+    EXPECT_EQ(with->warnings.size(), none->warnings.size() + 1);
+    ASSERT_TRUE(db::CoilStore(m_database).remove(m_stored.compass, record));
+    EXPECT_EQ(m_results.questionOf(next)->options.readingError_rad, withoutBench);
+}
+
 TEST_F(ResultStore, siblingsAreTheHistoryOfACompassThatWasNeverSwung)
 {
     const auto swung = [this](const std::string& registration, double D_deg) {

@@ -5,6 +5,7 @@
 
 #include "core/record/Fleet.h"
 #include "db/schema/Schema.h"
+#include "db/stores/CoilStore.h"
 #include "db/stores/DueStore.h"
 #include "db/stores/ElectricalStore.h"
 #include "db/stores/FleetStore.h"
@@ -15,6 +16,22 @@
 namespace lubberline::test {
 
 inline constexpr int kSwingsAtOnce = 10; ///< in one transaction of the importing writer
+
+/// Three axes up and down by themselves, ±60 000 nT: nothing but noise of 300 nT, nothing across.
+inline CoilBench coilBenchOn(Date date)
+{
+    CoilBench bench;
+    bench.date = date;
+    bench.log = "bench.csv";
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const double at : {-60000., -30000., 0., 30000., 60000., 30000., 0., -30000.}) {
+            std::array<double, 6> row{};
+            row[axis] = at;
+            row[axis + 3] = at + (bench.readings.size() % 3 == 0 ? 300 : -150);
+            bench.readings.push_back(row);
+        }
+    return bench;
+}
 
 inline Reading reading(double magnetic_deg, double compass_deg)
 {

@@ -85,7 +85,7 @@ void CalibrationPage::writeReport()
         return;
     ReferenceSheet sheet = calibrationSheet(m_run->ellipsoid ? outcomeOf(*m_run->ellipsoid) : outcomeOf(*m_run->attitude), *m_run->part,
         m_run->compensated ? &*m_run->compensated : nullptr, QFileInfo(m_path).fileName());
-    sheet.madeAtUtc = m_now();
+    sheet.madeAtUtc = toText(m_stores.clock().nowUtc());
     m_questions.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }
 

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "ui/calibration/CalibrationPictures.h"
+#include "ui/kit/CompassTitle.h"
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/SideBySide.h"
 #include "ui/plots/calibration/ErrorMapDrawing.h"
@@ -49,11 +50,11 @@ QLineEdit* lineNamed(const char* name, const QString& hint)
 
 } // namespace
 
-CalibrationPage::CalibrationPage(QSettings& settings, FileQuestions questions, std::function<QString()> now, QWidget* parent)
+CalibrationPage::CalibrationPage(db::Stores& stores, QSettings& settings, FileQuestions questions, QWidget* parent)
     : Page(parent)
+    , m_stores(stores)
     , m_settings(settings)
     , m_questions(std::move(questions))
-    , m_now(std::move(now))
     , m_file(new QLabel)
     , m_words(new QLabel)
     , m_unit(new QComboBox)
@@ -156,7 +157,6 @@ void CalibrationPage::build()
     splitter->addWidget(m_tabs);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({kMostFormWidth, 2 * kMostFormWidth});
-    setTitle(tr("Calibration of a magnetometer from its log"));
     body().addWidget(splitter, 1);
     setFocusProxy(m_open);
     m_logPlot->setPicture({tr("time (s)"), {}, {}, {}, {}, tr("Open a log: it is drawn here. Drag to zoom.")});
@@ -173,11 +173,18 @@ void CalibrationPage::build()
 
 Result<void> CalibrationPage::open(const FleetItem& record)
 {
-    const auto* compass = std::get_if<CompassId>(&record);
-    m_compass = compass ? *compass : CompassId();
+    const CompassId compass = compassIn(record);
+    const auto name = compass.valid() ? compassTitle(m_stores, compass) : Result<QString>(QString());
+    if (!name)
+        return name.error();
+    m_compass = compass;
+    const QString title = tr("Calibration of a magnetometer from its log");
+    setTitle(compass.valid() ? title + QStringLiteral(" · ") + *name : title);
     m_store->setEnabled(m_run && m_run->model && m_compass.valid() && m_run->part->unit != FieldUnit::Counts);
     return {};
 }
+
+bool CalibrationPage::isOf(const FleetItem& record) const { return !m_compass.valid() || m_compass == compassIn(record); }
 
 Plot* CalibrationPage::plot() const { return dynamic_cast<Plot*>(m_tabs->currentWidget()); }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/record/SensorRecord.h"
+#include "db/stores/Stores.h"
 #include "ui/calibration/CalibrationRun.h"
 #include "ui/kit/FileQuestions.h"
 #include "ui/kit/Page.h"
@@ -30,8 +31,8 @@ class CalibrationPage : public Page {
     Q_OBJECT
 
 public:
-    /// @param now the time in words, for what is printed
-    CalibrationPage(QSettings& settings, FileQuestions questions, std::function<QString()> now, QWidget* parent = nullptr);
+    /// @param stores, settings outlive it
+    CalibrationPage(db::Stores& stores, QSettings& settings, FileQuestions questions, QWidget* parent = nullptr);
 
     void openLog(const QString& path);
     [[nodiscard]] const std::shared_ptr<const CalibrationRun>& run() const { return m_run; }
@@ -40,7 +41,7 @@ public:
     /// A compass whose sensor models take the calibration; any other record: none.
     Result<void> open(const FleetItem& record) override;
     [[nodiscard]] Shown shown() const override { return {{}, m_compass}; }
-    [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
+    [[nodiscard]] bool isOf(const FleetItem& record) const override; ///< a log that was opened for one compass is no other's
     [[nodiscard]] Plot* plot() const override;
     void writeReport();
 
@@ -61,9 +62,9 @@ private:
     [[nodiscard]] Result<CalibrationWish> wish() const;
     [[nodiscard]] Result<std::string> modelText(const QString& path) const;
 
+    db::Stores& m_stores;
     QSettings& m_settings;
     FileQuestions m_questions;
-    std::function<QString()> m_now;
     QString m_path;
     std::shared_ptr<const SensorLog> m_log; ///< as it was read last
     std::shared_ptr<const CalibrationRun> m_run;

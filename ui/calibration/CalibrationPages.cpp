@@ -11,8 +11,7 @@ namespace lubberline::ui {
 PageDescription CalibrationPage::description(PageContext& context)
 {
     PageDescription page{QStringLiteral("calibration"), [&context] {
-                             auto* calibration = new CalibrationPage(context.settings, context.files,
-                                 [&context] { return QString::fromStdString(context.stores.clock().nowUtc()); });
+                             auto* calibration = new CalibrationPage(context.stores, context.settings, context.files);
                              connect(calibration, &CalibrationPage::storeModel, &context.window, [&context](const SensorRecord& sensor) {
                                  context.undo.push(new MakeSensor(context.edits, sensor, MakeSensor::Direction::Make,
                                      tr("calibration %1").arg(QString::fromStdString(sensor.name))));
@@ -32,16 +31,18 @@ PageDescription CalibrationPage::description(PageContext& context)
 
 PageDescription SensorTestsPage::description(PageContext& context)
 {
-    PageDescription page{
-        QStringLiteral("sensorTests"), [&context] { return new SensorTestsPage(context.settings, context.files, context.stores.clock()); }};
+    PageDescription page{QStringLiteral("sensorTests"),
+        [&context] { return new SensorTestsPage(context.edits, context.undo, context.settings, context.files); }};
     page.commands = {{MenuId::Model, 117, tr("&Tests of a sensor: spectrum, coil, interference…"), tr("Ctrl+Alt+T"), "sensorTests",
-        [&context](Page&) { context.go({"sensorTests"}); }}};
+        [&context](Page& shown) {
+            context.go({"sensorTests", shown.shown().compass.valid() ? FleetItem(shown.shown().compass) : FleetItem()});
+        }}};
     page.outputs = {{MenuId::File, 218, tr("Write the &report as PDF…"), {}, "writeSensorTestReport",
         [](Page& shown) { dynamic_cast<SensorTestsPage&>(shown).writeReport(); }}};
     page.help = tr(
         "Spectrum: Welch's method (1967), periodic Hann window, half overlap; lines are named by the supplies (50, 60, 115, 400 Hz and harmonics) or by orders of a rotor, "
         "also where sampling folds them down: a frequency f stands at |f − n·rate|, and one that falls on 0 looks like hard iron. Notches of Q 5 cost 1/(2π f Q) of delay, a "
-        "low-pass 1/(2π f). Coil: measured = scale · applied + bias + temperature + hysteresis. Interference: the aircraft stands still, things are switched at noted times, and "
+        "low-pass 1/(2π f). Coil: measured = scale · applied + bias + temperature + hysteresis; opened from a compass, a bench is kept with it, held against earlier ones, and its noise, hysteresis and nonlinearity are in the errors of every later swing. Interference: the aircraft stands still, things are switched at noted times, and "
         "the field must not change by more than 5, 5 and 8 mG (500, 500, 800 nT) on x, y and z, as makers ask.");
     return page;
 }

@@ -12,9 +12,11 @@
 
 #include "core/format/csv/ActionsCsv.h"
 #include "core/format/csv/SensorLogCsv.h"
+#include "ui/calibration/CoilPanel.h"
 #include "ui/calibration/InstallationPanel.h"
 #include "ui/calibration/LiveActions.h"
 #include "ui/calibration/TestWidgets.h"
+#include "ui/kit/CompassTitle.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/calibration/SensorTestDrawing.h"
 #include "ui/plots/drawn/DrawnPlot.h"
@@ -68,10 +70,10 @@ Result<SensorTests> runTests(const std::string& path, const std::string& actions
 
 } // namespace
 
-SensorTestsPage::SensorTestsPage(QSettings& settings, FileQuestions questions, const Clock& clock, QWidget* parent)
+SensorTestsPage::SensorTestsPage(EditContext& context, QUndoStack& undo, QSettings& settings, FileQuestions questions, QWidget* parent)
     : Page(parent)
+    , m_stores(context.stores)
     , m_questions(std::move(questions))
-    , m_clock(clock)
     , m_open(new QPushButton(tr("&Open a log…")))
     , m_actions(new QPushButton(tr("Open the &actions…")))
     , m_cancel(new QPushButton(tr("Cancel")))
@@ -84,12 +86,11 @@ SensorTestsPage::SensorTestsPage(QSettings& settings, FileQuestions questions, c
     , m_spectrogram(new DrawnPlot(tr("Spectrogram"), {240, 140}))
     , m_interference(new DrawnPlot(tr("Interference"), {320, 180}))
     , m_lines(testTable("testsLines", tr("Lines")))
-    , m_coil(testTable("testsCoil", tr("Coil bench")))
     , m_outcomes(testTable("testsActions", tr("Actions")))
     , m_filter(testWords("testsFilter"))
-    , m_coilWords(testWords("testsCoilWords"))
     , m_verdict(testWords("testsVerdict"))
-    , m_live(new LiveActions(settings, m_questions, clock))
+    , m_coil(new CoilPanel(context, undo))
+    , m_live(new LiveActions(settings, m_questions, context.stores.clock()))
     , m_installation(new InstallationPanel(settings))
     , m_worker(
           [this](Result<SensorTests> tests) { take(std::move(tests)); }, [this](int percent) { say(tr("Reading… %1 %").arg(percent)); })
@@ -100,7 +101,6 @@ SensorTestsPage::SensorTestsPage(QSettings& settings, FileQuestions questions, c
 
 void SensorTestsPage::build()
 {
-    setTitle(tr("Tests of a sensor from its log"));
     m_open->setObjectName(QStringLiteral("testsOpen"));
     m_actions->setObjectName(QStringLiteral("testsOpenActions"));
     m_actions->setEnabled(false);
@@ -121,8 +121,6 @@ void SensorTestsPage::build()
     m_spectrogram->setPicture(nothing);
     nothing.notice = tr("Open a log of the sensor while it stands still, then the list of actions: time_s, action.");
     m_interference->setPicture(nothing);
-    m_coilWords->setText(
-        tr("A coil bench needs the applied field beside the measured one: ax_nT, ay_nT, az_nT; temperature_c where it was read."));
     auto* spectra = new QSplitter(Qt::Vertical);
     spectra->addWidget(m_spectrum);
     spectra->addWidget(m_spectrogram);
@@ -132,10 +130,6 @@ void SensorTestsPage::build()
     auto* firstColumn = new QVBoxLayout(first);
     firstColumn->addWidget(spectra, 1);
     firstColumn->addWidget(m_filter);
-    auto* second = new QWidget;
-    auto* secondColumn = new QVBoxLayout(second);
-    secondColumn->addWidget(m_coilWords);
-    secondColumn->addWidget(m_coil, 1);
     auto* third = new QWidget;
     auto* thirdColumn = new QVBoxLayout(third);
     thirdColumn->addWidget(m_verdict);
@@ -146,7 +140,7 @@ void SensorTestsPage::build()
     outcomes->setSizes({280, 140, 140});
     thirdColumn->addWidget(outcomes, 1);
     m_tabs->addTab(first, tr("Spectrum"));
-    m_tabs->addTab(second, tr("Coil bench"));
+    m_tabs->addTab(m_coil, tr("Coil bench"));
     m_tabs->addTab(third, tr("Interference"));
     m_tabs->addTab(m_installation, tr("Installation"));
     body().addWidget(m_tabs, 1);
@@ -167,6 +161,7 @@ void SensorTestsPage::build()
         if (!m_path.isEmpty())
             openActions(path);
     });
+    connect(m_coil, &CoilPanel::failed, this, &Page::failed);
     connect(m_live, &LiveActions::failed, this, &Page::failed);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     connect(m_tabs, &QTabWidget::currentChanged, this, &Page::stateChanged);
@@ -180,6 +175,21 @@ Plot* SensorTestsPage::plot() const
         return nullptr;
     return m_tabs->currentIndex() == kInterferenceTab ? m_interference : m_spectrogram->hasFocus() ? m_spectrogram : m_spectrum;
 }
+
+Result<void> SensorTestsPage::open(const FleetItem& record)
+{
+    const CompassId compass = compassIn(record);
+    const auto name = compass.valid() ? compassTitle(m_stores, compass) : Result<QString>(QString());
+    if (!name)
+        return name.error();
+    m_compass = compass;
+    const QString title = tr("Tests of a sensor from its log");
+    setTitle(compass.valid() ? title + QStringLiteral(" · ") + *name : title);
+    m_coil->setCompass(m_compass);
+    return {};
+}
+
+bool SensorTestsPage::isOf(const FleetItem& record) const { return !m_compass.valid() || m_compass == compassIn(record); }
 
 void SensorTestsPage::openLog(const QString& path)
 {
@@ -243,7 +253,7 @@ void SensorTestsPage::take(Result<SensorTests> tests)
             lines += toText(warning);
     say(lines.join(u'\n'));
     showSpectrum();
-    showCoil();
+    m_coil->show(m_tests->log, m_tests->coil, QFileInfo(m_path).fileName());
     showInterference();
 }
 
@@ -263,20 +273,6 @@ void SensorTestsPage::showSpectrum()
     m_spectrogram->setPicture(spectrogramDrawing(m_tests->spectrogram.value_or(Spectrogram{}), unit));
     fillFrom(*m_lines, linesTable(*m_tests->spectrum, unit));
     m_filter->setText(filterWords(*m_tests->spectrum, unit));
-}
-
-void SensorTestsPage::showCoil()
-{
-    if (!m_tests->coil) {
-        m_coilWords->setText(messageOf(m_tests->coil.error()));
-        m_coil->setRowCount(0);
-        return;
-    }
-    QStringList lines{coilAngles(*m_tests->coil)};
-    for (const Message& warning : m_tests->coil->warnings)
-        lines += toText(warning);
-    m_coilWords->setText(lines.join(u'\n'));
-    fillFrom(*m_coil, coilTable(*m_tests->coil));
 }
 
 void SensorTestsPage::showInterference()
@@ -321,10 +317,10 @@ void SensorTestsPage::writeReport()
         return;
     const QString source = QFileInfo(m_path).fileName();
     ReferenceSheet sheet = tab == kSpectrumTab ? spectrumSheet(*m_tests->spectrum, *m_tests->log, source)
-        : tab == kCoilTab                      ? coilSheet(*m_tests->coil, source)
+        : tab == kCoilTab                      ? coilSheet(*m_tests->coil, source, m_coil->history())
         : tab == kInterferenceTab              ? interferenceSheet(**m_tests->interference, *m_tests->log, source)
                                                : distancesSheet(m_installation->measured_m());
-    sheet.madeAtUtc = toText(m_clock.nowUtc());
+    sheet.madeAtUtc = toText(m_stores.clock().nowUtc());
     m_questions.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
 }
 

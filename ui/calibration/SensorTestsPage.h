@@ -6,9 +6,10 @@
 #include <optional>
 
 #include "core/base/Clock.h"
-#include "core/calibration/CoilBench.h"
 #include "core/calibration/Interference.h"
 #include "core/calibration/Spectrum.h"
+#include "core/coil/CoilBench.h"
+#include "ui/kit/EditContext.h"
 #include "ui/kit/FileQuestions.h"
 #include "ui/kit/Page.h"
 #include "ui/kit/Worker.h"
@@ -19,9 +20,11 @@ class QPushButton;
 class QSettings;
 class QTableWidget;
 class QTabWidget;
+class QUndoStack;
 
 namespace lubberline::ui {
 
+class CoilPanel;
 class DrawnPlot;
 class InstallationPanel;
 class LiveActions;
@@ -39,12 +42,13 @@ class SensorTestsPage : public Page {
     Q_OBJECT
 
 public:
-    /// @param clock, settings outlive it
-    SensorTestsPage(QSettings& settings, FileQuestions questions, const Clock& clock, QWidget* parent = nullptr);
+    /// @param context, undo, settings, clock outlive it
+    SensorTestsPage(EditContext& context, QUndoStack& undo, QSettings& settings, FileQuestions questions, QWidget* parent = nullptr);
 
     static PageDescription description(PageContext& context);
-    Result<void> open(const FleetItem&) override { return {}; }
-    [[nodiscard]] bool isOf(const FleetItem&) const override { return true; }
+    Result<void> open(const FleetItem& record) override; ///< the compass with which benches are kept, or none
+    [[nodiscard]] Shown shown() const override { return {{}, m_compass}; }
+    [[nodiscard]] bool isOf(const FleetItem& record) const override; ///< a log that was opened for one compass is no other's
     [[nodiscard]] Plot* plot() const override;
     void openLog(const QString& path);
     void openActions(const QString& path);
@@ -55,19 +59,20 @@ private:
     void run();
     void take(Result<SensorTests> tests);
     void showSpectrum();
-    void showCoil();
     void showInterference();
 
+    db::Stores& m_stores;
     FileQuestions m_questions;
-    const Clock& m_clock;
+    CompassId m_compass;
     QString m_path, m_actionsPath;
     std::shared_ptr<const SensorTests> m_tests;
     QPushButton *m_open, *m_actions, *m_cancel;
     QLineEdit *m_column, *m_tachometer, *m_delay, *m_limits;
     QTabWidget* m_tabs;
     DrawnPlot *m_spectrum, *m_spectrogram, *m_interference;
-    QTableWidget *m_lines, *m_coil, *m_outcomes;
-    QLabel *m_filter, *m_coilWords, *m_verdict;
+    QTableWidget *m_lines, *m_outcomes;
+    QLabel *m_filter, *m_verdict;
+    CoilPanel* m_coil;
     LiveActions* m_live;
     InstallationPanel* m_installation;
     Worker<SensorTests> m_worker;

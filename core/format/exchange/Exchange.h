@@ -16,8 +16,8 @@ namespace lubberline {
 /// in a swing times, signatures, revisions, raw figures and its guided swing (whose particulars are the swing's own). 4 has
 /// signatures that say by which version of the signed content they were made. 5 has signatures by its version 3: with what they cover
 /// besides the swing, the heads of the audit trail where they were given, and OpenPGP signatures. 6 has in a swing the errors that its
-/// readings share. 7 has how sure a calibrated sensor model is.
-inline constexpr int kExchangeVersion = 7;
+/// readings share. 7 has how sure a calibrated sensor model is, 8 coil benches.
+inline constexpr int kExchangeVersion = 8;
 /// The lowest version that can hold the fleet: what is written. A file says no more than it must, so that older programs read
 /// what they can, and what was written (and hashed) before there was a version 2 is written the same.
 [[nodiscard]] int exchangeVersionOf(const Fleet& fleet);

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "core/due/DueRules.h"
+#include "core/format/exchange/CoilJson.h"
 #include "core/format/exchange/DueRuleJson.h"
 #include "core/format/exchange/ElectricalJson.h"
 #include "core/format/exchange/Exchange.h"
@@ -244,6 +245,14 @@ void FleetReader::readCompass(const Json& value, const JsonPath& path, AircraftI
                 one.missing("record", MARKED("core", "a record id"));
             own(one, swing.record);
             m_fleet.electrical.push_back({id, std::move(swing)});
+        });
+    if (m_version >= 8)
+        object.objects("coil_benches", [&](JsonObject& one) {
+            CoilBench bench = readCoilBench(one);
+            if (bench.record.empty())
+                one.missing("record", MARKED("core", "a record id"));
+            own(one, bench.record);
+            m_fleet.coilBenches.push_back({id, std::move(bench)});
         });
     object.finish();
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/Contract.h"
 #include "core/due/DueRules.h"
+#include "core/format/exchange/CoilJson.h"
 #include "core/format/exchange/DueRuleJson.h"
 #include "core/format/exchange/ElectricalJson.h"
 #include "core/format/exchange/Exchange.h"
@@ -114,6 +115,7 @@ private:
     void write(const DueRule& rule) { writeDueRule(m_json, rule); }
     void write(const Waiver& waiver) { writeWaiver(m_json, waiver); }
     void write(const ElectricalSwing& swing) { writeElectrical(m_json, swing); }
+    void write(const CoilBench& bench) { writeCoilBench(m_json, bench); }
     void write(const LimitsProfile& limits);
     void write(const Site& site);
     void write(const AircraftType& type);
@@ -218,6 +220,13 @@ void FleetWriter::write(const CompassSystem& compass)
     std::sort(electrical.begin(), electrical.end(), [](const auto* a, const auto* b) { return a->record < b->record; });
     if (!electrical.empty())
         each("electrical_swings", electrical);
+    std::vector<const CoilBench*> benches;
+    for (const auto& one : m_fleet.coilBenches)
+        if (one.compass == compass.id)
+            benches.push_back(&one.bench);
+    std::sort(benches.begin(), benches.end(), [](const auto* a, const auto* b) { return a->record < b->record; });
+    if (!benches.empty())
+        each("coil_benches", benches);
 }
 
 void FleetWriter::write(const SensorRecord& sensor)
@@ -294,7 +303,7 @@ int exchangeVersionOf(const Fleet& fleet)
     };
     const bool sixth = any(fleet.swings, [](const Swing& swing) { return swing.sharedErrors.any(); });
     const bool seventh = any(fleet.sensors, [](const SensorRecord& one) { return one.uncertainty.has_value(); });
-    return seventh ? 7 : sixth ? 6 : signedBy(3) ? 5 : signedBy(2) ? 4 : third ? 3 : second ? 2 : 1;
+    return !fleet.coilBenches.empty() ? 8 : seventh ? 7 : sixth ? 6 : signedBy(3) ? 5 : signedBy(2) ? 4 : third ? 3 : second ? 2 : 1;
 }
 
 std::string writeExchange(const Fleet& fleet) { return FleetWriter(fleet).write(); }

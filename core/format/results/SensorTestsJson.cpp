@@ -22,6 +22,33 @@ void addWarnings(TestKeys& json, const SensorLog& log, const std::vector<Message
 
 std::string written(const TestKeys& json) { return json.dump(2, ' ', false, TestKeys::error_handler_t::replace); }
 
+TestKeys coilKeys(const CoilResult& result)
+{
+    TestKeys json{{"samples", result.samples}, {"used", result.used}, {"range_nT", result.range_nT}, {"scale", threeKeys(result.scale)},
+        {"scale_standard_error", threeKeys(result.scaleError)}, {"non_orthogonality_deg", threeKeys(result.nonOrthogonality_deg)}};
+    json["misalignment_deg"] = {{"roll", toDegrees(result.misalignment.roll_rad)}, {"pitch", toDegrees(result.misalignment.pitch_rad)},
+        {"yaw", toDegrees(result.misalignment.yaw_rad)}};
+    json["bias_nT"] = threeKeys(result.bias_nT);
+    json["bias_standard_error_nT"] = threeKeys(result.biasError_nT);
+    json["temperature_nT_per_c"] = threeKeys(result.temperature_nT_per_c);
+    json["hysteresis_nT"] = threeKeys(result.hysteresis_nT);
+    json["nonlinearity_nT"] = threeKeys(result.nonlinearity_nT);
+    json["noise_nT"] = threeKeys(result.noise_nT);
+    return json;
+}
+
+TestKeys driftKeys(const CoilBench& earlier, const CoilBench& later)
+{
+    const auto drift = driftBetween(earlier, later);
+    if (!drift)
+        return {{"since", earlier.date.text()}, {"comparable", false}, {"reason", describe(drift.error())}};
+    return {{"since", earlier.date.text()}, {"comparable", true}, {"years", drift->years},
+        {"bias_nT_per_year", threeKeys(drift->bias_nT_per_year)},
+        {"bias_interval95_nT_per_year", threeKeys(drift->biasInterval_nT_per_year)}, {"scale_per_year", threeKeys(drift->scale_per_year)},
+        {"scale_interval95_per_year", threeKeys(drift->scaleInterval_per_year)}, {"noise_ratio", threeKeys(drift->noiseRatio)},
+        {"doubts", inEnglish(drift->doubts)}};
+}
+
 } // namespace
 
 std::string toJson(const LogSpectrum& spectrum, const SensorLog& log)
@@ -43,17 +70,23 @@ std::string toJson(const LogSpectrum& spectrum, const SensorLog& log)
 
 std::string toJson(const CoilResult& result, const SensorLog& log)
 {
-    TestKeys json{{"samples", result.samples}, {"used", result.used}, {"scale", threeKeys(result.scale)},
-        {"scale_standard_error", threeKeys(result.scaleError)}, {"non_orthogonality_deg", threeKeys(result.nonOrthogonality_deg)}};
-    json["misalignment_deg"] = {{"roll", toDegrees(result.misalignment.roll_rad)}, {"pitch", toDegrees(result.misalignment.pitch_rad)},
-        {"yaw", toDegrees(result.misalignment.yaw_rad)}};
-    json["bias_nT"] = threeKeys(result.bias_nT);
-    json["bias_standard_error_nT"] = threeKeys(result.biasError_nT);
-    json["temperature_nT_per_c"] = threeKeys(result.temperature_nT_per_c);
-    json["hysteresis_nT"] = threeKeys(result.hysteresis_nT);
-    json["nonlinearity_nT"] = threeKeys(result.nonlinearity_nT);
-    json["noise_nT"] = threeKeys(result.noise_nT);
+    TestKeys json = coilKeys(result);
     addWarnings(json, log, result.warnings);
+    return written(json);
+}
+
+std::string toJson(const std::vector<CoilBench>& benches)
+{
+    TestKeys json{{"benches", TestKeys::array()}};
+    for (std::size_t i = 0; i < benches.size(); ++i) {
+        const auto result = coilBench(logOf(benches[i]));
+        TestKeys one{{"record", benches[i].record}, {"date", benches[i].date.text()}, {"serial_number", benches[i].serialNumber},
+            {"log", benches[i].log}, {"note", benches[i].note}, {"result", result ? coilKeys(*result) : TestKeys()}};
+        one["drift"] = nullptr; // since the bench before it; the benches are the newest first
+        if (i + 1 < benches.size())
+            one["drift"] = driftKeys(benches[i + 1], benches[i]);
+        json["benches"].push_back(one);
+    }
     return written(json);
 }
 

@@ -30,7 +30,7 @@ const std::vector<Damage> kDamages = {
     {"noVersion", "\"version\": 1,", "", kFormat, {"version: is missing"}},
     {"versionZero", "\"version\": 1", "\"version\": 0", kInvalid, {"version", "0"}},
     {"versionInWords", "\"version\": 1", "\"version\": \"one\"", kFormat, {"version", "wrong kind"}},
-    {"newerVersion", "\"version\": 1", "\"version\": 8", ErrorCode::NewerSchema, {"version 8", "versions up to 7"}},
+    {"newerVersion", "\"version\": 1", "\"version\": 9", ErrorCode::NewerSchema, {"version 9", "versions up to 8"}},
     {"newerKeyInAnOldFile", "\"variation_deg\": 7.25,\n              \"procedure\"", "\"index_removed_deg\": 1, \"procedure\"", kFormat,
         {"swings[0].index_removed_deg: is not known"}},
     {"unknownTopKey", "\"sites\": [", "\"places\": [], \"sites\": [", kFormat, {"places: is not known"}},
@@ -126,10 +126,10 @@ TEST(DamagedExchangeFile, otherJsonIsNotOfThisFormat)
 
 TEST(DamagedExchangeFile, aNewerVersionIsNamedEvenWithKeysThatWeDoNotKnow)
 {
-    const auto fleet = readDamaged(R"({"format": "lubberline", "version": 8, "engines": []})");
+    const auto fleet = readDamaged(R"({"format": "lubberline", "version": 9, "engines": []})");
     ASSERT_FALSE(fleet);
     EXPECT_EQ(fleet.error().code, ErrorCode::NewerSchema);
-    EXPECT_THAT(fleet.error().message.english(), HasSubstr("8"));
+    EXPECT_THAT(fleet.error().message.english(), HasSubstr("9"));
 }
 
 TEST(DamagedExchangeFile, deepNestingIsRefusedWithoutTakingMemory)

@@ -129,6 +129,41 @@ TEST(ExchangeVersion3, howSureASensorModelIsIsOfVersionSeven)
     EXPECT_LT(exchangeVersionOf(fleet), 7);
 }
 
+TEST(ExchangeVersion3, coilBenchesAreOfVersionEight)
+{
+    Fleet fleet = fullFleet();
+    CoilBench bench;
+    bench.record = newRecordId();
+    bench.date = "2026-05-01";
+    bench.serialNumber = "S 12";
+    bench.log = "bench.csv";
+    for (int i = 0; i < 9; ++i) {
+        bench.readings.push_back({1000.0 * i, -0.5 * i, 0, 1001.25 * i, 3, -4});
+        bench.temperature_c.push_back(20 + 0.125 * i);
+    }
+    CoilBench counts = bench;
+    counts.record = newRecordId();
+    counts.inCounts = true;
+    counts.temperature_c.clear();
+    const CompassId compass = fleet.compasses.front().id;
+    fleet.coilBenches = {{compass, bench}, {compass, counts}};
+    std::sort(fleet.coilBenches.begin(), fleet.coilBenches.end(),
+        [](const auto& one, const auto& other) { return one.bench.record < other.bench.record; });
+    EXPECT_EQ(exchangeVersionOf(fleet), 8);
+    const std::string text = writeExchange(fleet);
+    const auto back = readExchange(text, "ramp.json");
+    ASSERT_TRUE(back) << back.error().message.english();
+    EXPECT_EQ(*back, fleet);
+    EXPECT_EQ(writeExchange(*back), text);
+    for (const auto& [good, bad] :
+        {std::pair{"\"count\": 9", "\"count\": 8"}, {"\"count\": 9", "\"count\": 100000000"}, {"\"date\": \"2026-05-01\",\n", ""}}) {
+        std::string wrong = text;
+        const auto at = wrong.find("coil_benches");
+        wrong.replace(wrong.find(good, at), std::string(good).size(), bad);
+        EXPECT_FALSE(readExchange(wrong, "ramp.json")) << bad;
+    }
+}
+
 TEST(ExchangeVersion3, aFleetWithoutItStaysInTheOlderVersion)
 {
     Fleet fleet = fullFleet();

@@ -72,7 +72,7 @@ const std::vector<Damage> kDamages = {
         {"sensors[1].bench_states[1].group", "twice"}},
     {"indexBeyondATurn", "\"index_removed_deg\": -2.5", "\"index_removed_deg\": 181", kInvalid, {"swings[0].index_removed_deg: 181"}},
     {"sensorsInAnOldFile", "\"version\": 2", "\"version\": 1", kFormat, {"is not known"}},
-    {"newerVersion", "\"version\": 2", "\"version\": 8", ErrorCode::NewerSchema, {"version 8", "up to 7"}},
+    {"newerVersion", "\"version\": 2", "\"version\": 9", ErrorCode::NewerSchema, {"version 9", "up to 8"}},
 };
 
 } // namespace

@@ -30,10 +30,10 @@ struct OpenCalibration {
     QTemporaryDir folder;
     QSettings settings{folder.filePath("settings.ini"), QSettings::IniFormat};
     QString saveAs;
-    CalibrationPage page{settings,
+    test::TestStores stores;
+    CalibrationPage page{stores, settings,
         {[](const QString&, const QString&) { return QString(); },
-            [this](const QString&, const QString&, const QString&) { return saveAs; }},
-        [] { return QStringLiteral("2026-11-23T06:00:00Z"); }};
+            [this](const QString&, const QString&, const QString&) { return saveAs; }}};
 
     /// Hard iron (3000, −2000, 1500) nT in a field of 48 000 nT, all attitudes. @param flat the sensor stays level, but for its noise
     QString log(const QByteArray& header, int samples, bool flat = false) const
@@ -99,7 +99,7 @@ private slots:
     void aStoredModelKeepsItsUncertainty()
     {
         OpenCalibration open;
-        test::TestStores stores;
+        test::TestStores& stores = open.stores;
         AircraftType type;
         type.name = "Su-22";
         Aircraft aircraft;

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -48,6 +49,13 @@ QStringList typedOn(const QWidget& page)
         if (text->toPlainText() == kTyped)
             found += text->objectName();
     return found;
+}
+
+/// Its title, and whose it is beside it.
+QString headOf(const Page& page)
+{
+    const auto* whose = page.findChild<QLabel*>("guidedWhose");
+    return page.title() + (whose && whose->isVisible() ? whose->text() : QString());
 }
 
 using Route = void (*)(OpenWindow&, TwoAircraft&);
@@ -113,6 +121,7 @@ class WrongRecordTest : public QObject {
 private slots:
     void whatIsTypedStaysWithItsRecord_data();
     void whatIsTypedStaysWithItsRecord();
+    void aPageOfACompassNamesItAndTakesNothingToAnother();
     void aHalfTypedCellIsStoredWithItsSwing_data();
     void aHalfTypedCellIsStoredWithItsSwing();
     void whatAnotherProgramChangesIsShown();
@@ -163,6 +172,27 @@ void WrongRecordTest::whatIsTypedStaysWithItsRecord()
         QVERIFY2(two.fleet.stores.swings.swing(two.complete)->signatures.empty(), from);
         QVERIFY2(two.fleet.stores.swings.swing(two.otherComplete)->signatures.empty(), from);
     }
+}
+
+/// Also where what was opened on it is a file: a log, a bench.
+void WrongRecordTest::aPageOfACompassNamesItAndTakesNothingToAnother()
+{
+    TwoAircraft two;
+    OpenWindow open(two.fleet.stores);
+    auto* stack = open.window.findChild<PageStack*>();
+    QStringList ofACompass;
+    for (const PageDescription& description : stack->descriptions()) {
+        if (!stack->show(Destination{description.id, two.fleet.compass}) || stack->current().shown().compass != two.fleet.compass)
+            continue;
+        ofACompass += description.id;
+        const QPointer<Page> before = &stack->current();
+        QVERIFY2(headOf(*before).contains("3713"), qPrintable(description.id));
+        QVERIFY2(stack->show(Destination{description.id, two.otherCompass}), qPrintable(description.id));
+        QVERIFY2(&stack->current() != before, qPrintable(description.id));
+        QVERIFY2(headOf(stack->current()).contains("3802"), qPrintable(headOf(stack->current())));
+    }
+    for (const char* one : {"calibration", "sensorTests", "sensor", "check", "compare"})
+        QVERIFY2(ofACompass.contains(one), one);
 }
 
 void WrongRecordTest::aHalfTypedCellIsStoredWithItsSwing_data()

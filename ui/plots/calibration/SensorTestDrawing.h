@@ -1,9 +1,9 @@
 #pragma once
 /// What tests of a sensor tell, drawn: its spectrum with the lines by name, how lines come and go, and what switching changes.
 
-#include "core/calibration/CoilBench.h"
 #include "core/calibration/Interference.h"
 #include "core/calibration/Spectrum.h"
+#include "core/coil/CoilBench.h"
 #include "ui/plots/drawn/DrawnPicture.h"
 
 namespace lubberline::ui {

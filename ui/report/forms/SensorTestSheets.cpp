@@ -101,7 +101,50 @@ QString coilAngles(const CoilResult& result)
             signedFigure(toDegrees(result.misalignment.pitch_rad), 3), signedFigure(toDegrees(result.misalignment.yaw_rad), 3));
 }
 
-ReferenceSheet coilSheet(const CoilResult& result, const QString& source)
+Table benchesTable(const std::vector<CoilBench>& benches)
+{
+    const QString bias = Words::tr("Bias"), unit = QStringLiteral("nT");
+    Table table{Words::tr("Kept benches"),
+        {{Words::tr("Date"), {}, {}, 24, TableColumn::Align::Left}, {Words::tr("Serial number"), {}, {}, 28, TableColumn::Align::Left},
+            {Words::tr("Range"), {}, unit, 22}, {bias, QStringLiteral("x"), unit, 20}, {bias, QStringLiteral("y"), unit, 20},
+            {bias, QStringLiteral("z"), unit, 20}, {Words::tr("Noise, largest"), {}, unit, 22},
+            {Words::tr("Log"), {}, {}, 30, TableColumn::Align::Left}, {Words::tr("Note"), {}, {}, 30, TableColumn::Align::Left}},
+        {}};
+    for (const CoilBench& bench : benches) {
+        const auto result = coilBench(logOf(bench));
+        const auto shown = [&result](auto of, int decimals) { return result ? figure(of(*result), decimals) : dash(); };
+        QStringList cells{
+            printable(bench.date.text()), printable(bench.serialNumber), shown([](const CoilResult& one) { return one.range_nT; }, 0)};
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            cells += shown([axis](const CoilResult& one) { return one.bias_nT[axis]; }, 1);
+        cells << shown([](const CoilResult& one) { return one.noise_nT.maxCoeff(); }, 1) << printable(bench.log) << printable(bench.note);
+        table.rows.push_back({cells});
+    }
+    return table;
+}
+
+QStringList driftWords(const CoilBench& earlier, const CoilBench& later)
+{
+    const QString from = printable(earlier.date.text()), to = printable(later.date.text());
+    const auto drift = driftBetween(earlier, later);
+    if (!drift)
+        return {Words::tr("The benches of %1 and %2 %3.").arg(from, to, printable(drift.error().message))};
+    const auto three = [](const Eigen::Vector3d& values, const Eigen::Vector3d& halves, double unit, int decimals) {
+        QStringList parts;
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            parts += QStringLiteral("%1 ± %2").arg(signedFigure(values[axis] * unit, decimals), figure(halves[axis] * unit, decimals));
+        return parts.join(QStringLiteral(", "));
+    };
+    QStringList lines{
+        Words::tr("From %1 to %2 on x, y, z (95 %): bias %3 nT a year; scale %4 millionths a year; noise %5 times what it was.")
+            .arg(from, to, three(drift->bias_nT_per_year, drift->biasInterval_nT_per_year, 1, 1),
+                three(drift->scale_per_year, drift->scaleInterval_per_year, 1e6, 0),
+                QStringLiteral("%1, %2, %3")
+                    .arg(figure(drift->noiseRatio.x(), 2), figure(drift->noiseRatio.y(), 2), figure(drift->noiseRatio.z(), 2)))};
+    return lines + printableLines(drift->doubts);
+}
+
+ReferenceSheet coilSheet(const CoilResult& result, const QString& source, const QStringList& history)
 {
     ReferenceSheet sheet;
     sheet.title = Words::tr("Sensor on the coil bench");
@@ -110,7 +153,7 @@ ReferenceSheet coilSheet(const CoilResult& result, const QString& source)
         "%1 samples, %2 used. measured = scale (axes) applied + bias + temperature + hysteresis + nonlinearity; scale is measured per applied.")
                       .arg(result.samples)
                       .arg(result.used)
-               << coilAngles(result) << printableLines(result.warnings);
+               << coilAngles(result) << history << printableLines(result.warnings);
     sheet.table = coilTable(result);
     sheet.signatures = true;
     return sheet;

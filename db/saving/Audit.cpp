@@ -1,4 +1,4 @@
-#include "db/stores/Audit.h"
+#include "db/saving/Audit.h"
 
 #include "db/chain/Links.h"
 #include "db/engine/Statement.h"

@@ -1,4 +1,4 @@
-#include "db/stores/Saving.h"
+#include "db/saving/Saving.h"
 
 namespace lubberline::db {
 

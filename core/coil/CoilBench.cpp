@@ -1,4 +1,4 @@
-#include "core/calibration/CoilBench.h"
+#include "core/coil/CoilBench.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -16,14 +16,6 @@ namespace {
 
 constexpr std::size_t kLeastEachWay = 3;
 
-const std::vector<double>* otherColumn(const SensorLog& log, std::string_view name)
-{
-    for (const auto& column : log.others)
-        if (inSmallLetters(column.name) == name)
-            return &column.values;
-    return nullptr;
-}
-
 struct BenchRows {
     std::vector<std::size_t> rows;
     std::array<const std::vector<double>*, 3> applied{};
@@ -36,10 +28,10 @@ Result<BenchRows> benchRows(const SensorLog& log)
     BenchRows bench;
     constexpr std::array<std::string_view, 3> kNames{"ax_nt", "ay_nt", "az_nt"};
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (bench.applied[axis] = otherColumn(log, kNames[axis]); !bench.applied[axis])
+        if (bench.applied[axis] = columnOf(log, kNames[axis]); !bench.applied[axis])
             return Error{ErrorCode::InvalidInput,
                 MARKED("core", "has no applied field; expected the columns ax_nT, ay_nT, az_nT beside bx_nT, by_nT, bz_nT")};
-    const auto* temperature = otherColumn(log, "temperature_c");
+    const auto* temperature = columnOf(log, "temperature_c");
     std::array<double, 3> last{}, way{};
     for (std::size_t row = 0; row < log.size(); ++row) {
         bool whole = log.hasField(row) && (!temperature || std::isfinite((*temperature)[row]));
@@ -182,6 +174,7 @@ Result<CoilResult> coilBench(const SensorLog& log)
         result.noise_nT[axis] = std::sqrt(residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, count - columns - 2)));
     }
     takeAxes(result);
+    result.range_nT = largest;
     if (largest < 60000)
         result.warnings.push_back(
             {MARKED("core",

@@ -1,4 +1,4 @@
-#include "core/calibration/CoilBench.h"
+#include "core/coil/CoilBench.h"
 
 #include <gmock/gmock.h>
 

@@ -7,7 +7,7 @@
 #include "db/engine/Changes.h"
 #include "db/engine/Statement.h"
 #include "db/engine/Transaction.h"
-#include "db/stores/Audit.h"
+#include "db/saving/Audit.h"
 
 namespace lubberline::db {
 

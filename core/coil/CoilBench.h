@@ -11,6 +11,7 @@ namespace lubberline {
 
 struct CoilResult {
     std::size_t samples = 0, used = 0;
+    double range_nT = 0;                                            ///< largest field that was applied along an axis
     Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();             ///< measured per applied, all of it
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();                ///< measured per applied along each axis of the sensor
     Eigen::Vector3d scaleError = Eigen::Vector3d::Zero();           ///< standard errors
