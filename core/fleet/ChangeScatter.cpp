@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/fleet/ByTwoHands.h"
+
 namespace lubberline {
 
 namespace {
@@ -124,27 +126,24 @@ void addFar(std::span<const DatedValue> series, std::optional<int> crews_day, st
     }
 }
 
-using OfKinds = std::vector<std::array<Increments, kCoefficientCount>>;
-OfKinds incrementsOf(
-    const FleetSwings& fleet, const FleetCurves& curves, std::span<const CompassHistory> histories, std::optional<int> crews_day)
+/// Of the histories of one kind.
+Increments incrementsOf(const FleetSwings& fleet, const FleetCurves& curves, std::span<const CompassHistory> histories,
+    const std::vector<std::size_t>& mine, std::size_t c, std::optional<int> crews_day)
 {
-    OfKinds increments(static_cast<std::size_t>(curves.kinds));
-    for (const auto& history : histories) {
-        auto& mine = increments[static_cast<std::size_t>(curves.kindOf[static_cast<std::size_t>(history.compass)])];
-        for (std::size_t c = 0; c < kCoefficientCount; ++c) {
-            ChangeScatter none;
-            none.crews_day = c == 0 ? crews_day : std::nullopt;
-            const auto series = seriesOf(fleet, curves, history, c, none).values;
-            bool before = false;
-            for (std::size_t i = 1; i < series.size(); ++i) {
-                const bool apart = !series[i].corrected && series[i].day > series[i - 1].day;
-                if (apart)
-                    mine[c].next.push_back(incrementOf(series[i - 1], series[i], none.crews_day));
-                mine[c].joined += before && apart ? 1u : 0u;
-                before = apart;
-            }
-            addFar(series, none.crews_day, mine[c].far);
+    Increments increments;
+    ChangeScatter none;
+    none.crews_day = crews_day;
+    for (const auto h : mine) {
+        const auto series = seriesOf(fleet, curves, histories[h], c, none).values;
+        bool before = false;
+        for (std::size_t i = 1; i < series.size(); ++i) {
+            const bool apart = !series[i].corrected && series[i].day > series[i - 1].day;
+            if (apart)
+                increments.next.push_back(incrementOf(series[i - 1], series[i], crews_day));
+            increments.joined += before && apart ? 1u : 0u;
+            before = apart;
         }
+        addFar(series, crews_day, increments.far);
     }
     return increments;
 }
@@ -188,30 +187,28 @@ std::vector<DatedValue> bareSeriesOf(
 Result<std::vector<std::array<ChangeScatter, kCoefficientCount>>> scattersOf(const FleetSwings& fleet, const FleetCurves& curves,
     std::span<const CompassHistory> histories, std::optional<int> crews_day, const Progress& progress)
 {
-    const auto increments = incrementsOf(fleet, curves, histories, crews_day);
-    std::vector<std::vector<std::size_t>> ofKind(increments.size());
-    for (std::size_t h = 0; h < histories.size(); ++h)
-        ofKind[static_cast<std::size_t>(curves.kindOf[static_cast<std::size_t>(histories[h].compass)])].push_back(h);
-    std::vector<std::array<ChangeScatter, kCoefficientCount>> scatters(increments.size());
-    for (std::size_t k = 0; k < scatters.size(); ++k) {
-        for (std::size_t c = 0; c < kCoefficientCount; ++c) {
-            ChangeScatter& scatter = scatters[k][c];
-            scatter = scatterOf(increments[k][c], c == 0 ? crews_day : std::nullopt);
-            if (progress && !progress(static_cast<double>(k) / static_cast<double>(scatters.size())))
-                return Error{ErrorCode::Cancelled, MARKED("core", "cancelled")};
-            if (!scatter.known) {
-                std::map<std::size_t, std::vector<DatedValue>> series;
-                for (const auto h : ofKind[k])
-                    series[h] = bareSeriesOf(fleet, curves, histories[h], c, scatter);
-                scatter.posterior = std::make_shared<const ScatterPosterior>(series);
-                const auto mean = scatter.posterior->mean();
-                scatter.swingVariance_deg2 = mean.swing_deg2;
-                scatter.laterVariance_deg2 = scatter.laterShare * mean.swing_deg2;
-                scatter.wanderVariance_deg2_year = mean.wander_deg2_year;
-            }
-            tellWalk(increments[k][c].next, scatter);
+    const auto ofKind = historiesByKind(curves, histories);
+    std::vector<std::array<ChangeScatter, kCoefficientCount>> scatters(ofKind.size());
+    const auto tell = [&](std::size_t job) {
+        const std::size_t k = job / kCoefficientCount, c = job % kCoefficientCount;
+        const auto day = c == 0 ? crews_day : std::nullopt;
+        const Increments increments = incrementsOf(fleet, curves, histories, ofKind[k], c, day);
+        ChangeScatter& scatter = scatters[k][c];
+        scatter = scatterOf(increments, day);
+        if (!scatter.known) {
+            std::map<std::size_t, std::vector<DatedValue>> series;
+            for (const auto h : ofKind[k])
+                series[h] = bareSeriesOf(fleet, curves, histories[h], c, scatter);
+            scatter.posterior = std::make_shared<const ScatterPosterior>(series);
+            const auto mean = scatter.posterior->mean();
+            scatter.swingVariance_deg2 = mean.swing_deg2;
+            scatter.laterVariance_deg2 = scatter.laterShare * mean.swing_deg2;
+            scatter.wanderVariance_deg2_year = mean.wander_deg2_year;
         }
-    }
+        tellWalk(increments.next, scatter);
+    };
+    if (!byTwoHands(scatters.size() * kCoefficientCount, 1, progress, tell))
+        return Error{ErrorCode::Cancelled, MARKED("core", "cancelled")};
     return scatters;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fleet/ByTwoHands.h"
+
 namespace lubberline {
 
 namespace {
@@ -73,18 +75,15 @@ std::optional<Jump> jumpAtLeast(const Watched& one, const Places& at)
 }
 
 /// Half of the trends are beyond what their errors explain by a fifth: jumps of a few do not move a median.
-bool driftIsCommon(const FleetSwings& fleet, const FleetCurves& curves, std::span<const CompassHistory> histories, std::int32_t kind,
-    std::size_t c, const ChangeScatter& scatter)
+bool driftIsCommon(const FleetSwings& fleet, const FleetCurves& curves, std::span<const CompassHistory> histories,
+    const std::vector<std::size_t>& mine, std::size_t c, const ChangeScatter& scatter)
 {
     constexpr std::size_t enough = 10;
     constexpr double wider = 1.2 * 1.2;
     std::vector<double> squares;
-    for (std::size_t h = 0; h < histories.size(); ++h) {
-        if (curves.kindOf[static_cast<std::size_t>(histories[h].compass)] != kind)
-            continue;
+    for (const auto h : mine)
         if (const auto drift = trendOf(watched(fleet, curves, histories, h, c, scatter), {}))
             squares.push_back(std::pow(drift->perYear / drift->standardError, 2));
-    }
     if (squares.size() < enough)
         return true;
     // of fewer series the median itself scatters more
@@ -119,16 +118,17 @@ public:
 
     bool look(const Progress& progress)
     {
-        for (std::size_t h = 0; h < m_histories.size(); ++h) {
-            if (progress && h % 64 == 0 && !progress(static_cast<double>(h) / static_cast<double>(m_histories.size())))
-                return false;
-            for (std::size_t c = 0; c < 5; ++c) {
-                const auto one = watch(h, c);
-                Candidate candidate{h, c, {}, jumpAtLeast(one, {}), !one.scatter.known};
-                if (candidate.best)
-                    m_candidates.push_back(std::move(candidate));
-            }
-        }
+        std::vector<std::array<std::optional<Jump>, kCoefficientCount>> least(m_histories.size());
+        const auto lookAt = [&](std::size_t h) {
+            for (std::size_t c = 0; c < kCoefficientCount; ++c)
+                least[h][c] = jumpAtLeast(watch(h, c), {});
+        };
+        if (!byTwoHands(m_histories.size(), 4, progress, lookAt))
+            return false;
+        for (std::size_t h = 0; h < m_histories.size(); ++h)
+            for (std::size_t c = 0; c < kCoefficientCount; ++c)
+                if (least[h][c])
+                    m_candidates.push_back({h, c, {}, least[h][c], !scatterFor(h, c).known});
         m_changes.tested = m_candidates.size();
         return true;
     }
@@ -138,19 +138,21 @@ public:
     {
         for (int round = 0; round < kRounds; ++round) {
             const auto found = discovered(rate);
-            bool any = false;
+            std::vector<std::size_t> again;
             for (std::size_t i = 0; i < m_candidates.size(); ++i) {
                 auto& candidate = m_candidates[i];
                 if (found[i]) {
                     note(candidate);
                     candidate.at.push_back(candidate.best->before);
-                    any = true;
+                    again.push_back(i);
+                } else {
+                    candidate.best.reset();
+                    candidate.exact = true;
                 }
-                candidate.best = found[i] ? jumpOf(watch(candidate.history, candidate.coefficient), candidate.at) : std::nullopt;
-                candidate.exact = true;
             }
-            if (!any)
+            if (again.empty())
                 break;
+            lookClosely(again);
         }
         std::ranges::sort(m_changes.jumps, {}, [](const FleetJump& j) { return std::tuple(j.compass, j.beforeRow, j.coefficient); });
     }
@@ -162,10 +164,13 @@ public:
         std::vector<Places> jumps(m_histories.size() * 5);
         for (const auto& candidate : m_candidates)
             jumps[candidate.history * 5 + candidate.coefficient] = candidate.at;
+        byTwoHands(m_histories.size(), 4, {}, [&](std::size_t h) {
+            for (std::size_t c = 0; c < 5; ++c)
+                m_changes.driftOf[h][c] = trendOf(watch(h, c), jumps[h * 5 + c]);
+        });
         for (std::size_t h = 0; h < m_histories.size(); ++h)
             for (std::size_t c = 0; c < 5; ++c) {
-                const auto drift = trendOf(watch(h, c), jumps[h * 5 + c]);
-                m_changes.driftOf[h][c] = drift;
+                const auto& drift = m_changes.driftOf[h][c];
                 if (!drift)
                     continue;
                 all.push_back({h, {m_histories[h].compass, c, *drift}});
@@ -196,18 +201,24 @@ private:
             for (const auto& candidate : m_candidates)
                 p.push_back(candidate.best ? candidate.best->p : 1.0);
             auto found = discoveries(p, rate, std::max(m_changes.tested, p.size()));
-            bool exact = true;
-            for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-                auto& candidate = m_candidates[i];
-                if (!found[i] || candidate.exact)
-                    continue;
-                candidate.best = jumpOf(watch(candidate.history, candidate.coefficient), candidate.at);
-                candidate.exact = true;
-                exact = false;
-            }
-            if (exact)
+            std::vector<std::size_t> inexact;
+            for (std::size_t i = 0; i < m_candidates.size(); ++i)
+                if (found[i] && !m_candidates[i].exact)
+                    inexact.push_back(i);
+            if (inexact.empty())
                 return found;
+            lookClosely(inexact);
         }
+    }
+
+    /// The exact chances of these.
+    void lookClosely(const std::vector<std::size_t>& some)
+    {
+        byTwoHands(some.size(), 1, {}, [&](std::size_t i) {
+            auto& candidate = m_candidates[some[i]];
+            candidate.best = jumpOf(watch(candidate.history, candidate.coefficient), candidate.at);
+            candidate.exact = true;
+        });
     }
 
     const ChangeScatter& scatterFor(std::size_t history, std::size_t c) const
@@ -257,11 +268,12 @@ Result<FleetChanges> changesOf(const FleetSwings& fleet, const FleetCurves& curv
     if (!scatter)
         return scatter.error();
     changes.scatter = std::move(scatter.value());
-    for (std::int32_t kind = 0; kind < curves.kinds; ++kind)
-        for (std::size_t c = 0; c < 5; ++c) {
-            auto& mine = changes.scatter[static_cast<std::size_t>(kind)][c];
-            mine.driftIsCommon = driftIsCommon(fleet, curves, histories, kind, c, mine);
-        }
+    const auto ofKind = historiesByKind(curves, histories);
+    byTwoHands(ofKind.size() * kCoefficientCount, 1, {}, [&](std::size_t job) {
+        const std::size_t kind = job / kCoefficientCount, c = job % kCoefficientCount;
+        auto& mine = changes.scatter[kind][c];
+        mine.driftIsCommon = driftIsCommon(fleet, curves, histories, ofKind[kind], c, mine);
+    });
     ChangeSearch search(fleet, curves, histories, changes);
     if (!search.look(progress))
         return Error{ErrorCode::Cancelled, MARKED("core", "cancelled")};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/fleet/ByTwoHands.h"
+
 namespace lubberline {
 
 namespace {
@@ -62,15 +64,22 @@ RadioState mostUsed(std::span<const FleetSwing> swings)
 Result<FleetCurves> curvesOf(const FleetSwings& fleet, const Progress& progress)
 {
     FleetCurves all;
-    all.curves.reserve(fleet.swings.size());
-    for (std::size_t row = 0; row < fleet.swings.size(); ++row) {
-        if (progress && row % 1024 == 0 && !progress(static_cast<double>(row) / static_cast<double>(fleet.swings.size())))
-            return Error{ErrorCode::Cancelled, MARKED("core", "cancelled")};
-        all.curves.push_back(fitCurve(fleet.magneticOf(fleet.swings[row]), fleet.compassOf(fleet.swings[row])));
-    }
+    all.curves.resize(fleet.swings.size());
+    const auto fit
+        = [&](std::size_t row) { all.curves[row] = fitCurve(fleet.magneticOf(fleet.swings[row]), fleet.compassOf(fleet.swings[row])); };
+    if (!byTwoHands(fleet.swings.size(), 32, progress, fit))
+        return Error{ErrorCode::Cancelled, MARKED("core", "cancelled")};
     all.kindOf = kindsOf(fleet, all.kinds);
     poolScatter(fleet, all);
     return all;
+}
+
+std::vector<std::vector<std::size_t>> historiesByKind(const FleetCurves& curves, std::span<const CompassHistory> histories)
+{
+    std::vector<std::vector<std::size_t>> ofKind(static_cast<std::size_t>(curves.kinds));
+    for (std::size_t h = 0; h < histories.size(); ++h)
+        ofKind[static_cast<std::size_t>(curves.kindOf[static_cast<std::size_t>(histories[h].compass)])].push_back(h);
+    return ofKind;
 }
 
 std::vector<CompassHistory> historiesOf(const FleetSwings& fleet)

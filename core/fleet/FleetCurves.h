@@ -37,5 +37,7 @@ struct CompassHistory {
     std::uint32_t otherRadio = 0;    ///< swings that are not in it
 };
 [[nodiscard]] std::vector<CompassHistory> historiesOf(const FleetSwings& fleet);
+/// Places of the histories of each kind.
+[[nodiscard]] std::vector<std::vector<std::size_t>> historiesByKind(const FleetCurves& curves, std::span<const CompassHistory> histories);
 
 } // namespace lubberline

@@ -265,7 +265,7 @@ std::optional<Drift> driftOf(std::span<const DatedValue> series, const JumpOptio
     if (series.size() < 3)
         return {};
     if (options.scale == ErrorScale::Known) {
-        const SeriesFit fit = fitSeries(series, {0, options.walk_year}, true, options.at);
+        const SeriesFit fit = fitSeries(series, {0, options.walk_year}, true, options.at, SeriesSteps::NotAsked);
         if (!fit.perYear)
             return {};
         const double half = studentFactor(0) * fit.perYearError;

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "core/base/Contract.h"
+#include "core/fleet/ByTwoHands.h"
 #include "core/fleet/Proportion.h"
 
 namespace lubberline {
@@ -64,8 +65,10 @@ struct Unit {
     Vector5d whole = Vector5d::Zero();
     Matrix5d covariance = Matrix5d::Zero();
     int wholes = 0;
+    std::vector<int> moved;
+    std::size_t swings = 0;
 
-    explicit Unit(std::size_t grid) : sum(grid), count(grid) {}
+    explicit Unit(std::size_t grid) : sum(grid), count(grid), moved(grid) {}
 
     void add(const FleetCurves& curves, const FleetSwing& swing, std::uint32_t at)
     {
@@ -90,6 +93,9 @@ struct Unit {
 
     void voteInto(Votes& votes) const
     {
+        votes.swings += swings;
+        for (std::size_t h = 0; h < sum.size(); ++h)
+            votes.moved[h] += moved[h];
         for (std::size_t h = 0; h < sum.size(); ++h)
             if (count[h] > 0)
                 votes.atHeading[h].push_back(sum[h] / count[h]);
@@ -116,33 +122,52 @@ bool sameAircraft(const FleetSwings& fleet, const FleetSwing& a, const FleetSwin
     return a.compass == b.compass || (one.aircraft == other.aircraft && one.type == other.type);
 }
 
-Votes votesOf(const FleetSwings& fleet, const FleetCurves& curves, const PatternOptions& options)
+/// Rows of the first swing of each unit, and the end.
+std::vector<std::size_t> unitsOf(const FleetSwings& fleet, FleetVote vote)
+{
+    std::vector<std::size_t> first;
+    for (std::size_t row = 0; row < fleet.swings.size(); ++row)
+        if (row == 0 || vote != FleetVote::Aircraft || !sameAircraft(fleet, fleet.swings[first.back()], fleet.swings[row]))
+            first.push_back(row);
+    first.push_back(fleet.swings.size());
+    return first;
+}
+
+Unit unitOf(const FleetSwings& fleet, const FleetCurves& curves, const PatternOptions& options, std::size_t first, std::size_t next)
 {
     const auto grid = static_cast<std::size_t>(options.grid);
     const double step_deg = 360.0 / options.grid;
+    Unit unit(grid);
+    for (std::size_t row = first; row < next; ++row) {
+        const auto& swing = fleet.swings[row];
+        if (options.stage && swing.stage != *options.stage)
+            continue;
+        ++unit.swings;
+        unit.add(curves, swing, static_cast<std::uint32_t>(row));
+        for (std::size_t h = 0; h < grid; ++h)
+            if (const auto value = valueAt(fleet, swing, curves.curves[row], static_cast<double>(h) * step_deg, 0.5 * step_deg)) {
+                unit.sum[h] += value->deviation_deg;
+                ++unit.count[h];
+                unit.moved[h] += value->read ? 0 : 1;
+            }
+    }
+    return unit;
+}
+
+Votes votesOf(const FleetSwings& fleet, const FleetCurves& curves, const PatternOptions& options)
+{
+    constexpr std::size_t most = 4096; // that are held before they vote
+    const auto grid = static_cast<std::size_t>(options.grid);
     Votes votes;
     votes.atHeading.resize(grid);
     votes.moved.resize(grid);
-    const auto taken = [&](const FleetSwing& swing) { return !options.stage || swing.stage == *options.stage; };
-    const auto& swings = fleet.swings;
-    for (std::size_t first = 0, next = 0; first < swings.size(); first = next) {
-        Unit unit(grid);
-        for (next = first; next < swings.size()
-             && (next == first || (options.vote == FleetVote::Aircraft && sameAircraft(fleet, swings[first], swings[next])));
-             ++next) {
-            if (!taken(swings[next]))
-                continue;
-            ++votes.swings;
-            unit.add(curves, swings[next], static_cast<std::uint32_t>(next));
-            for (std::size_t h = 0; h < grid; ++h)
-                if (const auto value
-                    = valueAt(fleet, swings[next], curves.curves[next], static_cast<double>(h) * step_deg, 0.5 * step_deg)) {
-                    unit.sum[h] += value->deviation_deg;
-                    ++unit.count[h];
-                    votes.moved[h] += value->read ? 0 : 1;
-                }
-        }
-        unit.voteInto(votes);
+    const auto first = unitsOf(fleet, options.vote);
+    for (std::size_t begin = 0; begin + 1 < first.size(); begin += most) {
+        std::vector<Unit> units(std::min(most, first.size() - 1 - begin), Unit(grid));
+        byTwoHands(
+            units.size(), 4, {}, [&](std::size_t i) { units[i] = unitOf(fleet, curves, options, first[begin + i], first[begin + i + 1]); });
+        for (const auto& unit : units)
+            unit.voteInto(votes);
     }
     return votes;
 }

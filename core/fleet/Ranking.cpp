@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/Number.h"
+#include "core/fleet/ByTwoHands.h"
 #include "core/fleet/Futures.h"
 
 namespace lubberline {
@@ -51,9 +52,11 @@ public:
         , m_options(options)
     {
         m_priors.resize(static_cast<std::size_t>(curves.kinds));
-        for (std::size_t k = 0; k < m_priors.size(); ++k)
-            for (std::size_t c = 0; c < 5; ++c)
-                m_priors[k][c] = priorOf(k, c);
+        const auto ofKind = historiesByKind(curves, histories);
+        byTwoHands(ofKind.size() * kCoefficientCount, 1, {}, [&](std::size_t job) {
+            const std::size_t k = job / kCoefficientCount, c = job % kCoefficientCount;
+            m_priors[k][c] = priorOf(ofKind[k], k, c);
+        });
         m_drift.resize(fleet.compasses.size());
         for (const auto& each : changes.drifts) { // the surest first
             auto& mine = m_drift[static_cast<std::size_t>(each.compass)];
@@ -66,18 +69,22 @@ public:
     Result<Ranking> rank(const Progress& progress)
     {
         Ranking ranking;
+        std::vector<std::optional<double>> limits(m_histories.size());
+        std::vector<std::size_t> asked;
         for (std::size_t h = 0; h < m_histories.size(); ++h) {
-            if (progress && h % 64 == 0 && !progress(static_cast<double>(h) / static_cast<double>(m_histories.size())))
-                return Error{ErrorCode::Cancelled, MARKED("core", "cancelled")};
             const auto& compass = m_fleet.compasses[static_cast<std::size_t>(m_histories[h].compass)];
-            const auto limit = m_options.limit_deg ? m_options.limit_deg : compass.limit_deg;
-            if (!limit)
+            limits[h] = m_options.limit_deg ? m_options.limit_deg : compass.limit_deg;
+            if (!limits[h])
                 ++ranking.withoutLimit;
             else if (std::ranges::none_of(m_histories[h].rows, [&](auto row) { return m_curves.curves[row].fitted(); }))
                 ++ranking.withoutCurve;
             else
-                ranking.compasses.push_back(ranked(h, *limit));
+                asked.push_back(h);
         }
+        ranking.compasses.resize(asked.size());
+        const auto rankOne = [&](std::size_t i) { ranking.compasses[i] = ranked(asked[i], *limits[asked[i]]); };
+        if (!byTwoHands(asked.size(), 4, progress, rankOne))
+            return Error{ErrorCode::Cancelled, MARKED("core", "cancelled")};
         // Equal chances (two of no risk): by what is expected, then by name, which is the order that they are in.
         std::ranges::stable_sort(
             ranking.compasses, {}, [](const RankedCompass& r) { return std::pair(-r.probability, -r.largestExpected_deg / r.limit_deg); });
@@ -90,12 +97,10 @@ private:
         return static_cast<std::size_t>(m_curves.kindOf[static_cast<std::size_t>(m_histories[history].compass)]);
     }
 
-    Prior priorOf(std::size_t kind, std::size_t c) const
+    Prior priorOf(const std::vector<std::size_t>& mine, std::size_t kind, std::size_t c) const
     {
         std::vector<std::pair<double, double>> levels, slopes;
-        for (std::size_t h = 0; h < m_histories.size(); ++h) {
-            if (kindOf(h) != kind)
-                continue;
+        for (const auto h : mine) {
             const auto series = seriesOf(m_fleet, m_curves, m_histories[h], c, m_changes.scatter[kind][c]);
             double sum = 0, error = 0;
             for (const auto& value : series.values) {

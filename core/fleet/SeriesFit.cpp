@@ -15,7 +15,7 @@ constexpr double kRareStep = 0.01, kStepVariance_deg2 = 4.0;
 /// Whitened columns, each less what those before it explain. One allocation: a hundred sizes are asked of each series.
 class Whitened {
 public:
-    Whitened(std::span<const DatedValue> series, const ScatterSize& size) : m_n(series.size()), m_room(2 * m_n * m_n + m_n, 0.0)
+    Whitened(std::span<const DatedValue> series, const ScatterSize& size) : m_n(series.size()), m_room(2 * m_n * m_n + 2 * m_n)
     {
         for (std::size_t i = 0; i < m_n; ++i) {
             for (std::size_t j = 0; j <= i; ++j) {
@@ -80,6 +80,14 @@ public:
         return length;
     }
 
+    /// A copy of the column that stays.
+    std::span<double> setAside()
+    {
+        const std::span<double> aside(basis(m_n + 1), m_n);
+        std::ranges::copy(column(), aside.begin());
+        return aside;
+    }
+
     [[nodiscard]] std::span<const double> last() { return {basis(m_columns - 1), m_n}; }
     [[nodiscard]] int columns() const { return static_cast<int>(m_columns); }
     [[nodiscard]] double logs() const { return m_logs; } ///< of the determinants' roots
@@ -102,7 +110,8 @@ private:
 
 } // namespace
 
-SeriesFit fitSeries(std::span<const DatedValue> series, const ScatterSize& size, bool trend, std::span<const std::size_t> at)
+SeriesFit fitSeries(
+    std::span<const DatedValue> series, const ScatterSize& size, bool trend, std::span<const std::size_t> at, SeriesSteps steps)
 {
     SeriesFit fit;
     const std::size_t n = series.size();
@@ -121,7 +130,7 @@ SeriesFit fitSeries(std::span<const DatedValue> series, const ScatterSize& size,
     space.whiten();
     space.takeOut();
     space.takeOut();
-    std::vector<double> residual(space.column().begin(), space.column().end());
+    const std::span<double> residual = space.setAside();
     if (trend) {
         for (std::size_t i = 0; i < n; ++i)
             space.column()[i] = (series[i].day - series.front().day) / kDaysPerYear;
@@ -135,6 +144,9 @@ SeriesFit fitSeries(std::span<const DatedValue> series, const ScatterSize& size,
     }
     fit.freedom = static_cast<int>(n) - space.columns();
     fit.logLikelihood = -space.logs() - 0.5 * space.product(residual.data(), residual.data());
+    if (steps == SeriesSteps::NotAsked)
+        return fit;
+    fit.places.reserve(n - 1);
     for (std::size_t place = 1; place < n; ++place) {
         if (series[place].corrected || series[place].day == series[place - 1].day)
             continue;
@@ -152,6 +164,7 @@ double withRareStep(const SeriesFit& fit)
         return fit.logLikelihood;
     double largest = 0;
     std::vector<double> gains;
+    gains.reserve(fit.places.size());
     for (const auto& place : fit.places) {
         const double spread = kStepVariance_deg2 * place.length2; // of the step against its error
         gains.push_back(0.5 * (place.statistic * place.statistic * spread / (1 + spread) - std::log1p(spread)));

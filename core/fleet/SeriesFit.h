@@ -30,8 +30,11 @@ struct SeriesFit {
     std::vector<SeriesPlace> places;
 };
 
+enum class SeriesSteps { Asked, NotAsked }; ///< of places that are not known: half of the work and more
+
 /// @param series  variances of the fits alone. @param trend  in the null of steps and of the likelihood. @param at  steps that are known.
-[[nodiscard]] SeriesFit fitSeries(std::span<const DatedValue> series, const ScatterSize& size, bool trend, std::span<const std::size_t> at);
+[[nodiscard]] SeriesFit fitSeries(std::span<const DatedValue> series, const ScatterSize& size, bool trend, std::span<const std::size_t> at,
+    SeriesSteps steps = SeriesSteps::Asked);
 
 /// Logarithm of the likelihood where a rare step is also thought of: one of N(0, 2°) at any place in each hundredth series.
 [[nodiscard]] double withRareStep(const SeriesFit& fit);

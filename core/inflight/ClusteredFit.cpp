@@ -12,7 +12,7 @@
 #include "core/algebra/Products.h"
 #include "core/algebra/Solve.h"
 #include "core/algebra/Spectra.h"
-#include "core/inflight/Alongside.h"
+#include "core/base/Alongside.h"
 
 namespace lubberline {
 

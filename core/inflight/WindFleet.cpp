@@ -9,7 +9,7 @@
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/fleet/Proportion.h"
-#include "core/inflight/Alongside.h"
+#include "core/base/Alongside.h"
 #include "core/inflight/WindStudy.h"
 #include "core/inflight/WindStudyParts.h"
 

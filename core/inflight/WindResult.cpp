@@ -3,7 +3,7 @@
 
 #include "core/angle/Angle.h"
 #include "core/fleet/Proportion.h"
-#include "core/inflight/Alongside.h"
+#include "core/base/Alongside.h"
 #include "core/inflight/WindStudy.h"
 #include "core/inflight/WindStudyParts.h"
 
