@@ -6,10 +6,10 @@
 #include <map>
 
 #include "core/angle/Angle.h"
+#include "core/base/Alongside.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/fleet/Proportion.h"
-#include "core/base/Alongside.h"
 #include "core/inflight/WindStudy.h"
 #include "core/inflight/WindStudyParts.h"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "core/angle/Angle.h"
-#include "core/fleet/Proportion.h"
 #include "core/base/Alongside.h"
+#include "core/fleet/Proportion.h"
 #include "core/inflight/WindStudy.h"
 #include "core/inflight/WindStudyParts.h"
 
