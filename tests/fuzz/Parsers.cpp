@@ -14,6 +14,7 @@
 #include "core/format/csv/SensorLogCsv.h"
 #include "core/format/csv/WindCsv.h"
 #include "core/format/exchange/BenchJson.h"
+#include "core/format/exchange/CoilJson.h"
 #include "core/format/exchange/ElectricalJson.h"
 #include "core/format/exchange/JobJson.h"
 #include "core/format/exchange/LostJson.h"
@@ -90,6 +91,7 @@ bool checkRows(std::string_view bytes)
     any = isClear(readStatesRow(bytes)) || any;
     any = isClear(readSurvey(bytes, kName)) || any;
     any = isClear(readJobPlan(bytes, kName)) || any;
+    any = isClear(readCoilBenchJson(bytes, kName)) || any;
     any = isClear(readJobEvent(bytes, kName)) || any;
     return isClear(readLostEntry(bytes)) || any;
 }

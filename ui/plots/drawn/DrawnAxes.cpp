@@ -71,7 +71,8 @@ DrawnScale decades(double least, double most, QString title)
 }
 
 DrawnAxes::DrawnAxes(const QRectF& rect, const QFont& font, DrawnScale x, DrawnScale y)
-    : m_x(std::move(x))
+    : m_rect(rect)
+    , m_x(std::move(x))
     , m_y(std::move(y))
     , m_line(QFontMetricsF(font).height())
 {
@@ -83,7 +84,10 @@ DrawnAxes::DrawnAxes(const QRectF& rect, const QFont& font, DrawnScale x, DrawnS
     double wide = metrics.horizontalAdvance(QStringLiteral("+00.0"));
     for (const Tick& tick : ticksOf(m_y, 8))
         wide = std::max(wide, metrics.horizontalAdvance(tick.text));
-    m_inside = rect.adjusted(wide + 0.9 * m_line, 1.7 * m_line, -1.5 * m_line, -2.5 * m_line);
+    const auto more = [&](const QString& title) { // what is wider than the picture goes on below
+        return metrics.boundingRect(QRectF(0, 0, rect.width(), 9 * m_line), Qt::TextWordWrap, title).height() - m_line;
+    };
+    m_inside = rect.adjusted(wide + 0.9 * m_line, 1.7 * m_line + more(m_y.title), -1.5 * m_line, -2.5 * m_line - more(m_x.title));
     m_inside.setWidth(std::max(m_inside.width(), 1.0));
     m_inside.setHeight(std::max(m_inside.height(), 1.0));
 }
@@ -131,10 +135,16 @@ void DrawnAxes::paint(QPainter& painter, const PlotColours& colours) const
     painter.setPen(QPen(colours.axis, 0));
     painter.drawRect(m_inside);
     painter.setPen(colours.text);
-    painter.drawText(QRectF(m_inside.left(), m_inside.top() - 1.55 * m_line, m_inside.width(), 1.4 * m_line),
-        Qt::AlignLeft | Qt::AlignVCenter, m_y.title);
-    painter.drawText(QRectF(m_inside.left(), m_inside.bottom() + 1.2 * m_line, m_inside.width(), 1.2 * m_line),
-        Qt::AlignHCenter | Qt::AlignVCenter, m_x.title);
+    // A title stands at its axis; one that is wider takes the width of the picture.
+    const QFontMetricsF metrics(painter.font());
+    const bool yFits = metrics.horizontalAdvance(m_y.title) <= m_rect.right() - m_inside.left();
+    const bool xFits = metrics.horizontalAdvance(m_x.title) <= m_inside.width();
+    painter.drawText(
+        QRectF({yFits ? m_inside.left() : m_rect.left(), m_rect.top()}, QPointF(m_rect.right(), m_inside.top() - 0.15 * m_line)),
+        Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, m_y.title);
+    const QRectF& across = xFits ? m_inside : m_rect;
+    painter.drawText(QRectF({across.left(), m_inside.bottom() + 1.2 * m_line}, QPointF(across.right(), m_rect.bottom())),
+        Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, m_x.title);
 }
 
 QPen curvePen(const QColor& colour, const QFont& font, double weight, Qt::PenStyle style)

@@ -41,6 +41,7 @@ public:
 private:
     void paintFigures(QPainter& painter, const PlotColours& colours, bool upright) const;
 
+    QRectF m_rect;
     DrawnScale m_x, m_y;
     QRectF m_inside;
     double m_line;
