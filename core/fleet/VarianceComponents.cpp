@@ -203,7 +203,7 @@ std::int32_t renumber(std::vector<VarianceRow>& rows, std::int32_t VarianceRow::
     for (const auto& row : rows)
         seen.push_back(row.*level);
     std::ranges::sort(seen);
-    seen.erase(std::ranges::unique(seen).begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end()); // clang 14, which fuzzes, cannot read std::ranges::unique
     for (auto& row : rows)
         row.*level = static_cast<std::int32_t>(std::ranges::lower_bound(seen, row.*level) - seen.begin());
     return static_cast<std::int32_t>(seen.size());
