@@ -53,6 +53,13 @@
     </message>
 </context>
 <context>
+    <name>CompassTitle</name>
+    <message>
+        <source> · DEMONSTRATION</source>
+        <translation> · DANE POKAZOWE</translation>
+    </message>
+</context>
+<context>
     <name>DerivationPanel</name>
     <message>
         <source>δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′, by least squares over all readings (δ = magnetic − compass, ψ′ compass heading)</source>
@@ -346,6 +353,18 @@
             <numerusform>%n zastrzeżenia do dewiacji (%1); oczekiwano: żadnego</numerusform>
             <numerusform>%n zastrzeżeń do dewiacji (%1); oczekiwano: żadnego</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 of the compasses of %2 are meant; expected one: state it with --compass</source>
+        <translation>pasuje %1 busoli statku %2; oczekiwano jednej: podaj ją przez --compass</translation>
+    </message>
+    <message>
+        <source>%1 benches of this compass have a record id that begins with %2; expected one</source>
+        <translation>%1 pomiarów stanowiskowych tej busoli ma identyfikator zaczynający się od %2; oczekiwano jednego</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no day of the calendar; expected YYYY-MM-DD</source>
+        <translation>„%1” nie jest dniem kalendarza; oczekiwano RRRR-MM-DD</translation>
     </message>
 </context>
 <context>
@@ -4766,6 +4785,62 @@
         <source>the sun&apos;s azimuth tells little here (±%1°, one standard deviation)</source>
         <translation>azymut Słońca mówi tu niewiele (±%1°, jedno odchylenie standardowe)</translation>
     </message>
+    <message>
+        <source>not both benches state the sensor&apos;s serial number: whether it is the same sensor is not known</source>
+        <translation>nie oba pomiary podają numer seryjny czujnika: nie wiadomo, czy to ten sam czujnik</translation>
+    </message>
+    <message>
+        <source>the field went to %1 nT before and to %2 nT now: a sensor that is not straight has another scale over another range</source>
+        <translation>pole sięgało przedtem %1 nT, a teraz %2 nT: czujnik nieliniowy ma w innym zakresie inną skalę</translation>
+    </message>
+    <message>
+        <source>not both benches have a temperature: a difference may be its</source>
+        <translation>nie oba pomiary mają temperaturę: różnica może od niej pochodzić</translation>
+    </message>
+    <message>
+        <source>it was %1 °C before and %2 °C now: a difference may be the temperature&apos;s</source>
+        <translation>przedtem było %1 °C, teraz %2 °C: różnica może pochodzić od temperatury</translation>
+    </message>
+    <message>
+        <source>has %1 whole rows; a bench that is kept has at most %2, for its readings are kept whole: keep a part of the log</source>
+        <translation>ma %1 pełnych wierszy; przechowywany pomiar stanowiskowy ma ich najwyżej %2, bo odczyty przechowuje się w całości: zachowaj część zapisu</translation>
+    </message>
+    <message>
+        <source>are of two sensors (serial numbers %1 and %2) and cannot be compared</source>
+        <translation>dotyczą dwóch czujników (numery seryjne %1 i %2) i nie można ich porównać</translation>
+    </message>
+    <message>
+        <source>are one in counts and one in nT and cannot be compared</source>
+        <translation>są jeden w zliczeniach, a drugi w nT, i nie można ich porównać</translation>
+    </message>
+    <message>
+        <source>are %1 days apart: no drift is told from benches less than %2 days apart</source>
+        <translation>dzieli %1 dni: z pomiarów bliższych niż %2 dni nie określa się dryfu</translation>
+    </message>
+    <message>
+        <source>a date (YYYY-MM-DD)</source>
+        <translation>daty (RRRR-MM-DD)</translation>
+    </message>
+    <message>
+        <source>the readings of the bench and their count</source>
+        <translation>odczytów pomiaru stanowiskowego i ich liczby</translation>
+    </message>
+    <message>
+        <source>a coil bench</source>
+        <translation>pomiar na stanowisku z cewkami</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> z %1</translation>
+    </message>
+    <message>
+        <source>by its coil bench%1 the sensor itself leaves %2 nT on each reading, which is not in the errors: the field of the swing is not known</source>
+        <translation>według stanowiska z cewkami%1 sam czujnik wnosi do każdego odczytu %2 nT, czego nie ma w błędach: pole pomiaru dewiacji nie jest znane</translation>
+    </message>
+    <message>
+        <source>the sensor itself leaves %1° on each reading, in the errors: by its coil bench%2, noise %3, hysteresis %4 and nonlinearity %5 nT (standard uncertainties) in a field of %6 nT</source>
+        <translation>sam czujnik wnosi do każdego odczytu %1°, ujęte w błędach: według stanowiska z cewkami%2 szum %3, histereza %4 i nieliniowość %5 nT (niepewności standardowe) w polu %6 nT</translation>
+    </message>
 </context>
 <context>
     <name>db</name>
@@ -5600,6 +5675,10 @@
     <message>
         <source>the swing of %1 (record %2): its readings were changed last and its results are not computed since; the next program that opens this file to write does it</source>
         <translation>dewiacja z %1 (zapis %2): jej odczyty zmieniono jako ostatnie i od tego czasu nie obliczono wyników; zrobi to następny program, który otworzy ten plik do zapisu</translation>
+    </message>
+    <message>
+        <source>coil bench</source>
+        <translation>pomiar na stanowisku z cewkami</translation>
     </message>
 </context>
 <context>
@@ -7044,6 +7123,53 @@ soft iron S:</source>
     <message>
         <source>A click or Enter on a number opens where it comes from</source>
         <translation>Kliknięcie lub Enter na liczbie otwiera jej pochodzenie</translation>
+    </message>
+</context>
+<context>
+    <name>lubberline::ui::CoilPanel</name>
+    <message>
+        <source>Coil bench</source>
+        <translation>Stanowisko z cewkami</translation>
+    </message>
+    <message>
+        <source>Kept benches</source>
+        <translation>Przechowywane pomiary</translation>
+    </message>
+    <message>
+        <source>date of the bench: today</source>
+        <translation>data pomiaru: dzisiaj</translation>
+    </message>
+    <message>
+        <source>serial number of the sensor</source>
+        <translation>numer seryjny czujnika</translation>
+    </message>
+    <message>
+        <source>note: bench, coil, by whom</source>
+        <translation>uwaga: stanowisko, cewka, kto</translation>
+    </message>
+    <message>
+        <source>&amp;Keep with the compass</source>
+        <translation>Za&amp;chowaj przy busoli</translation>
+    </message>
+    <message>
+        <source>Remove the bench</source>
+        <translation>Usuń pomiar</translation>
+    </message>
+    <message>
+        <source>A coil bench needs the applied field beside the measured one: ax_nT, ay_nT, az_nT; temperature_c where it was read.</source>
+        <translation>Stanowisko z cewkami wymaga pola przyłożonego obok zmierzonego: ax_nT, ay_nT, az_nT; temperature_c, jeśli ją odczytano.</translation>
+    </message>
+    <message>
+        <source>“%1” is no day; expected YYYY-MM-DD</source>
+        <translation>„%1” nie jest dniem; oczekiwano RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>coil bench of %1</source>
+        <translation>pomiar na stanowisku z cewkami z %1</translation>
+    </message>
+    <message>
+        <source>coil bench of %1 removed</source>
+        <translation>usunięto pomiar na stanowisku z cewkami z %1</translation>
     </message>
 </context>
 <context>
@@ -10655,6 +10781,38 @@ soft iron S:</source>
     <message>
         <source>sin δ = Σ g (S b + p/H): the sensor&apos;s soft and hard iron followed by a Kalman filter at every attitude; a scale that all axes share turns no heading, so k is 0. Figures are degrees: soft iron times 57.3, P, Q and R over H. A to E are level where the last update was.</source>
         <translation>sin δ = Σ g (S b + p/H): żelazo miękkie i twarde czujnika śledzone filtrem Kalmana w każdym położeniu; wspólna skala wszystkich osi nie zmienia kursu, więc k wynosi 0. Wartości w stopniach: żelazo miękkie razy 57,3, P, Q i R przez H. Od A do E w locie poziomym tam, gdzie była ostatnia aktualizacja.</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Przesunięcie</translation>
+    </message>
+    <message>
+        <source>Kept benches</source>
+        <translation>Przechowywane pomiary</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Numer seryjny</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Zakres</translation>
+    </message>
+    <message>
+        <source>Noise, largest</source>
+        <translation>Szum, największy</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Zapis</translation>
+    </message>
+    <message>
+        <source>The benches of %1 and %2 %3.</source>
+        <translation>Pomiary na stanowisku z %1 i %2 %3.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 on x, y, z (95 %): bias %3 nT a year; scale %4 millionths a year; noise %5 times what it was.</source>
+        <translation>Od %1 do %2 na x, y, z (95 %): przesunięcie %3 nT na rok; skala %4 milionowych na rok; szum %5 razy taki jak przedtem.</translation>
     </message>
 </context>
 <context>
@@ -16726,10 +16884,6 @@ Escape przywraca zapisaną wartość.</translation>
         <translation>Zapisz &amp;sprawozdanie jako PDF…</translation>
     </message>
     <message>
-        <source>Spectrum: Welch&apos;s method (1967), periodic Hann window, half overlap; lines are named by the supplies (50, 60, 115, 400 Hz and harmonics) or by orders of a rotor, also where sampling folds them down: a frequency f stands at |f − n·rate|, and one that falls on 0 looks like hard iron. Notches of Q 5 cost 1/(2π f Q) of delay, a low-pass 1/(2π f). Coil: measured = scale · applied + bias + temperature + hysteresis. Interference: the aircraft stands still, things are switched at noted times, and the field must not change by more than 5, 5 and 8 mG (500, 500, 800 nT) on x, y and z, as makers ask.</source>
-        <translation>Widmo: metoda Welcha (1967), okresowe okno Hanna, zakładka połowy; linie nazywa się według zasilania (50, 60, 115, 400 Hz i harmoniczne) albo rzędów wirnika, także tam, gdzie odbija je próbkowanie: częstotliwość f stoi na |f − n·częstość|, a ta, która pada na 0, wygląda jak żelazo twarde. Wycięcie o Q 5 kosztuje 1/(2π f Q) opóźnienia, filtr dolnoprzepustowy 1/(2π f). Cewka: zmierzone = skala · przyłożone + przesunięcie + temperatura + histereza. Zakłócenia: statek powietrzny stoi, o zanotowanych czasach przełącza się odbiorniki, a pole nie może zmienić się bardziej niż o 5, 5 i 8 mG (500, 500, 800 nT) na x, y i z, jak żądają producenci.</translation>
-    </message>
-    <message>
         <source>&amp;Open a log…</source>
         <translation>&amp;Otwórz zapis…</translation>
     </message>
@@ -16798,10 +16952,6 @@ Escape przywraca zapisaną wartość.</translation>
         <translation>Otwórz zapis stojącego czujnika, potem wykaz czynności: time_s, action.</translation>
     </message>
     <message>
-        <source>A coil bench needs the applied field beside the measured one: ax_nT, ay_nT, az_nT; temperature_c where it was read.</source>
-        <translation>Stanowisko z cewkami wymaga pola przyłożonego obok zmierzonego: ax_nT, ay_nT, az_nT; temperature_c, jeśli ją odczytano.</translation>
-    </message>
-    <message>
         <source>Open a sensor log</source>
         <translation>Otwieranie zapisu czujnika</translation>
     </message>
@@ -16856,6 +17006,10 @@ Escape przywraca zapisaną wartość.</translation>
     <message>
         <source>Installation</source>
         <translation>Zabudowa</translation>
+    </message>
+    <message>
+        <source>Spectrum: Welch&apos;s method (1967), periodic Hann window, half overlap; lines are named by the supplies (50, 60, 115, 400 Hz and harmonics) or by orders of a rotor, also where sampling folds them down: a frequency f stands at |f − n·rate|, and one that falls on 0 looks like hard iron. Notches of Q 5 cost 1/(2π f Q) of delay, a low-pass 1/(2π f). Coil: measured = scale · applied + bias + temperature + hysteresis; opened from a compass, a bench is kept with it, held against earlier ones, and its noise, hysteresis and nonlinearity are in the errors of every later swing. Interference: the aircraft stands still, things are switched at noted times, and the field must not change by more than 5, 5 and 8 mG (500, 500, 800 nT) on x, y and z, as makers ask.</source>
+        <translation>Widmo: metoda Welcha (1967), okresowe okno Hanna, zakładka połowy; linie nazywa się według zasilania (50, 60, 115, 400 Hz i harmoniczne) albo rzędów wirnika, także tam, gdzie odbija je próbkowanie: częstotliwość f stoi na |f − n·częstość|, a ta, która pada na 0, wygląda jak żelazo twarde. Wycięcie o Q 5 kosztuje 1/(2π f Q) opóźnienia, filtr dolnoprzepustowy 1/(2π f). Cewka: zmierzone = skala · przyłożone + przesunięcie + temperatura + histereza; otwarty od strony busoli pomiar zachowuje się przy niej, zestawia z wcześniejszymi, a jego szum, histereza i nieliniowość wchodzą w błędy każdego późniejszego pomiaru dewiacji. Zakłócenia: statek powietrzny stoi, o zanotowanych czasach przełącza się odbiorniki, a pole nie może zmienić się bardziej niż o 5, 5 i 8 mG (500, 500, 800 nT) na x, y i z, jak żądają producenci.</translation>
     </message>
 </context>
 <context>
