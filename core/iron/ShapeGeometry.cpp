@@ -4,17 +4,11 @@
 #include <cmath>
 
 #include "core/angle/Angle.h"
+#include "core/base/Cases.h"
 
 namespace lubberline {
 
 namespace {
-
-template <class... Calls>
-struct Cases : Calls... {
-    using Calls::operator()...;
-};
-template <class... Calls>
-Cases(Calls...) -> Cases<Calls...>; // clang 14, which fuzzes, does not deduce it
 
 /// Samples across a cell, where the height of the chord depends on the direction: 64 chords through each cell.
 constexpr int kSamples = 8;

@@ -3,16 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/Cases.h"
+
 namespace lubberline::db {
-
-namespace {
-
-template <class... Answers>
-struct Each : Answers... {
-    using Answers::operator()...;
-};
-
-} // namespace
 
 void Changes::note(const Change& change)
 {
@@ -38,7 +31,7 @@ void Changes::ended(bool committed)
 
 void Changes::tell(const Change& change)
 {
-    std::visit(Each{[this](change::Fleet) { emit fleetChanged(); }, [this](change::OfAircraft one) { emit aircraftChanged(one.id); },
+    std::visit(Cases{[this](change::Fleet) { emit fleetChanged(); }, [this](change::OfAircraft one) { emit aircraftChanged(one.id); },
                    [this](change::OfSwing one) { emit swingChanged(one.id, one.only); },
                    [this](change::Sensors one) { emit sensorsChanged(one.of); }, [this](change::Sites) { emit sitesChanged(); },
                    [this](change::Due) { emit dueChanged(); }, [this](change::Electrical one) { emit electricalChanged(one.of); }},
