@@ -64,6 +64,8 @@ std::optional<Jump> jumpOf(const Watched& one, const Places& at)
         const auto beside = largestOf(one, at, true);
         if (!beside || beside->p > kBesideATrend)
             jump->p = 1;
+        else if (const auto drift = trendOf(one, at); drift && std::abs(drift->perYear / drift->standardError) > std::abs(jump->statistic))
+            jump->p = std::max(jump->p, beside->p); // a trend alone explains more than the step: it is what stands beside it that counts
     }
     return jump;
 }
