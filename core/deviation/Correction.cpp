@@ -4,6 +4,8 @@
 #include <string>
 
 #include "core/deviation/PointRules.h"
+#include "core/deviation/SmithFit.h"
+#include "core/deviation/SmithRows.h"
 
 namespace lubberline {
 
@@ -47,13 +49,14 @@ Result<Correction> correctionSteps(std::span<const Observation> readings)
 {
     std::array<Observation, 4> on;
     std::array<double, 4> deviation_deg{};
+    const double index_deg = largeIndex_deg(readings);
     for (const Cardinal cardinal : kCardinals) {
         const auto reading = readingOn(readings, cardinal);
         if (!reading)
             return reading.error();
         const auto i = static_cast<std::size_t>(cardinal);
         on[i] = *reading;
-        deviation_deg[i] = deviationOf(reading->magnetic, reading->compass).degrees();
+        deviation_deg[i] = aboutIndex_deg(*reading, index_deg);
     }
     const auto [n, e, s, w] = deviation_deg;
     const double A_deg = (n + e + s + w) / 4, B_deg = (e - w) / 2, C_deg = (n - s) / 2;

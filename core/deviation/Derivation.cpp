@@ -57,6 +57,7 @@ std::optional<Derivation> derivationOf(std::span<const Observation> readings, co
     if (which == Coefficient::D && !rules.D_rad)
         return std::nullopt;
     const auto weights = ruleWeights(rules.points, which);
+    const double index_deg = largeIndex_deg(readings);
     const auto headingOf = [&](std::size_t i) {
         return rules.argument == HeadingArgument::Magnetic ? readings[i].magnetic.degrees() : readings[i].compass.degrees();
     };
@@ -69,7 +70,7 @@ std::optional<Derivation> derivationOf(std::span<const Observation> readings, co
             if (headingOf(i) == headingOf(*rules.reading[point]))
                 there.push_back(i);
         for (const std::size_t i : there) {
-            const double deviation_rad = deviationOf(readings[i].magnetic, readings[i].compass).radians();
+            const double deviation_rad = toRadians(aboutIndex_deg(readings[i], index_deg));
             derivation.terms.push_back({i, weights[point] / static_cast<double>(there.size()), deviation_rad});
             derivation.sum += derivation.terms.back().product();
         }

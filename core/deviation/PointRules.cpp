@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/deviation/SmithFit.h"
+#include "core/deviation/SmithRows.h"
+
 namespace lubberline {
 
 namespace {
@@ -14,27 +17,28 @@ struct OnPoints {
     int points = 0;       ///< 8, 4, or 0 when a cardinal is missing
 };
 
-double headingOf(const Observation& reading, HeadingArgument argument)
+/// @param index_deg  by which the compass is far out as a whole
+double headingOf(const Observation& reading, HeadingArgument argument, double index_deg)
 {
-    return argument == HeadingArgument::Magnetic ? reading.magnetic.degrees() : reading.compass.degrees();
+    return argument == HeadingArgument::Magnetic ? reading.magnetic.degrees() : wrap360(reading.compass.degrees() + index_deg);
 }
 
 /// The nearest reading to a point; readings on the very same heading are averaged, because all of them count.
-void takeNearest(OnPoints& taken, std::size_t point, std::span<const Observation> readings, HeadingArgument argument)
+void takeNearest(OnPoints& taken, std::size_t point, std::span<const Observation> readings, HeadingArgument argument, double index_deg)
 {
     const double point_deg = 45.0 * static_cast<double>(point);
     double nearest_deg = kPointTolerance_deg, sum_rad = 0;
     int count = 0;
     for (std::size_t i = 0; i < readings.size(); ++i) {
-        const double distance_deg = std::abs(wrap180(headingOf(readings[i], argument) - point_deg));
-        const double deviation_rad = deviationOf(readings[i].magnetic, readings[i].compass).radians();
+        const double distance_deg = std::abs(wrap180(headingOf(readings[i], argument, index_deg) - point_deg));
+        const double deviation_rad = toRadians(aboutIndex_deg(readings[i], index_deg));
         if (distance_deg < nearest_deg || (count == 0 && distance_deg <= nearest_deg)) {
             nearest_deg = distance_deg;
             taken.reading[point] = i;
             sum_rad = deviation_rad;
             count = 1;
         } else if (count > 0 && distance_deg == nearest_deg
-            && headingOf(readings[i], argument) == headingOf(readings[*taken.reading[point]], argument)) {
+            && headingOf(readings[i], argument, index_deg) == headingOf(readings[*taken.reading[point]], argument, index_deg)) {
             sum_rad += deviation_rad;
             ++count;
         }
@@ -45,14 +49,14 @@ void takeNearest(OnPoints& taken, std::size_t point, std::span<const Observation
     }
 }
 
-OnPoints onPoints(std::span<const Observation> readings, HeadingArgument argument)
+OnPoints onPoints(std::span<const Observation> readings, HeadingArgument argument, double index_deg)
 {
     OnPoints cardinals, all;
     for (std::size_t point = 0; point < 8; point += 2)
-        takeNearest(cardinals, point, readings, argument);
+        takeNearest(cardinals, point, readings, argument, index_deg);
     all = cardinals;
     for (std::size_t point = 1; point < 8; point += 2)
-        takeNearest(all, point, readings, argument);
+        takeNearest(all, point, readings, argument, index_deg);
     const auto complete = [](const OnPoints& taken, std::size_t step) {
         for (std::size_t point = 0; point < 8; point += step)
             if (!taken.reading[point])
@@ -70,8 +74,9 @@ OnPoints onPoints(std::span<const Observation> readings, HeadingArgument argumen
 
 std::optional<PointRules> pointRules(std::span<const Observation> readings)
 {
-    const OnPoints magnetic = onPoints(readings, HeadingArgument::Magnetic);
-    const OnPoints compass = onPoints(readings, HeadingArgument::Compass);
+    const double index_deg = largeIndex_deg(readings);
+    const OnPoints magnetic = onPoints(readings, HeadingArgument::Magnetic, index_deg);
+    const OnPoints compass = onPoints(readings, HeadingArgument::Compass, index_deg);
     const bool byCompass
         = compass.points > magnetic.points || (compass.points == magnetic.points && compass.worst_deg < magnetic.worst_deg);
     const OnPoints& taken = byCompass ? compass : magnetic;

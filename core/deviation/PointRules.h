@@ -28,6 +28,7 @@ struct PointRules {
 /// How far from its point a reading may be: half the spacing of sixteen points.
 inline constexpr double kPointTolerance_deg = 11.25;
 
+/// Of a compass that is far out as a whole the points are those of the compass turned in its mount by its index (SmithFit.h), which is in A.
 /// None when not all four cardinals have a reading within kPointTolerance_deg.
 [[nodiscard]] std::optional<PointRules> pointRules(std::span<const Observation> readings);
 

@@ -57,7 +57,7 @@ private:
 
 Expectation::Expectation(const SlipContext& context) : m_noise_deg(std::hypot(context.resolution_deg / std::sqrt(12.0), kTwitch_deg))
 {
-    const Vector5 prior = degreesOf(context.expected.mean), spread = degreesOf(context.expected.standardDeviation);
+    const Vector5 prior = degreesOf(byHeadingAsRead(context.expected.mean)), spread = degreesOf(context.expected.standardDeviation);
     const double weight = 1.0 / (m_noise_deg * m_noise_deg);
     Matrix5 information = spread.array().square().inverse().matrix().asDiagonal();
     Vector5 sum = information * prior;

@@ -92,7 +92,7 @@ Deviation deviationAt(const ApproximateSmith& smith, CompassHeading compass)
 
 double component_rad(const ApproximateSmith& smith, Coefficient which, CompassHeading compass)
 {
-    const double z = compass.radians();
+    const double z = compass.radians() + smith.index_rad;
     switch (which) {
     case Coefficient::A: return smith.A_rad;
     case Coefficient::B: return smith.B_rad * std::sin(z);
@@ -157,11 +157,19 @@ ExactSmith toExact(const ApproximateSmith& approximate)
         sinD, std::sin(approximate.E_rad)};
 }
 
+ApproximateSmith byHeadingAsRead(const ApproximateSmith& smith)
+{
+    const double s1 = std::sin(smith.index_rad), c1 = std::cos(smith.index_rad);
+    const double s2 = std::sin(2 * smith.index_rad), c2 = std::cos(2 * smith.index_rad);
+    return {smith.A_rad, smith.B_rad * c1 - smith.C_rad * s1, smith.B_rad * s1 + smith.C_rad * c1, smith.D_rad * c2 - smith.E_rad * s2,
+        smith.D_rad * s2 + smith.E_rad * c2};
+}
+
 ApproximateSmith without(const ApproximateSmith& smith, CoefficientSet removed)
 {
     const auto kept = [&](Coefficient c, double value) { return removed.test(indexOf(c)) ? 0.0 : value; };
     return {kept(Coefficient::A, smith.A_rad), kept(Coefficient::B, smith.B_rad), kept(Coefficient::C, smith.C_rad),
-        kept(Coefficient::D, smith.D_rad), kept(Coefficient::E, smith.E_rad)};
+        kept(Coefficient::D, smith.D_rad), kept(Coefficient::E, smith.E_rad), smith.index_rad};
 }
 
 ExactSmith without(const ExactSmith& smith, CoefficientSet removed)

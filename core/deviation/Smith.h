@@ -25,6 +25,9 @@ using CoefficientSet = std::bitset<kCoefficientCount>;
 /// Angles [rad], for [P 4].
 struct ApproximateSmith {
     double A_rad = 0, B_rad = 0, C_rad = 0, D_rad = 0, E_rad = 0;
+    /// Of a compass that is far out as a whole (largeIndex_deg of SmithFit.h): B to E are by the heading that it would read if it had been
+    /// turned in its mount by this, as they are by the heading as read of one that is mounted right. It is in A.
+    double index_rad = 0;
     friend bool operator==(const ApproximateSmith&, const ApproximateSmith&) = default;
 };
 
@@ -42,7 +45,7 @@ struct Observation {
 
 /// δ by [P 4].
 [[nodiscard]] Deviation deviationAt(const ApproximateSmith& smith, CompassHeading compass);
-/// One component of [P 4] alone at a compass heading [rad], e.g. B sin ψ'.
+/// One component of [P 4] alone at a compass heading [rad], e.g. B sin ψ'. Both turn the heading by the index.
 [[nodiscard]] double component_rad(const ApproximateSmith& smith, Coefficient which, CompassHeading compass);
 /// δ by [P 3].
 [[nodiscard]] Deviation deviationAt(const ExactSmith& smith, MagneticHeading magnetic);
@@ -59,6 +62,9 @@ Result<CompassHeading> compassHeadingFor(const ApproximateSmith& smith, Magnetic
 Result<ApproximateSmith> toApproximate(const ExactSmith& exact);
 /// The inverse of [P 5]; always exists.
 [[nodiscard]] ExactSmith toExact(const ApproximateSmith& approximate);
+
+/// The same curve with all its coefficients by the heading as read: no index.
+[[nodiscard]] ApproximateSmith byHeadingAsRead(const ApproximateSmith& smith);
 
 /// The coefficients with those in `removed` set to zero.
 [[nodiscard]] ApproximateSmith without(const ApproximateSmith& smith, CoefficientSet removed);

@@ -189,7 +189,7 @@ Result<Fit> fit(std::span<const Observation> readings, const FitWishes& wishes, 
 
 ApproximateSmith ApproximateFit::smith() const
 {
-    return {value[0].value_or(0), value[1].value_or(0), value[2].value_or(0), value[3].value_or(0), value[4].value_or(0)};
+    return {value[0].value_or(0), value[1].value_or(0), value[2].value_or(0), value[3].value_or(0), value[4].value_or(0), index_rad};
 }
 
 ExactSmith ExactFit::smith() const
@@ -265,7 +265,7 @@ std::optional<double> bandHalfWidth_rad(const ApproximateFit& fit, CompassHeadin
 {
     if (!fit.intervalFactor)
         return std::nullopt;
-    const SmithRow row = approximateRow({MagneticHeading{}, compass}, 0.0);
+    const SmithRow row = approximateRow({MagneticHeading{}, compass}, toDegrees(fit.index_rad));
     const auto x = Eigen::Map<const Eigen::Matrix<double, 5, 1>>(row.x.data());
     const double variance = x.dot(fit.covariance * x); // rows without a value are zero
     const double width_rad = *fit.intervalFactor * std::sqrt(std::max(0.0, variance));

@@ -28,7 +28,8 @@ struct SmithFitReport {
     std::optional<double> intervalFactor;
     /// Of neighbouring readings, where it is more than chance: the covariance counts it (SerialCorrelation.h).
     std::optional<double> lagOneCorrelation;
-    double index_rad = 0;       ///< largeIndex_deg(), taken out before the exact fit; in A of the approximate one
+    double index_rad
+        = 0; ///< largeIndex_deg(): B to E are of the compass turned in its mount by it. In A of the approximate fit, not of the exact one
     int parameters = 0;         ///< 5; 4 (without D or E), 3 (A, B, C) or 0
     int rank = 0;               ///< numerical rank of the five-column design matrix
     int degreesOfFreedom = 0;   ///< readings − parameters

@@ -23,7 +23,7 @@ inline double aboutIndex_deg(const Observation& reading, double index_deg)
 
 inline SmithRow approximateRow(const Observation& reading, double index_deg)
 {
-    const double s1 = std::sin(reading.compass.radians()), c1 = std::cos(reading.compass.radians());
+    const double z = reading.compass.radians() + toRadians(index_deg), s1 = std::sin(z), c1 = std::cos(z);
     return {{1, s1, c1, 2 * s1 * c1, c1 * c1 - s1 * s1}, toRadians(aboutIndex_deg(reading, index_deg))};
 }
 

@@ -1,6 +1,8 @@
 #include "core/procedure/StationCoefficients.h"
 
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "core/deviation/SmithFit.h"
@@ -10,6 +12,15 @@ namespace lubberline {
 namespace {
 
 double deviation_deg(const Observation& reading) { return deviationOf(reading.magnetic, reading.compass).degrees(); }
+
+/// Also of a compass that reads the reciprocal, whose deviations lie on both sides of ±180°.
+double meanAround_deg(std::span<const double> deviations_deg)
+{
+    double beyond = 0;
+    for (const double each : deviations_deg)
+        beyond += wrap180(each - deviations_deg.front());
+    return wrap180(deviations_deg.front() + beyond / static_cast<double>(deviations_deg.size()));
+}
 
 /// The deviation that was read on a cardinal before its controls were turned.
 std::optional<double> cardinal_deg(std::span<const StationState> stations, double nominal_deg)
@@ -27,26 +38,27 @@ std::optional<double> classicalCoefficient_deg(std::span<const StationState> sta
     const auto north = cardinal_deg(stations, 0), east = cardinal_deg(stations, 90), south = cardinal_deg(stations, 180),
                west = cardinal_deg(stations, 270);
     if (control == Control::NorthSouth)
-        return north && south ? std::optional((*north - *south) / 2.0) : std::nullopt;
+        return north && south ? std::optional(wrap180(*north - *south) / 2.0) : std::nullopt;
     if (control == Control::EastWest)
-        return east && west ? std::optional((*east - *west) / 2.0) : std::nullopt;
-    return north && east && south && west ? std::optional((*north + *east + *south + *west) / 4.0) : std::nullopt;
+        return east && west ? std::optional(wrap180(*east - *west) / 2.0) : std::nullopt;
+    if (!north || !east || !south || !west)
+        return std::nullopt;
+    return meanAround_deg(std::array{*north, *east, *south, *west});
 }
 
 std::optional<double> checkIndex_deg(std::span<const StationState> stations)
 {
     std::vector<Observation> readings;
-    double cardinals = 0.0;
-    int count = 0;
+    std::vector<double> cardinals_deg;
     for (const auto& station : stations) {
         if (station.station.phase != StationPhase::Check || !station.reading)
             continue;
         readings.push_back(*station.reading);
         if (std::fmod(station.station.nominal_deg, 90.0) == 0.0)
-            cardinals += deviation_deg(*station.reading), ++count;
+            cardinals_deg.push_back(deviation_deg(*station.reading));
     }
-    if (count == 4)
-        return cardinals / 4.0;
+    if (cardinals_deg.size() == 4)
+        return meanAround_deg(cardinals_deg);
     const auto fit = fitApproximate(readings);
     if (!fit || !fit->of(Coefficient::A))
         return {};

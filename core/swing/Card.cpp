@@ -22,6 +22,7 @@ Error cannotTell(const Message& what)
 Result<ApproximateSmith> removedFromReadings(const Analysis& analysis, CoefficientSet removed)
 {
     ApproximateSmith smith;
+    smith.index_rad = analysis.approximate.index_rad;
     const std::array<double*, kCoefficientCount> field{&smith.A_rad, &smith.B_rad, &smith.C_rad, &smith.D_rad, &smith.E_rad};
     for (const Coefficient coefficient : kCoefficients) {
         if (!removed.test(indexOf(coefficient)))

@@ -104,13 +104,11 @@ std::optional<Message> indexWords(double index_deg)
     if (off >= 165)
         return Message{
             MARKED("core",
-                "the compass reads the reciprocal: %1°%2 was taken out as its index before the exact B, C, D and E (the approximate ones are by "
-                "the heading as read); look whether it was read from the other side or is mounted back to front"),
+                "the compass reads the reciprocal: %1°%2 was taken out as its index before B, C, D and E; look whether it was read from the other side or is mounted back to front"),
             off, side};
     return Message{
         MARKED("core",
-            "the compass is %1°%2 out as a whole: this was taken out as its index before the exact B, C, D and E (the approximate ones are "
-            "by the heading as read); look at its mount and its lubber line"),
+            "the compass is %1°%2 out as a whole: this was taken out as its index before B, C, D and E; look at its mount and its lubber line"),
         off, side};
 }
 

@@ -2454,14 +2454,6 @@
         <translation>busola obraca się wstecz: wskazuje mniej przy zakręcie w prawo (odwrócona róża albo kursy i odczyty o przeciwnych zwrotach); dewiacji nie da się określić</translation>
     </message>
     <message>
-        <source>the compass reads the reciprocal: %1°%2 was taken out as its index before the exact B, C, D and E (the approximate ones are by the heading as read); look whether it was read from the other side or is mounted back to front</source>
-        <translation>busola wskazuje kurs odwrotny: %1°%2 usunięto jako jej indeks przed dokładnymi B, C, D i E (przybliżone są według kursu jak odczytano); sprawdź, czy nie odczytano jej z drugiej strony albo nie zamontowano tyłem</translation>
-    </message>
-    <message>
-        <source>the compass is %1°%2 out as a whole: this was taken out as its index before the exact B, C, D and E (the approximate ones are by the heading as read); look at its mount and its lubber line</source>
-        <translation>busola jest w całości przesunięta o %1°%2: usunięto to jako jej indeks przed dokładnymi B, C, D i E (przybliżone są według kursu jak odczytano); sprawdź mocowanie i kreskę kursową</translation>
-    </message>
-    <message>
         <source>vertical soft iron (c, f) of about %1, hard iron (P, Q) of about %2 nT, compensating magnets of about %3 nT and a one-cycle error of the compass itself of about %4° (standard deviations)</source>
         <translation>pionowe żelazo miękkie (c, f) około %1, żelazo twarde (P, Q) około %2 nT, magnesy kompensujące około %3 nT i błąd półokrężny samej busoli około %4° (odchylenia standardowe)</translation>
     </message>
@@ -4840,6 +4832,14 @@
     <message>
         <source>the sensor itself leaves %1° on each reading, in the errors: by its coil bench%2, noise %3, hysteresis %4 and nonlinearity %5 nT (standard uncertainties) in a field of %6 nT</source>
         <translation>sam czujnik wnosi do każdego odczytu %1°, ujęte w błędach: według stanowiska z cewkami%2 szum %3, histereza %4 i nieliniowość %5 nT (niepewności standardowe) w polu %6 nT</translation>
+    </message>
+    <message>
+        <source>the compass reads the reciprocal: %1°%2 was taken out as its index before B, C, D and E; look whether it was read from the other side or is mounted back to front</source>
+        <translation>busola wskazuje kurs odwrotny: %1°%2 usunięto jako jej indeks przed B, C, D i E; sprawdź, czy nie odczytano jej z drugiej strony albo nie zamontowano tyłem</translation>
+    </message>
+    <message>
+        <source>the compass is %1°%2 out as a whole: this was taken out as its index before B, C, D and E; look at its mount and its lubber line</source>
+        <translation>busola jest w całości przesunięta o %1°%2: usunięto to jako jej indeks przed B, C, D i E; sprawdź mocowanie i kreskę kursową</translation>
     </message>
 </context>
 <context>

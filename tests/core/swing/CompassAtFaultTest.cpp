@@ -129,8 +129,9 @@ TEST(CompassAtFault, aLargeIndexIsOneLargeA)
         std::vector<Observation> readings;
         for (int i = 0; i < 24; ++i) { // on even compass headings, so that the approximate formula is exact
             const double z = 15.0 * i;
-            readings.push_back({MagneticHeading::fromDegrees(z + index + 15 * std::sin(toRadians(z)) + 2 * std::cos(toRadians(2 * z))),
-                CompassHeading::fromDegrees(z)});
+            readings.push_back(
+                {MagneticHeading::fromDegrees(z + index + 15 * std::sin(toRadians(z + index)) + 2 * std::cos(toRadians(2 * (z + index)))),
+                    CompassHeading::fromDegrees(z)});
         }
         const auto analysis = analyse(readings);
         ASSERT_TRUE(analysis);

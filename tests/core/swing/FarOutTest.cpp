@@ -1,0 +1,102 @@
+// A compass that is far out as a whole is the same compass as one that is mounted right, but for its index: published cases are in
+// CompassAtFaultTest; here every figure is held against that of the compass mounted right.
+#include <gtest/gtest.h>
+
+#include "core/deviation/Correction.h"
+#include "core/deviation/Derivation.h"
+#include "core/swing/Analysis.h"
+#include "core/swing/Removal.h"
+
+namespace lubberline {
+namespace {
+
+constexpr ExactSmith kIron{0.003, 0.06, -0.11, 0.035, -0.02};
+
+/// @param step_deg  of the magnetic headings. @param index_deg  by which it is out: it is in every deviation
+std::vector<Observation> readOnTheRound(double index_deg, double step_deg)
+{
+    std::vector<Observation> readings;
+    for (double magnetic_deg = 0; magnetic_deg < 360; magnetic_deg += step_deg) {
+        const auto magnetic = MagneticHeading::fromDegrees(magnetic_deg);
+        const double scatter_deg = 0.3 * std::sin(7 * toRadians(magnetic_deg) + 1);
+        readings.push_back(
+            {magnetic, CompassHeading::fromDegrees(magnetic_deg - deviationAt(kIron, magnetic).degrees() - index_deg + scatter_deg)});
+    }
+    return readings;
+}
+
+class FarOut : public testing::TestWithParam<double> {
+protected:
+    static Analysis analysed(double index_deg, double step_deg) { return *analyse(readOnTheRound(index_deg, step_deg), {}); }
+};
+
+TEST_P(FarOut, hasTheCoefficientsOfTheCompassMountedRight)
+{
+    for (const double step_deg : {15.0, 45.0}) {
+        const Analysis right = analysed(0, step_deg), out = analysed(GetParam(), step_deg);
+        EXPECT_EQ(right.approximate.index_rad, 0);
+        EXPECT_NEAR(wrap180(toDegrees(out.approximate.index_rad) - GetParam()), 0, 1e-9);
+        EXPECT_NEAR(wrap180(toDegrees(*out.approximate.of(Coefficient::A) - *right.approximate.of(Coefficient::A)) - GetParam()), 0, 1e-9);
+        for (const Coefficient c : {Coefficient::B, Coefficient::C, Coefficient::D, Coefficient::E}) {
+            EXPECT_NEAR(*out.approximate.of(c), *right.approximate.of(c), 1e-11) << letterOf(c) << GetParam();
+            EXPECT_NEAR(*out.exact.of(c), *right.exact.of(c), 1e-11) << letterOf(c) << GetParam();
+        }
+        for (const Coefficient c : kCoefficients) {
+            EXPECT_NEAR(*out.approximate.interval95(c), *right.approximate.interval95(c), 1e-11) << letterOf(c);
+            EXPECT_NEAR(*out.exact.interval95(c), *right.exact.interval95(c), 1e-11) << letterOf(c);
+        }
+        for (std::size_t i = 0; i < right.readings.size(); ++i) {
+            EXPECT_NEAR(out.approximate.residual_rad[i], right.approximate.residual_rad[i], 1e-11) << i;
+            const double there_rad = *bandHalfWidth_rad(out.approximate, out.readings[i].compass);
+            EXPECT_NEAR(there_rad, *bandHalfWidth_rad(right.approximate, right.readings[i].compass), 1e-11) << i;
+        }
+    }
+}
+
+TEST_P(FarOut, hasItsRulesStepsAndDerivations)
+{
+    const auto right = readOnTheRound(0, 45), out = readOnTheRound(GetParam(), 45);
+    const auto mine = pointRules(out), its = pointRules(right);
+    ASSERT_TRUE(mine && its);
+    EXPECT_EQ(mine->points, 8);
+    EXPECT_EQ(mine->argument, its->argument);
+    EXPECT_EQ(mine->reading, its->reading);
+    EXPECT_NEAR(mine->B_rad, its->B_rad, 1e-12);
+    EXPECT_NEAR(mine->C_rad, its->C_rad, 1e-12);
+    EXPECT_NEAR(*mine->D_rad, *its->D_rad, 1e-12);
+    EXPECT_NEAR(mine->E_rad, its->E_rad, 1e-12);
+    EXPECT_NEAR(wrap180(toDegrees(mine->A_rad - its->A_rad) - GetParam()), 0, 1e-9);
+    for (const Coefficient c : {Coefficient::B, Coefficient::D})
+        EXPECT_NEAR(derivationOf(out, *mine, c)->sum, derivationOf(right, *its, c)->sum, 1e-12) << letterOf(c);
+    const auto steps = correctionSteps(out), itsSteps = correctionSteps(right);
+    ASSERT_TRUE(steps && itsSteps);
+    EXPECT_NEAR(steps->B_rad, itsSteps->B_rad, 1e-12);
+    EXPECT_NEAR(steps->C_rad, itsSteps->C_rad, 1e-12);
+}
+
+TEST_P(FarOut, leavesWithoutBAndCWhatTheCompassMountedRightLeaves)
+{
+    CoefficientSet hard;
+    hard.set(indexOf(Coefficient::A));
+    hard.set(indexOf(Coefficient::B));
+    hard.set(indexOf(Coefficient::C));
+    const auto right = removeComponents(analysed(0, 15), hard), out = removeComponents(analysed(GetParam(), 15), hard);
+    ASSERT_TRUE(right && out);
+    for (std::size_t i = 0; i < right->remaining_rad.size(); ++i)
+        EXPECT_NEAR(out->remaining_rad[i], right->remaining_rad[i], 1e-11) << i;
+}
+
+TEST_P(FarOut, isTheSameCurveByTheHeadingAsRead)
+{
+    const ApproximateSmith smith{0.1, 0.05, -0.08, 0.02, 0.03, toRadians(GetParam())}, asRead = byHeadingAsRead(smith);
+    EXPECT_EQ(asRead.index_rad, 0);
+    for (double heading = 0; heading < 360; heading += 30) {
+        const auto compass = CompassHeading::fromDegrees(heading);
+        EXPECT_NEAR(deviationAt(asRead, compass).degrees(), deviationAt(smith, compass).degrees(), 1e-11);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(By, FarOut, testing::Values(90.0, -90.0, 180.0, 137.0, -61.0));
+
+} // namespace
+} // namespace lubberline
