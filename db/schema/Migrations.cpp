@@ -270,11 +270,14 @@ const Migration kTenth{10, "a sensor model is kept with how sure it is; results 
         "CREATE INDEX swing_behind ON swing(id) WHERE results_behind > 0",
     }};
 
-const Migration kEleventh{11, "coil benches of sensors",
+const Migration kEleventh{11, "coil benches of sensors; what was kept of compasses far out as a whole is computed anew",
     {
         "CREATE TABLE coil_bench (id INTEGER PRIMARY KEY, record TEXT NOT NULL UNIQUE, compass_id INTEGER NOT NULL REFERENCES compass(id),"
         " date TEXT NOT NULL CHECK (date <> ''), coil_json TEXT NOT NULL CHECK (coil_json <> ''))",
         "CREATE INDEX coil_bench_by_compass ON coil_bench(compass_id, date)",
+        // B to E of a compass that is far out as a whole are those of the compass mounted right now: its results are computed anew.
+        "UPDATE swing SET results_behind = results_behind + 1, max_abs_deviation_deg = NULL, a_deg = NULL, b_deg = NULL, c_deg = NULL,"
+        " d_deg = NULL, e_deg = NULL, status = 0 WHERE abs(a_deg) > 44",
     }};
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "db/engine/Statement.h"
 #include "db/schema/Schema.h"
 #include "db/stores/JobStore.h"
+#include "db/stores/ResultCache.h"
 #include "db/stores/SensorStore.h"
 #include "db/stores/SigningStore.h"
 #include "db/stores/SiteStore.h"
@@ -165,6 +166,22 @@ TEST_P(OldDatabase, hasNoJobsAndSignaturesAndTakesThem)
 
 INSTANTIATE_TEST_SUITE_P(EverySchema, OldDatabase, testing::Range(1, db::schemaVersion()),
     [](const auto& test) { return "schema" + std::to_string(test.param); });
+
+/// Its B to E were by the heading as read, and are those of the compass mounted right since.
+TEST(Migration, whatWasKeptOfACompassFarOutIsComputedAnew)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("old.db");
+    ASSERT_TRUE(restoreSchema(10, path));
+    ASSERT_TRUE(RawDatabase(path).run({"UPDATE swing SET a_deg = -178.5, b_deg = 15 WHERE state = 0"}));
+    auto database = openDatabase(path, OpenMode::ReadWriteCreate);
+    ASSERT_TRUE(database) << describe(database.error());
+    EXPECT_EQ(db::number(*database, "SELECT count(*) FROM swing WHERE results_behind > 0").value(), 1);
+    EXPECT_EQ(db::number(*database, "SELECT count(*) FROM swing WHERE b_deg = 15 OR a_deg < -45").value(), 0);
+    ASSERT_TRUE(db::refreshBehind(*database));
+    EXPECT_EQ(db::number(*database, "SELECT count(*) FROM swing WHERE results_behind > 0 OR a_deg IS NULL").value(), 0);
+    EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
+}
 
 /// The signatures of schema4.sql were made by the program of then, over version 1 of the signed content.
 TEST(Migration, whatWasSignedBeforeHoldsUnderItsOwnVersion)

@@ -135,7 +135,7 @@ void SpectrumChart::setPicture(const SwingPicture& picture)
     std::vector<SpectrumBar> bars = barsOf(harmonics);
     const double noise_deg = toDegrees(harmonics.noiseFloor_rad.value_or(0));
     const NiceScale scale = niceScale(1.06 * highest(bars, noise_deg), 5, 0.5);
-    m_noise->setSamples(harmonics.noiseFloor_rad ? QPolygonF({{-0.6, noise_deg}, {last + 0.6, noise_deg}}) : QPolygonF());
+    m_noise->setSamples(harmonics.noiseFloor_rad ? QPolygonF(QList<QPointF>{{-0.6, noise_deg}, {last + 0.6, noise_deg}}) : QPolygonF());
 
     entry(m_barsEntry).present = !bars.empty();
     entry(m_nyquistEntry).present = hasNyquist(bars);
