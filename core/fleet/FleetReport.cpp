@@ -33,7 +33,7 @@ FleetCounts countsOf(const FleetSwings& fleet, const FleetCurves& curves, const 
     counts.leftOut = fleet.leftOut;
     std::set<std::pair<std::string, std::string>> aircraft;
     std::set<std::int32_t> compasses;
-    std::int64_t otherStage = 0, noFit = 0;
+    std::int64_t otherStage = 0, noFit = 0, farOut = 0;
     for (std::size_t row = 0; row < fleet.swings.size(); ++row) {
         const auto& swing = fleet.swings[row];
         if (options.stage && swing.stage != *options.stage) {
@@ -41,7 +41,7 @@ FleetCounts countsOf(const FleetSwings& fleet, const FleetCurves& curves, const 
             continue;
         }
         if (!curves.curves[row].fitted()) {
-            ++noFit;
+            ++(curves.curves[row].farOut ? farOut : noFit);
             continue;
         }
         ++counts.used;
@@ -54,6 +54,7 @@ FleetCounts countsOf(const FleetSwings& fleet, const FleetCurves& curves, const 
     counts.compasses = static_cast<std::int64_t>(compasses.size());
     addLeftOut(counts, "other stage", otherStage);
     addLeftOut(counts, "too few headings for a curve", noFit);
+    addLeftOut(counts, "the compass is far out as a whole", farOut);
     counts.swings = counts.used;
     for (const auto& each : counts.leftOut)
         counts.swings += each.swings;

@@ -130,6 +130,16 @@ double deviation_deg(double magnetic_deg, double compass_deg)
     return deviation;
 }
 
+constexpr double kFarOut_deg = 45.0; ///< below, none is (core/deviation/SmithFit.h)
+
+bool isFarOut(std::span<const double> magnetic_deg, std::span<const double> compass_deg)
+{
+    std::vector<Observation> readings;
+    for (std::size_t r = 0; r < magnetic_deg.size(); ++r)
+        readings.push_back({MagneticHeading::fromDegrees(magnetic_deg[r]), CompassHeading::fromDegrees(compass_deg[r])});
+    return largeIndex_deg(readings) != 0.0;
+}
+
 } // namespace
 
 FiveTerms termsAt(double compass_deg)
@@ -157,7 +167,8 @@ SwingCurve fitCurve(std::span<const double> magnetic_deg, std::span<const double
         curve.maxAbs_deg = std::max(curve.maxAbs_deg, std::abs(deviation));
         sums.squares += deviation * deviation;
     }
-    if (curve.readings < 3 || !solveWhatTheHeadingsTell(sums, curve))
+    curve.farOut = curve.maxAbs_deg > kFarOut_deg && isFarOut(magnetic_deg, compass_deg);
+    if (curve.readings < 3 || curve.farOut || !solveWhatTheHeadingsTell(sums, curve))
         return curve;
     // Σδ² − βᵀXᵀδ: below the digits that are left the readings lie on the curve
     double residual = sums.squares;

@@ -23,6 +23,7 @@ struct SwingCurve {
     std::int32_t readings = 0, parameters = 0;
     double residualSquares_deg2 = 0;
     double maxAbs_deg = 0; ///< of the deviations read
+    bool farOut = false;   ///< it reads the reciprocal, or is far out as a whole (largeIndex_deg of SmithFit.h): no curve of a population
 
     [[nodiscard]] bool known(std::size_t c) const { return (knownBits >> c & 1U) != 0; }
     [[nodiscard]] bool fitted() const { return knownBits != 0; }

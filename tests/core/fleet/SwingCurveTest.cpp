@@ -80,6 +80,20 @@ TEST(SwingCurve, fourCardinalsTellAbceAndFourIntercardinalsAbcd)
     EXPECT_NEAR(other.value_deg[3], 1.5, 1e-12);
 }
 
+TEST(SwingCurve, ofACompassThatIsFarOutAsAWholeThereIsNone)
+{
+    for (const double index : {180.0, 92.0, -61.0, 0.0}) {
+        std::vector<double> magnetic, compass;
+        for (int i = 0; i < 24; ++i) {
+            compass.push_back(15.0 * i);
+            magnetic.push_back(wrap360(15.0 * i + index + 50 * std::sin(toRadians(15.0 * i))));
+        }
+        const SwingCurve curve = fitCurve(magnetic, compass);
+        EXPECT_EQ(curve.farOut, index != 0.0) << index;
+        EXPECT_EQ(curve.fitted(), index == 0.0) << index; // 50° of B alone is a deviation like any other
+    }
+}
+
 TEST(SwingCurve, whatTheHeadingsCannotTellHasNoValue)
 {
     for (const auto& headings : {std::vector<double>{}, {10}, {10, 190}, {0, 1, 2, 3, 4, 5}, {30, 30, 30, 30, 30, 30}}) {
