@@ -34,7 +34,7 @@ const std::vector<OneWay> kWays = {
         {"core/base/PartialFile.cpp", "db/transfer/Maintenance.cpp"}},
     // Besides: ten million reports of wind are summed up while the next are read, and their aircraft told two at a time.
     {"threads", R"(QtConcurrent|QFutureWatcher|QThreadPool|QThread::create|public QThread\b|std::j?thread|std::async)",
-        {"ui/kit/Worker.h", "ui/kit/Worker.cpp", "core/format/csv/WindHands.h", "core/inflight/Alongside.h"}},
+        {"ui/kit/Worker.h", "ui/kit/Worker.cpp", "core/format/csv/WindHands.h", "core/base/Alongside.h"}},
     {"readingNumbers", R"(\bfrom_chars\b|\bstrto[dflu][a-z]*\(|\bsto[dfilu][a-z]*\(|\bsscanf\b|\bato[fil]\()",
         {"core/base/Number.cpp", "core/base/PlainNumber.cpp"}},
     {"readingJson", R"(\bQJson[A-Z]|\bparse_event_t\b)", {"core/format/json/JsonDocument.cpp"}},
