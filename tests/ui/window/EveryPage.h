@@ -137,7 +137,8 @@ inline void stepsOfGuided(OpenWindow& open, SmallFleet& fleet, const LookAt& loo
 inline void everyPage(OpenWindow& open, SmallFleet& fleet, const LookAt& look)
 {
     using namespace std::chrono;
-    fleet.stores.setClock({[] { return Clock::Time(sys_days(2026y / November / 24) + hours(10)); }}); // the sun stands over the demonstration's places
+    fleet.stores.setClock(
+        {[] { return Clock::Time(sys_days(2026y / November / 24) + hours(10)); }}); // the sun stands over the demonstration's places
     const SwingId draft = fleet.addSwing("2026-11-21", eightPoints()), complete = fleet.addSwing("2026-11-22", eightPoints());
     if (!fleet.stores.signing.complete(complete))
         qFatal("the swing is not complete");
