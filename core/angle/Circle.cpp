@@ -7,6 +7,8 @@
 
 namespace lubberline {
 
+double nearTo_rad(double angle_rad, double middle_rad) { return middle_rad + std::remainder(angle_rad - middle_rad, 2 * kPi); }
+
 CircularMean circularMean(std::span<const double> angles_deg)
 {
     double x = 0, y = 0;

@@ -13,6 +13,9 @@ struct CircularMean {
 /// @param angles_deg at least one.
 [[nodiscard]] CircularMean circularMean(std::span<const double> angles_deg);
 
+/// The same angle, within half a turn of another [rad]: angles on both sides of ±180° without a jump.
+[[nodiscard]] double nearTo_rad(double angle_rad, double middle_rad);
+
 /// An arc that holds none of some headings, clockwise from one of them to the next.
 struct EmptyArc {
     double from_deg = 0, to_deg = 0; ///< from_deg in [0, 360), to_deg may be beyond 360

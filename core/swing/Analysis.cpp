@@ -106,7 +106,8 @@ void warnOfSlips(std::vector<Message>& warnings, const SlipSearch& slips, std::s
                 readings, static_cast<int>(std::ceil(*slips.seenFrom_deg))});
 }
 
-Summary summarise(const std::vector<AnalysedReading>& readings)
+/// @param index_rad  of a compass that is far out as a whole: the least and the most lie about it, also beyond ±180°
+Summary summarise(const std::vector<AnalysedReading>& readings, double index_rad)
 {
     Summary summary;
     double sumOfSquares = 0, largest = 0;
@@ -121,8 +122,9 @@ Summary summarise(const std::vector<AnalysedReading>& readings)
             summary.maxAbsDeviation_rad = std::abs(deviation);
             summary.maxAbsDeviationAt = readings[i].magnetic;
         }
-        summary.minDeviation_rad = i == 0 ? deviation : std::min(summary.minDeviation_rad, deviation);
-        summary.maxDeviation_rad = i == 0 ? deviation : std::max(summary.maxDeviation_rad, deviation);
+        const double there = index_rad == 0.0 ? deviation : nearTo_rad(deviation, index_rad);
+        summary.minDeviation_rad = i == 0 ? there : std::min(summary.minDeviation_rad, there);
+        summary.maxDeviation_rad = i == 0 ? there : std::max(summary.maxDeviation_rad, there);
     }
     summary.rmsDeviation_rad = std::sqrt(sumOfSquares / static_cast<double>(readings.size()));
     return summary;
@@ -265,7 +267,8 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     std::vector<HarmonicSample> samples;
     analysis.readings = analysedReadings(readings);
     for (const auto& reading : analysis.readings)
-        samples.push_back({reading.magnetic.radians(), reading.deviation.radians()});
+        samples.push_back({reading.magnetic.radians(),
+            approximate->index_rad == 0.0 ? reading.deviation.radians() : nearTo_rad(reading.deviation.radians(), approximate->index_rad)});
     auto spectrum = harmonics(samples, options.maxOrder);
     if (!spectrum)
         return spectrum.error();
@@ -275,7 +278,7 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     analysis.exact = std::move(exact.value());
     analysis.harmonics = std::move(spectrum.value());
     analysis.pointRules = pointRules(readings);
-    analysis.summary = summarise(analysis.readings);
+    analysis.summary = summarise(analysis.readings, analysis.approximate.index_rad);
     addResiduals(analysis);
     if (looksLikeRadians(readings))
         analysis.warnings.push_back(MARKED("core", "all headings lie between 0 and 6.3, as if they were in radians; expected degrees"));
@@ -309,7 +312,7 @@ Result<SwingOutline> outlineOf(std::span<const Observation> readings)
     const auto fit = fitApproximate(readings, {.uncertainty = false});
     if (!fit)
         return fit.error();
-    return SwingOutline{fit->value, summarise(analysedReadings(readings))};
+    return SwingOutline{fit->value, summarise(analysedReadings(readings), fit->index_rad)};
 }
 
 Judgement judge(const Summary& summary, const std::optional<LimitsProfile>& limits)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle/Circle.h"
+
 namespace lubberline {
 
 Result<Removal> removeComponents(const Analysis& analysis, CoefficientSet removed)
@@ -14,6 +16,7 @@ Result<Removal> removeComponents(const Analysis& analysis, CoefficientSet remove
 
     const ApproximateSmith taken = without(analysis.approximate.smith(), ~removed);
     Removal result;
+    const double index_rad = removed.test(indexOf(Coefficient::A)) ? 0.0 : analysis.approximate.index_rad; // no jump from 180° to −180°
     std::vector<HarmonicSample> samples;
     double sumOfSquares = 0;
     for (const auto& reading : analysis.readings) {
@@ -22,7 +25,7 @@ Result<Removal> removeComponents(const Analysis& analysis, CoefficientSet remove
         result.remaining_rad.push_back(left_rad);
         result.maxAbs_rad = std::max(result.maxAbs_rad, std::abs(left_rad));
         sumOfSquares += left_rad * left_rad;
-        samples.push_back({reading.magnetic.radians(), left_rad});
+        samples.push_back({reading.magnetic.radians(), index_rad == 0.0 ? left_rad : nearTo_rad(left_rad, index_rad)});
     }
     result.rms_rad = std::sqrt(sumOfSquares / static_cast<double>(analysis.readings.size()));
     auto spectrum = harmonics(samples);

@@ -53,6 +53,22 @@ TEST_P(FarOut, hasTheCoefficientsOfTheCompassMountedRight)
     }
 }
 
+/// Deviations of +179° and −179° are two degrees apart.
+TEST_P(FarOut, hasItsSpreadAndItsSpectrum)
+{
+    const Analysis right = analysed(0, 15), out = analysed(GetParam(), 15);
+    EXPECT_NEAR(out.summary.spread_rad(), right.summary.spread_rad(), 1e-11);
+    ASSERT_EQ(out.harmonics.orders.size(), right.harmonics.orders.size());
+    for (std::size_t order = 1; order < right.harmonics.orders.size(); ++order)
+        EXPECT_NEAR(out.harmonics.orders[order].amplitude_rad(), right.harmonics.orders[order].amplitude_rad(), 1e-11) << order;
+    CoefficientSet one;
+    one.set(indexOf(Coefficient::B));
+    const auto left = removeComponents(out, one), its = removeComponents(right, one);
+    ASSERT_TRUE(left && its);
+    for (std::size_t order = 1; order < its->harmonics.orders.size(); ++order)
+        EXPECT_NEAR(left->harmonics.orders[order].amplitude_rad(), its->harmonics.orders[order].amplitude_rad(), 1e-11) << order;
+}
+
 TEST_P(FarOut, hasItsRulesStepsAndDerivations)
 {
     const auto right = readOnTheRound(0, 45), out = readOnTheRound(GetParam(), 45);
