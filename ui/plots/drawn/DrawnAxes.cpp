@@ -87,7 +87,10 @@ DrawnAxes::DrawnAxes(const QRectF& rect, const QFont& font, DrawnScale x, DrawnS
     const auto more = [&](const QString& title) { // what is wider than the picture goes on below
         return metrics.boundingRect(QRectF(0, 0, rect.width(), 9 * m_line), Qt::TextWordWrap, title).height() - m_line;
     };
-    m_inside = rect.adjusted(wide + 0.9 * m_line, 1.7 * m_line + more(m_y.title), -1.5 * m_line, -2.5 * m_line - more(m_x.title));
+    // Beginning left of the axis it stands above the highest figure, too.
+    m_aboveAxis = metrics.horizontalAdvance(m_y.title) > rect.width() - wide - 0.9 * m_line;
+    const double top = 1.7 * m_line + more(m_y.title) + (m_aboveAxis ? 0.5 * m_line : 0.0);
+    m_inside = rect.adjusted(wide + 0.9 * m_line, top, -1.5 * m_line, -2.5 * m_line - more(m_x.title));
     m_inside.setWidth(std::max(m_inside.width(), 1.0));
     m_inside.setHeight(std::max(m_inside.height(), 1.0));
 }
@@ -137,10 +140,9 @@ void DrawnAxes::paint(QPainter& painter, const PlotColours& colours) const
     painter.setPen(colours.text);
     // A title stands at its axis; one that is wider takes the width of the picture.
     const QFontMetricsF metrics(painter.font());
-    const bool yFits = metrics.horizontalAdvance(m_y.title) <= m_rect.right() - m_inside.left();
     const bool xFits = metrics.horizontalAdvance(m_x.title) <= m_inside.width();
-    painter.drawText(
-        QRectF({yFits ? m_inside.left() : m_rect.left(), m_rect.top()}, QPointF(m_rect.right(), m_inside.top() - 0.15 * m_line)),
+    painter.drawText(QRectF({m_aboveAxis ? m_rect.left() : m_inside.left(), m_rect.top()},
+                         QPointF(m_rect.right(), m_inside.top() - (m_aboveAxis ? 0.65 : 0.15) * m_line)),
         Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, m_y.title);
     const QRectF& across = xFits ? m_inside : m_rect;
     painter.drawText(QRectF({across.left(), m_inside.bottom() + 1.2 * m_line}, QPointF(across.right(), m_rect.bottom())),

@@ -45,6 +45,7 @@ private:
     DrawnScale m_x, m_y;
     QRectF m_inside;
     double m_line;
+    bool m_aboveAxis = false; ///< the upper title begins left of the axis
 };
 
 /// A pen for curves, as strong as the font's strokes.
