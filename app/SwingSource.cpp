@@ -5,7 +5,6 @@
 #include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/record/ClockDates.h"
-#include "core/record/Completeness.h"
 #include "core/swing/SwingResult.h"
 
 namespace lubberline::app {

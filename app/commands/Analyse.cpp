@@ -1,6 +1,5 @@
 #include "app/Console.h"
 #include "app/LogOptions.h"
-#include "app/Outputs.h"
 #include "app/SwingSource.h"
 #include "app/Tables.h"
 #include "app/commands/Command.h"

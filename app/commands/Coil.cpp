@@ -4,7 +4,6 @@
 #include "app/OpenStores.h"
 #include "app/Outputs.h"
 #include "app/Paths.h"
-#include "app/QtSession.h"
 #include "app/SheetOutput.h"
 #include "core/base/Number.h"
 #include "core/base/TerminalText.h"

@@ -26,9 +26,8 @@ struct BenchRows {
 Result<BenchRows> benchRows(const SensorLog& log)
 {
     BenchRows bench;
-    constexpr std::array<std::string_view, 3> kNames{"ax_nt", "ay_nt", "az_nt"};
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (bench.applied[axis] = columnOf(log, kNames[axis]); !bench.applied[axis])
+        if (bench.applied[axis] = columnOf(log, kAppliedColumns[axis]); !bench.applied[axis])
             return Error{ErrorCode::InvalidInput,
                 MARKED("core", "has no applied field; expected the columns ax_nT, ay_nT, az_nT beside bx_nT, by_nT, bz_nT")};
     const auto* temperature = columnOf(log, "temperature_c");
@@ -175,6 +174,7 @@ Result<CoilResult> coilBench(const SensorLog& log)
     }
     takeAxes(result);
     result.range_nT = largest;
+    result.rows = bench->rows;
     if (largest < 60000)
         result.warnings.push_back(
             {MARKED("core",

@@ -1,7 +1,9 @@
 #pragma once
 /// A sensor in a coil: what it measures against what was applied. m = scale (axes) a + bias + temperature + hysteresis + nonlinearity.
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "core/base/Result.h"
 #include "core/calibration/SensorLog.h"
@@ -9,8 +11,12 @@
 
 namespace lubberline {
 
+/// The applied field in a log [nT].
+inline constexpr std::array kAppliedColumns{"ax_nT", "ay_nT", "az_nT"};
+
 struct CoilResult {
     std::size_t samples = 0, used = 0;
+    std::vector<std::size_t> rows;                                  ///< of the log, those that are whole: what is used
     double range_nT = 0;                                            ///< largest field that was applied along an axis
     Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();             ///< measured per applied, all of it
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();                ///< measured per applied along each axis of the sensor

@@ -16,7 +16,6 @@ constexpr double kDaysOfYear = 365.25;
 constexpr double kOf95 = 1.96;
 constexpr double kOtherTemperature_c = 5;
 constexpr double kOtherRange = 1.25;
-constexpr std::array<const char*, 3> kAppliedColumns{"ax_nT", "ay_nT", "az_nT"};
 
 double meanTemperature_c(const std::vector<double>& values)
 {
@@ -60,15 +59,12 @@ Result<CoilBench> coilRecordOf(const SensorLog& log)
     for (std::size_t axis = 0; axis < 3; ++axis)
         applied[axis] = columnOf(log, kAppliedColumns[axis]);
     const auto* temperature = columnOf(log, "temperature_c");
-    for (std::size_t row = 0; row < log.size(); ++row) {
+    for (const std::size_t row : result->rows) {
         std::array<double, 6> reading{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             reading[axis] = (*applied[axis])[row];
             reading[axis + 3] = log.field[axis][row];
         }
-        if (!std::all_of(reading.begin(), reading.end(), [](double value) { return std::isfinite(value); })
-            || (temperature && !std::isfinite((*temperature)[row])))
-            continue;
         bench.readings.push_back(reading);
         if (temperature)
             bench.temperature_c.push_back((*temperature)[row]);

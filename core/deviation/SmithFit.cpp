@@ -212,13 +212,12 @@ Deviation deviationAt(const ExactFit& fit, MagneticHeading magnetic)
 
 double largeIndex_deg(std::span<const Observation> readings)
 {
-    constexpr double kLarge_deg = 45.0;
     std::vector<double> deviations_deg;
     for (const auto& reading : readings)
         deviations_deg.push_back(deviationOf(reading.magnetic, reading.compass).degrees());
     const CircularMean mean = circularMean(deviations_deg);
     // Deviations all round the circle have no middle.
-    return mean.togetherness > 0.5 && std::abs(mean.mean_deg) > kLarge_deg ? std::round(mean.mean_deg) : 0.0;
+    return mean.togetherness > 0.5 && std::abs(mean.mean_deg) > kLargeIndex_deg ? std::round(mean.mean_deg) : 0.0;
 }
 
 void widenTo(SmithFitReport& fit, double error_rad)

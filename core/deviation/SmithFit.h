@@ -28,8 +28,8 @@ struct SmithFitReport {
     std::optional<double> intervalFactor;
     /// Of neighbouring readings, where it is more than chance: the covariance counts it (SerialCorrelation.h).
     std::optional<double> lagOneCorrelation;
-    double index_rad
-        = 0; ///< largeIndex_deg(): B to E are of the compass turned in its mount by it. In A of the approximate fit, not of the exact one
+    /// largeIndex_deg(): B to E are of the compass turned in its mount by it. It is in A of the approximate fit, not of the exact one.
+    double index_rad = 0;
     int parameters = 0;         ///< 5; 4 (without D or E), 3 (A, B, C) or 0
     int rank = 0;               ///< numerical rank of the five-column design matrix
     int degreesOfFreedom = 0;   ///< readings − parameters
@@ -55,6 +55,9 @@ struct ExactFit : SmithFitReport {
 };
 /// δ by [P 3], with the index.
 [[nodiscard]] Deviation deviationAt(const ExactFit& fit, MagneticHeading magnetic);
+
+/// A deviation up to this is one of a compass that is mounted in its place.
+inline constexpr double kLargeIndex_deg = 45.0;
 
 /// A compass mounted by more than 45° out of place, or read from its other side: the mean of the deviations on the circle, to a whole
 /// degree [deg], so that what is left is a deviation like any other. 0 for every other compass.

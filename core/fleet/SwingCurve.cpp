@@ -130,8 +130,6 @@ double deviation_deg(double magnetic_deg, double compass_deg)
     return deviation;
 }
 
-constexpr double kFarOut_deg = 45.0; ///< below, none is (core/deviation/SmithFit.h)
-
 bool isFarOut(std::span<const double> magnetic_deg, std::span<const double> compass_deg)
 {
     std::vector<Observation> readings;
@@ -167,7 +165,7 @@ SwingCurve fitCurve(std::span<const double> magnetic_deg, std::span<const double
         curve.maxAbs_deg = std::max(curve.maxAbs_deg, std::abs(deviation));
         sums.squares += deviation * deviation;
     }
-    curve.farOut = curve.maxAbs_deg > kFarOut_deg && isFarOut(magnetic_deg, compass_deg);
+    curve.farOut = curve.maxAbs_deg > kLargeIndex_deg && isFarOut(magnetic_deg, compass_deg);
     if (curve.readings < 3 || curve.farOut || !solveWhatTheHeadingsTell(sums, curve))
         return curve;
     // Σδ² − βᵀXᵀδ: below the digits that are left the readings lie on the curve

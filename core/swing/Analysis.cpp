@@ -122,7 +122,7 @@ Summary summarise(const std::vector<AnalysedReading>& readings, double index_rad
             summary.maxAbsDeviation_rad = std::abs(deviation);
             summary.maxAbsDeviationAt = readings[i].magnetic;
         }
-        const double there = index_rad == 0.0 ? deviation : nearTo_rad(deviation, index_rad);
+        const double there = nearTo_rad(deviation, index_rad);
         summary.minDeviation_rad = i == 0 ? there : std::min(summary.minDeviation_rad, there);
         summary.maxDeviation_rad = i == 0 ? there : std::max(summary.maxDeviation_rad, there);
     }
@@ -267,8 +267,7 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     std::vector<HarmonicSample> samples;
     analysis.readings = analysedReadings(readings);
     for (const auto& reading : analysis.readings)
-        samples.push_back({reading.magnetic.radians(),
-            approximate->index_rad == 0.0 ? reading.deviation.radians() : nearTo_rad(reading.deviation.radians(), approximate->index_rad)});
+        samples.push_back({reading.magnetic.radians(), nearTo_rad(reading.deviation.radians(), approximate->index_rad)});
     auto spectrum = harmonics(samples, options.maxOrder);
     if (!spectrum)
         return spectrum.error();

@@ -25,7 +25,7 @@ Result<Removal> removeComponents(const Analysis& analysis, CoefficientSet remove
         result.remaining_rad.push_back(left_rad);
         result.maxAbs_rad = std::max(result.maxAbs_rad, std::abs(left_rad));
         sumOfSquares += left_rad * left_rad;
-        samples.push_back({reading.magnetic.radians(), index_rad == 0.0 ? left_rad : nearTo_rad(left_rad, index_rad)});
+        samples.push_back({reading.magnetic.radians(), nearTo_rad(left_rad, index_rad)});
     }
     result.rms_rad = std::sqrt(sumOfSquares / static_cast<double>(analysis.readings.size()));
     auto spectrum = harmonics(samples);

@@ -174,12 +174,11 @@ void CalibrationPage::build()
 Result<void> CalibrationPage::open(const FleetItem& record)
 {
     const CompassId compass = compassIn(record);
-    const auto name = compass.valid() ? compassTitle(m_stores, compass) : Result<QString>(QString());
-    if (!name)
-        return name.error();
+    const auto title = titleWith(m_stores, compass, tr("Calibration of a magnetometer from its log"));
+    if (!title)
+        return title.error();
     m_compass = compass;
-    const QString title = tr("Calibration of a magnetometer from its log");
-    setTitle(compass.valid() ? title + QStringLiteral(" · ") + *name : title);
+    setTitle(*title);
     m_store->setEnabled(m_run && m_run->model && m_compass.valid() && m_run->part->unit != FieldUnit::Counts);
     return {};
 }

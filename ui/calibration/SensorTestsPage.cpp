@@ -179,12 +179,11 @@ Plot* SensorTestsPage::plot() const
 Result<void> SensorTestsPage::open(const FleetItem& record)
 {
     const CompassId compass = compassIn(record);
-    const auto name = compass.valid() ? compassTitle(m_stores, compass) : Result<QString>(QString());
-    if (!name)
-        return name.error();
+    const auto title = titleWith(m_stores, compass, tr("Tests of a sensor from its log"));
+    if (!title)
+        return title.error();
     m_compass = compass;
-    const QString title = tr("Tests of a sensor from its log");
-    setTitle(compass.valid() ? title + QStringLiteral(" · ") + *name : title);
+    setTitle(*title);
     m_coil->setCompass(m_compass);
     return {};
 }

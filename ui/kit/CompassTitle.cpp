@@ -26,6 +26,14 @@ Result<QString> compassTitle(db::Stores& stores, CompassId compass)
         + (aircraft->demonstration ? CompassTitleWords::tr(" · DEMONSTRATION") : QString());
 }
 
+Result<QString> titleWith(db::Stores& stores, CompassId compass, const QString& title)
+{
+    if (!compass.valid())
+        return title;
+    auto name = compassTitle(stores, compass);
+    return name ? Result<QString>(title + QStringLiteral(" · ") + *name) : name;
+}
+
 CompassId compassIn(const FleetItem& record)
 {
     const auto* compass = std::get_if<CompassId>(&record);

@@ -13,6 +13,9 @@ namespace lubberline::ui {
 /// "3713 · standby compass"; of the demonstration marked so. Errors: those of the store.
 Result<QString> compassTitle(db::Stores& stores, CompassId compass);
 
+/// The title of a page that may be of a compass: with it behind, or alone where it is of none.
+Result<QString> titleWith(db::Stores& stores, CompassId compass, const QString& title);
+
 /// The compass that a record is; not valid: it is another kind of record.
 [[nodiscard]] CompassId compassIn(const FleetItem& record);
 
