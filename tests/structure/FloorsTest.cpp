@@ -120,6 +120,18 @@ TEST(Floors, whatIsNotOursIsLinkedWhereItIsIncluded)
     EXPECT_EQ(missing, kNone);
 }
 
+/// From where it stands, an include names no folder that a test could hold against anything.
+TEST(Floors, anIncludeIsWrittenFromTheRoot)
+{
+    std::vector<std::string> beside;
+    for (const char* top : {"core", "db", "ui", "app"})
+        for (const Include& include : includesBelow(top))
+            if (include.what.find("..") != std::string::npos
+                || (folderOf(include).empty() && fs::exists(fs::path(LUBBERLINE_SOURCE) / include.folder / include.what)))
+                beside.push_back(include.file + " includes " + include.what);
+    EXPECT_EQ(beside, kNone);
+}
+
 /// Folders and those that they include. A folder and one inside it are of one family.
 std::map<std::string, Names> arrows()
 {
