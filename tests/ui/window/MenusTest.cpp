@@ -1,8 +1,7 @@
-// What people look for in menus is there, by the key that they know; each key and each letter once, in English and in Polish.
+// What people look for in menus is there, by the key that they know, and does what it says.
 
 #include <QClipboard>
 #include <QComboBox>
-#include <QGroupBox>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
@@ -13,7 +12,6 @@
 
 #include "tests/ui/window/Fixture.h"
 #include "ui/kit/Preferences.h"
-#include "ui/kit/keys/Mnemonics.h"
 #include "ui/text/Language.h"
 #include "ui/window/PageStack.h"
 
@@ -25,11 +23,6 @@ class MenusTest : public QObject {
 
 private slots:
     void cleanup() { speak({"en"}); }
-    void lettersAreMadeDistinct();
-    void everyLetterOfAMenuIsGivenOnce_data();
-    void everyLetterOfAMenuIsGivenOnce();
-    void everyLetterOfAPageIsGivenOnce_data() { everyLetterOfAMenuIsGivenOnce_data(); }
-    void everyLetterOfAPageIsGivenOnce();
     void whatPeopleLookForIsThere();
     void redoHasBothKeys();
     void clipboardGoesWhereTheKeyboardIs();
@@ -44,95 +37,7 @@ private slots:
     void helpHasItsTopics();
     void fullScreenIsNotTheRampsKey();
     void theFrontPageIsPrinted();
-
-private:
-    static void checkMenu(const QMenu& menu)
-    {
-        QString seen;
-        for (const QAction* action : menu.actions()) {
-            if (action->isSeparator() || !action->isVisible())
-                continue;
-            if (action->menu())
-                checkMenu(*action->menu());
-            const QChar letter = mnemonicOf(action->text());
-            QVERIFY2(letter.isNull() || !seen.contains(letter), qPrintable(menu.title() + ": " + action->text()));
-            if (!letter.isNull())
-                seen += letter;
-        }
-    }
 };
-
-void MenusTest::lettersAreMadeDistinct()
-{
-    QCOMPARE(distinctMnemonics({"&Open", "&Other", "Off && &on", "plain"}), (QStringList{"&Open", "O&ther", "O&ff && on", "plain"}));
-    QCOMPARE(distinctMnemonics({"&File"}, "F"), QStringList{"F&ile"});
-    QCOMPARE(distinctMnemonics({"&A", "&A"}), (QStringList{"&A", "A"}));
-    QCOMPARE(distinctMnemonics({"&Save", "&Sign or amend"}), (QStringList{"&Save", "Sign &or amend"}));
-}
-
-void MenusTest::everyLetterOfAMenuIsGivenOnce_data()
-{
-    QTest::addColumn<QString>("language");
-    QTest::newRow("English") << "en";
-    QTest::newRow("Polish") << "pl";
-}
-
-void MenusTest::everyLetterOfAMenuIsGivenOnce()
-{
-    QFETCH(QString, language);
-    QCOMPARE(speak({language}), language);
-    SmallFleet fleet;
-    const SwingId swing = fleet.addSwing("2026-11-20", eightPoints());
-    OpenWindow open(fleet.stores);
-    auto* stack = open.window.findChild<PageStack*>();
-    QString bar;
-    for (const QAction* action : open.window.menuBar()->actions()) {
-        const QChar letter = mnemonicOf(action->text());
-        QVERIFY2(!letter.isNull() && !bar.contains(letter), qPrintable(action->text()));
-        bar += letter;
-    }
-    for (const PageDescription& page : stack->descriptions()) {
-        if (!stack->show(Destination{page.id, fleet.compass}))
-            QVERIFY2(static_cast<bool>(stack->show(Destination{page.id, swing})), qPrintable(page.id));
-        for (const QAction* action : open.window.menuBar()->actions()) {
-            emit action->menu()->aboutToShow();
-            checkMenu(*action->menu());
-        }
-    }
-}
-
-void MenusTest::everyLetterOfAPageIsGivenOnce()
-{
-    QFETCH(QString, language);
-    QCOMPARE(speak({language}), language);
-    SmallFleet fleet;
-    const SwingId swing = fleet.addSwing("2026-11-20", eightPoints());
-    OpenWindow open(fleet.stores);
-    auto* stack = open.window.findChild<PageStack*>();
-    for (const PageDescription& page : stack->descriptions()) {
-        if (!stack->show(Destination{page.id, fleet.compass}))
-            QVERIFY2(static_cast<bool>(stack->show(Destination{page.id, swing})), qPrintable(page.id));
-        QMap<QChar, QString> seen;
-        const auto take = [&](const QString& text) {
-            const QChar letter = mnemonicOf(text);
-            if (letter.isNull())
-                return;
-            QVERIFY2(!seen.contains(letter), qPrintable(page.id + ": " + text + " and " + seen.value(letter)));
-            seen.insert(letter, text);
-        };
-        for (const QAction* action : open.window.menuBar()->actions())
-            take(action->text());
-        for (const QLabel* label : stack->current().findChildren<QLabel*>())
-            if (label->buddy() && label->isVisible())
-                take(label->text());
-        for (const QAbstractButton* button : stack->current().findChildren<QAbstractButton*>())
-            if (button->isVisible())
-                take(button->text());
-        for (const QGroupBox* box : stack->current().findChildren<QGroupBox*>())
-            if (box->isVisible())
-                take(box->title());
-    }
-}
 
 void MenusTest::whatPeopleLookForIsThere()
 {
