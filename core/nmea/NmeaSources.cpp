@@ -135,22 +135,24 @@ Error noReference(const NmeaLog& log, NmeaReference wanted)
         kMissing[static_cast<std::size_t>(wanted)]});
 }
 
-/// A true heading that was made of the compass says nothing of it.
-void doubtReference(const NmeaSources& sources, std::vector<Message>& warnings)
-{
-    const NmeaSource& source = sources.reference->source;
-    if (source.type == "VHW T")
-        warnings.push_back(MARKED("core",
-            "the true heading is a speed log's (VHW), which mostly is the compass's own with the variation added: such a "
-            "reference shows no deviation"));
-    else if (sources.reference->north == NmeaNorth::True && source.talker == "HC")
-        warnings.push_back(
-            {MARKED("core", "the true heading %1 is sent by a magnetic compass: it is no reference for one"), nameOf(source)});
-}
-
 } // namespace
 
 std::string nameOf(const NmeaSource& source) { return source.talker + source.type; }
+
+std::optional<Message> doubtOfReference(const NmeaSource& reference, NmeaNorth north, const NmeaSource& compass)
+{
+    if (reference.type == "VHW T")
+        return Message(MARKED("core",
+            "the true heading is a speed log's (VHW), which mostly is the compass's own with the variation added: such a "
+            "reference shows no deviation"));
+    if (north == NmeaNorth::True && reference.talker == "HC")
+        return Message{MARKED("core", "the true heading %1 is sent by a magnetic compass: it is no reference for one"), nameOf(reference)};
+    if (north != NmeaNorth::Track && reference.talker == compass.talker)
+        return Message{
+            MARKED("core", "%1 and the compass %2 have one talker: if the one is made of the other, it shows no deviation of that compass"),
+            nameOf(reference), nameOf(compass)};
+    return {};
+}
 
 Result<NmeaSources> chooseSources(const NmeaLog& log, const NmeaOptions& options)
 {
@@ -172,7 +174,8 @@ Result<NmeaSources> chooseSources(const NmeaLog& log, const NmeaOptions& options
         return noReference(log, options.reference);
     if (sources.reference->source.talker != *talker || sources.reference->north != NmeaNorth::Compass)
         sources.warnings.insert(sources.warnings.end(), ofCompass.begin(), ofCompass.end());
-    doubtReference(sources, sources.warnings);
+    if (auto doubt = doubtOfReference(sources.reference->source, sources.reference->north, sources.compass->source))
+        sources.warnings.push_back(std::move(*doubt));
     return sources;
 }
 

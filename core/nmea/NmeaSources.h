@@ -1,6 +1,7 @@
 #pragma once
 /// Who of a log is the compass, and what it is held against.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct NmeaSources {
 };
 
 [[nodiscard]] std::string nameOf(const NmeaSource& source);
+
+/// Why a reference may be made of the very compass that it is held against, and would then show no deviation: a true heading of a speed
+/// log or of a magnetic compass, a true heading or a second magnetic one of the compass's own talker. None: nothing speaks against it.
+[[nodiscard]] std::optional<Message> doubtOfReference(const NmeaSource& reference, NmeaNorth north, const NmeaSource& compass);
 
 /// Errors: InvalidInput: no compass; several talkers and none chosen (names them); no reference of the kind, or one without a fix.
 Result<NmeaSources> chooseSources(const NmeaLog& log, const NmeaOptions& options);

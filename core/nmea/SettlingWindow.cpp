@@ -42,7 +42,8 @@ std::optional<SettledHeading> SettlingWindow::at(double time_s) const
     }
     const auto count = static_cast<double>(m_headings.size());
     const double mean = sum / count;
-    SettledHeading settled{wrap360(first + mean), most - least, 0.0, {}, static_cast<int>(m_headings.size()), false};
+    SettledHeading settled{
+        wrap360(first + mean), most - least, 0.0, {}, static_cast<int>(m_headings.size()), time_s - m_headings.back().time_s, false};
     constexpr double kLeast_s = 1.0;
     if (m_headings.back().time_s - m_headings.front().time_s >= kLeast_s)
         settled.turnRate_deg_s = (products - times * angles / count) / (timesSquared - times * times / count);

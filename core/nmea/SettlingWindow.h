@@ -12,6 +12,7 @@ struct SettledHeading {
     double standardDeviation_deg = 0;
     std::optional<double> turnRate_deg_s; ///< clockwise positive: the line through them; none of less than a second
     int count = 0;
+    double age_s = 0;     ///< since the last of them was heard
     bool settled = false; ///< the window is full and the spread within the limit
 };
 

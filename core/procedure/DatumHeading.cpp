@@ -68,6 +68,11 @@ double meanHeading_deg(const std::vector<double>& headings_deg)
     return wrap360(headings_deg.front() + off / static_cast<double>(headings_deg.size()));
 }
 
+bool sendsHeadings(DatumKind kind)
+{
+    return kind == DatumKind::DigitalCompass || kind == DatumKind::TransferGyro || kind == DatumKind::Inertial;
+}
+
 Result<DatumHeading> datumHeading(const DatumInstrument& instrument, const RawFigures& raw, std::optional<Variation> variation)
 {
     if (raw.datum_deg.empty() && raw.astern_deg.empty())

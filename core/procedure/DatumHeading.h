@@ -21,6 +21,10 @@ struct DatumHeading {
     double uncertainty_deg = 0;            ///< standard: resolution/√12 and the scatter of the mean
 };
 
+/// Whether the instrument can send its headings by wire. All others are read by a person, or are no heading before they are computed: what
+/// a cable says is none of their figures.
+[[nodiscard]] bool sendsHeadings(DatumKind kind);
+
 /// Mean of the figures, turned and corrected as the instrument says. Where it was sighted both ways: mean of both, astern
 /// turned by 180°. Errors: InvalidInput: no figure; a true instrument without variation; figures from one side more than 10°
 /// apart (a slip: names them); ahead and astern more than 10° apart after turning (one of them was read the other way round:

@@ -139,7 +139,7 @@ void GuidedPage::build()
     connect(fault, &QPushButton::clicked, this, &GuidedPage::reportFault);
     connect(live, &QPushButton::toggled, this, &GuidedPage::showLive);
     connect(m_live, &LivePanel::failed, this, &GuidedPage::failed);
-    connect(m_live, &LivePanel::datumSettled, this, &GuidedPage::takeLiveDatum);
+    connect(m_live, &LivePanel::datumSettled, m_station, &GuidedStation::setDatum);
     connect(m_live, &LivePanel::compassSettled, m_station, &GuidedStation::setCompass);
     auto* toggle = new QShortcut(QKeySequence(Qt::Key_F12), this);
     toggle->setContext(Qt::WidgetWithChildrenShortcut);
@@ -212,6 +212,8 @@ void GuidedPage::refresh()
     m_whose->setText(QStringLiteral("%1 · %2").arg(toText(m_job->record().aircraft.registration), toText(m_job->record().compass.name)));
     m_strip->show(state);
     m_instrument->setText(inAngleStyle(instrumentWords(*m_job)));
+    const DatumInstrument& datum = m_job->datum();
+    m_live->setDatum({sendsHeadings(datum.kind), datum.givesTrue, m_job->job().particulars.variation_deg});
     switch (state.phase) {
     case JobPhase::Prepare:
         m_prepare->refresh();
@@ -336,28 +338,6 @@ void GuidedPage::finish()
 }
 
 void GuidedPage::showLive(bool shown) { m_live->setVisible(shown); }
-
-/// The field takes what the job's instrument shows; a heading of the other north is turned into it by the variation.
-void GuidedPage::takeLiveDatum(double heading_deg, bool isTrue)
-{
-    const DatumInstrument& datum = m_job->datum();
-    if (datum.kind == DatumKind::SightingCompass || datum.kind == DatumKind::Theodolite) {
-        emit failed(tr(
-            "The datum of this swing is sighted by a person: a live heading is none of its figures. Begin the swing with an instrument that sends headings."));
-        return;
-    }
-    std::optional<double> variation_deg = m_job->job().particulars.variation_deg;
-    if (!variation_deg)
-        if (const auto told = m_live->heading().variation())
-            variation_deg = told->variation.degrees();
-    if (isTrue == datum.givesTrue)
-        m_station->setDatum(heading_deg);
-    else if (!variation_deg)
-        emit failed(tr(
-            "The live heading is true and the datum magnetic, or the other way round: a variation is expected, of the site or in the sentences."));
-    else
-        m_station->setDatum(wrap360(isTrue ? heading_deg - *variation_deg : heading_deg + *variation_deg));
-}
 
 void GuidedPage::openCrewDisplay()
 {

@@ -74,7 +74,6 @@ private:
     void finish();
     void reportFault();
     void abandon();
-    void takeLiveDatum(double heading_deg, bool isTrue);
     void tell(job::What what);
     void readAgain(int station);
     void offerInstruments(); ///< F3

@@ -1,8 +1,11 @@
 #include "ui/intake/LiveHeading.h"
 
+#include <algorithm>
 #include <ctime>
+#include <tuple>
 
-#include "core/nmea/NmeaLog.h"
+#include "core/nmea/NmeaSources.h"
+#include "core/nmea/NmeaSwing.h"
 
 namespace lubberline::ui {
 
@@ -25,6 +28,18 @@ bool isWhole(const NmeaSentence& sentence)
         : sentence.type == "HDT" || sentence.type == "HDM" || sentence.type == "THS" ? 2
                                                                                      : 1;
     return sentence.hasChecksum || sentence.fields.size() >= fields;
+}
+
+/// A receiver that stands still sends a track, too: the last one, or noise.
+bool tellsHeading(const LiveSource& source)
+{
+    return source.north != NmeaNorth::Track || (source.speed_kt && *source.speed_kt >= NmeaOptions().minSpeed_kt);
+}
+
+/// The smaller, the likelier it is the compass that is swung.
+auto rankOfCompass(const NmeaSource& source)
+{
+    return std::tuple(source.type != "HDG", source.type != "HDM", source.talker != "HC", source);
 }
 
 } // namespace
@@ -52,14 +67,19 @@ void LiveHeading::clear()
     emit changed();
 }
 
-void LiveHeading::add(const LiveChannel& name, bool compass, bool isTrue, double heading_deg)
+void LiveHeading::add(const LiveSource& source, double heading_deg)
 {
+    const LiveChannel name = nameOf(source.source);
     if (m_channels.size() >= kMostChannels && !m_channels.contains(name)) {
         ++m_bad; // nobody has so many instruments
         return;
     }
-    const auto [found, isNew] = m_channels.try_emplace(name, Channel{compass, isTrue, SettlingWindow(m_length_s, m_mostSpread_deg)});
-    found->second.window.add(m_now_s(), heading_deg);
+    Channel& channel = m_channels.try_emplace(name, Channel{source, SettlingWindow(m_length_s, m_mostSpread_deg)}).first->second;
+    channel.source = source;
+    if (tellsHeading(source))
+        channel.window.add(m_now_s(), heading_deg);
+    else
+        channel.window.clear(); // where it went before it stood still is not where it points now
 }
 
 void LiveHeading::takeLine(std::string_view line)
@@ -83,15 +103,15 @@ void LiveHeading::takeSentence(const NmeaSentence& sentence)
     ++m_sentences;
     const NmeaValue value = valueOf(sentence);
     if (const auto* compass = std::get_if<NmeaCompass>(&value)) {
-        add(compass->talker + compass->type, true, false, compass->heading.degrees());
+        add({{compass->talker, compass->type}, NmeaNorth::Compass, {}}, compass->heading.degrees());
     } else if (const auto* heading = std::get_if<NmeaTrueHeading>(&value)) {
-        add(heading->talker + heading->type, false, true, heading->heading.degrees());
+        add({{heading->talker, heading->type}, NmeaNorth::True, {}}, heading->heading.degrees());
     } else if (const auto* track = std::get_if<NmeaTrack>(&value)) {
         if (track->track)
-            add(track->talker + track->type, false, true, track->track->degrees());
+            add({{track->talker, track->type}, NmeaNorth::Track, track->speed_kt}, track->track->degrees());
     } else if (const auto* water = std::get_if<NmeaWater>(&value)) {
         if (water->compass)
-            add(water->talker + "VHW", true, false, water->compass->degrees());
+            add({{water->talker, "VHW"}, NmeaNorth::Compass, {}}, water->compass->degrees());
     } else if (std::holds_alternative<NmeaBadHeading>(value)) {
         ++m_badHeadings;
     }
@@ -100,42 +120,68 @@ void LiveHeading::takeSentence(const NmeaSentence& sentence)
             m_newest.insert_or_assign(sentence.talker + type, sentence);
 }
 
-std::optional<ChosenVariation> LiveHeading::variation() const
+std::optional<ChosenVariation> LiveHeading::variation(std::optional<double> stated_deg) const
 {
     NmeaLog log;
     for (const auto& [name, sentence] : m_newest)
         log.take(sentence);
-    auto chosen = chooseVariation(log, VariationFound{}, dateOfLog(log, {}, {}), 0.0);
+    const NmeaVariation wanted = stated_deg ? NmeaVariation(Variation::fromDegrees(*stated_deg)) : VariationFound{};
+    auto chosen = chooseVariation(log, wanted, dateOfLog(log, {}, {}), 0.0);
     return chosen ? std::optional(std::move(chosen.value())) : std::nullopt;
 }
 
 QStringList LiveHeading::compassChannels() const
 {
-    QStringList names;
+    std::vector<NmeaSource> sources;
     for (const auto& [name, channel] : m_channels)
-        if (channel.compass)
-            names << QString::fromStdString(name);
+        if (channel.source.north == NmeaNorth::Compass)
+            sources.push_back(channel.source.source);
+    std::sort(sources.begin(), sources.end(), [](const auto& a, const auto& b) { return rankOfCompass(a) < rankOfCompass(b); });
+    QStringList names;
+    for (const auto& source : sources)
+        names << QString::fromStdString(nameOf(source));
     return names;
 }
 
-QStringList LiveHeading::referenceChannels() const
+QStringList LiveHeading::referenceChannels(const QString& compass) const
 {
     QStringList names;
-    for (const auto& [name, channel] : m_channels)
-        names << QString::fromStdString(name);
+    for (const NmeaNorth north : {NmeaNorth::True, NmeaNorth::Track, NmeaNorth::Compass})
+        for (const auto& [name, channel] : m_channels)
+            if (channel.source.north == north && QString::fromStdString(name) != compass)
+                names << QString::fromStdString(name);
     return names;
+}
+
+bool LiveHeading::standsAlone(const QString& reference, const QString& compass) const
+{
+    const Channel *one = find(reference), *other = find(compass);
+    return one && !doubtOfReference(one->source.source, one->source.north, other ? other->source.source : NmeaSource())
+        && one->source.north != NmeaNorth::Compass;
+}
+
+const LiveHeading::Channel* LiveHeading::find(const QString& channel) const
+{
+    const auto found = m_channels.find(channel.toStdString());
+    return found == m_channels.end() ? nullptr : &found->second;
 }
 
 std::optional<SettledHeading> LiveHeading::heading(const QString& channel) const
 {
-    const auto found = m_channels.find(channel.toStdString());
-    return found == m_channels.end() ? std::nullopt : found->second.window.at(m_now_s());
+    const Channel* found = find(channel);
+    return found ? found->window.at(m_now_s()) : std::nullopt;
+}
+
+std::optional<LiveSource> LiveHeading::source(const QString& channel) const
+{
+    const Channel* found = find(channel);
+    return found ? std::optional(found->source) : std::nullopt;
 }
 
 bool LiveHeading::isTrue(const QString& channel) const
 {
-    const auto found = m_channels.find(channel.toStdString());
-    return found != m_channels.end() && found->second.isTrue;
+    const Channel* found = find(channel);
+    return found && found->source.north != NmeaNorth::Compass;
 }
 
 } // namespace lubberline::ui

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/nmea/NmeaValues.h"
+#include "core/nmea/NmeaLog.h"
 #include "core/nmea/NmeaVariation.h"
 #include "core/nmea/SettlingWindow.h"
 
@@ -19,6 +19,13 @@ namespace lubberline::ui {
 
 /// A heading that is sent: whose, by which sentence. "HCHDG", "GPHDT", "GPRMC" (track).
 using LiveChannel = std::string;
+
+/// What is known of one that was heard.
+struct LiveSource {
+    NmeaSource source;
+    NmeaNorth north = NmeaNorth::Compass;
+    std::optional<double> speed_kt; ///< of a track, over ground; none: it was not told
+};
 
 class LiveHeading : public QObject {
     Q_OBJECT
@@ -32,15 +39,21 @@ public:
     void takeLine(std::string_view line);
     void clear();
 
-    /// Those that were heard, in order of their names; two talkers are two channels, and nobody chooses between them but the
-    /// user.
-    [[nodiscard]] QStringList compassChannels() const;   ///< HDG, HDM
-    [[nodiscard]] QStringList referenceChannels() const; ///< HDT, tracks, and all of the above
+    /// Those that were heard and may be the compass: what a compass reads (HDG) before what it may have corrected (HDM) and what a speed
+    /// log repeats (VHW), HC before other talkers.
+    [[nodiscard]] QStringList compassChannels() const;
+    /// All others: true headings, tracks, other compasses. A heading is never its own reference.
+    [[nodiscard]] QStringList referenceChannels(const QString& compass) const;
+    /// Whether it may be the reference without being asked for: a true heading of another talker than the compass, or a track. What a
+    /// compass sends, or its talker, may be made of that compass and would show no deviation.
+    [[nodiscard]] bool standsAlone(const QString& reference, const QString& compass) const;
+    /// None, too, of a track slower than it tells a heading, and where its speed is not told.
     [[nodiscard]] std::optional<SettledHeading> heading(const QString& channel) const;
+    [[nodiscard]] std::optional<LiveSource> source(const QString& channel) const;
     [[nodiscard]] bool isTrue(const QString& channel) const; ///< from true north
-    /// Of what was sent last: the variation that was told, held against the model where a place and a date were told, too; else the model's.
+    /// The stated variation, else what was told last, held against the model where a place and a date were told, too; else the model's.
     /// None where neither is there.
-    [[nodiscard]] std::optional<ChosenVariation> variation() const;
+    [[nodiscard]] std::optional<ChosenVariation> variation(std::optional<double> stated_deg = {}) const;
 
     [[nodiscard]] int badChecksums() const { return m_bad; }
     [[nodiscard]] int badHeadings() const { return m_badHeadings; } ///< negative, or beyond 360
@@ -51,11 +64,12 @@ signals:
 
 private:
     struct Channel {
-        bool compass = false, isTrue = false;
+        LiveSource source;
         SettlingWindow window;
     };
     void takeSentence(const NmeaSentence& sentence);
-    void add(const LiveChannel& name, bool compass, bool isTrue, double heading_deg);
+    void add(const LiveSource& source, double heading_deg);
+    [[nodiscard]] const Channel* find(const QString& channel) const;
 
     std::function<double()> m_now_s;
     std::map<LiveChannel, Channel> m_channels;

@@ -9,11 +9,15 @@
 #include <QShortcut>
 #include <QTimer>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
-#include "core/angle/PrintedHeading.h"
 #include "core/nmea/NmeaDelay.h"
+#include "core/nmea/NmeaSources.h"
+#include "core/nmea/NmeaSwing.h"
 #include "ui/kit/Words.h"
+#include "ui/text/AngleWords.h"
 
 namespace lubberline::ui {
 
@@ -47,8 +51,9 @@ LivePanel::LivePanel(std::function<double()> now_s, QWidget* parent)
     , m_datum(new QComboBox)
     , m_compass(new QComboBox)
     , m_datumValue(new QLabel)
+    , m_datumDetail(new QLabel)
     , m_compassValue(new QLabel)
-    , m_turn(new QLabel)
+    , m_compassDetail(new QLabel)
     , m_notes(new QLabel)
     , m_useDatum(new QPushButton(tr("Take as datum (F6)")))
     , m_useCompass(new QPushButton(tr("Take as compass (F7)")))
@@ -73,32 +78,53 @@ void LivePanel::build()
     m_compass->setObjectName(QStringLiteral("liveCompassChannel"));
     m_datumValue->setObjectName(QStringLiteral("liveDatum"));
     m_compassValue->setObjectName(QStringLiteral("liveCompass"));
-    m_turn->setObjectName(QStringLiteral("liveTurn"));
+    m_datumDetail->setObjectName(QStringLiteral("liveDatumDetail"));
+    m_compassDetail->setObjectName(QStringLiteral("liveCompassDetail"));
     m_notes->setObjectName(QStringLiteral("liveNotes"));
     m_notes->setWordWrap(true);
     m_notes->hide();
     m_useDatum->setObjectName(QStringLiteral("liveTakeDatum"));
     m_useCompass->setObjectName(QStringLiteral("liveTakeCompass"));
+    m_state->setWordWrap(true);
+    for (QComboBox* box : {m_datum, m_compass}) {
+        box->setPlaceholderText(tr("none yet"));
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        connect(box, &QComboBox::activated, this, [this, box] {
+            m_chosen.insert(box);
+            showHeadings();
+            showNotes();
+        });
+    }
+    m_datum->setAccessibleName(tr("Sentence of the datum"));
+    m_compass->setAccessibleName(tr("Sentence of the compass"));
     for (QLabel* value : {m_datumValue, m_compassValue}) {
         QFont large = value->font();
         large.setPixelSize(kFigure_px);
         value->setFont(large);
-        value->setMinimumWidth(260);
+        value->setMinimumWidth(QFontMetrics(large).horizontalAdvance(shownHeading(0)));
     }
-    auto* grid = new QGridLayout(this);
-    grid->addWidget(m_kind, 0, 0);
-    grid->addWidget(m_where, 0, 1);
-    grid->addWidget(m_connect, 0, 2);
-    grid->addWidget(m_state, 0, 3);
-    grid->addWidget(m_datum, 1, 0);
-    grid->addWidget(m_datumValue, 1, 1);
-    grid->addWidget(m_useDatum, 1, 2);
-    grid->addWidget(m_compass, 2, 0);
-    grid->addWidget(m_compassValue, 2, 1);
-    grid->addWidget(m_useCompass, 2, 2);
-    grid->addWidget(m_turn, 2, 3);
-    grid->addWidget(m_notes, 3, 0, 1, 4);
-    grid->setColumnStretch(3, 1);
+    for (QLabel* detail : {m_datumDetail, m_compassDetail})
+        detail->setWordWrap(true);
+    auto* source = new QHBoxLayout;
+    source->addWidget(m_kind);
+    source->addWidget(m_where);
+    source->addWidget(m_connect);
+    source->addWidget(m_state, 1);
+    auto* grid = new QGridLayout;
+    int row = 0;
+    for (const auto& [box, value, detail, use] : {std::tuple(m_datum, m_datumValue, m_datumDetail, m_useDatum),
+             std::tuple(m_compass, m_compassValue, m_compassDetail, m_useCompass)}) {
+        grid->addWidget(box, row, 0);
+        grid->addWidget(value, row, 1);
+        grid->addWidget(detail, row, 2);
+        grid->addWidget(use, row, 3);
+        ++row;
+    }
+    grid->setColumnStretch(2, 1);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(source);
+    column->addLayout(grid);
+    column->addWidget(m_notes);
 
     connect(m_kind, &QComboBox::currentIndexChanged, this, [this](int kind) { m_where->setText(placeFor(kind)); });
     connect(m_where, &QLineEdit::returnPressed, this, &LivePanel::connectOrClose);
@@ -140,6 +166,7 @@ void LivePanel::connectOrClose()
         m_input->close();
         m_silence->stop();
         m_heading->clear();
+        m_chosen.clear();
         showHeadings();
         showNotes();
         return;
@@ -194,37 +221,101 @@ void LivePanel::showState()
     m_state->setText(words.join(QStringLiteral(" · ")));
 }
 
-/// What is chosen stays chosen; a second talker is offered, and not taken by itself.
-void LivePanel::keepChannels(QComboBox& box, const QStringList& channels)
+/// What somebody chose stays; else the best is taken that needs no choice (-1: none does).
+void LivePanel::keepChannels(QComboBox& box, const QStringList& channels, const QString& best)
 {
     QStringList shown;
     for (int i = 0; i < box.count(); ++i)
         shown += box.itemText(i);
-    if (shown == channels)
-        return;
-    const QString chosen = box.currentText();
-    box.clear();
-    box.addItems(channels);
-    box.setCurrentIndex(std::max(0, static_cast<int>(channels.indexOf(chosen))));
+    const QString before = box.currentText();
+    if (shown != channels) {
+        box.clear();
+        box.addItems(channels);
+    }
+    const bool stays = m_chosen.contains(&box) && channels.contains(before);
+    if (!stays)
+        m_chosen.erase(&box);
+    box.setCurrentIndex(static_cast<int>(channels.indexOf(stays ? before : best)));
 }
 
-QString LivePanel::words(const QString& channel) const
+void LivePanel::showHeading(const QString& channel, QLabel& figure, QLabel& detail) const
 {
     const auto heading = m_heading->heading(channel);
-    if (channel.isEmpty() || !heading)
-        return QStringLiteral("—");
-    return tr("%1° %2")
-        .arg(printedHeading_deg(heading->mean_deg, 1), 5, 'f', 1, QChar('0'))
-        .arg((heading->settled ? tr("✓ ±%1") : tr("±%1")).arg(heading->spread_deg / 2, 0, 'f', 1));
+    figure.setText(heading ? shownHeading(heading->mean_deg) : QStringLiteral("—"));
+    QStringList words{settlingWords(channel)};
+    if (&detail == m_datumDetail)
+        words += northWords(channel);
+    else
+        words += turnWords(channel);
+    words.removeAll(QString());
+    detail.setText(words.join(QStringLiteral(" · ")));
+}
+
+/// Whether it has come to rest, by how much it moves, and how old the last of it is.
+QString LivePanel::settlingWords(const QString& channel) const
+{
+    const auto source = m_heading->source(channel);
+    if (!source)
+        return {};
+    const auto heading = m_heading->heading(channel);
+    if (!heading && source->north == NmeaNorth::Track)
+        return source->speed_kt ? tr("%1 kt over ground: a track tells a heading from %2 kt on")
+                                      .arg(*source->speed_kt, 0, 'f', 1)
+                                      .arg(NmeaOptions().minSpeed_kt)
+                                : tr("a track whose speed is not told tells no heading");
+    if (!heading)
+        return tr("nothing new is heard");
+    return (heading->settled ? tr("✓ settled: moves by %1 over %n headings, the last %2 s old", nullptr, heading->count)
+                             : tr("moves by %1 over %n headings, the last %2 s old", nullptr, heading->count))
+        .arg(shownSize(heading->spread_deg))
+        .arg(heading->age_s, 0, 'f', 1);
+}
+
+std::optional<double> LivePanel::asDatum_deg(const QString& channel, double heading_deg) const
+{
+    const bool isTrue = m_heading->isTrue(channel);
+    if (isTrue == m_expected.isTrue)
+        return heading_deg;
+    if (!m_expected.variation_deg)
+        return {};
+    return wrap360(isTrue ? heading_deg - *m_expected.variation_deg : heading_deg + *m_expected.variation_deg);
+}
+
+/// From which north it is, and what the datum makes of it.
+QString LivePanel::northWords(const QString& channel) const
+{
+    const auto heading = m_heading->heading(channel);
+    if (!heading)
+        return {};
+    const bool isTrue = m_heading->isTrue(channel);
+    const auto taken = asDatum_deg(channel, heading->mean_deg);
+    if (isTrue == m_expected.isTrue)
+        return isTrue ? tr("true") : tr("magnetic");
+    if (!taken)
+        return isTrue ? tr("true; the datum is magnetic, and the swing has no variation")
+                      : tr("magnetic; the datum is true, and the swing has no variation");
+    return (isTrue ? tr("true; with the variation %2 of the swing it is taken as %1 magnetic")
+                   : tr("magnetic; with the variation %2 of the swing it is taken as %1 true"))
+        .arg(shownHeading(*taken), shownAngle(*m_expected.variation_deg));
 }
 
 void LivePanel::showHeadings()
 {
-    keepChannels(*m_datum, m_heading->referenceChannels());
-    keepChannels(*m_compass, m_heading->compassChannels());
-    m_datumValue->setText(words(m_datum->currentText()) + (m_heading->isTrue(m_datum->currentText()) ? tr(" true") : QString()));
-    m_compassValue->setText(words(m_compass->currentText()));
-    m_turn->setText(turnWords(m_compass->currentText()));
+    const QStringList compasses = m_heading->compassChannels();
+    keepChannels(*m_compass, compasses, compasses.value(0));
+    const QString compass = m_compass->currentText();
+    const QStringList references = m_heading->referenceChannels(compass);
+    const auto alone
+        = std::find_if(references.begin(), references.end(), [&](const QString& one) { return m_heading->standsAlone(one, compass); });
+    keepChannels(*m_datum, references, alone == references.end() ? QString() : *alone);
+    showHeading(m_datum->currentText(), *m_datumValue, *m_datumDetail);
+    showHeading(compass, *m_compassValue, *m_compassDetail);
+}
+
+void LivePanel::setDatum(const LiveDatum& datum)
+{
+    m_expected = datum;
+    showHeadings();
 }
 
 /// The band in which a compass can be read while it turns: slower is no turn, faster the card lags.
@@ -250,29 +341,48 @@ QString LivePanel::turnWords(const QString& channel) const
 void LivePanel::showNotes()
 {
     QStringList notes;
-    if (const auto variation = m_heading->variation())
+    const auto reference = m_heading->source(m_datum->currentText()), compass = m_heading->source(m_compass->currentText());
+    if (reference && compass)
+        if (const auto doubt = doubtOfReference(reference->source, reference->north, compass->source))
+            notes += toText(*doubt);
+    if (const auto variation = m_heading->variation(m_expected.variation_deg))
         for (const auto& warning : variation->warnings)
             notes += toText(warning);
     if (m_heading->badHeadings() > 0)
         notes += tr("%n headings are negative or beyond 360 and left out.", nullptr, m_heading->badHeadings());
-    m_notes->setText(notes.join('\n'));
+    m_notes->setText(inAngleStyle(notes.join('\n')));
     m_notes->setVisible(!notes.isEmpty());
 }
 
 std::optional<SettledHeading> LivePanel::settled(const QComboBox& box)
 {
     const auto heading = m_heading->heading(box.currentText());
-    if (!heading)
+    if (box.currentIndex() < 0 && box.count() > 0)
+        emit failed(tr("Nothing that is sent is a reference by itself: choose the sentence that is the datum."));
+    else if (const QString why = settlingWords(box.currentText()); !heading && !why.isEmpty())
+        emit failed(tr("%1: %2.").arg(box.currentText(), why));
+    else if (!heading)
         emit failed(tr("Nothing is heard: a heading is expected."));
     else if (!heading->settled)
-        emit failed(tr("The heading has not settled yet: it moves by %1° within the window.").arg(heading->spread_deg, 0, 'f', 1));
+        emit failed(tr("The heading has not settled yet: it moves by %1 within the window.").arg(shownSize(heading->spread_deg)));
     return heading && heading->settled ? heading : std::nullopt;
 }
 
 void LivePanel::takeDatum()
 {
-    if (const auto heading = settled(*m_datum))
-        emit datumSettled(heading->mean_deg, m_heading->isTrue(m_datum->currentText()));
+    if (!m_expected.isSent) {
+        emit failed(tr(
+            "The datum of this swing is read by a person: a live heading is none of its figures. Choose an instrument that sends headings (F3)."));
+        return;
+    }
+    const auto heading = settled(*m_datum);
+    if (!heading)
+        return;
+    if (const auto taken = asDatum_deg(m_datum->currentText(), heading->mean_deg))
+        emit datumSettled(*taken);
+    else
+        emit failed(tr(
+            "The live heading is from another north than the datum, and the swing has no variation: begin it with a site that has one, or choose an instrument that shows what is sent (F3)."));
 }
 
 void LivePanel::takeCompass()
