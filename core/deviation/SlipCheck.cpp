@@ -7,7 +7,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "core/angle/Circle.h"
 #include "core/deviation/SlipVariants.h"
+#include "core/deviation/SmithFit.h"
 
 namespace lubberline {
 
@@ -57,14 +59,20 @@ private:
 
 Expectation::Expectation(const SlipContext& context) : m_noise_deg(std::hypot(context.resolution_deg / std::sqrt(12.0), kTwitch_deg))
 {
-    const Vector5 prior = degreesOf(byHeadingAsRead(context.expected.mean)), spread = degreesOf(context.expected.standardDeviation);
+    Vector5 prior = degreesOf(byHeadingAsRead(context.expected.mean));
+    const Vector5 spread = degreesOf(context.expected.standardDeviation);
+    // A compass that is far out as a whole, and was not before, or of which nothing was known, stays where it is.
+    const double index_deg = context.earlier.empty() ? 0.0 : largeIndex_deg(context.earlier);
+    if (index_deg != 0.0 && std::abs(wrap180(index_deg - prior(0))) > kLargeIndex_deg)
+        prior(0) = index_deg;
     const double weight = 1.0 / (m_noise_deg * m_noise_deg);
     Matrix5 information = spread.array().square().inverse().matrix().asDiagonal();
     Vector5 sum = information * prior;
     for (const auto& reading : context.earlier) {
         const Vector5 x = designAt(reading.compass.degrees());
         information += weight * x * x.transpose();
-        sum += weight * deviationOf(reading.magnetic, reading.compass).degrees() * x;
+        // Of one that reads the reciprocal +179° and −179° are two degrees apart.
+        sum += weight * toDegrees(nearTo_rad(deviationOf(reading.magnetic, reading.compass).radians(), toRadians(prior(0)))) * x;
     }
     const Eigen::LLT<Matrix5> solver(information);
     m_mean = solver.solve(sum);

@@ -284,8 +284,10 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     widenTo(analysis.approximate, options.readingError_rad);
     widenTo(analysis.exact, options.readingError_rad);
     takeShared(analysis, options.shared);
-    if (const auto words = indexWords(toDegrees(analysis.approximate.index_rad)))
-        analysis.warnings.push_back(*words);
+    const double index_deg = toDegrees(analysis.approximate.index_rad);
+    for (const auto& words : {indexWords(index_deg), indexMeaning(index_deg), mountWords(readings, analysis.approximate)})
+        if (words)
+            analysis.warnings.push_back(*words);
     const auto unfit = lackOfFit(readings, analysis.approximate, analysis.exact, options.readingError_rad);
     if (options.findSlips && analysis.approximate.fitted() && !largeButPlain(analysis)) {
         analysis.slips = findSlips(readings, options.resolution_deg, options.history, within(kSpectrum, 1.0));

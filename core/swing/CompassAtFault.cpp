@@ -1,6 +1,7 @@
 #include "core/swing/CompassAtFault.h"
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "core/angle/Circle.h"
@@ -34,6 +35,8 @@ Error heldWithin(const std::vector<double>& compass, double turned_deg)
 }
 
 /// As much as no compass deviates by, and a scatter that is none of a reading.
+/// From here on B and C of the compass as it stands are a quarter of each other's away from those of the compass turned right.
+constexpr double kOutOfPlace_deg = 15.0;
 constexpr double kNoOneCycle_deg = 90.0, kNoTwoCycles_deg = 60.0, kNoScatter_deg = 30.0, kTellsWithin_deg = 10.0;
 
 } // namespace
@@ -110,6 +113,34 @@ std::optional<Message> indexWords(double index_deg)
         MARKED("core",
             "the compass is %1°%2 out as a whole: this was taken out as its index before B, C, D and E; look at its mount and its lubber line"),
         off, side};
+}
+
+std::optional<Message> indexMeaning(double index_deg)
+{
+    if (index_deg == 0.0)
+        return std::nullopt;
+    return Message{
+        MARKED("core",
+            "B, C, D and E are those of the compass turned right in its mount: their heading ψ' is what it reads %1 %2° (the index); A of the approximate coefficients has the index in it, A of the exact ones has not"),
+        std::string(index_deg > 0 ? "+" : "−"), figureText(std::abs(index_deg), 0)};
+}
+
+std::optional<Message> mountWords(std::span<const Observation> readings, const ApproximateFit& fit)
+{
+    const auto A_rad = fit.of(Coefficient::A);
+    if (!A_rad || fit.index_rad != 0.0 || std::abs(toDegrees(*A_rad)) < kOutOfPlace_deg)
+        return std::nullopt;
+    std::vector<Observation> turned;
+    for (const auto& reading : readings)
+        turned.push_back({reading.magnetic, CompassHeading::fromRadians(reading.compass.radians() + *A_rad)});
+    const auto right = fitApproximate(turned, {.uncertainty = false});
+    if (!right || !right->of(Coefficient::B) || !right->of(Coefficient::C))
+        return std::nullopt;
+    return Message{
+        MARKED("core",
+            "A is %1°: B, C, D and E hold for the headings that the compass reads as it stands now. Turn it right in its mount before B and C are corrected, and swing again: B will be about %2° and C %3°"),
+        signedFigureText(toDegrees(*A_rad), 1), signedFigureText(toDegrees(*right->of(Coefficient::B)), 1),
+        signedFigureText(toDegrees(*right->of(Coefficient::C)), 1)};
 }
 
 } // namespace lubberline

@@ -18,5 +18,9 @@ namespace lubberline {
 
 /// The words for an index that is no deviation any more (largeIndex_deg of SmithFit.h), none for 0.
 [[nodiscard]] std::optional<Message> indexWords(double index_deg);
+/// What the coefficients mean beside such an index; none for 0.
+[[nodiscard]] std::optional<Message> indexMeaning(double index_deg);
+/// The words for an A of 15° and more that is no such index yet: what B and C will be when the mount has been set right. None below.
+[[nodiscard]] std::optional<Message> mountWords(std::span<const Observation> readings, const ApproximateFit& fit);
 
 } // namespace lubberline

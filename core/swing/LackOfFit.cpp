@@ -66,7 +66,7 @@ bool explained(const SmithFitReport& fit, double readingError_rad)
 std::optional<LackOfFit> lackOfFit(
     std::span<const Observation> readings, const ApproximateFit& approximate, const ExactFit& exact, double readingError_rad)
 {
-    if (approximate.parameters != static_cast<int>(kCoefficientCount) || !approximate.sigma_rad || approximate.index_rad != 0.0)
+    if (approximate.parameters != static_cast<int>(kCoefficientCount) || !approximate.sigma_rad)
         return std::nullopt;
     const bool byExact
         = exact.parameters == static_cast<int>(kCoefficientCount) && exact.sigma_rad && *exact.sigma_rad < *approximate.sigma_rad;

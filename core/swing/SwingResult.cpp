@@ -32,7 +32,7 @@ ExpectedCurve expectedAfter(const ApproximateSmith& last, SwingKind kindOfLast, 
     if (!compensated)
         return expected;
     const ExpectedCurve any = anyCurve();
-    expected.mean.A_rad = expected.mean.B_rad = expected.mean.C_rad = 0.0;
+    expected.mean.A_rad = expected.mean.B_rad = expected.mean.C_rad = expected.mean.index_rad = 0.0;
     expected.standardDeviation.A_rad = any.standardDeviation.A_rad;
     expected.standardDeviation.B_rad = any.standardDeviation.B_rad;
     expected.standardDeviation.C_rad = any.standardDeviation.C_rad;
@@ -83,10 +83,10 @@ double divisionOf_deg(const Swing& swing)
             return std::abs(divisions - std::round(divisions)) < 1e-6;
         });
     };
-    for (const double division_deg : {1.0, 0.5, 0.1})
+    for (const double division_deg : {1.0, 0.5})
         if (readTo(division_deg))
             return division_deg;
-    return 0.01;
+    return 0.1;
 }
 
 } // namespace lubberline

@@ -31,8 +31,9 @@ Result<Analysis> answerTo(const SwingQuestion& question, const Progress& progres
 Result<Analysis> resultOf(const SwingRecord& record, const SwingJob* job = nullptr, const AnalysisOptions& options = {},
     const std::optional<SensorBench>& bench = {});
 
-/// The division that a file's figures speak of, where nobody states it: the coarsest of 1°, 0.5°, 0.1° and 0.01° of which every
-/// compass heading that was read is a multiple; 0.01 too where they are finer (computed figures). Of no readings: 1.
+/// The division that a file's figures speak of, where nobody states it: the coarsest of 1°, 0.5° and 0.1° of which every compass
+/// heading that was read is a multiple; 0.1 too where they are finer: what was computed or sent with more decimals was not read better, and
+/// a swing is as sure as its compass, not as its print. Of no readings: 1.
 [[nodiscard]] double divisionOf_deg(const Swing& swing);
 
 } // namespace lubberline

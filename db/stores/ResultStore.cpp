@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/deviation/SmithFit.h"
 #include "core/fleet/SoftIron.h"
 #include "db/saving/Saving.h"
 #include "db/stores/CoilStore.h"
@@ -68,11 +69,12 @@ Result<std::optional<TypeSoftIron>> softIronOfType(Database& database, const Swi
 std::optional<ExpectedCurve> historyOf(const SwingRow& before, const Swing& swing)
 {
     const auto& c = before.coefficient_deg;
-    constexpr double kLargeIndex_deg = 45.0; // B and C of a compass so far out are of other headings
-    if (!std::all_of(c.begin(), c.end(), [](const auto& one) { return one.has_value(); }) || std::abs(*c[0]) > kLargeIndex_deg)
+    if (!std::all_of(c.begin(), c.end(), [](const auto& one) { return one.has_value(); }))
         return std::nullopt;
-    return expectedAfter(
-        {toRadians(*c[0]), toRadians(*c[1]), toRadians(*c[2]), toRadians(*c[3]), toRadians(*c[4])}, before.kind, before.stage, swing);
+    // B to E of a compass that is far out are kept as those of the compass turned right; its index is its A to a degree or so.
+    const double index_deg = std::abs(*c[0]) > kLargeIndex_deg ? std::round(*c[0]) : 0.0;
+    return expectedAfter({toRadians(*c[0]), toRadians(*c[1]), toRadians(*c[2]), toRadians(*c[3]), toRadians(*c[4]), toRadians(index_deg)},
+        before.kind, before.stage, swing);
 }
 
 CachedResult cachedOf(const SwingRecord& record, const Analysis& analysis)

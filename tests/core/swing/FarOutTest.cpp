@@ -1,7 +1,11 @@
 // A compass that is far out as a whole is the same compass as one that is mounted right, but for its index: published cases are in
 // CompassAtFaultTest; here every figure is held against that of the compass mounted right.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <cmath>
+#include <string>
+
+#include "core/base/Number.h"
 #include "core/deviation/Correction.h"
 #include "core/deviation/Derivation.h"
 #include "core/swing/Analysis.h"
@@ -110,6 +114,74 @@ TEST_P(FarOut, isTheSameCurveByTheHeadingAsRead)
         const auto compass = CompassHeading::fromDegrees(heading);
         EXPECT_NEAR(deviationAt(asRead, compass).degrees(), deviationAt(smith, compass).degrees(), 1e-11);
     }
+}
+
+TEST_P(FarOut, hasItsSlips)
+{
+    auto right = readOnTheRound(0, 30), out = readOnTheRound(GetParam(), 30);
+    for (auto* readings : {&right, &out}) {
+        for (auto& reading : *readings)
+            reading.compass = CompassHeading::fromDegrees(std::round(reading.compass.degrees()));
+        (*readings)[5].compass = CompassHeading::fromDegrees((*readings)[5].compass.degrees() + 10);
+    }
+    const auto its = analyse(right)->slips.slips, mine = analyse(out)->slips.slips;
+    ASSERT_EQ(its.size(), 1u);
+    ASSERT_EQ(mine.size(), 1u);
+    EXPECT_EQ(mine[0].reading, 5u);
+    EXPECT_EQ(mine[0].candidates[0].slip, Slip::TenDegrees);
+    EXPECT_NEAR(wrap180(mine[0].candidates[0].meant_deg - (out[5].compass.degrees() - 10)), 0, 1e-9);
+}
+
+/// While it is swung: nothing is known of it before, then by its last swing.
+TEST_P(FarOut, isExpectedToReadOnAsItReadBefore)
+{
+    const auto readings = readOnTheRound(GetParam(), 45);
+    SlipContext context;
+    context.earlier = std::span(readings).first(6);
+    const auto judge = [&](double off_deg) {
+        context.nominal_deg = readings[6].magnetic.degrees();
+        return judgeReading({readings[6].magnetic, CompassHeading::fromDegrees(readings[6].compass.degrees() + off_deg)}, context);
+    };
+    for (const bool known : {false, true}) {
+        if (known)
+            context.expected = curveAfter(analysed(GetParam(), 45).approximate.smith());
+        EXPECT_GT(judge(0).probabilityAsRead, 0.9) << known;
+        EXPECT_NEAR(wrap180(judge(0).expected.degrees() - readings[6].compass.degrees()), 0, 2.0) << known;
+        EXPECT_TRUE(judge(20).lookAgain()) << known;
+    }
+}
+
+TEST_P(FarOut, isToldWhereFiveCoefficientsDoNotDescribeIt)
+{
+    auto readings = readOnTheRound(GetParam(), 15);
+    for (auto& reading : readings)
+        reading.compass = CompassHeading::fromDegrees(reading.compass.degrees() - 2 * std::sin(3 * reading.magnetic.radians()));
+    EXPECT_THAT(inEnglish(analyse(readings)->warnings), testing::Contains(testing::HasSubstr("a third harmonic of")));
+}
+
+TEST_P(FarOut, saysWhatItsCoefficientsMean)
+{
+    const Analysis out = analysed(GetParam(), 15);
+    const std::string sign = out.approximate.index_rad > 0 ? "+" : "−"; // of half a turn either
+    EXPECT_THAT(inEnglish(out.warnings),
+        testing::Contains(testing::HasSubstr("reads " + sign + " " + std::to_string(std::abs(int(GetParam()))) + "° (the index)")));
+}
+
+/// Further out than aircraft compasses are, and not far enough to be taken out: what B and C will be is said.
+TEST(OutOfPlace, saysWhatBAndCWillBeInTheMountSetRight)
+{
+    const Analysis right = *analyse(readOnTheRound(0, 15));
+    const auto figure = [&](Coefficient c) { return signedFigureText(toDegrees(*right.approximate.of(c)), 1); };
+    const std::string words = "B will be about " + figure(Coefficient::B) + "° and C " + figure(Coefficient::C) + "°";
+    for (const double off_deg : {-41.0, 16.0, 30.0}) {
+        const Analysis out = *analyse(readOnTheRound(off_deg, 15));
+        EXPECT_EQ(out.approximate.index_rad, 0);
+        EXPECT_THAT(inEnglish(out.warnings), testing::Contains(testing::HasSubstr(words))) << off_deg;
+        if (std::abs(off_deg) > 20) { // and they are others now
+            EXPECT_GT(std::abs(*out.approximate.of(Coefficient::B) - *right.approximate.of(Coefficient::B)), toRadians(2)) << off_deg;
+        }
+    }
+    EXPECT_THAT(inEnglish(right.warnings), testing::Not(testing::Contains(testing::HasSubstr("in its mount"))));
 }
 
 INSTANTIATE_TEST_SUITE_P(By, FarOut, testing::Values(90.0, -90.0, 180.0, 137.0, -61.0));

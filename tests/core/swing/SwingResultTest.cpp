@@ -67,7 +67,7 @@ TEST(SwingResult, aFilesDivisionIsThatOfItsFigures)
     EXPECT_EQ(divisionOf_deg(swingReading({{0, 1}, {90.25, 93}})), 1.0); // of the compass, not of the datum
     EXPECT_EQ(divisionOf_deg(swingReading({{0, 1}, {90, 93.5}})), 0.5);
     EXPECT_EQ(divisionOf_deg(swingReading({{0, 359.9}, {90, 93.3}})), 0.1);
-    EXPECT_EQ(divisionOf_deg(swingReading({{0, 1.0123456}, {90, 93.5}})), 0.01);
+    EXPECT_EQ(divisionOf_deg(swingReading({{0, 1.0123456}, {90, 93.5}})), 0.1); // computed, or sent
     EXPECT_EQ(divisionOf_deg({}), 1.0);
 }
 
@@ -110,7 +110,7 @@ TEST(SwingResult, anAnalysisThatIsNotWantedAnyMoreEnds)
 
 TEST(SwingResult, afterACompensationOnlyDAndEAreAsBefore)
 {
-    const ApproximateSmith last{0.01, 0.12, -0.07, 0.03, -0.02};
+    const ApproximateSmith last{toRadians(91), 0.12, -0.07, 0.03, -0.02, toRadians(90)};
     Swing swing;
     swing.stage = SwingStage::AsLeft;
     const auto after = expectedAfter(last, SwingKind::Check, SwingStage::AsLeft, swing);
@@ -118,6 +118,7 @@ TEST(SwingResult, afterACompensationOnlyDAndEAreAsBefore)
     for (const auto& compensated : {expectedAfter(last, SwingKind::Check, SwingStage::AsFound, swing),
              expectedAfter(last, SwingKind::Correction, SwingStage::AsLeft, swing)}) {
         EXPECT_EQ(compensated.mean.B_rad, 0.0);
+        EXPECT_EQ(compensated.mean.index_rad, 0.0);
         EXPECT_EQ(compensated.standardDeviation.B_rad, anyCurve().standardDeviation.B_rad);
         EXPECT_EQ(compensated.mean.D_rad, last.D_rad);
         EXPECT_EQ(compensated.standardDeviation.D_rad, after.standardDeviation.D_rad);

@@ -61,13 +61,17 @@ QString spectrumWords(const Harmonics& harmonics)
 
 std::vector<Fact> methodWords(const Analysis& analysis)
 {
+    const QString heading = analysis.approximate.index_rad == 0.0
+        ? Words::tr("ψ′ is the compass heading")
+        : Words::tr("ψ′ is the compass heading with its index of %1°").arg(signedFigure(toDegrees(analysis.approximate.index_rad), 0));
     return {
         {Words::tr("Sign"),
             Words::tr("Deviation = magnetic heading − compass heading; easterly is positive: the compass reads low, and deviation is "
                       "added to what it reads to get magnetic heading.")},
         {Words::tr("Approximate"),
-            Words::tr("least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; ψ′ is the compass heading, A to E are angles. "
-                      "Residual = deviation read − deviation fitted.")},
+            Words::tr("least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; %1, A to E are angles. "
+                      "Residual = deviation read − deviation fitted.")
+                .arg(heading)},
         {Words::tr("Exact"),
             Words::tr("tan δ = (A + B sin ψ + C cos ψ + D sin 2ψ + E cos 2ψ) / (1 + B cos ψ − C sin ψ + D cos 2ψ − E sin 2ψ), multiplied "
                       "out and fitted by linear least squares; ψ is the magnetic heading, A to E have no unit.")},
