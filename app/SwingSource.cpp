@@ -1,5 +1,7 @@
 #include "app/SwingSource.h"
 
+#include <utility>
+
 #include "app/Console.h"
 #include "app/Paths.h"
 #include "core/base/WholeFile.h"
@@ -25,14 +27,29 @@ Result<SourcedSwing> swingFromCsv(const std::string& path)
     return sourced;
 }
 
-Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options, const std::optional<SensorBench>& bench)
+namespace {
+
+Result<Analysis> named(Result<Analysis> analysis, const std::string& source)
 {
-    auto analysis = resultOf(swing.record, nullptr, options, bench);
     if (analysis)
         return analysis;
     Error error = analysis.error();
-    error.file = swing.source;
+    error.file = source;
     return error;
+}
+
+} // namespace
+
+Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options, const std::optional<SensorBench>& bench)
+{
+    return named(resultOf(swing.record, nullptr, options, bench), swing.source);
+}
+
+Result<Analysis> analyseOnly(SourcedSwing& swing, const AnalysisOptions& options, const std::optional<SensorBench>& bench)
+{
+    const SwingQuestion question = questionOf(swing.record, nullptr, options, bench);
+    static_cast<void>(std::exchange(swing.record.swing.readings, {}));
+    return named(answerTo(question), swing.source);
 }
 
 } // namespace lubberline::app

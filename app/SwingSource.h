@@ -23,5 +23,8 @@ Result<SourcedSwing> swingFromCsv(const std::string& path);
 
 /// resultOf() the readings that count; an error names the source.
 Result<Analysis> analyseSwing(const SourcedSwing& swing, const AnalysisOptions& options = {}, const std::optional<SensorBench>& bench = {});
+/// The same where nothing more is asked of the readings: they are let go before it begins, as a million of them, with all that can be said
+/// of each, take more memory than their analysis.
+Result<Analysis> analyseOnly(SourcedSwing& swing, const AnalysisOptions& options, const std::optional<SensorBench>& bench);
 
 } // namespace lubberline::app

@@ -39,19 +39,20 @@ Result<std::optional<SensorBench>> benchIn(const std::string& file)
 
 int analyseCommand(const AnalyseArguments& options)
 {
-    const auto swing = swingFromCsv(options.file);
+    auto swing = swingFromCsv(options.file);
     if (!swing)
         return fail(swing.error());
     const auto bench = benchIn(options.bench);
     if (!bench)
         return fail(bench.error());
-    auto analysis = analyseSwing(*swing, {options.orders}, *bench);
+    auto tilted = wordsOf(attitudeOf(swing->record.swing));
+    auto analysis = analyseOnly(*swing, {options.orders}, *bench);
     if (!analysis)
         return fail(analysis.error());
     const auto removal = removeComponents(*analysis, options.removed);
     if (!removal)
         return fail({removal.error().code, removal.error().message, swing->source});
-    if (auto tilted = wordsOf(attitudeOf(swing->record.swing)); !tilted.empty())
+    if (!tilted.empty())
         analysis->warnings.push_back(std::move(tilted));
     const bool removes = options.removed.any();
     warn(swing->warnings);
