@@ -88,3 +88,11 @@ bool checkDatabaseRow(std::string_view bytes)
 }
 
 } // namespace lubberline::test
+
+/// libFuzzer calls it first: the database is made outside of the time that one input may take.
+extern "C" int LLVMFuzzerInitialize(int*, char***);
+int LLVMFuzzerInitialize(int*, char***)
+{
+    lubberline::test::checkDatabaseRow({});
+    return 0;
+}
