@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QResizeEvent>
 #include <QScopedValueRollback>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -108,6 +109,7 @@ void GuidedPage::build()
     column->addWidget(m_instrument);
     column->addWidget(middle, 1);
     column->addWidget(m_live);
+    m_live->setObjectName(QStringLiteral("liveStrip"));
     m_live->hide();
     column->addWidget(m_strip);
     column->addLayout(foot);
@@ -337,7 +339,17 @@ void GuidedPage::finish()
     emit finished(made);
 }
 
-void GuidedPage::showLive(bool shown) { m_live->setVisible(shown); }
+/// On a small screen the page scrolls: what was asked for comes into sight when it has got its place.
+void GuidedPage::showLive(bool shown)
+{
+    m_live->setVisible(shown);
+    if (shown)
+        QTimer::singleShot(0, m_live, [this] {
+            for (QWidget* around = m_live->parentWidget(); around; around = around->parentWidget())
+                if (auto* scrolled = qobject_cast<QScrollArea*>(around))
+                    scrolled->ensureWidgetVisible(m_live);
+        });
+}
 
 void GuidedPage::openCrewDisplay()
 {

@@ -1,6 +1,7 @@
 // The page of a guided swing beside its figures: another window, a full disk, the base it stands on, and what is seen from afar.
 
 #include "tests/ui/guided/GuidedKeyboard.h"
+#include "ui/intake/LivePanel.h"
 #include "ui/guided/CrewDisplay.h"
 #include "ui/guided/GuidedStation.h"
 
@@ -23,6 +24,19 @@ private slots:
         QCOMPARE(refused.error().code, ErrorCode::Conflict);
         QCOMPARE(
             keyboard.fleet.stores.jobs.jobOf(keyboard.page.swing())->value().job.events.size(), keyboard.page.job().job().events.size());
+    }
+
+    /// The page scrolls on a small screen: what F12 shows is seen.
+    void theLiveStripComesIntoSight()
+    {
+        Keyboard keyboard;
+        keyboard.begin(ProcedureKind::CheckOnly);
+        keyboard.page.resize(720, 420);
+        auto& strip = keyboard.find<LivePanel>("liveStrip");
+        QVERIFY(!strip.isVisible());
+        QTest::keyClick(&keyboard.page, Qt::Key_F12);
+        QTRY_VERIFY(strip.isVisible());
+        QTRY_COMPARE(strip.visibleRegion().boundingRect().size(), strip.size());
     }
 
     void aFullDiskLosesNothingThatWasTyped()
