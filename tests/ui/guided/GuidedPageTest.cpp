@@ -1,9 +1,9 @@
 // The page of a guided swing beside its figures: another window, a full disk, the base it stands on, and what is seen from afar.
 
 #include "tests/ui/guided/GuidedKeyboard.h"
-#include "ui/intake/LivePanel.h"
 #include "ui/guided/CrewDisplay.h"
 #include "ui/guided/GuidedStation.h"
+#include "ui/intake/LivePanel.h"
 
 namespace lubberline::ui {
 
