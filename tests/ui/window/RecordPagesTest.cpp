@@ -29,7 +29,6 @@ private slots:
     void figuresOfOneGuidedSwingAreGoneInTheNext();
     void anotherWindowsChangeIsShownBeforeItIsSigned();
     void aGuidedSwingThatDoesNotReadIsSaidOnItsPage();
-    void everyShortcutIsGivenOnce();
     void everyPageHasTitleHelpAndWhatIsWritten();
 
 private:
@@ -182,22 +181,6 @@ void RecordPagesTest::aGuidedSwingThatDoesNotReadIsSaidOnItsPage()
     open.window.go(swing);
     QVERIFY2(open.label("meaning").contains("does not read"), qPrintable(open.label("meaning")));
     QVERIFY(!open.window.findChild<SwingPage*>()->editor().analysis()); // no figures without the datum's division
-}
-
-void RecordPagesTest::everyShortcutIsGivenOnce()
-{
-    SmallFleet fleet;
-    OpenWindow open(fleet.stores);
-    QMap<QString, QString> given;
-    for (const QAction* action : open.window.findChildren<QAction*>())
-        for (const QKeySequence& keys : action->shortcuts()) {
-            const QString text = keys.toString(QKeySequence::PortableText);
-            if (text.isEmpty())
-                continue;
-            QVERIFY2(!given.contains(text), qPrintable(text + ": " + given.value(text) + " and " + action->objectName()));
-            given.insert(text, action->objectName());
-        }
-    QVERIFY(given.size() > 20);
 }
 
 void RecordPagesTest::everyPageHasTitleHelpAndWhatIsWritten()
