@@ -34,7 +34,7 @@ class NoDialogs final : public ui::Dialogs {
     QString openFile(QWidget*, const QString&, const QString&) override { return {}; }
     QString saveFile(QWidget*, const QString&, const QString&, const QString&) override { return {}; }
     QString chooseFolder(QWidget*, const QString&, const QString&) override { return {}; }
-    bool printPreview(QWidget*, const PaintPages&) override { return false; }
+    Result<bool> printPreview(QWidget*, const PaintPages&, Where) override { return false; }
     bool openOutside(const QString&) override { return false; }
 };
 

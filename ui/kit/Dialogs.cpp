@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QDesktopServices>
 #include <QDir>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileIconProvider>
 #include <QFileInfo>
@@ -12,7 +13,12 @@
 #include <QRegularExpression>
 #include <QScreen>
 #include <QSettings>
+#include <QTimer>
 #include <QUrl>
+
+#include <limits>
+
+#include "ui/kit/Worker.h"
 
 namespace lubberline::ui {
 
@@ -38,6 +44,36 @@ QString endingOf(const QString& filter)
 {
     static const QRegularExpression ending(QStringLiteral(R"(\*\.([\w.]+))"));
     return ending.match(filter).captured(1);
+}
+
+/// The preview wants its pages before it goes on: its window waits, and lives. What takes longer than a blink is seen, and can be ended.
+Result<void> paintOnWorker(QPrinter& target, const Dialogs::PaintPages& paint, QWidget* parent)
+{
+    constexpr int kBlink_ms = 300;
+    QProgressDialog working(DialogWords::tr("Setting the pages…"), DialogWords::tr("Cancel"), 0, 100, parent);
+    working.setWindowModality(Qt::ApplicationModal);
+    working.setMinimumDuration(std::numeric_limits<int>::max()); // it is shown beneath
+    QEventLoop waiting;
+    Result<void> done;
+    Worker<bool> worker(
+        [&](const Result<bool>& painted) {
+            if (!painted)
+                done = painted.error();
+            waiting.quit();
+        },
+        [&working](int percent) { working.setValue(percent); });
+    QObject::connect(&working, &QProgressDialog::canceled, &waiting, [&worker] { worker.cancel(); });
+    worker.start([&](const Progress& progress) -> Result<bool> {
+        const auto painted = paint(target, progress);
+        return painted ? Result<bool>(true) : painted.error();
+    });
+    QTimer::singleShot(kBlink_ms, &waiting, &QEventLoop::quit);
+    waiting.exec(QEventLoop::ExcludeUserInputEvents); // until something in front can take them
+    if (worker.running()) {
+        working.show();
+        waiting.exec();
+    }
+    return done;
 }
 
 } // namespace
@@ -83,26 +119,22 @@ QString DesktopDialogs::chooseFolder(QWidget* parent, const QString& title, cons
 
 bool DesktopDialogs::openOutside(const QString& path) { return QDesktopServices::openUrl(QUrl::fromLocalFile(path)); }
 
-bool DesktopDialogs::printPreview(QWidget* parent, const PaintPages& paint)
+Result<bool> DesktopDialogs::printPreview(QWidget* parent, const PaintPages& paint, Where where)
 {
-    const auto show = [parent, &paint](QPrinter& target) {
-        QProgressDialog working(DialogWords::tr("Setting the pages…"), DialogWords::tr("Cancel"), 0, 100, parent);
-        working.setWindowModality(Qt::ApplicationModal);
-        paint(target, [&working](double fraction) {
-            working.setValue(static_cast<int>(fraction * 100)); // seen, and heard, where it takes its time
-            return !working.wasCanceled();
-        });
-        return !working.wasCanceled();
-    };
     QPrinter printer(QPrinter::HighResolution);
     printer.setPageSize(QPageSize(QPageSize::A4));
     QPrintPreviewDialog preview(&printer, parent);
+    Result<void> painted;
     QObject::connect(&preview, &QPrintPreviewDialog::paintRequested, &preview, [&](QPrinter* target) {
-        if (!show(*target))
+        painted = where == Where::Worker ? paintOnWorker(*target, paint, preview.isVisible() ? &preview : parent) : paint(*target, {});
+        if (!painted)
             QMetaObject::invokeMethod(&preview, &QDialog::reject, Qt::QueuedConnection);
     });
     preview.resize(QSize(900, 700).boundedTo(preview.screen()->availableSize() - QSize(20, 60))); // with a frame, on a small screen, too
-    return preview.exec() == QDialog::Accepted;                                                   // it closes itself when it has printed
+    const bool accepted = preview.exec() == QDialog::Accepted;                                    // it closes itself when it has printed
+    if (!painted && painted.error().code != ErrorCode::Cancelled)
+        return painted.error();
+    return accepted && painted;
 }
 
 } // namespace lubberline::ui

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/base/Progress.h"
+#include "core/base/Result.h"
 
 class QFileDialog;
 class QPrinter;
@@ -23,9 +24,12 @@ public:
     virtual QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) = 0;
     /// @return the folder chosen, or empty.
     virtual QString chooseFolder(QWidget* parent, const QString& title, const QString& before) = 0;
-    using PaintPages = std::function<void(QPrinter&, const Progress&)>;
-    /// Pages are painted in the window's thread, which a preview wants; they can be cancelled between two. @return whether it was printed.
-    virtual bool printPreview(QWidget* parent, const PaintPages& paint) = 0;
+    using PaintPages = std::function<Result<void>(QPrinter&, const Progress&)>;
+    /// @param paint  called on a worker, however many pages there are; may be cancelled between two. What only the window's thread can
+    /// paint, such as a widget, is `where` the window is.
+    /// @return whether it was printed. Errors: those of `paint`; who cancels has not printed, and knows it.
+    enum class Where { Worker, Window };
+    virtual Result<bool> printPreview(QWidget* parent, const PaintPages& paint, Where where = Where::Worker) = 0;
     /// A file or folder in the program that the desktop has for it. @return false: there is none
     virtual bool openOutside(const QString& path) = 0;
 };
@@ -38,7 +42,7 @@ public:
     QString openFile(QWidget* parent, const QString& title, const QString& filter) override;
     QString saveFile(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter) override;
     QString chooseFolder(QWidget* parent, const QString& title, const QString& before) override;
-    bool printPreview(QWidget* parent, const PaintPages& paint) override;
+    Result<bool> printPreview(QWidget* parent, const PaintPages& paint, Where where) override;
     bool openOutside(const QString& path) override;
 
 private:

@@ -61,14 +61,6 @@ void withCard(PageContext& context, SwingPage& page, const CardOptions& options,
         });
 }
 
-/// What failed is told; who cancels knows it. @return whether all was painted
-bool told(PageContext& context, const Result<void>& done)
-{
-    if (!done && done.error().code != ErrorCode::Cancelled)
-        context.fail(messageOf(done.error()));
-    return done.ok();
-}
-
 /// In another size of paper than was to be expected it is laid out anew.
 bool fits(const ReportPages& pages, const QPrinter& printer)
 {
@@ -115,10 +107,12 @@ void previewReport(PageContext& context, SwingPage& page)
                 context.fail(FileWords::tr("No report: %1").arg(messageOf(laid.error())));
                 return;
             }
-            context.dialogs.printPreview(&context.window, [&](QPrinter& printer, const Progress& progress) {
+            const auto printed = context.dialogs.printPreview(&context.window, [&](QPrinter& printer, const Progress& progress) {
                 const auto& [input, pages] = *laid;
-                (void)told(context, fits(*pages, printer) ? printReport(*pages, printer, progress) : printReport(input, printer, progress));
+                return fits(*pages, printer) ? printReport(*pages, printer, progress) : printReport(input, printer, progress);
             });
+            if (!printed)
+                context.fail(messageOf(printed.error()));
         });
 }
 
@@ -137,10 +131,11 @@ void writeCardFile(PageContext& context, SwingPage& page, const CardOptions& opt
 void previewCard(PageContext& context, SwingPage& page)
 {
     withCard(context, page, {}, [&context](const CardInput& input) {
-        bool painted = true;
-        const bool printed = context.dialogs.printPreview(
-            &context.window, [&](QPrinter& printer, const Progress&) { painted = told(context, printCard(input, printer)); });
-        if (printed && painted)
+        const auto printed = context.dialogs.printPreview(
+            &context.window, [&](QPrinter& printer, const Progress&) { return printCard(input, printer); });
+        if (!printed)
+            context.fail(messageOf(printed.error()));
+        else if (*printed)
             noteIssued(context, input);
     });
 }

@@ -203,12 +203,16 @@ void MainWindow::print()
     leaveField();
     if (const PageDescription* front = m_pages->description(); front && front->print)
         front->print(m_pages->current());
-    else
-        m_services.dialogs.printPreview(
-            this, [&page = m_pages->current()](QPrinter& printer, const Progress&) { // as long as it is asked, of this one
-                printer.setPageOrientation(page.width() > page.height() ? QPageLayout::Landscape : QPageLayout::Portrait);
-                printPage(page, printer);
-            });
+    else if (const auto printed = m_services.dialogs.printPreview(
+                 this,
+                 [&page = m_pages->current()](QPrinter& printer, const Progress&) -> Result<void> { // as long as it is asked, of this one
+                     printer.setPageOrientation(page.width() > page.height() ? QPageLayout::Landscape : QPageLayout::Portrait);
+                     printPage(page, printer);
+                     return {};
+                 },
+                 Dialogs::Where::Window);
+             !printed)
+        fail(messageOf(printed.error()));
 }
 
 } // namespace lubberline::ui

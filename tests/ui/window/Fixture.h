@@ -43,12 +43,15 @@ public:
         return true;
     }
     bool prints = false; ///< what is previewed
-    bool printPreview(QWidget*, const PaintPages& paint) override
+    Result<bool> printPreview(QWidget*, const PaintPages& paint, Where) override
     {
         ++previews;
+        Result<void> painted;
         if (onPreview)
-            onPreview([this, &paint](QPrinter& printer) { paint(printer, patience); });
-        return prints;
+            onPreview([&](QPrinter& printer) { painted = paint(printer, patience); });
+        if (!painted && painted.error().code != ErrorCode::Cancelled)
+            return painted.error();
+        return prints && painted;
     }
 };
 
