@@ -108,6 +108,8 @@ void FleetPanel::buildTree()
         emit itemOpened();
     });
     connect(m_tree, &QTreeView::clicked, this, [this](const QModelIndex& index) { emit itemChosen(m_model->item(index)); });
+    connect(m_tree, &QTreeView::expanded, this, &FleetPanel::branchesChanged);
+    connect(m_tree, &QTreeView::collapsed, this, &FleetPanel::branchesChanged);
     m_stack->addWidget(m_tree);
 }
 

@@ -34,6 +34,7 @@ signals:
     void itemChosen(const lubberline::ui::FleetItem& item);
     void itemOpened(); ///< Enter or double click on the chosen item: the page is wanted
     void dueWanted();  ///< the list of what is due
+    void branchesChanged();
     void failed(const QString& message);
 
 protected:

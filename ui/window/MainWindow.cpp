@@ -9,8 +9,6 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QScreen>
-#include <QSettings>
 #include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -31,6 +29,7 @@
 #include "ui/text/AngleWords.h"
 #include "ui/window/PageStack.h"
 #include "ui/window/Pages.h"
+#include "ui/window/Placement.h"
 
 namespace lubberline::ui {
 
@@ -70,7 +69,8 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     buildActions();
     buildStatusBar();
     showPlace();
-    restorePlacement();
+    m_placement = new Placement(*this, *m_fleet, m_services.settings);
+    m_placement->restore();
     qApp->installEventFilter(this);
     new LengthLimits([this](const QString& words) { m_messages->add(MessagePanel::Kind::Information, words); }, this);
     new WheelScrolls(this);
@@ -83,22 +83,6 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     connect(&m_stores.changes(), &db::Changes::fleetChanged, this, &MainWindow::afterFleetChange);
     connect(m_progress, &ProgressStrip::cancelled, this, [this] { m_transfer.cancel(); });
     connect(m_naming, &NamingStrip::named, this, &MainWindow::importFile);
-}
-
-/// As it was left, and never larger than the screen it is on now, nor outside it.
-void MainWindow::restorePlacement()
-{
-    const QSize frame(20, 40);
-    resize(QSize(1440, 860).boundedTo(screen()->availableSize() - frame)); // with a frame, on a screen of 1366×768 too
-    restoreGeometry(m_services.settings.value("window/geometry").toByteArray());
-    restoreState(m_services.settings.value("window/state").toByteArray());
-    if (isMaximized() || isFullScreen())
-        return;
-    const QRect room = screen()->availableGeometry();
-    if (const QSize bounded = size().boundedTo(room.size() - frame); bounded != size())
-        resize(bounded);
-    const QPoint last = room.bottomRight() - QPoint(width(), height());
-    move(std::clamp(x(), room.left(), std::max(room.left(), last.x())), std::clamp(y(), room.top(), std::max(room.top(), last.y())));
 }
 
 /// A tree that was drawn wide on a large screen leaves the pages their room on a small one.
@@ -229,7 +213,7 @@ bool MainWindow::event(QEvent* event)
 void MainWindow::populate()
 {
     m_fleet->populate();
-    m_fleet->setOpenBranches(m_services.settings.value("tree/open").toStringList());
+    m_placement->restoreTree();
     m_fleet->focusTree();
     navigate({});
     watchDue();
@@ -375,9 +359,7 @@ void MainWindow::makeSwing(Swing swing)
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     leaveField();
-    m_services.settings.setValue("window/geometry", saveGeometry());
-    m_services.settings.setValue("window/state", saveState());
-    m_services.settings.setValue("tree/open", m_fleet->openBranches());
+    m_placement->keep();
     event->accept();
 }
 

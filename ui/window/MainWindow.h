@@ -27,6 +27,7 @@ class DueWatch;
 class FleetPanel;
 class NamingStrip;
 class PageStack;
+class Placement;
 class ProgressStrip;
 
 /// What the window needs from outside besides stores.
@@ -87,7 +88,6 @@ private:
     void choose(const FleetItem& item); ///< in the tree
     void step(int step);                ///< −1: back along what was shown, +1: forward
     void showPlace();                   ///< where the window is: in its title and in the tree
-    void restorePlacement();
     void afterFleetChange();
     void leaveField(); ///< what is being typed is stored before something else happens
     void showSaved(bool saved);
@@ -168,6 +168,7 @@ private:
     ProgressStrip* m_progress = nullptr;
     NamingStrip* m_naming = nullptr;
     PageStack* m_pages = nullptr;
+    Placement* m_placement = nullptr;
     QLabel* m_saved = nullptr;
     QLabel* m_readOut = nullptr;
 

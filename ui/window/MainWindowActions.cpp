@@ -25,7 +25,13 @@ QAction* MainWindow::addCommand(QMenu& menu, const Command& command)
     auto* action = menu.addAction(command.text);
     action->setShortcut(command.keys);
     action->setObjectName(command.name);
-    connect(action, &QAction::triggered, this, [this, act = command.act] { act(m_pages->current()); });
+    connect(action, &QAction::triggered, this, [this, act = command.act] {
+        const Page* before = &m_pages->current();
+        act(m_pages->current());
+        Page& page = m_pages->current();
+        if (&page != before && !page.isAncestorOf(focusWidget())) // what is typed next is meant for what was asked for
+            page.setFocus();
+    });
     if (command.needs)
         m_needs.emplace_back(action, command.needs);
     return action;

@@ -21,6 +21,8 @@ private slots:
     void anAircraftOpensOnItsWorstCompassAndShowsAll();
     void theOverviewOpensWithWhatNeedsAHand();
     void theTreeSaysWhatDistinguishesAndKeepsItsBranches();
+    void whatWasNotClosedIsFoundAgain();
+    void aPageThatWasAskedForTakesTheKeys();
     void aWindowIsNeverRestoredLargerThanItsScreen();
 };
 
@@ -121,6 +123,40 @@ void FindingTest::theTreeSaysWhatDistinguishesAndKeepsItsBranches()
             const QModelIndex swing = tree.model()->index(row, 0, tree.model()->index(0, 0, aircraft));
             QVERIFY(tree.visualRect(swing).width() >= tree.fontMetrics().horizontalAdvance(swing.data().toString()));
         }
+    }
+}
+
+/// As after a kill: what is kept at the end only would be lost.
+void FindingTest::whatWasNotClosedIsFoundAgain()
+{
+    SmallFleet fleet;
+    OpenWindow killed(fleet.stores);
+    auto& before = killed.find<QTreeView>("fleetTree");
+    const QModelIndex type = before.model()->index(0, 0);
+    before.expand(type);
+    before.expand(before.model()->index(0, 0, type));
+    killed.window.resize(1010, 655);
+    QTRY_COMPARE(killed.settings.value("tree/open").toStringList().size(), 2);
+    QTRY_VERIFY(!killed.settings.value("window/geometry").toByteArray().isEmpty());
+
+    OpenWindow again(fleet.stores, false, &killed.settings);
+    const auto& tree = again.find<QTreeView>("fleetTree");
+    QVERIFY(tree.isExpanded(tree.model()->index(0, 0)));
+    QVERIFY(tree.isExpanded(tree.model()->index(0, 0, tree.model()->index(0, 0))));
+    before.collapse(type);
+    QTRY_COMPARE(killed.settings.value("tree/open").toStringList().size(), 0);
+}
+
+void FindingTest::aPageThatWasAskedForTakesTheKeys()
+{
+    SmallFleet fleet;
+    OpenWindow open(fleet.stores);
+    for (const char* command : {"twoMinuteCheck", "compareCompasses", "electricalSwings", "sensorModel"}) {
+        open.window.go(fleet.compass);
+        open.trigger("search");
+        QCOMPARE(open.window.focusWidget()->objectName(), QString("searchLine"));
+        open.trigger(command);
+        QVERIFY2(open.window.findChild<PageStack*>()->current().isAncestorOf(open.window.focusWidget()), command);
     }
 }
 

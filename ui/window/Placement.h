@@ -1,0 +1,38 @@
+#pragma once
+/// Where the window stands, how wide its tree is and which of its branches are open: kept soon after each change, so that a program that
+/// was ended from outside finds them again, too.
+
+#include <QObject>
+
+class QMainWindow;
+class QSettings;
+class QTimer;
+
+namespace lubberline::ui {
+
+class FleetPanel;
+
+class Placement : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param tree  in a dock of the window
+    Placement(QMainWindow& window, FleetPanel& tree, QSettings& settings);
+
+    /// As it was left, and never larger than the screen it is on now, nor outside it.
+    void restore();
+    void restoreTree(); ///< once it is filled; before, what was kept of it stays
+    void keep();        ///< at once
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+    QMainWindow& m_window;
+    FleetPanel& m_tree;
+    QSettings& m_settings;
+    QTimer* m_soon;
+    bool m_treeFilled = false;
+};
+
+} // namespace lubberline::ui
