@@ -5,7 +5,6 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalBlocker>
-#include <QSplitter>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QUndoStack>
@@ -21,6 +20,7 @@
 #include "ui/kit/DueBadge.h"
 #include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/SideBySide.h"
 #include "ui/kit/fit/TableFit.h"
 #include "ui/plots/swing/HistoryPlot.h"
 #include "ui/text/AngleWords.h"
@@ -68,13 +68,12 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
     tabs->addTab(buildAircraftForm(), tr("&Aircraft"));
     tabs->addTab(buildCompassForm(), tr("&Compass and limits"));
     tabs->addTab(m_events, tr("E&vents"));
-    auto* splitter = new QSplitter(Qt::Horizontal);
+    auto* splitter = new SideBySide(SideBySide::Narrow::Stays);
     splitter->addWidget(tabs);
     splitter->addWidget(buildSwings());
     splitter->setStretchFactor(0, 1);
     splitter->setStretchFactor(1, 4);
     splitter->setSizes({310, 720});
-    splitter->setChildrenCollapsible(false);
     body().addWidget(splitter, 1);
     setFocusProxy(m_swingTable);
     const auto changed = [this](AircraftId id) {

@@ -259,7 +259,7 @@ QString SwingEditor::whyReadOnly() const
     if (m_record.swing.state == SwingState::Signed)
         return tr("This swing is signed: it is frozen.");
     if (m_record.swing.state == SwingState::Complete)
-        return tr("This swing is complete. To change a reading, set it back to draft.");
+        return tr("This swing is complete. To change a reading, open it again.");
     return {};
 }
 

@@ -11,6 +11,7 @@
 
 #include "ui/kit/OpenSwings.h"
 #include "ui/kit/Words.h"
+#include "ui/kit/fit/SideBySide.h"
 #include "ui/kit/fit/TableFit.h"
 #include "ui/swing/CardPanel.h"
 #include "ui/swing/CoefficientsPanel.h"
@@ -57,14 +58,13 @@ SwingPage::SwingPage(EditContext& context, QUndoStack& stack, QWidget* parent)
 
 void SwingPage::build()
 {
-    auto* splitter = new QSplitter(Qt::Horizontal);
+    auto* splitter = new SideBySide(SideBySide::Narrow::Stays);
     splitter->setObjectName(QStringLiteral("swingSplitter"));
     splitter->addWidget(buildReadings());
     splitter->addWidget(buildResults());
     splitter->setStretchFactor(0, 1);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({530, 500});
-    splitter->setChildrenCollapsible(false);
     buildHeader();
     body().addWidget(m_readOnly);
     body().addWidget(new FieldStampPanel(*m_editor));
@@ -107,7 +107,7 @@ void SwingPage::buildHeader()
     m_computing->hide();
     for (QWidget* tool :
         std::initializer_list<QWidget*>{m_gathering, m_computing, m_state, m_showParticulars, m_showCard, m_complete, m_showSigning})
-        head().addWidget(tool);
+        head().addWidget(tool, 0, Qt::AlignVCenter);
 }
 
 QWidget* SwingPage::buildReadings()

@@ -119,11 +119,11 @@ void SwingParticulars::buildOccasion(QFormLayout& form)
     m_site = m_fields.addChoice(form, tr("Site:"), QStringLiteral("swingSite"), {tr("not stated")}, shownSite,
         [this](Swing& swing, int choice) { swing.site = choice > 0 ? m_sites[static_cast<std::size_t>(choice) - 1].id : SiteId(); });
     m_fields.addLine(form, tr("Variation:"), QStringLiteral("swingVariation"), variationText, takeVariation)
-        ->setPlaceholderText(tr("3.5E"));
+        ->setPlaceholderText(tr("as 3.5E"));
     QLineEdit* shared = m_fields.addLine(
         form, tr("Shared error:"), QStringLiteral("swingSharedError"),
         [](const Swing& swing) { return toText(textOf(swing.sharedErrors)); }, takeSharedErrors);
-    shared->setPlaceholderText(tr("0.5"));
+    shared->setPlaceholderText(tr("as 0.5"));
     shared->setToolTip(
         tr("Standard errors that all readings share and no scatter shows, in degrees: of the datum, the variation, a log's delay and wind. "
            "One figure is A's; else letters, as in A 0.6 B 0.2. They widen what is said of the coefficients"));

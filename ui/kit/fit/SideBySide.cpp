@@ -70,7 +70,7 @@ bool SidePanel::eventFilter(QObject* object, QEvent* event)
     return QScrollArea::eventFilter(object, event);
 }
 
-SideBySide::SideBySide(QWidget* parent) : QSplitter(Qt::Horizontal, parent) { setChildrenCollapsible(false); }
+SideBySide::SideBySide(Narrow narrow) : QSplitter(Qt::Horizontal), m_narrow(narrow) { setChildrenCollapsible(false); }
 
 int SideBySide::widthBeside() const
 {
@@ -83,6 +83,8 @@ int SideBySide::widthBeside() const
 
 QSize SideBySide::minimumSizeHint() const
 {
+    if (m_narrow == Narrow::Stays)
+        return QSplitter::minimumSizeHint();
     int width = 0;
     for (int i = 0; i < count(); ++i)
         if (!widget(i)->isHidden())
@@ -109,7 +111,7 @@ void SideBySide::resizeEvent(QResizeEvent* event)
 
 void SideBySide::turn()
 {
-    if (m_turning)
+    if (m_turning || m_narrow == Narrow::Stays)
         return;
     m_turning = true;
     const bool above = width() < widthBeside(), was = orientation() == Qt::Vertical;

@@ -19,10 +19,12 @@ protected:
     bool eventFilter(QObject* object, QEvent* event) override;
 };
 
-/// Beside each other, parted by a handle; one above the other where the page is narrower than both.
+/// Beside each other, parted by a handle, and each at least as high as its words that wrap; one above the other where the page is narrower
+/// than both, unless they stay.
 class SideBySide final : public QSplitter {
 public:
-    explicit SideBySide(QWidget* parent = nullptr);
+    enum class Narrow { Turns, Stays };
+    explicit SideBySide(Narrow narrow = Narrow::Turns);
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
@@ -34,6 +36,7 @@ private:
     void turn();
     void giveHeights(); ///< a column whose words wrap is as high as they need at its width
 
+    Narrow m_narrow;
     bool m_turning = false;
     QHash<QWidget*, int> m_own; ///< the least heights that columns have set themselves
     QList<int> m_beside;        ///< their widths before they were put above each other
