@@ -8,12 +8,17 @@
 #include <QSpinBox>
 #include <QTableWidget>
 
+#include <array>
+#include <optional>
+
+#include "core/angle/AngleText.h"
 #include "core/check/History.h"
 #include "core/earth/FieldModel.h"
 #include "core/record/Completeness.h"
 #include "db/stores/Stores.h"
 #include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
+#include "ui/reference/ShareWords.h"
 #include "ui/report/forms/ReferenceSheet.h"
 #include "ui/text/AngleWords.h"
 
@@ -161,7 +166,7 @@ QString CheckPage::historyWords() const
         nullptr, static_cast<int>(m_swings))
         .arg(m_belief.yearsSince, 0, 'f', 1)
         .arg(walks.join(QStringLiteral(", ")))
-        .arg(100 * m_belief.jumpProbability, 0, 'f', 0);
+        .arg(shareWords(m_belief.jumpProbability));
 }
 
 /// The readings that were typed stay, row by row.
@@ -251,6 +256,25 @@ void CheckPage::store()
     emit makeSwing(swing);
 }
 
+/// A heading that nobody has read yet stays blank, to be filled in by hand.
+QStringList CheckPage::printedRow(int row) const
+{
+    QStringList cells{m_table->item(row, kTurnTo)->text().remove(QStringLiteral("°"))};
+    std::array<std::optional<double>, 2> read_deg;
+    for (const int column : {kDatum, kCompass}) {
+        const auto heading
+            = parseHeading_deg(m_table->item(row, column)->text().toStdString(), column == kDatum ? North::Magnetic : North::Compass);
+        if (heading)
+            read_deg[static_cast<std::size_t>(column - kDatum)] = *heading;
+        cells.append(heading ? toText(formatHeading(*heading, AngleStyle::DecimalDegrees, 1)).remove(QStringLiteral("°")) : QString());
+    }
+    QString off;
+    if (read_deg[0] && read_deg[1])
+        off = signedNumber(
+            wrap180(*read_deg[0] - *read_deg[1] - deviationAt(m_belief.card, CompassHeading::fromDegrees(*read_deg[1])).degrees()), 1);
+    return cells << off;
+}
+
 void CheckPage::writeReport()
 {
     const QString path = m_files.save(tr("Report"), tr("%1 check.pdf").arg(toText(m_aircraft.registration)), tr("PDF (*.pdf)"));
@@ -266,12 +290,8 @@ void CheckPage::writeReport()
         {{tr("Turn to"), tr("by compass"), QStringLiteral("°")}, {tr("Datum"), tr("magnetic"), QStringLiteral("°")},
             {tr("Compass"), tr("heading"), QStringLiteral("°")}, {tr("From card"), {}, QStringLiteral("°")}},
         {}};
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        QStringList cells;
-        for (int column = 0; column < 4; ++column)
-            cells.append(m_table->item(row, column)->text().remove(QStringLiteral("°")));
-        sheet.table.rows.push_back({cells});
-    }
+    for (int row = 0; row < m_table->rowCount(); ++row)
+        sheet.table.rows.push_back({printedRow(row)});
     sheet.signatures = true;
     sheet.madeAtUtc = toText(m_stores.clock().nowUtc());
     m_files.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});

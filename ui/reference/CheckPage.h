@@ -33,6 +33,7 @@ public:
 
     [[nodiscard]] const std::optional<CheckVerdict>& verdict() const { return m_verdict; }
     void writeReport();
+    [[nodiscard]] QStringList printedRow(int row) const; ///< of the report: headings as they were understood, however they were typed
 
 signals:
     void makeSwing(const Swing& swing);

@@ -13,6 +13,7 @@
 #include "db/stores/Stores.h"
 #include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
+#include "ui/reference/ShareWords.h"
 #include "ui/report/forms/ReferenceSheet.h"
 #include "ui/text/AngleWords.h"
 
@@ -21,12 +22,6 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kLeastPairRows = 8;
-
-/// No chance is printed as certain.
-QString shareWords(double probability)
-{
-    return probability > 0.99 ? QStringLiteral("> 99") : probability < 0.01 ? QStringLiteral("< 1") : plainNumber(100 * probability, 0);
-}
 
 QTableWidget* pairTable()
 {

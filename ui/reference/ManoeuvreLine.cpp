@@ -77,7 +77,11 @@ QSize ManoeuvreLine::sizeHint() const
 
 QRectF ManoeuvreLine::laneRect(int lane) const
 {
-    const double line = fontMetrics().height(), left = fontMetrics().horizontalAdvance(laneName(Acceleration)) + line;
+    const double line = fontMetrics().height();
+    int widest = 0;
+    for (int name = 0; name < kLanes; ++name)
+        widest = std::max(widest, fontMetrics().horizontalAdvance(laneName(name)));
+    const double left = widest + line;
     const double high = (height() - 1.4 * line) / static_cast<double>(kLanes);
     return {left, lane * high, std::max(width() - left - line, 1.0), high};
 }

@@ -322,6 +322,13 @@ private slots:
         QCOMPARE(swing.procedure, std::string(kCheckProcedure));
         QVERIFY(missingIn(swing, swing.date).empty());
         QVERIFY(swing.note.find("holds") != std::string::npos);
+        table.item(0, 1)->setText("2°30'"); // on paper as it is understood, and not as "230'"
+        table.item(0, 2)->setText("0");
+        QCOMPARE(page.printedRow(0).mid(1, 2), QStringList({"002.5", "000.0"}));
+        QVERIFY(!page.printedRow(0).value(3).isEmpty());
+        table.item(0, 2)->setText({});
+        QCOMPARE(page.printedRow(0).mid(1), QStringList({"002.5", QString(), QString()}));
+        table.item(0, 2)->setText("0");
         table.item(0, 1)->setText("123 456");
         QVERIFY(!page.message().isEmpty());
         m_path = m_folder.filePath("check.pdf");

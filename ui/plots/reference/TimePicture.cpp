@@ -286,15 +286,15 @@ void paintDials(
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    const double width = rect.width() / 2;
-    paintDial(painter, QRectF(rect.left(), rect.top(), width, rect.height()), heading_deg, ReferenceWords::tr("magnetic"), colours);
-    paintDial(painter, QRectF(rect.left() + width, rect.top(), width, rect.height()), heading_deg + error_deg, ReferenceWords::tr("read"),
-        colours);
-    const double line = painter.fontMetrics().height();
+    const double width = rect.width() / 2, line = painter.fontMetrics().height();
+    const QString vertical = ReferenceWords::tr("vertical: %1° forward, %2° to starboard")
+                                 .arg(plainNumber(toDegrees(tilt.forward_rad), 2), plainNumber(toDegrees(tilt.starboard_rad), 2));
+    const double words = 1.2 * line * (painter.fontMetrics().horizontalAdvance(vertical) > rect.width() ? 2 : 1);
+    const double high = rect.height() - words + 1.2 * line; // dials leave one line beneath themselves
+    paintDial(painter, QRectF(rect.left(), rect.top(), width, high), heading_deg, ReferenceWords::tr("magnetic"), colours);
+    paintDial(painter, QRectF(rect.left() + width, rect.top(), width, high), heading_deg + error_deg, ReferenceWords::tr("read"), colours);
     painter.setPen(colours.text);
-    painter.drawText(QRectF(rect.left(), rect.bottom() - 1.2 * line, rect.width(), 1.2 * line), Qt::AlignCenter,
-        ReferenceWords::tr("vertical: %1° forward, %2° to starboard")
-            .arg(plainNumber(toDegrees(tilt.forward_rad), 2), plainNumber(toDegrees(tilt.starboard_rad), 2)));
+    painter.drawText(QRectF(rect.left(), rect.bottom() - words, rect.width(), words), Qt::AlignCenter | Qt::TextWordWrap, vertical);
     painter.restore();
 }
 

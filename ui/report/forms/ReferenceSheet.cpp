@@ -44,6 +44,8 @@ std::vector<Block> referenceBlocks(const ReferenceSheet& sheet, const QString& f
         blocks.push_back(pictureBlock(picture, family));
     if (!sheet.table.rows.empty())
         append(blocks, tableBlocks(sheet.table, width, family));
+    if (sheet.signatures && !sheet.table.rows.empty())
+        blocks.push_back({mm(4), [](QPainter&, const QRectF&) {}});
     if (sheet.signatures)
         append(blocks,
             formGrid(Words::tr("Signed by hand; performer and inspector are two people"),
@@ -60,7 +62,10 @@ Result<void> writeReferenceSheet(const ReferenceSheet& sheet, const QString& pat
     frame.title = sheet.title;
     frame.subject = sheet.subject;
     frame.convention = Words::tr("Deviation = magnetic − compass, easterly positive; indication error = read − magnetic is its negative.");
-    frame.hash = hashOfText(sheet.text.join(u'\n').toStdString());
+    QStringList data = sheet.text; // what was read is data, too
+    for (const TableRow& row : sheet.table.rows)
+        data += row.cells.join(u'\t');
+    frame.hash = hashOfText(data.join(u'\n').toStdString());
     frame.made = madeWords(sheet.madeAtUtc);
     return writeSheet(
         frame, [&sheet](const QString& family, QSizeF room) { return referenceBlocks(sheet, family, room.width()); }, path, progress);
