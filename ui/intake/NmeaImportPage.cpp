@@ -172,6 +172,9 @@ void NmeaImportPage::build()
     connect(m_make, &QPushButton::clicked, this, &NmeaImportPage::make);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
     follow(*m_plot);
+    SwingPicture nothing;
+    nothing.whyNoAnalysis = tr("Open a log: what was read on each heading is drawn here.");
+    m_plot->setPicture(nothing);
     for (QComboBox* box : {m_reference, m_wind})
         connect(box, &QComboBox::activated, this, &NmeaImportPage::start);
     for (QLineEdit* line : {m_variation, m_variationError, m_speed, m_rate, m_talker, m_date})

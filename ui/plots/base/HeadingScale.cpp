@@ -13,6 +13,7 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kMostTicks = 9;
+constexpr double kLabelGap_px = 4;
 
 QList<double> multiplesWithin(double from, double to, double step)
 {
@@ -44,8 +45,27 @@ QwtScaleDiv HeadingScaleEngine::divideScale(double from, double to, int, int, do
     return QwtScaleDiv(low, high, multiplesWithin(low, high, steps.minor), {}, multiplesWithin(low, high, steps.major));
 }
 
+/// How many ticks a label is for, that none of them touches the next.
+int CentredScaleDraw::ticksPerLabel(const QFont& font) const
+{
+    const auto ticks = scaleDiv().ticks(QwtScaleDiv::MajorTick);
+    if (orientation() != Qt::Horizontal || ticks.size() < 3)
+        return 1;
+    double widest_px = 0;
+    for (const double tick : ticks)
+        widest_px = std::max(widest_px, label(tick).textSize(font).width());
+    const double step_px = std::abs(scaleMap().transform(ticks[1]) - scaleMap().transform(ticks[0]));
+    int each = 1;
+    while (each < ticks.size() && each * step_px < widest_px + kLabelGap_px)
+        each *= 2; // every second of eight points are the cardinals
+    return each;
+}
+
 void CentredScaleDraw::drawLabel(QPainter* painter, double value) const
 {
+    const auto ticks = scaleDiv().ticks(QwtScaleDiv::MajorTick);
+    if (ticks.indexOf(value) % ticksPerLabel(painter->font()) != 0)
+        return;
     QwtText text = tickLabel(painter->font(), value);
     if (text.isEmpty())
         return;

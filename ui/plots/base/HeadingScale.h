@@ -12,10 +12,13 @@ public:
     [[nodiscard]] QwtScaleDiv divideScale(double from, double to, int maxMajor, int maxMinor, double step) const override;
 };
 
-/// Labels of several lines, each centred under its tick; Qwt sets them flush left.
+/// Labels of several lines, each centred under its tick; Qwt sets them flush left. Where they would touch only some are drawn.
 class CentredScaleDraw : public QwtScaleDraw {
 protected:
     void drawLabel(QPainter* painter, double value) const override;
+
+private:
+    [[nodiscard]] int ticksPerLabel(const QFont& font) const;
 };
 
 /// "045" with "NE" beneath.

@@ -112,6 +112,8 @@ QString orderReadOut(int order, const SwingPicture& picture)
 
 QString noticeFor(const SwingPicture& picture)
 {
+    if (picture.readings.empty() && picture.title.isEmpty() && !picture.whyNoAnalysis.isEmpty())
+        return picture.whyNoAnalysis; // of no swing yet: there is no row to enter anything in
     if (picture.readings.empty())
         return Words::tr("Enter readings: a magnetic and a compass heading in each row.\nThree headings give a first result.");
     if (!picture.analysis)

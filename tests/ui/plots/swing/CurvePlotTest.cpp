@@ -62,6 +62,31 @@ private slots:
         QVERIFY(m_strip->axisScaleDraw(QwtAxis::XBottom)->label(30).text() == "030");
     }
 
+    /// Where there is no room for all, the cardinals are left, apart from each other.
+    void headingsOfANarrowPlotDoNotTouch()
+    {
+        m_plot->setPicture(samplePicture(8));
+        const auto labelsAt = [this](int width_px) {
+            m_plot->resize(width_px, 520);
+            QCoreApplication::processEvents();
+            auto& axis = *m_strip->axisWidget(QwtAxis::XBottom);
+            const auto* draw = m_strip->axisScaleDraw(QwtAxis::XBottom);
+            const QImage image = axis.grab().toImage();
+            const int top = axis.margin() + static_cast<int>(std::ceil(draw->maxTickLength() + draw->spacing())) + 1;
+            int labels = 0, blank = 4;
+            for (int x = 0; x < image.width(); ++x) {
+                bool ink = false;
+                for (int y = top; y < top + axis.fontMetrics().ascent(); ++y)
+                    ink = ink || QColor(image.pixel(x, y)).lightnessF() < 0.5;
+                labels += ink && blank >= 4 ? 1 : 0; // letters of a word are closer
+                blank = ink ? 0 : blank + 1;
+            }
+            return labels;
+        };
+        QCOMPARE(labelsAt(640), 9);
+        QCOMPARE(labelsAt(260), 5);
+    }
+
     void uprightTitlesAreNotLongerThanTheirCanvases()
     {
         m_plot->setPicture(samplePicture(8));
@@ -144,6 +169,10 @@ private slots:
         QCOMPARE(itemOf<CartesianReadings>(*m_main)->points().size(), std::size_t(2));
         m_plot->setPicture({});
         QVERIFY(m_main->notice().contains("Enter readings"));
+        SwingPicture ofNoSwing; // as on a page of logs: it has no rows to enter anything in
+        ofNoSwing.whyNoAnalysis = "Open a log.";
+        m_plot->setPicture(ofNoSwing);
+        QCOMPARE(m_main->notice(), QString("Open a log."));
         m_plot->setPicture(samplePicture(8));
         QVERIFY(m_strip->isVisible());
         QVERIFY(m_main->notice().isEmpty());
