@@ -12,7 +12,7 @@ QTableWidgetItem* fixedCell(const QString& text)
     return item;
 }
 
-EnterAdvances::EnterAdvances(QTableWidget& table) : QStyledItemDelegate(&table), m_table(table)
+EnterAdvances::EnterAdvances(QTableWidget& table, Order order) : QStyledItemDelegate(&table), m_table(table), m_order(order)
 {
     table.setItemDelegate(this);
     table.installEventFilter(this);
@@ -23,12 +23,15 @@ void EnterAdvances::advance()
     const int rows = m_table.rowCount(), columns = m_table.columnCount();
     int row = m_table.currentRow(), column = m_table.currentColumn();
     for (int step = 0; row >= 0 && step < rows * columns; ++step) {
-        if (++row == rows) {
+        if (m_order == Order::AlongRows && ++column == columns) {
+            column = 0;
+            row = (row + 1) % rows;
+        } else if (m_order == Order::DownColumns && ++row == rows) {
             row = 0;
             column = (column + 1) % columns;
         }
-        const QTableWidgetItem* item = m_table.item(row, column);
-        if (!m_table.isColumnHidden(column) && item && (item->flags() & Qt::ItemIsEditable)) {
+        const auto* model = m_table.model(); // an empty cell has no item, and can be typed into
+        if (!m_table.isColumnHidden(column) && (model->flags(model->index(row, column)) & Qt::ItemIsEditable)) {
             m_table.setCurrentCell(row, column);
             return;
         }

@@ -11,12 +11,13 @@ namespace lubberline::ui {
 [[nodiscard]] QTableWidgetItem* fixedCell(const QString& text);
 
 /// Typing figures into a table, key by key: Enter stores what was typed and goes on to the next cell of the column that can be typed into,
-/// and after the last to the first of the next such column.
+/// and after the last to the first of the next such column; or likewise along rows, where a row is read at once.
 class EnterAdvances final : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
-    explicit EnterAdvances(QTableWidget& table);
+    enum class Order { DownColumns, AlongRows };
+    explicit EnterAdvances(QTableWidget& table, Order order = Order::DownColumns);
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -24,6 +25,7 @@ protected:
 private:
     void advance();
     QTableWidget& m_table;
+    Order m_order;
 };
 
 } // namespace lubberline::ui

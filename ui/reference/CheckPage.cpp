@@ -94,7 +94,7 @@ void CheckPage::build()
     connect(m_count, &QSpinBox::valueChanged, this, &CheckPage::choose);
     connect(m_tolerance, &QDoubleSpinBox::valueChanged, this, &CheckPage::choose);
     connect(m_error, &QDoubleSpinBox::valueChanged, this, &CheckPage::choose);
-    new EnterAdvances(*m_table);
+    new EnterAdvances(*m_table, EnterAdvances::Order::AlongRows);
     connect(m_table, &QTableWidget::cellChanged, this, &CheckPage::judge);
     connect(m_store, &QPushButton::clicked, this, &CheckPage::store);
     setFocusProxy(m_table);
@@ -186,6 +186,8 @@ void CheckPage::choose()
                 m_table->setItem(row, column, new QTableWidgetItem);
         m_table->setItem(row, kFromCard, fixedCell({}));
     }
+    if (m_table->currentColumn() < kDatum)
+        m_table->setCurrentCell(0, kDatum); // what is typed first has a place
     m_showing = false;
     judge();
 }

@@ -86,7 +86,7 @@ void ComparePage::build()
     connect(m_due, &QPushButton::clicked, this, &ComparePage::makeDue);
     connect(m_second, &QComboBox::activated, this, &ComparePage::chooseSecond);
     connect(load, &QPushButton::clicked, this, &ComparePage::load);
-    new EnterAdvances(*m_table);
+    new EnterAdvances(*m_table, EnterAdvances::Order::AlongRows);
     connect(m_table, &QTableWidget::cellChanged, this, &ComparePage::judge);
     setFocusProxy(m_table);
 }
@@ -262,6 +262,10 @@ void ComparePage::makeDue()
 
 void ComparePage::writeReport()
 {
+    if (!m_verdict) {
+        emit failed(tr("No heading was read by both compasses yet: there is nothing to report."));
+        return;
+    }
     const QString path = m_files.save(tr("Report"), tr("%1 two compasses.pdf").arg(toText(m_aircraft.registration)), tr("PDF (*.pdf)"));
     if (path.isEmpty())
         return;
