@@ -108,7 +108,9 @@ Message inWords(const CheckVerdict& verdict, const CheckOptions& options)
 {
     const auto percent = [](double probability) {
         const double share = 100 * probability;
-        return share < 0.1 ? std::string("< 0.1") : share > 99.9 ? std::string("> 99.9") : figureText(share, share < 1 || share > 99 ? 1 : 0);
+        return share < 0.1 ? std::string("< 0.1")
+            : share > 99.9 ? std::string("> 99.9")
+                           : figureText(share, share < 1 || share > 99 ? 1 : 0);
     };
     if (verdict.holds)
         return {MARKED("core", "the card holds within %1° on all headings; this is wrong with a probability of %2 %"),

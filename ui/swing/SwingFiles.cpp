@@ -131,8 +131,8 @@ void writeCardFile(PageContext& context, SwingPage& page, const CardOptions& opt
 void previewCard(PageContext& context, SwingPage& page)
 {
     withCard(context, page, {}, [&context](const CardInput& input) {
-        const auto printed = context.dialogs.printPreview(
-            &context.window, [&](QPrinter& printer, const Progress&) { return printCard(input, printer); });
+        const auto printed
+            = context.dialogs.printPreview(&context.window, [&](QPrinter& printer, const Progress&) { return printCard(input, printer); });
         if (!printed)
             context.fail(messageOf(printed.error()));
         else if (*printed)

@@ -59,8 +59,9 @@ private slots:
 
     void whatCannotBePaintedIsTold()
     {
-        const auto printed = dialogs().printPreview(nullptr,
-            [](QPrinter&, const Progress&) -> Result<void> { return Error{ErrorCode::Unsupported, Message::verbatim(std::string("no font"))}; });
+        const auto printed = dialogs().printPreview(nullptr, [](QPrinter&, const Progress&) -> Result<void> {
+            return Error{ErrorCode::Unsupported, Message::verbatim(std::string("no font"))};
+        });
         QVERIFY(!printed.ok());
         QCOMPARE(describe(printed.error()), std::string("no font"));
     }
