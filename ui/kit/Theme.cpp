@@ -1,9 +1,10 @@
 #include "ui/kit/Theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
-#include <QStyle>
-#include <QStyleFactory>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 // In a static library, resources must be asked for; the macro wants to be outside any namespace.
 static void initResources() { Q_INIT_RESOURCE(lubberline); }
@@ -32,12 +33,72 @@ QPalette darkPalette()
     return palette;
 }
 
+/// Fusion's outlines are darker than the window: around what is filled in or ticked on a dark one nobody sees them. There they are drawn
+/// again between the colours of window and text, 3 : 1 apart from what is beside them.
+class Outlined : public QProxyStyle {
+public:
+    Outlined() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    void drawPrimitive(PrimitiveElement what, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override
+    {
+        QProxyStyle::drawPrimitive(what, option, painter, widget);
+        const bool tabbed = option->state & State_KeyboardFocusChange; // a tick shows focus to who came by keyboard
+        if (what == PE_IndicatorCheckBox || what == PE_IndicatorRadioButton)
+            outline(*option, tabbed, *painter, what == PE_IndicatorRadioButton ? option->rect.width() : 0);
+        else if (what == PE_FrameLineEdit)
+            outline(*option, true, *painter, kRounded);
+    }
+
+    void drawComplexControl(
+        ComplexControl what, const QStyleOptionComplex* option, QPainter* painter, const QWidget* widget) const override
+    {
+        QProxyStyle::drawComplexControl(what, option, painter, widget);
+        if (what == CC_SpinBox || what == CC_ComboBox)
+            outline(*option, true, *painter, kRounded);
+    }
+
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* more) const override
+    {
+        if (hint == SH_Table_GridLineColor && option && isDark(option->palette)) // else nobody sees where the next cell is to be filled in
+            return static_cast<int>(between(option->palette, 25).rgba());
+        return QProxyStyle::styleHint(hint, option, widget, more);
+    }
+
+private:
+    static constexpr double kRounded = 4;
+
+    static bool isDark(const QPalette& palette)
+    {
+        return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+    }
+
+    /// @param share  of the text's colour [%]
+    static QColor between(const QPalette& palette, int share)
+    {
+        const QColor window = palette.color(QPalette::Window), text = palette.color(QPalette::WindowText);
+        const auto mixed = [share](int from, int to) { return (from * (100 - share) + to * share) / 100; };
+        return {mixed(window.red(), text.red()), mixed(window.green(), text.green()), mixed(window.blue(), text.blue())};
+    }
+
+    static void outline(const QStyleOption& option, bool showsFocus, QPainter& painter, double rounded)
+    {
+        if (!isDark(option.palette))
+            return;
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing, rounded > 0);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(showsFocus && option.state & State_HasFocus ? option.palette.color(QPalette::Link) : between(option.palette, 45));
+        painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), rounded / 2, rounded / 2);
+        painter.restore();
+    }
+};
+
 } // namespace
 
 void applyTheme(bool dark)
 {
-    if (QApplication::style()->objectName().compare("fusion", Qt::CaseInsensitive) != 0)
-        QApplication::setStyle(QStyleFactory::create("Fusion"));
+    if (!dynamic_cast<Outlined*>(QApplication::style()))
+        QApplication::setStyle(new Outlined);
     QApplication::setPalette(dark ? darkPalette() : QApplication::style()->standardPalette());
 }
 

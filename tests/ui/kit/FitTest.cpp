@@ -30,6 +30,7 @@ private slots:
     void headingsStandInLines();
     void theRoomIsSharedAndTextsGiveWay();
     void headingsAreWholeWhateverComesFirst();
+    void wordsOfCellsGoOnBeneathAndNoneIsBroken();
     void aChoiceIsAsWideAsItsWords();
     void aChoiceSaysItsWholeTextAsATip();
     void aTitleThatWouldBecomeAColumnStandsAboveItsButtons();
@@ -179,6 +180,40 @@ void FitTest::headingsAreWholeWhateverComesFirst()
 }
 
 /// Beneath its label where it must, and also when its words come after the page was laid out.
+void FitTest::wordsOfCellsGoOnBeneathAndNoneIsBroken()
+{
+    QTableWidget table(40, 3);
+    table.setHorizontalHeaderLabels({"State", "Compass", "Why"});
+    table.verticalHeader()->hide();
+    for (int row = 0; row < table.rowCount(); ++row) {
+        table.setItem(row, 0, new QTableWidgetItem(QIcon(QPixmap(16, 16)), "wkrótce wymagany"));
+        table.setItem(row, 1, new QTableWidgetItem("No. 1 flux valve of the left wing tip"));
+        table.setItem(row, 2, new QTableWidgetItem("z prawdopodobieństwem 24 % poza granicami przed 2028-03-13"));
+    }
+    fitColumns(table);
+    table.resize(table.fontMetrics().horizontalAdvance(QString(55, 'x')), 400);
+    table.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&table));
+    const auto wholeFrom = [&table](int from, int rows) {
+        const auto& view = static_cast<const QAbstractItemView&>(table);
+        for (int row = from; row < from + rows; ++row) {
+            QCOMPARE_GE(table.rowHeight(row), view.sizeHintForRow(row));
+            QCOMPARE_GT(table.rowHeight(row), 2 * table.fontMetrics().height());
+        }
+    };
+    const int margins = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+    QCOMPARE_GE(table.columnWidth(0), 16 + margins + table.fontMetrics().horizontalAdvance("wymagany") + margins);
+    QCOMPARE_GE(table.columnWidth(2), table.fontMetrics().horizontalAdvance("prawdopodobieństwem") + margins);
+    wholeFrom(0, 5);
+    table.setCurrentCell(39, 0); // those that come into sight later, too
+    QTRY_VERIFY(table.viewport()->rect().contains(table.visualItemRect(table.item(39, 0))));
+    wholeFrom(table.rowAt(0), 40 - table.rowAt(0));
+    table.scrollToTop();
+    table.resize(table.fontMetrics().horizontalAdvance(QString(200, 'x')), 400);
+    QCoreApplication::processEvents();
+    QCOMPARE(table.rowHeight(0), table.verticalHeader()->defaultSectionSize()); // where there is room they are as they were
+}
+
 void FitTest::aChoiceIsAsWideAsItsWords()
 {
     QWidget page;

@@ -120,6 +120,35 @@ QString cutChoice(const QWidget& widget)
     return wants > has ? QStringLiteral("“%1” wants %2 px, has %3").arg(box->currentText()).arg(wants).arg(has) : QString();
 }
 
+/// Of the cells that are seen: a word that is broken, lines that have no room.
+QString cutCell(const QWidget& widget)
+{
+    const auto* table = qobject_cast<const QTableView*>(&widget);
+    if (!table || table->verticalHeader()->count() == 0 || table->verticalHeader()->sectionResizeMode(0) == QHeaderView::Fixed)
+        return {};
+    const QAbstractItemView& view = *table;
+    for (int row = std::max(0, table->rowAt(0)); row <= table->rowAt(table->viewport()->height() - 1); ++row)
+        if (view.sizeHintForRow(row) > table->rowHeight(row) + 1)
+            return QStringLiteral("row %1 wants %2 px of height, has %3").arg(row).arg(view.sizeHintForRow(row)).arg(table->rowHeight(row));
+    return {};
+}
+
+/// Parts of one layout that lie over each other.
+QString overlap(const QWidget& widget)
+{
+    if (!widget.layout() || widget.objectName().startsWith(QStringLiteral("qt_")))
+        return {};
+    QList<const QWidget*> seen;
+    for (int i = 0; i < widget.layout()->count(); ++i)
+        if (const QWidget* part = widget.layout()->itemAt(i)->widget(); part && part->isVisible()) {
+            for (const QWidget* other : seen)
+                if (other->geometry().intersects(part->geometry()))
+                    return nameOf(*part) + QStringLiteral(" lies over ") + nameOf(*other);
+            seen += part;
+        }
+    return {};
+}
+
 QStringList misfitsOf(MainWindow& window)
 {
     QStringList found;
@@ -131,7 +160,7 @@ QStringList misfitsOf(MainWindow& window)
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
         if (!widget->isVisible())
             continue;
-        for (const QString& what : {sideways(*widget), cutHeading(*widget), cutChoice(*widget)})
+        for (const QString& what : {sideways(*widget), cutHeading(*widget), cutChoice(*widget), cutCell(*widget), overlap(*widget)})
             if (!what.isEmpty())
                 found
                     += nameOf(*(qobject_cast<const QHeaderView*>(widget) ? widget->parentWidget() : widget)) + QStringLiteral(": ") + what;

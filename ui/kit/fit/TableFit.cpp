@@ -2,6 +2,8 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QScrollBar>
+#include <QStyle>
 #include <QStyleOptionHeader>
 #include <QTableView>
 #include <QTimer>
@@ -15,6 +17,7 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kMostLines = 3, kEnoughLetters = 11, kLeastText = 15; ///< a figure with its sign and unit is never cut
+constexpr int kLongestWord = 30, kRowsSeen = 64; ///< letters: what is longer is no word; about as many as fill a screen
 constexpr const char* kOwnColumns = "ownColumns";
 
 /// In the fewest lines that are short enough, parted at spaces.
@@ -70,10 +73,13 @@ public:
         QHeaderView& header = *table.horizontalHeader();
         header.setStretchLastSection(false);
         header.setSectionResizeMode(QHeaderView::Interactive);
-        header.setResizeContentsPrecision(64); // about as many rows as are seen: some have thousands (0 looks at all of them)
+        header.setResizeContentsPrecision(kRowsSeen); // some have thousands (0 looks at all of them)
         m_soon.setSingleShot(true);
         connect(&m_soon, &QTimer::timeout, this, &ColumnFit::fit);
+        m_inSight.setSingleShot(true);
+        connect(&m_inSight, &QTimer::timeout, this, [this] { m_table.scrollTo(m_table.currentIndex()); });
         table.viewport()->installEventFilter(this);
+        connect(table.verticalScrollBar(), &QScrollBar::valueChanged, this, &ColumnFit::fitRows);
         follow();
     }
 
@@ -121,7 +127,8 @@ private:
                 continue;
             const int heading = !header.isHidden() ? header.sectionSizeHint(i) : 0, content = view.sizeHintForColumn(i) + 1;
             sections.push_back(i);
-            least.push_back(std::max(heading, std::min(content, kLeastText * m_table.fontMetrics().averageCharWidth())));
+            const int words = std::max(kLeastText * m_table.fontMetrics().averageCharWidth(), longestWord(i));
+            least.push_back(std::max(heading, std::min(content, words)));
             wanted.push_back(std::max(heading, content));
         }
         share(wanted, least, m_table.viewport()->width());
@@ -130,6 +137,48 @@ private:
         if (m_table.verticalHeader()->count() > 0 && m_table.verticalHeader()->sectionResizeMode(0) == QHeaderView::ResizeToContents)
             m_table.resizeRowsToContents();
         m_fitting = false;
+        fitRows();
+    }
+
+    /// Words go on beneath, but none of them is broken. @return [px] the column is to have for that, the first rows looked at
+    [[nodiscard]] int longestWord(int column) const
+    {
+        const auto& model = *m_table.model();
+        const QFontMetrics metrics = m_table.fontMetrics();
+        const int margin = 2 * (m_table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &m_table) + 1);
+        const int icon = m_table.style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, &m_table) + margin;
+        const int spare = 2 * metrics.averageCharWidth(); // on a screen of a broken scale letters are drawn wider than they are measured
+        int longest = 0;
+        for (int row = 0; m_table.wordWrap() && row < std::min(model.rowCount(), kRowsSeen); ++row) {
+            const QModelIndex cell = model.index(row, column);
+            const int beside = margin + spare + (cell.data(Qt::DecorationRole).isValid() ? icon : 0);
+            for (const QString& word : cell.data().toString().split(' ', Qt::SkipEmptyParts))
+                longest = std::max(longest, metrics.horizontalAdvance(word) + beside);
+        }
+        return std::min(longest, kLongestWord * metrics.averageCharWidth());
+    }
+
+    /// Those that are seen are as high as the lines in them; the chosen one stays in sight.
+    void fitRows()
+    {
+        const QHeaderView& rows = *m_table.verticalHeader();
+        if (m_fitting || !m_table.wordWrap() || rows.count() == 0 || rows.sectionResizeMode(0) != QHeaderView::Interactive)
+            return;
+        m_fitting = true;
+        const auto& view = static_cast<const QAbstractItemView&>(m_table);
+        const QRect chosen = m_table.visualRect(m_table.currentIndex());
+        bool grown = false;
+        for (int row = std::max(0, m_table.rowAt(0)), y = 0; row < rows.count() && y < m_table.viewport()->height(); ++row) {
+            const int height = std::max(rows.defaultSectionSize(), view.sizeHintForRow(row) + 1);
+            if (m_table.rowHeight(row) != height) {
+                m_table.setRowHeight(row, height);
+                grown = true;
+            }
+            y += height;
+        }
+        m_fitting = false;
+        if (grown && chosen.isValid() && m_table.viewport()->rect().intersects(chosen))
+            m_inSight.start(); // after the table's own, which lays it out
     }
 
     void share(std::vector<int>& widths, const std::vector<int>& least, int room) const
@@ -152,7 +201,7 @@ private:
 
     QTableView& m_table;
     bool m_lastStretches, m_fitting = false;
-    QTimer m_soon;
+    QTimer m_soon, m_inSight;
 };
 
 } // namespace
