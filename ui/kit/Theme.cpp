@@ -49,8 +49,7 @@ public:
             outline(*option, true, *painter, kRounded);
     }
 
-    void drawComplexControl(
-        ComplexControl what, const QStyleOptionComplex* option, QPainter* painter, const QWidget* widget) const override
+    void drawComplexControl(ComplexControl what, const QStyleOptionComplex* option, QPainter* painter, const QWidget* widget) const override
     {
         QProxyStyle::drawComplexControl(what, option, painter, widget);
         if (what == CC_SpinBox || what == CC_ComboBox)

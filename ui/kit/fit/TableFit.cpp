@@ -17,7 +17,7 @@ namespace lubberline::ui {
 namespace {
 
 constexpr int kMostLines = 3, kEnoughLetters = 11, kLeastText = 15; ///< a figure with its sign and unit is never cut
-constexpr int kLongestWord = 30, kRowsSeen = 64; ///< letters: what is longer is no word; about as many as fill a screen
+constexpr int kLongestWord = 30, kRowsSeen = 64;                    ///< letters: what is longer is no word; about as many as fill a screen
 constexpr const char* kOwnColumns = "ownColumns";
 
 /// In the fewest lines that are short enough, parted at spaces.
