@@ -221,8 +221,8 @@ Message inWords(const FleetJump& jump, const FleetSwings& fleet)
     const auto& compass = fleet.compasses[static_cast<std::size_t>(jump.compass)];
     const std::string letter(1, letterOf(kCoefficients[jump.coefficient]));
     const std::string after = dateOfDay(fleet.swings[jump.afterRow].day), before = dateOfDay(fleet.swings[jump.beforeRow].day);
-    const Message what{MARKED("core", "%1 · %2: %3 jumped by %4° ± %5° between %6 and %7"), compass.aircraft, compass.compass, letter,
-        signedFigureText(jump.change_deg, 2), figureText(jump.standardError_deg, 2), after, before};
+    const Message what{MARKED("core", "%1 · %2: %3 jumped by %4° (standard error %5°) between %6 and %7"), compass.aircraft,
+        compass.compass, letter, signedFigureText(jump.change_deg, 2), figureText(jump.standardError_deg, 2), after, before};
     return jump.event.empty() ? what : Message{MARKED("core", "%1 (%2)"), what, jump.event};
 }
 

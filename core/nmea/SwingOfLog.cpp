@@ -11,6 +11,7 @@
 #include "core/deviation/SmithFit.h"
 #include "core/nmea/HeadingLine.h"
 #include "core/nmea/NmeaSources.h"
+#include "core/nmea/NmeaStands.h"
 #include "core/nmea/NmeaTimes.h"
 
 namespace lubberline {
@@ -65,6 +66,7 @@ private:
     NmeaSwing m_swing;
     NmeaSources m_sources;
     std::optional<NmeaTimes> m_times;
+    int m_repeated = 0; ///< readings of a standing aircraft that are left out
     double m_variationError_deg = 0;
     std::optional<NmeaWind> m_windOpen;  ///< what of it is left in the readings
     std::vector<TimedHeading> m_compass; ///< in order of time
@@ -88,14 +90,7 @@ std::vector<TimedHeading> inTime(const NmeaStream& stream, const NmeaTimes& time
 /// How long a step of a log without times is, if the turn was made at a degree a second as turns for a log are.
 double stepOf_s(const HeadingLine& steps)
 {
-    constexpr double kUsualTurn_deg_s = 1.0, kHalf_steps = 5.0;
-    double sum = 0.0;
-    int count = 0;
-    for (const auto& heading : steps.headings())
-        if (const auto rate = steps.rateAt(heading.seconds, kHalf_steps))
-            sum += std::abs(*rate), ++count;
-    const double turn_deg = count ? sum / count : 0.0;
-    return std::clamp(turn_deg / kUsualTurn_deg_s, 0.01, kMostApart_s);
+    return std::clamp(turnOfStep_deg(steps), 0.01, kMostApart_s); // as many seconds as degrees
 }
 
 void SwingOfLog::takeCounts()
@@ -174,7 +169,7 @@ void SwingOfLog::findWind()
     const bool shows = wind->speed_kt() > 2.0 * wind->standardError_kt() && wind->drift_deg() >= kLeastDrift_deg;
     wind->takenOut = shows && flies;
     if (wind->takenOut)
-        tellLimit({MARKED("core", "wind from %1° true at %2 ± %3 kt, airspeed %4 kt, is taken out of the tracks"),
+        tellLimit({MARKED("core", "wind from %1° true at %2 kt (standard error %3 kt), airspeed %4 kt, is taken out of the tracks"),
             figureText(printedHeading_deg(wind->from_deg(), 0), 0), figureText(wind->speed_kt(), 1),
             figureText(wind->standardError_kt(), 1), figureText(wind->airspeed_kt, 1)});
     else if (shows)
@@ -224,7 +219,6 @@ bool SwingOfLog::withinLimits(const NmeaPair& pair) const
 void SwingOfLog::makePairs(double delay_s)
 {
     m_swing.pairs.clear();
-    m_swing.used = 0;
     for (std::size_t i = 0; i < m_compass.size(); ++i) {
         const auto reference = m_reference.at(m_compass[i].seconds + delay_s);
         if (!reference)
@@ -233,9 +227,11 @@ void SwingOfLog::makePairs(double delay_s)
         NmeaPair pair{CompassHeading::fromDegrees(*m_compass[i].heading_deg), MagneticHeading::fromDegrees(*reference->heading_deg),
             m_compass[i].seconds, speed ? speed->speed_kt : std::nullopt, m_rates[i], m_times->utc(m_compass[i].seconds), false};
         pair.used = withinLimits(pair);
-        m_swing.used += pair.used ? 1 : 0;
         m_swing.pairs.push_back(std::move(pair));
     }
+    const auto rates = referenceRates(usedHeadings(), m_reference, delay_s);
+    m_repeated = leaveOutStands(m_swing.pairs, rates, m_times->spacing_s(*m_sources.compass));
+    m_swing.used = static_cast<std::size_t>(std::ranges::count_if(m_swing.pairs, &NmeaPair::used));
 }
 
 /// Why nothing is left.
@@ -270,6 +266,9 @@ void SwingOfLog::findDelay()
     m_swing.delay = delayOf(usedHeadings(), m_reference, spacing_s);
     if (m_swing.delay.seconds)
         makePairs(*m_swing.delay.seconds);
+    if (m_repeated)
+        tell({MARKED_N("core", "%n reading(s) of a standing aircraft left out: they repeat what it read at the end of its stand"),
+            m_repeated});
     tellDelay();
 }
 
@@ -283,15 +282,16 @@ void SwingOfLog::tellDelay()
         tellLimit(
             {MARKED("core",
                  "the turn goes one way at about one rate: A and a delay between heading and reference cannot be told apart, each second of "
-                 "delay is %1° of A; A is sure to ± %2° only (a turn the other way would tell)"),
+                 "delay is %1° of A; what is not known of it gives A a standard error of %2° (a turn the other way would tell)"),
                 degrees, figureText(std::abs(delay.A_degPerSecond) * delay.standardError_s, 1)});
     else if (delay.told == DelayTold::TooNoisy && std::abs(delay.A_degPerSecond) >= 0.05)
         tellLimit(
             {MARKED("core", "the headings are too uneven to tell the delay between heading and reference: each second of it is %1° of A"),
                 degrees});
     else if (delay.seconds)
-        tellLimit({*delay.seconds < 0.0 ? MARKED("core", "the reference is %1 ± %2 s newer than the heading beside it; that is taken out")
-                                        : MARKED("core", "the reference is %1 ± %2 s older than the heading beside it; that is taken out"),
+        tellLimit({*delay.seconds < 0.0
+                ? MARKED("core", "the reference is %1 s newer than the heading beside it (standard error %2 s); that is taken out")
+                : MARKED("core", "the reference is %1 s older than the heading beside it (standard error %2 s); that is taken out"),
             figureText(std::abs(*delay.seconds), 2), figureText(delay.standardError_s, 2)});
     int turning = 0, fast = 0;
     for (const auto& pair : m_swing.pairs)

@@ -216,7 +216,7 @@ void takeShared(Analysis& analysis, const SharedErrors& shared)
     addShared(analysis.exact, errors_rad);
     std::string named;
     for (const Coefficient coefficient : kCoefficients)
-        if (const double error_deg = shared.of_deg[indexOf(coefficient)]; error_deg != 0.0)
+        if (const double error_deg = shared.of_deg[indexOf(coefficient)]; error_deg >= 0.005) // less is printed as none
             named += (named.empty() ? "" : ", ") + std::string(1, letterOf(coefficient)) + " " + figureText(error_deg, 2) + "°";
     analysis.warnings.push_back(
         {MARKED("core", "what all readings share (datum, variation, delay, wind) is in the standard errors: %1"), named});

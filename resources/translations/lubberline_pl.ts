@@ -2170,8 +2170,8 @@
         <translation>w wyborze nie ma pomiaru; oczekiwano co najmniej jednego ukończonego</translation>
     </message>
     <message>
-        <source>%1 · %2: %3 jumped by %4° ± %5° between %6 and %7</source>
-        <translation>%1 · %2: %3 skoczył o %4° ± %5° między %6 a %7</translation>
+        <source>%1 · %2: %3 jumped by %4° (standard error %5°) between %6 and %7</source>
+        <translation>%1 · %2: %3 skoczył o %4° (błąd standardowy %5°) między %6 a %7</translation>
     </message>
     <message>
         <source>crew %1</source>
@@ -2350,12 +2350,12 @@
         <translation>nie zawiera kursu kompasowego: wszystkie są ujemne lub większe niż 360</translation>
     </message>
     <message>
-        <source>wind from %1° true at %2 ± %3 kt, airspeed %4 kt, is taken out of the tracks</source>
-        <translation>wiatr z %1° rzeczywistych, %2 ± %3 w, prędkość powietrzna %4 w, został odjęty od kątów drogi</translation>
+        <source>wind from %1° true at %2 kt (standard error %3 kt), airspeed %4 kt, is taken out of the tracks</source>
+        <translation>wiatr z %1° rzeczywistych, %2 w (błąd standardowy %3 w), prędkość powietrzna %4 w, został odjęty od kątów drogi</translation>
     </message>
     <message>
-        <source>the reference is %1 ± %2 s older than the heading beside it; that is taken out</source>
-        <translation>odniesienie jest starsze od sąsiedniego kursu o %1 ± %2 s; uwzględniono to</translation>
+        <source>the reference is %1 s older than the heading beside it (standard error %2 s); that is taken out</source>
+        <translation>wzorzec jest o %1 s starszy niż kurs obok niego (błąd standardowy %2 s); zostało to odjęte</translation>
     </message>
     <message>
         <source>most of the turn is faster than %1°/s: a card in its liquid lags; %2 to %1°/s tells more</source>
@@ -2410,8 +2410,8 @@
         <translation>zapis nie podaje czasu: przyjęto obrót 1°/s</translation>
     </message>
     <message>
-        <source>the turn goes one way at about one rate: A and a delay between heading and reference cannot be told apart, each second of delay is %1° of A; A is sure to ± %2° only (a turn the other way would tell)</source>
-        <translation>obrót idzie w jedną stronę z mniej więcej jedną prędkością: A i opóźnienia między kursem a wzorcem nie da się rozróżnić, każda sekunda opóźnienia to %1° w A; A jest pewne tylko do ± %2° (rozstrzygnąłby obrót w drugą stronę)</translation>
+        <source>the turn goes one way at about one rate: A and a delay between heading and reference cannot be told apart, each second of delay is %1° of A; what is not known of it gives A a standard error of %2° (a turn the other way would tell)</source>
+        <translation>obrót idzie w jedną stronę z mniej więcej jedną prędkością: A i opóźnienia między kursem a wzorcem nie da się rozróżnić, każda sekunda opóźnienia to %1° w A; to, czego o nim nie wiadomo, daje A błąd standardowy %2° (rozstrzygnąłby obrót w drugą stronę)</translation>
     </message>
     <message>
         <source>the headings are too uneven to tell the delay between heading and reference: each second of it is %1° of A</source>
@@ -4750,8 +4750,8 @@
         </translation>
     </message>
     <message>
-        <source>the reference is %1 ± %2 s newer than the heading beside it; that is taken out</source>
-        <translation>wzorzec jest o %1 ± %2 s nowszy niż kurs obok niego; zostało to odjęte</translation>
+        <source>the reference is %1 s newer than the heading beside it (standard error %2 s); that is taken out</source>
+        <translation>wzorzec jest o %1 s nowszy niż kurs obok niego (błąd standardowy %2 s); zostało to odjęte</translation>
     </message>
     <message>
         <source>its date %1 is one from which clocks count that do not know the day (a receiver without a fix, a spreadsheet); expected the day on which it was swung</source>

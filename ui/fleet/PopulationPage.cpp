@@ -205,7 +205,7 @@ void PopulationPage::tellHeading(double heading_deg)
         return;
     for (const auto& point : m_news->report.pattern.points)
         if (std::abs(point.heading_deg - heading_deg) < 1e-6 && point.mean_deg)
-            emit readOut(tr("%1°: mean %2°, between aircraft ± %3°, %n vote(s)", nullptr, point.units)
+            emit readOut(tr("%1°: mean %2°, between aircraft ± %3° (one standard deviation), %n vote(s)", nullptr, point.units)
                              .arg(point.heading_deg, 0, 'f', 1)
                              .arg(signedNumber(*point.mean_deg, 2), numberText(point.between_deg)));
 }

@@ -49,7 +49,7 @@ Result<FlightLog> readFlightLog(const std::string& path, const LegsOptions& legs
 
 QStringList wordsOf(const LegsSolution& solution)
 {
-    QStringList lines{FlightLogPage::tr("Wind from %1° at %2 kt ± %3 kt, airspeed %4 kt ± %5 kt, %6 legs.")
+    QStringList lines{FlightLogPage::tr("Wind from %1° at %2 kt ± %3 kt, airspeed %4 kt ± %5 kt (one standard error), %6 legs.")
                           .arg(plainNumber(printedHeading_deg(solution.air.from_deg(), 0), 0), plainNumber(solution.air.speed_kt(), 1),
                               plainNumber(solution.air.standardError_kt(), 1), plainNumber(solution.air.airspeed_kt, 1),
                               plainNumber(solution.air.airspeedError_kt, 1))
@@ -65,7 +65,8 @@ QStringList wordsOf(const ContinuousResult& result)
             ? FlightLogPage::tr("%1 %2° ± %3°")
                   .arg(toText(result.names[i]), signedNumber(*result.state_deg[i], 2), plainNumber(*result.standardError_deg[i], 2))
             : FlightLogPage::tr("%1 not told").arg(toText(result.names[i]));
-    QStringList lines{FlightLogPage::tr("%1 updates: %2.").arg(result.updates).arg(values.join(QStringLiteral(", ")))};
+    QStringList lines{
+        FlightLogPage::tr("%1 updates: %2 (± one standard error).").arg(result.updates).arg(values.join(QStringLiteral(", ")))};
     if (const auto& whole = result.whole) {
         if (const auto& model = whole->model)
             lines += FlightLogPage::tr("Hard iron P %1, Q %2, R %3 nT.")
@@ -77,7 +78,7 @@ QStringList wordsOf(const ContinuousResult& result)
                 level += FlightLogPage::tr("%1 %2° ± %3°")
                              .arg(QString(QLatin1Char("ABCDE"[c])))
                              .arg(signedNumber(*whole->level_deg[c], 2), plainNumber(*whole->levelError_deg[c], 2));
-        lines += FlightLogPage::tr("Level, where H is %1 nT: %2.")
+        lines += FlightLogPage::tr("Level, where H is %1 nT: %2 (± one standard error).")
                      .arg(plainNumber(whole->field.horizontal_nT, 0), level.join(QStringLiteral(", ")));
     }
     for (const auto& direction : result.nullDirections)

@@ -61,7 +61,7 @@ void WindsPage::build()
     m_unit->addItems({tr("units as the file says"), tr("reported winds in m/s"), tr("reference winds in m/s")});
     m_table->setColumnCount(10);
     m_table->setHorizontalHeaderLabels({tr("Aircraft"), tr("Flights"), tr("Used"), tr("In phase °"), tr("Quadrature °"), tr("Offset °"),
-        tr("± °"), tr("Across, kt"), tr("After, kt"), tr("Changed after")});
+        tr("± °, 1 se"), tr("Across, kt"), tr("After, kt"), tr("Changed after")});
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -72,7 +72,7 @@ Result<DatumAnswer> sunAnswer(const DatumInputs& inputs)
         return answer;
     }
     const TrueHeading heading = headingBySun(sun, *inputs.bearing_deg, inputs.ofShadow);
-    answer.headline = DatumWords::tr("The aircraft heads %1 magnetic ± %2° (%3 true, variation %4°).")
+    answer.headline = DatumWords::tr("The aircraft heads %1 magnetic ± %2° (one standard deviation; %3 true, variation %4°).")
                           .arg(headingWords(toMagnetic(heading, *variation).degrees()), plainNumber(budget.total_deg(), 2),
                               headingWords(heading.degrees()), signedNumber(variation->degrees(), 2));
     return answer;

@@ -261,7 +261,7 @@ QString convergenceReadOut(const ContinuousResult& result, const QRectF& rect, c
                       .arg(QString::fromStdString(result.names[state]), signedNumber(found->state_deg(place), 2),
                           plainNumber(found->standardError_deg(place), 2));
     }
-    return InflightWords::tr("%1 s: %2").arg(plainNumber(found->time_s, 0), values.join(QStringLiteral(", ")));
+    return InflightWords::tr("%1 s: %2 (± one standard error)").arg(plainNumber(found->time_s, 0), values.join(QStringLiteral(", ")));
 }
 
 struct CirclePlace {

@@ -46,7 +46,7 @@ ReferenceSheet legsSheet(const LegsSolution& solution, const QString& source, co
     sheet.table = {Words::tr("Legs"),
         {{Words::tr("Leg"), {}, {}, 26, TableColumn::Align::Left}, {Words::tr("Track"), Words::tr("true"), degrees, 20},
             {Words::tr("Speed"), Words::tr("ground"), QStringLiteral("kt"), 20}, {Words::tr("Heading"), Words::tr("true"), degrees, 20},
-            {Words::tr("±"), {}, degrees, 14}, {Words::tr("Heading"), Words::tr("magnetic"), degrees, 20},
+            {Words::tr("±"), Words::tr("1 se"), degrees, 14}, {Words::tr("Heading"), Words::tr("magnetic"), degrees, 20},
             {Words::tr("Compass", "heading"), Words::tr("heading"), degrees, 20}, {Words::tr("Deviation"), {}, degrees, 20}},
         {}};
     for (const SolvedLeg& leg : solution.legs)

@@ -62,7 +62,7 @@ Table windTable(const WindResult& result)
     Table table{Words::tr("Indication error (read − true) of each aircraft"),
         {{Words::tr("Aircraft"), {}, {}, 26, TableColumn::Align::Left}, {Words::tr("Flights"), {}, {}, 14}, {Words::tr("Used"), {}, {}, 16},
             {Words::tr("In phase"), {}, degrees, 18}, {Words::tr("Quadr."), {}, degrees, 18}, {Words::tr("Offset"), {}, degrees, 18},
-            {Words::tr("±"), Words::tr("in phase"), degrees, 14}, {Words::tr("Across"), Words::tr("before"), knots, 16},
+            {Words::tr("±"), Words::tr("1 se"), degrees, 14}, {Words::tr("Across"), Words::tr("before"), knots, 16},
             {Words::tr("Across"), Words::tr("after"), knots, 16}, {Words::tr("Along"), Words::tr("before"), knots, 16}},
         {}};
     for (const auto& one : result.aircraft) {
