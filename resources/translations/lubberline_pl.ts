@@ -4618,6 +4618,14 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n reading(s) of a standing aircraft left out: they repeat what it read at the end of its stand</source>
+        <translation>
+            <numerusform>pominięto %n odczyt stojącego samolotu: powtarza to, co odczytano pod koniec postoju</numerusform>
+            <numerusform>pominięto %n odczyty stojącego samolotu: powtarzają to, co odczytano pod koniec postoju</numerusform>
+            <numerusform>pominięto %n odczytów stojącego samolotu: powtarzają to, co odczytano pod koniec postoju</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n heading(s) left out, negative or beyond 360</source>
         <translation>
             <numerusform>pominięto %n kurs, ujemny lub powyżej 360</numerusform>
@@ -7665,8 +7673,8 @@ soft iron S:</source>
         <translation>słońca</translation>
     </message>
     <message>
-        <source>The aircraft heads %1 magnetic ± %2° (%3 true, variation %4°).</source>
-        <translation>Statek powietrzny ma kurs magnetyczny %1 ± %2° (rzeczywisty %3, deklinacja %4°).</translation>
+        <source>The aircraft heads %1 magnetic ± %2° (one standard deviation; %3 true, variation %4°).</source>
+        <translation>Statek powietrzny ma kurs magnetyczny %1 ± %2° (odchylenie standardowe; rzeczywisty %3, deklinacja %4°).</translation>
     </message>
     <message>
         <source>Grid heading %1 (%2 true)</source>
@@ -10693,8 +10701,8 @@ soft iron S:</source>
         <translation>pole jednorodne (nT)</translation>
     </message>
     <message>
-        <source>Size of the moment: %1 ± %2 A m².</source>
-        <translation>Wielkość momentu: %1 ± %2 A m².</translation>
+        <source>Size of the moment: %1 ± %2 A m² (one standard error).</source>
+        <translation>Wielkość momentu: %1 ± %2 A m² (błąd standardowy).</translation>
     </message>
     <message>
         <source>Site check</source>
@@ -11752,8 +11760,8 @@ soft iron S:</source>
 <context>
     <name>lubberline::ui::FlightLogPage</name>
     <message>
-        <source>Wind from %1° at %2 kt ± %3 kt, airspeed %4 kt ± %5 kt, %6 legs.</source>
-        <translation>Wiatr z %1°, %2 w ± %3 w, prędkość powietrzna %4 w ± %5 w, odcinków: %6.</translation>
+        <source>Wind from %1° at %2 kt ± %3 kt, airspeed %4 kt ± %5 kt (one standard error), %6 legs.</source>
+        <translation>Wiatr z %1°, %2 w ± %3 w, prędkość powietrzna %4 w ± %5 w (błąd standardowy), odcinków: %6.</translation>
     </message>
     <message>
         <source>%1 %2° ± %3°</source>
@@ -11764,8 +11772,8 @@ soft iron S:</source>
         <translation>%1 nieokreślone</translation>
     </message>
     <message>
-        <source>%1 updates: %2.</source>
-        <translation>Aktualizacji %1: %2.</translation>
+        <source>%1 updates: %2 (± one standard error).</source>
+        <translation>Aktualizacji %1: %2 (± błąd standardowy).</translation>
     </message>
     <message>
         <source>&amp;Open a log of legs or headings…</source>
@@ -11884,8 +11892,8 @@ soft iron S:</source>
         <translation>Żelazo twarde P %1, Q %2, R %3 nT.</translation>
     </message>
     <message>
-        <source>Level, where H is %1 nT: %2.</source>
-        <translation>W locie poziomym, gdzie H wynosi %1 nT: %2.</translation>
+        <source>Level, where H is %1 nT: %2 (± one standard error).</source>
+        <translation>W locie poziomym, gdzie H wynosi %1 nT: %2 (± błąd standardowy).</translation>
     </message>
     <message>
         <source>&amp;Whole sensor model</source>
@@ -13180,8 +13188,8 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
         <translation>współczynnik (°, E +)</translation>
     </message>
     <message>
-        <source>%1 s: %2</source>
-        <translation>%1 s: %2</translation>
+        <source>%1 s: %2 (± one standard error)</source>
+        <translation>%1 s: %2 (± błąd standardowy)</translation>
     </message>
     <message>
         <source>reports (some of them)</source>
@@ -15437,11 +15445,11 @@ magnetyczny (°)</translation>
         <translation>Alarmy</translation>
     </message>
     <message numerus="yes">
-        <source>%1°: mean %2°, between aircraft ± %3°, %n vote(s)</source>
+        <source>%1°: mean %2°, between aircraft ± %3° (one standard deviation), %n vote(s)</source>
         <translation>
-            <numerusform>%1°: średnia %2°, między samolotami ± %3°, %n głos</numerusform>
-            <numerusform>%1°: średnia %2°, między samolotami ± %3°, %n głosy</numerusform>
-            <numerusform>%1°: średnia %2°, między samolotami ± %3°, %n głosów</numerusform>
+            <numerusform>%1°: średnia %2°, między samolotami ± %3° (odchylenie standardowe), %n głos</numerusform>
+            <numerusform>%1°: średnia %2°, między samolotami ± %3° (odchylenie standardowe), %n głosy</numerusform>
+            <numerusform>%1°: średnia %2°, między samolotami ± %3° (odchylenie standardowe), %n głosów</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -18278,8 +18286,8 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
         <translation>Przesunięcie °</translation>
     </message>
     <message>
-        <source>± °</source>
-        <translation>± °</translation>
+        <source>± °, 1 se</source>
+        <translation>± °, 1 błąd std.</translation>
     </message>
     <message>
         <source>Across, kt</source>
