@@ -72,8 +72,8 @@ ReferenceSheet dipoleSheet(const DipoleSource& found, std::size_t readings, cons
         figure(found.atError_m.z(), 3)}});
     add(Words::tr("moment (A m²)"), found.moment_A_m2, 3);
     add(Words::tr("uniform field (nT)"), found.uniform_nT, 0);
-    sheet.text
-        << Words::tr("Size of the moment: %1 ± %2 A m² (one standard error).").arg(figure(found.moment_A_m2.norm(), 3), figure(found.momentError_A_m2, 3));
+    sheet.text << Words::tr("Size of the moment: %1 ± %2 A m² (one standard error).")
+                      .arg(figure(found.moment_A_m2.norm(), 3), figure(found.momentError_A_m2, 3));
     sheet.signatures = true;
     return sheet;
 }
