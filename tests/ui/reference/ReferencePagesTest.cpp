@@ -340,45 +340,6 @@ private slots:
         QVERIFY(!page.isOf(FleetItem(fleet.first)));
     }
 
-    /// A row is read at once; an empty cell is one to type into.
-    void figuresAreTypedHeadingByHeading()
-    {
-        const auto type = [](QTableWidget& table, const QString& text) {
-            for (const QChar key : text) {
-                QWidget* to = table.findChild<QLineEdit*>();
-                QTest::keyClick(to ? to : &table, key.toLatin1());
-            }
-            QWidget* to = table.findChild<QLineEdit*>();
-            QTest::keyClick(to ? to : &table, Qt::Key_Return);
-            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-        };
-        Fleet2 fleet;
-        ComparePage compare(fleet.stores, files());
-        QVERIFY(compare.open(FleetItem(fleet.first)).ok());
-        compare.show();
-        auto& pairs = find<QTableWidget>(compare, "compareTable");
-        pairs.setFocus();
-        pairs.setCurrentCell(0, 0);
-        for (const char* text : {"0", "4", "", "90", "94", "95"})
-            type(pairs, text);
-        QCOMPARE(pairs.item(0, 0)->text(), QString("0"));
-        QCOMPARE(pairs.item(0, 1)->text(), QString("4"));
-        QCOMPARE(pairs.item(1, 2)->text(), QString("95"));
-        QCOMPARE(compare.verdict()->readings, std::size_t(2));
-        QCOMPARE(pairs.currentRow(), 2);
-
-        CheckPage check(fleet.stores, files());
-        QVERIFY(check.open(FleetItem(fleet.first)).ok());
-        check.show();
-        auto& read = find<QTableWidget>(check, "checkTable");
-        read.setFocus();
-        for (const char* text : {"31.5", "30", "152"})
-            type(read, text);
-        QCOMPARE(read.item(0, 1)->text(), QString("31.5"));
-        QCOMPARE(read.item(0, 2)->text(), QString("30"));
-        QCOMPARE(read.item(1, 1)->text(), QString("152"));
-    }
-
     void twoCompassesAreComparedFromAFile()
     {
         Fleet2 fleet;
