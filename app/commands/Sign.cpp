@@ -16,7 +16,7 @@ namespace lubberline::app {
 namespace {
 
 struct SignArguments {
-    std::string record, role, name, licence, key, reason;
+    std::string record, role, name, licence, key, reason, howDayIsKnown;
     bool json = false;
 };
 
@@ -127,8 +127,12 @@ void addSign(CLI::App& app, Invocation& invocation)
 {
     constexpr auto kWrite = db::OpenMode::ReadWriteCreate;
     auto options = std::make_shared<SignArguments>();
-    add(app, invocation, "complete", "close a draft swing: its readings and particulars are whole", options, kWrite,
-        [](db::Stores& stores, SwingId swing, const SignArguments&) { return told(stores.signing.complete(swing), stores, swing); });
+    auto* completing = add(app, invocation, "complete", "close a draft swing: its readings and particulars are whole", options, kWrite,
+        [](db::Stores& stores, SwingId swing, const SignArguments& given) {
+            return told(stores.signing.complete(swing, given.howDayIsKnown), stores, swing);
+        });
+    completing->add_option("--day-known", options->howDayIsKnown,
+        "of a swing on a day from which clocks count that do not know the day (1980-01-06): how it is known that it was that day");
     auto* reopen = add(app, invocation, "reopen", "make a complete swing a draft again", options, kWrite,
         [](db::Stores& stores, SwingId swing, const SignArguments& given) {
             return told(stores.signing.reopen(swing, given.reason), stores, swing);

@@ -23,10 +23,10 @@ bool beginsGpsWeeks(Date date)
     return since >= 0 && since % kGpsRollOver_days == 0;
 }
 
-Message doubtOfDate(Date date, Date today)
+Message doubtOfClock(Date date, Date today)
 {
-    if (auto later = comesLater(date, today); !later.empty() || date.empty())
-        return later;
+    if (date.empty())
+        return {};
     if (date < today && (beginsGpsWeeks(date) || std::find(kOthersBegin.begin(), kOthersBegin.end(), date) != kOthersBegin.end()))
         return {MARKED("core",
                     "its date %1 is one from which clocks count that do not know the day (a receiver without a fix, a spreadsheet); "
@@ -39,6 +39,12 @@ Message doubtOfDate(Date date, Date today)
                     "expected the day on which it was swung"),
             date, addDays(date, ago / kGpsRollOver_days * kGpsRollOver_days)};
     return {};
+}
+
+Message doubtOfDate(Date date, Date today)
+{
+    auto later = comesLater(date, today);
+    return later.empty() ? doubtOfClock(date, today) : later;
 }
 
 } // namespace lubberline

@@ -12,8 +12,11 @@ inline constexpr int kGpsRollOver_days = 1024 * 7;
 /// The GPS week count begins on this day: 1980-01-06 and every 1024 weeks from it.
 [[nodiscard]] bool beginsGpsWeeks(Date date);
 
-/// Doubt of a date: more than a day after today; a day on which receivers, computers or spreadsheets begin to count; a whole number
-/// of 1024 weeks before one of the last seven days. Empty: none.
+/// Doubt of a day on which receivers, computers or spreadsheets begin to count; a whole number
+/// of 1024 weeks before one of the last seven days. Empty: none. Somebody who was there may know that it was that day all the same.
+[[nodiscard]] Message doubtOfClock(Date date, Date today);
+
+/// The same, and of a day that is more than a day after today, which nobody can know better.
 [[nodiscard]] Message doubtOfDate(Date date, Date today);
 
 } // namespace lubberline

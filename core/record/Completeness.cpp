@@ -19,11 +19,11 @@ Message comesLater(Date date, Date today)
     return {MARKED("core", "its date %1 is still to come (today is %2); expected the day on which it was swung"), date, today};
 }
 
-Message missingIn(const Swing& swing, Date today)
+Message missingIn(const Swing& swing, Date today, DayKnown day)
 {
     if (swing.date.empty())
         return MARKED("core", "its date is not stated");
-    if (auto doubt = doubtOfDate(swing.date, today); !doubt.empty())
+    if (auto doubt = day == DayKnown::Yes ? comesLater(swing.date, today) : doubtOfDate(swing.date, today); !doubt.empty())
         return doubt;
     if (samePerson(swing.people.adjuster, swing.people.inspector))
         return {MARKED("core", "adjuster and inspector are both %1; expected another person who checks the work"), swing.people.inspector};

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/format/exchange/SignedContent.h"
+#include "core/record/ClockDates.h"
 #include "core/record/Completeness.h"
 #include "core/record/RecordWords.h"
 #include "db/chain/Links.h"
@@ -80,7 +81,7 @@ void SigningStore::noteState(SwingId id)
     m_database.changes().note(change::Due{});
 }
 
-Result<void> SigningStore::complete(SwingId id)
+Result<void> SigningStore::complete(SwingId id, const std::string& howDayIsKnown)
 {
     auto transaction = Transaction::begin(m_database);
     if (!transaction)
@@ -91,9 +92,16 @@ Result<void> SigningStore::complete(SwingId id)
     if (swing->state != SwingState::Draft)
         return Error{
             ErrorCode::InvalidInput, {MARKED("db", "the swing is %1 already; expected a draft"), std::string(fileWord(swing->state))}};
-    if (const auto missing = missingIn(*swing, m_database.clock().today()); !missing.empty())
+    const Date today = m_database.clock().today();
+    if (const auto missing = missingIn(*swing, today, DayKnown::Yes); !missing.empty())
         return Error{ErrorCode::InvalidInput, {MARKED("db", "the swing is not complete: %1"), missing}};
-    if (const auto done = setState(id, SwingState::Complete, "completed swing", {}); !done)
+    const auto doubt = doubtOfClock(swing->date, today);
+    if (!doubt.empty() && howDayIsKnown.empty())
+        return Error{
+            ErrorCode::InvalidInput, {MARKED("db", "the swing is not complete: %1; if it was that day, say how it is known"), doubt}};
+    if (const auto done
+        = setState(id, SwingState::Complete, "completed swing", doubt.empty() ? std::string() : "the day is known: " + howDayIsKnown);
+        !done)
         return done;
     return transaction->commit();
 }

@@ -16,8 +16,9 @@ class SigningStore {
 public:
     explicit SigningStore(Database& database) : m_database(database) {}
 
-    /// Errors: InvalidInput (not a draft; what is missing: core/record/Completeness.h), Frozen.
-    Result<void> complete(SwingId id);
+    /// Errors: InvalidInput (not a draft; what is missing: core/record/Completeness.h), Frozen. @param howDayIsKnown of a day that clocks show
+    /// which do not know it: it stands in the audit trail; of any other day it is not kept.
+    Result<void> complete(SwingId id, const std::string& howDayIsKnown = {});
     /// Errors: InvalidInput (not complete, no reason), Frozen.
     Result<void> reopen(SwingId id, const std::string& reason);
     /// Time and hash are made here. A performer's with an inspector's or authority's that hold sign the swing; an authority may

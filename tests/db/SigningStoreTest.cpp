@@ -128,6 +128,25 @@ TEST_F(SigningStore, anAmendmentIsANewRevision)
     EXPECT_EQ(trail.back().what, "amended swing");
 }
 
+/// Aircraft were swung on 1980-01-06, too: who knows it says how, and the trail keeps it.
+TEST_F(SigningStore, aDayFromWhichClocksCountIsCompletedByWhoKnowsIt)
+{
+    Swing swing = worksheetSwing(m_stored);
+    swing.date = Date("1980-01-06");
+    const SwingId id = *save(m_swings, swing);
+    EXPECT_THAT(m_signing.complete(id).error().message.english(), testing::HasSubstr("say how it is known"));
+    EXPECT_EQ(m_swings.swing(id)->state, SwingState::Draft);
+    ASSERT_TRUE(m_signing.complete(id, "sheet 114 of the paper log"));
+    EXPECT_EQ(m_swings.swing(id)->state, SwingState::Complete);
+    const AuditRow last = m_signing.auditOf(swing.record)->back();
+    EXPECT_EQ(last.what, "completed swing");
+    EXPECT_EQ(last.detail, "the day is known: sheet 114 of the paper log");
+    swing = worksheetSwing(m_stored); // of other days nothing is kept, and no words complete one that is to come
+    swing.record.clear();
+    swing.date = Date("2199-01-01");
+    EXPECT_THAT(m_signing.complete(*save(m_swings, swing), "I was there").error().message.english(), testing::HasSubstr("still to come"));
+}
+
 TEST_F(SigningStore, aSwingIsCompleteOnlyWhenItIs)
 {
     Swing swing = worksheetSwing(m_stored);

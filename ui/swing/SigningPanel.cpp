@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "core/record/ClockDates.h"
 #include "core/record/SwingDifferences.h"
 #include "ui/audit/AuditWords.h"
 #include "ui/kit/Words.h"
@@ -201,7 +202,9 @@ void SigningPanel::showState()
         button->setEnabled(!m_editor.computing() && !m_byKey.running());
         button->setToolTip(m_editor.computing() ? tr("The results are being computed") : QString());
     }
-    m_reason->setVisible(writable && state != SwingState::Draft);
+    const bool doubted = state == SwingState::Draft && !doubtOfClock(record().swing.date, m_context.stores.clock().today()).empty();
+    m_reason->setVisible(writable && (state != SwingState::Draft || doubted));
+    m_reason->setPlaceholderText(doubted ? tr("how the day is known") : tr("reason"));
     m_amend->setVisible(writable && state == SwingState::Signed);
     m_signRow->setVisible(writable && state != SwingState::Draft);
     listKeys();
@@ -315,7 +318,7 @@ void SigningPanel::changeState()
     const SwingId id = record().swing.id;
     done(asSeen([&]() -> Result<void> {
         if (record().swing.state == SwingState::Draft)
-            return m_context.stores.signing.complete(id);
+            return m_context.stores.signing.complete(id, m_reason->text().trimmed().toStdString());
         return m_context.stores.signing.reopen(id, m_reason->text().trimmed().toStdString());
     }));
 }

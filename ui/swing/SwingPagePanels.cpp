@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/record/ClockDates.h"
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/ControlFit.h"
 #include "ui/swing/CardPanel.h"
@@ -106,7 +107,11 @@ void SwingPage::toggleComplete()
         return;
     if (m_editor->record().swing.state == SwingState::Draft) {
         m_editor->settle();
-        m_editor->complete();
+        const bool doubted = !doubtOfClock(m_editor->record().swing.date, m_context.stores.clock().today()).empty();
+        if (m_editor->complete() || !doubted)
+            return;
+        m_showSigning->setChecked(true); // there it is said how the day is known
+        m_signing->askReason();
         return;
     }
     // Opening again wants a reason: it is given where the swing is signed.

@@ -67,6 +67,33 @@ private slots:
     }
 
     /// By the keyboard alone: what opens it is followed by the name, not by a search for its field.
+    /// 1980-01-06 is what receivers write that know no day: who knows that it was that day says how, in the field that is shown for it.
+    void aDayFromWhichClocksCountIsCompletedByWhoKnowsIt()
+    {
+        SmallFleet fleet;
+        const SwingId id = fleet.addSwing("1980-01-06", eightPoints());
+        EditContext context{fleet.stores, [](const Error&) {}};
+        QUndoStack stack;
+        SwingEditor editor(context, stack);
+        KeyChecks keys(fleet.stores);
+        SigningPanel panel(context, editor, keys);
+        panel.QWidget::show();
+        QSignalSpy failed(&panel, &SigningPanel::failed);
+        QVERIFY(editor.open(id));
+        panel.show("In limits.");
+        QVERIFY(in<QLineEdit>(panel, "stateReason").isVisible());
+        in<QPushButton>(panel, "changeState").click();
+        QCOMPARE(failed.count(), 1);
+        QVERIFY(failed.front().front().toString().contains("say how it is known"));
+        in<QLineEdit>(panel, "stateReason").setText("sheet 114");
+        in<QPushButton>(panel, "changeState").click();
+        QVERIFY(fleet.stores.swings.swing(id)->state == SwingState::Complete);
+        const SwingId other = fleet.addSwing("2026-11-20", eightPoints());
+        QVERIFY(editor.open(other));
+        panel.show("In limits.");
+        QVERIFY(!in<QLineEdit>(panel, "stateReason").isVisible());
+    }
+
     void openingItAsksForTheName()
     {
         SmallFleet fleet;
