@@ -4849,6 +4849,18 @@
         <source>the compass is %1°%2 out as a whole: this was taken out as its index before B, C, D and E; look at its mount and its lubber line</source>
         <translation>busola jest w całości przesunięta o %1°%2: usunięto to jako jej indeks przed B, C, D i E; sprawdź mocowanie i kreskę kursową</translation>
     </message>
+    <message>
+        <source>%1 and the compass %2 have one talker: if the one is made of the other, it shows no deviation of that compass</source>
+        <translation>%1 i busola %2 mają jednego nadawcę: jeśli jedno powstaje z drugiego, nie pokaże dewiacji tej busoli</translation>
+    </message>
+    <message>
+        <source>B, C, D and E are those of the compass turned right in its mount: their heading ψ&apos; is what it reads %1 %2° (the index); A of the approximate coefficients has the index in it, A of the exact ones has not</source>
+        <translation>B, C, D i E są współczynnikami busoli ustawionej prosto w mocowaniu: ich kurs ψ&apos; to jej wskazanie %1 %2° (indeks); A przybliżone zawiera indeks, A dokładne go nie zawiera</translation>
+    </message>
+    <message>
+        <source>A is %1°: B, C, D and E hold for the headings that the compass reads as it stands now. Turn it right in its mount before B and C are corrected, and swing again: B will be about %2° and C %3°</source>
+        <translation>A wynosi %1°: B, C, D i E odnoszą się do kursów, które busola wskazuje w obecnym ustawieniu. Przed kompensacją B i C ustaw ją prosto w mocowaniu i powtórz dewiację: B wyniesie około %2°, a C %3°</translation>
+    </message>
 </context>
 <context>
     <name>db</name>
@@ -5687,6 +5699,10 @@
     <message>
         <source>coil bench</source>
         <translation>pomiar na stanowisku z cewkami</translation>
+    </message>
+    <message>
+        <source>the swing is not complete: %1; if it was that day, say how it is known</source>
+        <translation>dewiacja nie jest kompletna: %1; jeśli był to ten dzień, podaj, skąd to wiadomo</translation>
     </message>
 </context>
 <context>
@@ -7289,6 +7305,10 @@ soft iron S:</source>
     <message>
         <source>Write the &amp;report…</source>
         <translation>Zapisz &amp;sprawozdanie…</translation>
+    </message>
+    <message>
+        <source>No heading was read by both compasses yet: there is nothing to report.</source>
+        <translation>Żadnego kursu nie odczytano jeszcze z obu busol: nie ma o czym sporządzić raportu.</translation>
     </message>
 </context>
 <context>
@@ -8893,10 +8913,6 @@ soft iron S:</source>
         <translation>Przybliżone</translation>
     </message>
     <message>
-        <source>least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; ψ′ is the compass heading, A to E are angles. Residual = deviation read − deviation fitted.</source>
-        <translation>najmniejsze kwadraty δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; ψ′ to kurs kompasowy, A do E to kąty. Reszta = dewiacja odczytana − dewiacja dopasowana.</translation>
-    </message>
-    <message>
         <source>Exact</source>
         <translation>Dokładne</translation>
     </message>
@@ -10369,10 +10385,6 @@ soft iron S:</source>
         <translation>Przesun.</translation>
     </message>
     <message>
-        <source>in phase</source>
-        <translation>w fazie</translation>
-    </message>
-    <message>
         <source>Across</source>
         <translation>W poprzek</translation>
     </message>
@@ -10821,6 +10833,18 @@ soft iron S:</source>
     <message>
         <source>From %1 to %2 on x, y, z (95 %): bias %3 nT a year; scale %4 millionths a year; noise %5 times what it was.</source>
         <translation>Od %1 do %2 na x, y, z (95 %): przesunięcie %3 nT na rok; skala %4 milionowych na rok; szum %5 razy taki jak przedtem.</translation>
+    </message>
+    <message>
+        <source>ψ′ is the compass heading</source>
+        <translation>ψ′ to kurs busoli</translation>
+    </message>
+    <message>
+        <source>ψ′ is the compass heading with its index of %1°</source>
+        <translation>ψ′ to kurs busoli z jej indeksem %1°</translation>
+    </message>
+    <message>
+        <source>least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; %1, A to E are angles. Residual = deviation read − deviation fitted.</source>
+        <translation>najmniejsze kwadraty dla δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; %1, A do E są kątami. Reszta = dewiacja odczytana − dewiacja dopasowana.</translation>
     </message>
 </context>
 <context>
@@ -11994,14 +12018,6 @@ soft iron S:</source>
     <message>
         <source>this swing is not a guided one</source>
         <translation>ten pomiar nie jest prowadzony</translation>
-    </message>
-    <message>
-        <source>The datum of this swing is sighted by a person: a live heading is none of its figures. Begin the swing with an instrument that sends headings.</source>
-        <translation>Wzorzec tego pomiaru odczytuje człowiek: kurs na żywo nie jest jego odczytem. Zacznij pomiar z przyrządem, który wysyła kursy.</translation>
-    </message>
-    <message>
-        <source>The live heading is true and the datum magnetic, or the other way round: a variation is expected, of the site or in the sentences.</source>
-        <translation>Kurs na żywo jest rzeczywisty, a wzorzec magnetyczny, albo odwrotnie: oczekiwano deklinacji miejsca lub podanej w komunikatach.</translation>
     </message>
     <message>
         <source>A guided swing is of one compass: choose it, or a swing of it, in the tree.</source>
@@ -13661,24 +13677,8 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
         </translation>
     </message>
     <message>
-        <source>%1° %2</source>
-        <translation>%1° %2</translation>
-    </message>
-    <message>
-        <source>±%1</source>
-        <translation>±%1</translation>
-    </message>
-    <message>
-        <source> true</source>
-        <translation> rzeczywisty</translation>
-    </message>
-    <message>
         <source>Nothing is heard: a heading is expected.</source>
         <translation>Nic nie słychać: oczekiwano kursu.</translation>
-    </message>
-    <message>
-        <source>The heading has not settled yet: it moves by %1° within the window.</source>
-        <translation>Kurs jeszcze się nie ustalił: zmienia się o %1° w oknie pomiaru.</translation>
     </message>
     <message>
         <source>steady</source>
@@ -13721,8 +13721,88 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
         <translation>pominięto zdań: %1; przychodzi więcej, niż da się przejrzeć</translation>
     </message>
     <message>
-        <source>✓ ±%1</source>
-        <translation>✓ ±%1</translation>
+        <source>none yet</source>
+        <translation>jeszcze żadne</translation>
+    </message>
+    <message>
+        <source>Sentence of the datum</source>
+        <translation>Zdanie wzorca</translation>
+    </message>
+    <message>
+        <source>Sentence of the compass</source>
+        <translation>Zdanie busoli</translation>
+    </message>
+    <message>
+        <source>%1 kt over ground: a track tells a heading from %2 kt on</source>
+        <translation>%1 w. względem ziemi: kąt drogi mówi o kursie dopiero od %2 w.</translation>
+    </message>
+    <message>
+        <source>a track whose speed is not told tells no heading</source>
+        <translation>kąt drogi bez podanej prędkości nie mówi o kursie</translation>
+    </message>
+    <message>
+        <source>nothing new is heard</source>
+        <translation>nic nowego nie słychać</translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ settled: moves by %1 over %n headings, the last %2 s old</source>
+        <translation>
+            <numerusform>✓ ustalony: waha się o %1 w %n kursie, ostatni sprzed %2 s</numerusform>
+            <numerusform>✓ ustalony: waha się o %1 w %n kursach, ostatni sprzed %2 s</numerusform>
+            <numerusform>✓ ustalony: waha się o %1 w %n kursach, ostatni sprzed %2 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>moves by %1 over %n headings, the last %2 s old</source>
+        <translation>
+            <numerusform>waha się o %1 w %n kursie, ostatni sprzed %2 s</numerusform>
+            <numerusform>waha się o %1 w %n kursach, ostatni sprzed %2 s</numerusform>
+            <numerusform>waha się o %1 w %n kursach, ostatni sprzed %2 s</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>rzeczywisty</translation>
+    </message>
+    <message>
+        <source>magnetic</source>
+        <translation>magnetyczny</translation>
+    </message>
+    <message>
+        <source>true; the datum is magnetic, and the swing has no variation</source>
+        <translation>rzeczywisty; wzorzec jest magnetyczny, a dewiacja nie ma deklinacji</translation>
+    </message>
+    <message>
+        <source>magnetic; the datum is true, and the swing has no variation</source>
+        <translation>magnetyczny; wzorzec jest rzeczywisty, a dewiacja nie ma deklinacji</translation>
+    </message>
+    <message>
+        <source>true; with the variation %2 of the swing it is taken as %1 magnetic</source>
+        <translation>rzeczywisty; z deklinacją %2 zostanie przyjęty jako %1 magnetyczny</translation>
+    </message>
+    <message>
+        <source>magnetic; with the variation %2 of the swing it is taken as %1 true</source>
+        <translation>magnetyczny; z deklinacją %2 zostanie przyjęty jako %1 rzeczywisty</translation>
+    </message>
+    <message>
+        <source>Nothing that is sent is a reference by itself: choose the sentence that is the datum.</source>
+        <translation>Nic z tego, co jest nadawane, samo nie jest wzorcem: wybierz zdanie, które nim jest.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>The heading has not settled yet: it moves by %1 within the window.</source>
+        <translation>Kurs jeszcze się nie ustalił: waha się o %1 w oknie pomiaru.</translation>
+    </message>
+    <message>
+        <source>The datum of this swing is read by a person: a live heading is none of its figures. Choose an instrument that sends headings (F3).</source>
+        <translation>Wzorzec tej dewiacji odczytuje człowiek: kurs na żywo nie jest jego wskazaniem. Wybierz przyrząd, który nadaje kursy (F3).</translation>
+    </message>
+    <message>
+        <source>The live heading is from another north than the datum, and the swing has no variation: begin it with a site that has one, or choose an instrument that shows what is sent (F3).</source>
+        <translation>Kurs na żywo liczony jest od innej północy niż wzorzec, a dewiacja nie ma deklinacji: rozpocznij ją na stanowisku, które ją ma, albo wybierz przyrząd, który pokazuje to, co jest nadawane (F3).</translation>
     </message>
 </context>
 <context>
@@ -14855,6 +14935,10 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     <message>
         <source>A log of a slow turn as a swing</source>
         <translation>Zapis powolnego zakrętu jako pomiar</translation>
+    </message>
+    <message>
+        <source>Open a log: what was read on each heading is drawn here.</source>
+        <translation>Otwórz dziennik: tu zostanie narysowane, co odczytano na każdym kursie.</translation>
     </message>
 </context>
 <context>
@@ -17201,6 +17285,10 @@ Escape przywraca zapisaną wartość.</translation>
         <source>this swing has been changed in another window or by another program since it was shown here; nothing was done, look at it again</source>
         <translation>ten pomiar zmieniono w innym oknie lub w innym programie, odkąd go tu pokazano; niczego nie zrobiono, obejrzyj go jeszcze raz</translation>
     </message>
+    <message>
+        <source>how the day is known</source>
+        <translation>skąd znany jest dzień</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::SitesPage</name>
@@ -17660,10 +17748,6 @@ pole całkowite %1 nT</translation>
         <translation>Ten pomiar jest podpisany: nie można go zmienić.</translation>
     </message>
     <message>
-        <source>This swing is complete. To change a reading, set it back to draft.</source>
-        <translation>Ten pomiar jest zakończony. Aby zmienić odczyt, przywróć go do szkicu.</translation>
-    </message>
-    <message>
         <source>%1 on %2</source>
         <translation>%1 na kursie %2</translation>
     </message>
@@ -17694,6 +17778,10 @@ pole całkowite %1 nT</translation>
     <message>
         <source>it is being computed</source>
         <translation>trwa obliczanie</translation>
+    </message>
+    <message>
+        <source>This swing is complete. To change a reading, open it again.</source>
+        <translation>Ta dewiacja jest kompletna. Aby zmienić odczyt, otwórz ją ponownie.</translation>
     </message>
 </context>
 <context>
@@ -18029,10 +18117,6 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
         <translation>Deklinacja:</translation>
     </message>
     <message>
-        <source>3.5E</source>
-        <translation>3.5E</translation>
-    </message>
-    <message>
         <source>Radio:</source>
         <translation>Radio:</translation>
     </message>
@@ -18089,12 +18173,16 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
         <translation>Błąd wspólny:</translation>
     </message>
     <message>
-        <source>0.5</source>
-        <translation>0.5</translation>
-    </message>
-    <message>
         <source>Standard errors that all readings share and no scatter shows, in degrees: of the datum, the variation, a log&apos;s delay and wind. One figure is A&apos;s; else letters, as in A 0.6 B 0.2. They widen what is said of the coefficients</source>
         <translation>Błędy standardowe, wspólne wszystkim odczytom, których nie pokazuje żaden rozrzut, w stopniach: wzorca, deklinacji, opóźnienia zapisu i wiatru. Jedna liczba dotyczy A; inaczej litery, jak A 0.6 B 0.2. Poszerzają to, co mówi się o współczynnikach</translation>
+    </message>
+    <message>
+        <source>as 3.5E</source>
+        <translation>np. 3.5E</translation>
+    </message>
+    <message>
+        <source>as 0.5</source>
+        <translation>np. 0.5</translation>
     </message>
 </context>
 <context>
