@@ -13,12 +13,15 @@ namespace {
 /// Stands nearer to each other than this are on one heading.
 constexpr double kOneHeading_deg = 15.0;
 constexpr int kHeadingsOfASwing = 3;
+/// Who comes round further than this without ever turning faster than a stand is in a slow turn.
+constexpr double kStill_deg = 5.0;
 
 /// Used pairs, one after the other, between which the aircraft did not turn.
 struct Stand {
     std::vector<std::size_t> pairs;
     double heading_deg = 0;
     double length_s = 0;
+    double furthest_deg = 0; ///< from its first heading
 };
 
 std::vector<Stand> standsOf(const std::vector<NmeaPair>& pairs, std::span<const double> rates)
@@ -38,8 +41,10 @@ std::vector<Stand> standsOf(const std::vector<NmeaPair>& pairs, std::span<const 
         Stand& stand = stands.back();
         stand.pairs.push_back(i);
         stand.length_s = pairs[i].seconds - pairs[stand.pairs.front()].seconds;
+        stand.furthest_deg = std::max(stand.furthest_deg, std::abs(wrap180(pairs[i].magnetic.degrees() - stand.heading_deg)));
     }
-    std::erase_if(stands, [](const Stand& stand) { return stand.length_s < 1.0; }); // no more than a slow moment of the turn
+    // No more than a slow moment of the turn, or the whole of a slow one.
+    std::erase_if(stands, [](const Stand& stand) { return stand.length_s < 1.0 || stand.furthest_deg > kStill_deg; });
     return stands;
 }
 

@@ -116,6 +116,15 @@ TEST(NmeaStands, standsOnManyHeadingsAreTheSwing)
     EXPECT_TRUE(pairs[440].used) << "the last of a stand is kept: the card has settled";
 }
 
+TEST(NmeaStands, aTurnSlowerThanAnyOtherIsNoStand)
+{
+    std::vector<NmeaPair> pairs;
+    for (int second = 0; second < 3600; ++second)
+        pairs.push_back({CompassHeading::fromDegrees(0.1 * second), MagneticHeading::fromDegrees(0.1 * second), static_cast<double>(second),
+            6.0, 0.1, "", true});
+    EXPECT_EQ(leaveOutStands(pairs, std::vector<double>(pairs.size(), 0.1), 1.0), 0);
+}
+
 TEST(NmeaStands, aTurnIsMeasuredWhereItTurns)
 {
     std::vector<TimedHeading> steps;
