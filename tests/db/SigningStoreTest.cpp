@@ -138,7 +138,7 @@ TEST_F(SigningStore, aDayFromWhichClocksCountIsCompletedByWhoKnowsIt)
     EXPECT_EQ(m_swings.swing(id)->state, SwingState::Draft);
     ASSERT_TRUE(m_signing.complete(id, "sheet 114 of the paper log"));
     EXPECT_EQ(m_swings.swing(id)->state, SwingState::Complete);
-    const AuditRow last = m_signing.auditOf(swing.record)->back();
+    const AuditRow last = m_signing.auditOf(m_swings.swing(id)->record)->back();
     EXPECT_EQ(last.what, "completed swing");
     EXPECT_EQ(last.detail, "the day is known: sheet 114 of the paper log");
     swing = worksheetSwing(m_stored); // of other days nothing is kept, and no words complete one that is to come
