@@ -34,9 +34,9 @@ Error heldWithin(const std::vector<double>& compass, double turned_deg)
             threeDigits(empty.to_deg), threeDigits(empty.from_deg), static_cast<int>(std::lround(turned_deg))}};
 }
 
-/// As much as no compass deviates by, and a scatter that is none of a reading.
 /// From here on B and C of the compass as it stands are a quarter of each other's away from those of the compass turned right.
 constexpr double kOutOfPlace_deg = 15.0;
+/// As much as no compass deviates by, and a scatter that is none of a reading.
 constexpr double kNoOneCycle_deg = 90.0, kNoTwoCycles_deg = 60.0, kNoScatter_deg = 30.0, kTellsWithin_deg = 10.0;
 
 } // namespace

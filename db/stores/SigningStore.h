@@ -17,7 +17,7 @@ public:
     explicit SigningStore(Database& database) : m_database(database) {}
 
     /// Errors: InvalidInput (not a draft; what is missing: core/record/Completeness.h), Frozen. @param howDayIsKnown of a day that clocks show
-    /// which do not know it: it stands in the audit trail; of any other day it is not kept.
+    /// which do not know it (ClockDates.h): it stands in the audit trail; of any other day it is not kept.
     Result<void> complete(SwingId id, const std::string& howDayIsKnown = {});
     /// Errors: InvalidInput (not complete, no reason), Frozen.
     Result<void> reopen(SwingId id, const std::string& reason);
