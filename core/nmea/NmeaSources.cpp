@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "core/base/Number.h"
 
@@ -84,13 +85,12 @@ std::optional<double> meanApart_deg(const NmeaStream& one, const NmeaStream& oth
 /// One instrument that sends both HDG and HDM sends one heading twice, unless HDM is corrected by a deviation table already.
 const NmeaStream* compassOf(const Streams& own, std::vector<Message>& warnings)
 {
-    const auto hdg = std::find_if(own.begin(), own.end(), [](const auto* stream) { return stream->source.type == "HDG"; });
-    if (hdg == own.end() || own.size() == 1)
-        return longest(own);
+    const auto* compass = *std::min_element(
+        own.begin(), own.end(), [](const auto* one, const auto* other) { return likelierCompass(one->source, other->source); });
     for (const auto* other : own)
-        if (other != *hdg && meanApart_deg(*other, **hdg).value_or(0.0) > kSameCompass_deg)
+        if (other != compass && meanApart_deg(*other, *compass).value_or(0.0) > kSameCompass_deg)
             warnings.push_back(MARKED("core", "HDM differs from HDG of the same talker, so it is corrected already; HDG alone is used"));
-    return *hdg;
+    return compass;
 }
 
 /// Of the tracks the stream with the most of them that have a speed; of the true headings those of an instrument before a speed log's.
@@ -138,6 +138,14 @@ Error noReference(const NmeaLog& log, NmeaReference wanted)
 } // namespace
 
 std::string nameOf(const NmeaSource& source) { return source.talker + source.type; }
+
+bool likelierCompass(const NmeaSource& one, const NmeaSource& other)
+{
+    const auto rank = [](const NmeaSource& source) {
+        return std::tuple(source.type == "VHW", source.talker != "HC", source.type != "HDG", std::tie(source.talker, source.type));
+    };
+    return rank(one) < rank(other);
+}
 
 std::optional<Message> doubtOfReference(const NmeaSource& reference, NmeaNorth north, const NmeaSource& compass)
 {

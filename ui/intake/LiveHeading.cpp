@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <tuple>
 
 #include "core/nmea/NmeaSources.h"
 #include "core/nmea/NmeaSwing.h"
@@ -34,12 +33,6 @@ bool isWhole(const NmeaSentence& sentence)
 bool tellsHeading(const LiveSource& source)
 {
     return source.north != NmeaNorth::Track || (source.speed_kt && *source.speed_kt >= NmeaOptions().minSpeed_kt);
-}
-
-/// The smaller, the likelier it is the compass that is swung.
-auto rankOfCompass(const NmeaSource& source)
-{
-    return std::tuple(source.type != "HDG", source.type != "HDM", source.talker != "HC", source);
 }
 
 } // namespace
@@ -136,7 +129,7 @@ QStringList LiveHeading::compassChannels() const
     for (const auto& [name, channel] : m_channels)
         if (channel.source.north == NmeaNorth::Compass)
             sources.push_back(channel.source.source);
-    std::sort(sources.begin(), sources.end(), [](const auto& a, const auto& b) { return rankOfCompass(a) < rankOfCompass(b); });
+    std::sort(sources.begin(), sources.end(), likelierCompass);
     QStringList names;
     for (const auto& source : sources)
         names << QString::fromStdString(nameOf(source));

@@ -39,8 +39,7 @@ public:
     void takeLine(std::string_view line);
     void clear();
 
-    /// Those that were heard and may be the compass: what a compass reads (HDG) before what it may have corrected (HDM) and what a speed
-    /// log repeats (VHW), HC before other talkers.
+    /// Those that were heard and may be the compass, the likeliest first (likelierCompass).
     [[nodiscard]] QStringList compassChannels() const;
     /// All others: true headings, tracks, other compasses. A heading is never its own reference.
     [[nodiscard]] QStringList referenceChannels(const QString& compass) const;

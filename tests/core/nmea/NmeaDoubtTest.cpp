@@ -1,12 +1,25 @@
 // Logs with wrong variations, wrong dates and made-up fixes: what cannot be right is said, and widens what is stated.
 
+#include <algorithm>
+
 #include "core/nmea/NmeaBase.h"
+#include "core/nmea/NmeaSources.h"
 #include "tests/core/nmea/MadeTurn.h"
 
 namespace lubberline {
 namespace {
 
 using namespace test;
+
+TEST(NmeaSources, theLikeliestCompassIsTheOneOfTheStandardsTalkerThatReadsUncorrected)
+{
+    std::vector<NmeaSource> heard{{"II", "VHW"}, {"HC", "VHW"}, {"II", "HDM"}, {"II", "HDG"}, {"HC", "HDM"}, {"HC", "HDG"}, {"AP", "HDG"}};
+    std::sort(heard.begin(), heard.end(), likelierCompass);
+    std::string order;
+    for (const auto& source : heard)
+        order += nameOf(source) + " ";
+    EXPECT_EQ(order, "HCHDG HCHDM APHDG IIHDG IIHDM HCVHW IIVHW ");
+}
 
 TEST(NmeaTurn, theVariationIsHeldAgainstTheModel)
 {
