@@ -175,4 +175,15 @@ std::string NmeaTimes::utc(double seconds) const
     return mark.date.text() + time.data();
 }
 
+std::vector<TimedHeading> inTime(const NmeaStream& stream, const NmeaTimes& times)
+{
+    const auto seconds = times.of(stream);
+    std::vector<TimedHeading> headings;
+    for (std::size_t i = 0; i < stream.sent.size(); ++i)
+        if (seconds[i])
+            headings.push_back({*seconds[i], stream.sent[i].angle_deg, stream.sent[i].speed_kt});
+    std::stable_sort(headings.begin(), headings.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+    return headings;
+}
+
 } // namespace lubberline

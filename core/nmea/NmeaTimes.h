@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/Date.h"
+#include "core/nmea/HeadingLine.h"
 #include "core/nmea/NmeaLog.h"
 
 namespace lubberline {
@@ -53,5 +54,8 @@ private:
     double m_typical_s = 1.0;
     bool m_told = false;
 };
+
+/// What a stream told, where its time is known, in order of time.
+[[nodiscard]] std::vector<TimedHeading> inTime(const NmeaStream& stream, const NmeaTimes& times);
 
 } // namespace lubberline

@@ -9,6 +9,9 @@
 
 namespace lubberline {
 
+/// No aircraft taxies faster: what is, flies, and the wind carries its track away from its heading.
+inline constexpr double kFlies_kt = 25.0;
+
 struct NmeaWind : AirMass {
     bool takenOut = false;
 };

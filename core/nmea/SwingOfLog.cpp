@@ -10,6 +10,7 @@
 #include "core/base/Number.h"
 #include "core/deviation/SmithFit.h"
 #include "core/nmea/HeadingLine.h"
+#include "core/nmea/NmeaAgreement.h"
 #include "core/nmea/NmeaSources.h"
 #include "core/nmea/NmeaStands.h"
 #include "core/nmea/NmeaTimes.h"
@@ -18,8 +19,6 @@ namespace lubberline {
 
 namespace {
 
-/// No aircraft taxies faster: what is, flies, and the wind carries it.
-constexpr double kFlies_kt = 25.0;
 /// Wind that turns a track by less is not worth a word.
 constexpr double kLeastDrift_deg = 0.3;
 /// Wind that is not known within this leaves the track as it is.
@@ -58,6 +57,7 @@ private:
     void tellDelay();
     void compareDirections();
     void addDoubts();
+    void doubtReference();
     void addWindDoubts(const std::vector<TimedHeading>& used);
     [[nodiscard]] std::vector<TimedHeading> usedHeadings() const;
 
@@ -75,17 +75,6 @@ private:
     HeadingLine m_speeds{{}};    ///< a track, for its speeds
     HeadingLine m_reference{{}}; ///< magnetic
 };
-
-std::vector<TimedHeading> inTime(const NmeaStream& stream, const NmeaTimes& times)
-{
-    const auto seconds = times.of(stream);
-    std::vector<TimedHeading> headings;
-    for (std::size_t i = 0; i < stream.sent.size(); ++i)
-        if (seconds[i])
-            headings.push_back({*seconds[i], stream.sent[i].angle_deg, stream.sent[i].speed_kt});
-    std::stable_sort(headings.begin(), headings.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
-    return headings;
-}
 
 /// How long a step of a log without times is, if the turn was made at a degree a second as turns for a log are.
 double stepOf_s(const HeadingLine& steps)
@@ -365,6 +354,15 @@ void SwingOfLog::addDoubts()
         m_swing.doubts.emplace_back(used.size(), m_variationError_deg);
 }
 
+void SwingOfLog::doubtReference()
+{
+    const NmeaStream &reference = *m_sources.reference, &compass = *m_sources.compass;
+    for (const auto& one : contradictionsOf(m_log, reference, compass, *m_times, m_options.minSpeed_kt))
+        tellLimit(one.told), m_swing.doubts.emplace_back(m_swing.used, one.ofA_deg);
+    if (const auto doubt = doubtOfRepetition(reference, compass, m_swing.pairs))
+        tellLimit(*doubt);
+}
+
 Result<NmeaSwing> SwingOfLog::make()
 {
     auto sources = chooseSources(m_log, m_options);
@@ -386,6 +384,7 @@ Result<NmeaSwing> SwingOfLog::make()
     findDelay();
     compareDirections();
     addDoubts();
+    doubtReference();
     if (std::any_of(m_swing.pairs.begin(), m_swing.pairs.end(), [](const NmeaPair& pair) { return !pair.turnRate_deg_s; }))
         tell(MARKED("core", "some headings have no time near them: their turn rate is not known and not limited"));
     const auto told = toldOfLog(m_log);

@@ -1,0 +1,151 @@
+#include "core/nmea/NmeaAgreement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/Number.h"
+#include "core/nmea/NmeaSources.h"
+
+namespace lubberline {
+
+namespace {
+
+constexpr std::size_t kSectors = 8, kFewestBeside = 10; ///< headings are compared by sectors, each of so many moments at least
+constexpr double kApartSameKind_deg = 1.0, kApartOtherKind_deg = 3.0;
+/// Two instruments of their own scatter against each other by more than this times their rounding, and by a little at least.
+constexpr double kOfRounding = 1.25, kLeastScatter_deg = 0.03;
+
+struct Sector {
+    double sum = 0, squares = 0;
+    std::size_t count = 0;
+    void add(double apart_deg) { sum += apart_deg, squares += apart_deg * apart_deg, ++count; }
+    [[nodiscard]] double mean() const { return sum / static_cast<double>(count); }
+    [[nodiscard]] double standardError() const
+    {
+        const double n = static_cast<double>(count);
+        return std::sqrt(std::max(0.0, squares / n - mean() * mean()) / n);
+    }
+};
+
+struct Apart {
+    Sector all;
+    std::array<Sector, kSectors> sectors;
+};
+
+std::size_t sectorOf(double heading_deg)
+{
+    return static_cast<std::size_t>(wrap360(heading_deg) / 360.0 * static_cast<double>(kSectors)) % kSectors;
+}
+
+bool tells(const TimedHeading& heading, NmeaNorth north, double leastSpeed_kt, double mostSpeed_kt)
+{
+    if (!heading.heading_deg)
+        return false;
+    return north != NmeaNorth::Track || (heading.speed_kt && *heading.speed_kt >= leastSpeed_kt && *heading.speed_kt < mostSpeed_kt);
+}
+
+/// How far the other lies from the reference, at each moment at which both tell. What they differ by is taken about their first
+/// difference, so that instruments half a circle apart have a mean, too.
+Apart apartOf(const NmeaStream& reference, const NmeaStream& other, const NmeaTimes& times, double leastSpeed_kt)
+{
+    const double most_kt = reference.north == other.north ? HUGE_VAL : kFlies_kt;
+    const HeadingLine line(inTime(reference, times));
+    Apart apart;
+    std::optional<double> first;
+    for (const auto& heading : inTime(other, times)) {
+        const auto beside = line.at(heading.seconds);
+        if (!beside || !tells(heading, other.north, leastSpeed_kt, most_kt) || !tells(*beside, reference.north, leastSpeed_kt, most_kt))
+            continue;
+        const double turned = wrap180(*heading.heading_deg - *beside->heading_deg);
+        first = first.value_or(turned);
+        const double difference = *first + wrap180(turned - *first);
+        apart.all.add(difference);
+        apart.sectors[sectorOf(*beside->heading_deg)].add(difference);
+    }
+    return apart;
+}
+
+/// The largest mean of a sector, about `about_deg`, less what its scatter explains.
+double largestSector_deg(const Apart& apart, double about_deg)
+{
+    double largest = 0.0;
+    for (const auto& sector : apart.sectors)
+        if (sector.count >= kFewestBeside)
+            largest = std::max(largest, std::abs(sector.mean() - about_deg) - 3.0 * sector.standardError());
+    return largest;
+}
+
+/// Step of the figures that a stream is written to [deg]: 1, 0.1, or finer.
+double stepOf_deg(const NmeaStream& stream)
+{
+    for (const double step : {1.0, 0.1})
+        if (std::ranges::all_of(stream.sent, [step](const NmeaSent& sent) {
+                const double steps = sent.angle_deg.value_or(0.0) / step;
+                return std::abs(steps - std::round(steps)) < 1e-6;
+            }))
+            return step;
+    return 0.01;
+}
+
+} // namespace
+
+std::vector<NmeaContradiction> contradictionsOf(
+    const NmeaLog& log, const NmeaStream& reference, const NmeaStream& compass, const NmeaTimes& times, double leastSpeed_kt)
+{
+    std::vector<NmeaContradiction> found;
+    for (const auto& other : log.streams()) {
+        // A second compass has a deviation of its own, and what may be made of the compass contradicts nothing.
+        if (&other == &reference || other.north == NmeaNorth::Compass || doubtOfReference(other.source, other.north, compass.source))
+            continue;
+        const Apart apart = apartOf(reference, other, times, std::max(leastSpeed_kt, 1.0));
+        if (apart.all.count < kFewestBeside)
+            continue;
+        const double mean = apart.all.mean();
+        if (other.north == reference.north) {
+            if (std::abs(wrap180(mean)) - 3.0 * apart.all.standardError() >= kApartSameKind_deg)
+                found.push_back({{MARKED("core",
+                                      "%1 stands beside %2 and tells %3° more on average (east +): one of the two is wrong, and the log "
+                                      "does not say which; %2 is taken, and A is no surer than that"),
+                                     nameOf(other.source), nameOf(reference.source), signedFigureText(wrap180(mean), 1)},
+                    std::abs(wrap180(mean)) / std::sqrt(2.0)});
+            continue;
+        }
+        const double largest = largestSector_deg(apart, reference.north == NmeaNorth::Compass ? mean : 0.0);
+        if (largest >= kApartOtherKind_deg)
+            found.push_back({{MARKED("core",
+                                  "%1 and %2 disagree by up to %3° on some headings: on wheels a track is the heading, so one of the two "
+                                  "is wrong, or a heading that is made of the compass"),
+                                 nameOf(other.source), nameOf(reference.source), figureText(largest, 1)},
+                0.0});
+    }
+    return found;
+}
+
+std::optional<Message> doubtOfRepetition(const NmeaStream& reference, const NmeaStream& compass, const std::vector<NmeaPair>& pairs)
+{
+    Apart apart;
+    std::optional<double> first;
+    for (const auto& pair : pairs) {
+        if (!pair.used)
+            continue;
+        const double turned = wrap180(pair.magnetic.degrees() - pair.compass.degrees());
+        first = first.value_or(turned);
+        const double difference = *first + wrap180(turned - *first);
+        apart.all.add(difference);
+        apart.sectors[sectorOf(pair.compass.degrees())].add(difference);
+    }
+    const auto seen = std::ranges::count_if(apart.sectors, [](const Sector& sector) { return sector.count >= 3; });
+    if (seen < 6)
+        return {};
+    const double rounding = std::hypot(stepOf_deg(reference), stepOf_deg(compass)) / std::sqrt(12.0);
+    const double scatter = apart.all.standardError() * std::sqrt(static_cast<double>(apart.all.count));
+    if (scatter > kOfRounding * rounding + kLeastScatter_deg)
+        return {};
+    return Message{MARKED("core",
+                       "%1 differs from the compass by %2° at all headings, within %3°: no second instrument agrees so well. If it is made "
+                       "of this compass (by a multiplexer, a plotter, an autopilot), it shows no deviation, and no card may be made of it"),
+        nameOf(reference.source), signedFigureText(wrap180(apart.all.mean()), 1), figureText(scatter, 2)};
+}
+
+} // namespace lubberline
