@@ -3,6 +3,7 @@
 #include "app/Console.h"
 #include "app/Paths.h"
 #include "core/demo/DemoFleet.h"
+#include "db/transfer/SignedFleet.h"
 #include "db/transfer/Transfer.h"
 
 namespace lubberline::app {
@@ -18,10 +19,13 @@ Result<std::unique_ptr<db::Stores>> openDemonstration(const std::string& option)
     const auto totals = (*stores)->fleet.totals();
     if (!totals)
         return totals.error();
-    if (totals->swings == 0)
-        if (const auto imported = db::importFleet((*stores)->database(), demoFleet(), consoleProgress("storing the demonstration fleet"));
+    if (totals->swings == 0) {
+        Fleet fleet = demoFleet();
+        db::signInNames(fleet);
+        if (const auto imported = db::importFleet((*stores)->database(), fleet, consoleProgress("storing the demonstration fleet"));
             !imported)
             return imported.error();
+    }
     return stores;
 }
 

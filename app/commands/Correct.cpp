@@ -1,7 +1,12 @@
+#include <cmath>
+#include <utility>
+
 #include "app/Console.h"
 #include "app/SwingSource.h"
 #include "app/Tables.h"
 #include "app/commands/Command.h"
+#include "core/angle/PrintedHeading.h"
+#include "core/base/Number.h"
 #include "core/format/results/AnalysisJson.h"
 #include "core/swing/Observations.h"
 
@@ -14,20 +19,43 @@ struct CorrectArguments {
     bool json = false;
 };
 
+/// What must be known before a screw is turned: all that `analyse` would say of the readings, and a term that no corrector takes.
+std::vector<Message> doubtsOf(const Analysis& analysis, const Correction& correction)
+{
+    std::vector<Message> doubts = analysis.warnings;
+    for (const auto& slip : analysis.slips.slips)
+        doubts.push_back({MARKED("app", "the reading on %1° looks misread: read it again before a screw is turned"),
+            figureText(printedHeading_deg(analysis.readings[slip.reading].magnetic.degrees(), 0), 0)});
+    constexpr double kMostOfACorrector_deg = 25.0;
+    for (const auto& [letter, term_rad] : {std::pair('B', correction.B_rad), std::pair('C', correction.C_rad)})
+        if (const double term_deg = toDegrees(term_rad); std::abs(term_deg) > kMostOfACorrector_deg)
+            doubts.push_back(
+                {MARKED("app",
+                     "%1 is %2°, more than a corrector takes (some %3°): look for what is magnetised, or misread, before a screw is turned"),
+                    letter, signedFigureText(term_deg, 1), figureText(kMostOfACorrector_deg, 0)});
+    return doubts;
+}
+
 int correctCommand(const CorrectArguments& options)
 {
     const auto swing = swingFromCsv(options.file);
     if (!swing)
         return fail(swing.error());
+    const auto analysis = analyseSwing(*swing);
+    if (!analysis) // of a compass that is stuck, backwards or does not follow no figure is right
+        return fail(analysis.error());
     const auto correction = correctionSteps(observationsOf(swing->record.swing));
     if (!correction) {
         Error error = correction.error();
         error.file = swing->source;
         return fail(error);
     }
-    warn(swing->warnings);
+    std::vector<Message> warnings = swing->warnings;
+    const auto doubts = doubtsOf(*analysis, *correction);
+    warnings.insert(warnings.end(), doubts.begin(), doubts.end());
+    warn(warnings);
     if (options.json)
-        put("%s\n", toJson(*correction).c_str());
+        put("%s\n", toJson(*correction, warnings).c_str());
     else
         putText(tableOf(*correction));
     return kDone;

@@ -143,6 +143,32 @@ Result<DueCause> causeOf(const EventOptions& options)
             : Message{MARKED("app", "--cause: '%1' is not known; expected one of %2 (did you mean %3?)"), options.cause, known, near}};
 }
 
+/// What the event makes due now, in words: as the list will tell it.
+Result<Message> dueBy(db::Stores& stores, const Event& event)
+{
+    if (event.cause == DueCause::Other)
+        return Message(MARKED("app", "opens no due flag"));
+    auto compasses = stores.due.compasses();
+    if (!compasses)
+        return compasses.error();
+    std::erase_if(*compasses, [&](const DueCompass& one) { return one.aircraft != event.aircraft; });
+    std::vector<Message> due;
+    Date answered;
+    for (const DueLine& line : dueList(*compasses, {}, {}, today())) {
+        const auto flag = std::ranges::find(line.answer.flags, event.record, &DueFlag::event);
+        if (flag != line.answer.flags.end())
+            due.push_back({MARKED("app", "%1: %2"), line.compass.compassName, flag->reason});
+        else
+            answered = std::max(answered, line.answer.lastSigned);
+    }
+    if (!due.empty())
+        return Message{MARKED("app", "a swing is due until a later one is signed, or a waiver answers (%1)"), together(due)};
+    if (event.date > today())
+        return Message{MARKED("app", "is still to come: a swing is due from %1 on"), event.date};
+    return answered.empty() ? Message(MARKED("app", "the aircraft has no compass that it makes due"))
+                            : Message{MARKED("app", "makes nothing due: the swing of %1 was signed after it"), answered};
+}
+
 int eventCommand(const EventOptions& options, const std::string& database)
 {
     const auto session = makeDrawingSession();
@@ -175,8 +201,10 @@ int eventCommand(const EventOptions& options, const std::string& database)
         putText(json.take());
         return kDone;
     }
-    put("%s  %s: %s\n", event.record.c_str(), std::string(fileWord(event.cause)).c_str(),
-        event.cause == DueCause::Other ? "opens no due flag" : "a swing is due until a later one is signed, or a waiver answers");
+    const auto what = dueBy(**stores, event);
+    if (!what)
+        return fail(what.error());
+    put("%s  %s: %s\n", event.record.c_str(), std::string(fileWord(event.cause)).c_str(), what->english().c_str());
     return kDone;
 }
 

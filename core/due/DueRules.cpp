@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/record/ClockDates.h"
+
 namespace lubberline {
 
 namespace {
@@ -48,9 +50,39 @@ std::optional<DueFlag> forecastFlag(const DueInput& input, Date lastSigned)
     return DueFlag{due ? DueState::Due : DueState::DueSoon, since, words, {}, forecast.probability};
 }
 
+/// No aircraft had a compass before.
+constexpr Date kFirstFlights = "1903-01-01";
+
+/// An engine's change can be planned; nobody plans to be struck by lightning.
+bool isPlanned(const DueEvent& event, Date today)
+{
+    switch (event.cause) {
+    case DueCause::Lightning:
+    case DueCause::ElectricalStorm:
+    case DueCause::HardLanding:
+    case DueCause::AccuracySuspected: return false;
+    default: return event.date > today;
+    }
+}
+
+/// Not written, still to come, or one from which clocks count: whether the compass was swung after it nobody can tell.
+bool dayIsKnown(const DueEvent& event, Date today)
+{
+    return !event.date.empty() && event.date >= kFirstFlights && doubtOfDate(event.date, today).empty();
+}
+
+Message wordsOf(const DueEvent& event, bool dayKnown)
+{
+    if (dayKnown)
+        return event.reason;
+    return event.date.empty()
+        ? Message{MARKED("core", "%1, on a day that is not recorded: it may have been after the last swing"), event.reason}
+        : Message{MARKED("core", "%1, dated %2, which cannot be right: it may have been after the last swing"), event.reason, event.date};
+}
+
 bool answered(const DueEvent& event, const DueInput& input, Date lastSigned)
 {
-    const bool swung = !lastSigned.empty() && lastSigned > event.date;
+    const bool swung = dayIsKnown(event, input.today) && !lastSigned.empty() && lastSigned > event.date;
     return swung
         || std::any_of(input.waivers.begin(), input.waivers.end(), [&](const Waiver& waiver) { return waiver.event == event.record; });
 }
@@ -69,11 +101,12 @@ DueAnswer dueOf(const DueInput& input)
     if (auto flag = installationFlag(input, answer.lastSigned))
         answer.flags.push_back(std::move(*flag));
     for (const auto& event : input.events) {
-        if (event.cause == DueCause::Other || event.date > input.today || answered(event, input, answer.lastSigned))
+        if (event.cause == DueCause::Other || isPlanned(event, input.today) || answered(event, input, answer.lastSigned))
             continue;
-        if (!input.installed.empty() && event.date < input.installed)
+        const bool known = dayIsKnown(event, input.today);
+        if (known && !input.installed.empty() && input.installed <= input.today && event.date < input.installed)
             continue; // before this compass was on the aircraft
-        answer.flags.push_back({DueState::Due, event.date, event.reason, event.record});
+        answer.flags.push_back({DueState::Due, known ? event.date : Date(), wordsOf(event, known), event.record});
     }
     if (!input.outOfLimitsSince.empty())
         answer.flags.push_back({DueState::Due, input.outOfLimitsSince, input.outOfLimitsReason, {}});

@@ -54,7 +54,7 @@ enum class DueState { NotDue, DueSoon, Due, Overdue };
 
 struct DueFlag {
     DueState state = DueState::Due;
-    Date since; ///< the day of the event or installation, or the calendar's last day; empty: never swung
+    Date since; ///< the day of the event or installation, or the calendar's last day; empty: never swung, or not known
     Message reason;
     RecordId event;                         ///< that opened it; empty: calendar, installation, prediction or forecast
     std::optional<double> probability = {}; ///< of a forecast
@@ -69,7 +69,8 @@ struct DueAnswer {
 
 /// Calendar: a swing of 23 November 2024 with 24 months is good through 23 November 2026, due from the day after, overdue when
 /// the grace has passed, too. Never signed: due. Events: open while no signed swing is dated after the event's day, and no
-/// waiver answers them; a swing of the same day does not tell whether it came after, so it does not clear (a waiver does).
+/// waiver answers them; a swing of the same day does not tell whether it came after, so it does not clear (a waiver does), and no swing clears
+/// an event whose day is not recorded or cannot be right (still to come, one from which clocks count).
 /// Forecast: due and due soon from the chances above on, until a swing is signed that it does not know of.
 /// Installed after the last signed swing: due, until one of that day or later is signed.
 /// Out of limits: due, whatever is signed, until a signed swing says that it is within them.

@@ -368,6 +368,7 @@ Result<Card> makeCard(const Analysis& analysis, const CardOptions& options)
     Card card;
     card.options = options;
     card.gaps = work->gaps;
+    card.index_deg = options.removed.test(indexOf(Coefficient::A)) ? 0.0 : toDegrees(analysis.approximate.index_rad);
     card.rows = rowsOf(*work, options.step_deg);
     if (const auto rising = checkRising(card.rows, options.by); !rising)
         return rising.error();

@@ -58,6 +58,7 @@ struct DeviationThere {
 struct Card {
     CardOptions options;
     std::vector<CardRow> rows;
+    double index_deg = 0;                 ///< of a compass that is far out as a whole; all rows have it, unless A was removed
     double residualMaxAbs_rad = 0;        ///< over the rows
     DeviationThere largestResidual;       ///< of the rows
     DeviationThere largestReading;        ///< of the readings, as the compass stands after what was removed

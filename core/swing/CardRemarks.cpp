@@ -128,6 +128,11 @@ std::vector<Message> remarksOn(const Card& card, const SwingRecord& record)
 {
     std::vector<Message> remarks;
     remarkLimits(remarks, card, record.limits);
+    if (card.index_deg != 0.0)
+        remarks.push_back({MARKED("core",
+                               "THE COMPASS IS %1°%2 OUT AS A WHOLE: its mount, its lubber line, or from which side it was read, is "
+                               "to be looked at before anybody steers by it"),
+            static_cast<int>(std::lround(std::abs(card.index_deg))), card.index_deg > 0 ? 'E' : 'W'});
     for (const auto& reading : record.swing.readings)
         if (reading.nominal_deg && !reading.complete())
             remarks.push_back({reading.note.empty() ? MARKED("core", "not read on %1") : MARKED("core", "not read on %1 (%2)"),

@@ -16,13 +16,16 @@ namespace lubberline {
 namespace {
 
 /// Beyond this, the places are equal but for rounding.
-constexpr double kSamePlaces = 1e6;
+constexpr double kSamePlaces = 1000.0;
+/// No aircraft has vertical soft iron beyond this part of lambda: what is not known within it is not known.
+constexpr double kMostVerticalIron = 0.3;
 /// Swings that contradict each other more than one set in a hundred would by chance.
 constexpr double kContradiction = 0.99;
 
 std::string withError(double value, double error, int decimals)
 {
-    return error > 0 ? signedFigureText(value, decimals) + " \u00b1 " + figureText(error, decimals) : signedFigureText(value, decimals);
+    return error > 0 ? signedFigureText(value, decimals) + " (s.e. " + figureText(error, decimals) + ")"
+                     : signedFigureText(value, decimals);
 }
 
 /// (vertical soft iron, hard iron as a part of the mean H) of one coefficient over the swings.
@@ -223,7 +226,12 @@ std::vector<Knowledge> whatSwingsTell(const SwingAtPlace& swing, const std::opti
         {true, {MARKED("core", "(c tan I + P/H)/\u03bb = B = %1"), withError(value.B, error.B, 4)}},
         {true, {MARKED("core", "(f tan I + Q/H)/\u03bb = C = %1"), withError(value.C, error.C, 4)}},
     };
-    if (separation) {
+    if (separation && std::max(separation->c.standardError, separation->f.standardError) > kMostVerticalIron) {
+        list.push_back({false,
+            {MARKED(
+                 "core", "c apart from P, f apart from Q: the places are too alike, c/\u03bb would be known within a standard error of %1"),
+                figureText(separation->c.standardError, 1)}});
+    } else if (separation) {
         list.push_back({true,
             {MARKED("core", "vertical soft iron: c/\u03bb = %1, f/\u03bb = %2"),
                 withError(separation->c.value, separation->c.standardError, 4),

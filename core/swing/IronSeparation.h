@@ -23,7 +23,8 @@ struct SwingAtPlace {
     std::string label;                                          ///< site and date, for messages
     int degreesOfFreedom = 0;                                   ///< of the fit that the standard errors are from; 0: they are known well
     std::optional<Eigen::Matrix<double, 5, 5>> covariance = {}; ///< of the fit, A … E; none: the errors are independent
-    Message taken = {}; ///< what was taken from elsewhere because the readings do not tell it; empty: nothing
+    double index_rad = 0; ///< of a compass that is far out as a whole: `exact` is of it mounted right, and it deviates by this more
+    Message taken = {};   ///< what was taken from elsewhere because the readings do not tell it; empty: nothing
 };
 
 /// Whether the swing's own errors of B and C are known.

@@ -8,6 +8,7 @@
 #include "core/earth/FieldModel.h"
 #include "core/sensor/PoissonSmith.h"
 #include "core/sensor/SensorReading.h"
+#include "core/swing/CompassAtFault.h"
 
 namespace lubberline {
 
@@ -156,15 +157,16 @@ std::vector<double> halfWidths_rad(const Headings& headings, const ExactSmith& m
     return width;
 }
 
-void fill(Prediction& prediction, const Headings& headings, std::span<const ExactSmith> draws)
+/// @param index_rad of a compass that is far out as a whole: no place changes it, and all of the curve has it.
+void fill(Prediction& prediction, const Headings& headings, std::span<const ExactSmith> draws, double index_rad)
 {
     const auto width = halfWidths_rad(headings, *prediction.exact, draws);
     for (std::size_t i = 0; i < headings.count(); ++i) {
         PredictedPoint point{headings.at(i), {}, {}, {}};
         if (const auto deviation = headings.left(*prediction.exact, i).deviation_rad()) {
-            point.deviation = Deviation::fromRadians(*deviation);
-            point.lowest_rad = *deviation - width[i];
-            point.highest_rad = *deviation + width[i];
+            point.deviation = Deviation::fromRadians(*deviation + index_rad);
+            point.lowest_rad = point.deviation->radians() - width[i];
+            point.highest_rad = point.deviation->radians() + width[i];
         }
         prediction.points.push_back(point);
     }
@@ -266,7 +268,11 @@ Result<Prediction> predict(std::span<const SwingAtPlace> swings, const Move& mov
     for (const auto& draw : iron.draws)
         there.push_back(draw.at(move.there));
     prediction.exact = iron.mean.at(move.there);
-    fill(prediction, headings, there);
+    const double index_rad = swings.back().index_rad; // as the compass stands since the last of them
+    fill(prediction, headings, there, index_rad);
+    for (const auto& words : {indexWords(toDegrees(index_rad)), indexMeaning(toDegrees(index_rad))})
+        if (words)
+            prediction.warnings.push_back(*words);
     if (move.here)
         prediction.change = changeOf(headings, iron, *move.here, move.there);
     warnOfField(prediction);

@@ -59,7 +59,7 @@ Result<SwingAtPlace> swingAtPlace(const ExactFit& fit, const MeridianField& fiel
     const auto error = [&fit](Coefficient which) { return fit.standardError[indexOf(which)].value_or(0.0); };
     return SwingAtPlace{fit.smith(),
         {error(Coefficient::A), error(Coefficient::B), error(Coefficient::C), error(Coefficient::D), error(Coefficient::E)}, field, label,
-        fit.degreesOfFreedom, fit.covariance};
+        fit.degreesOfFreedom, fit.covariance, fit.index_rad};
 }
 
 } // namespace lubberline

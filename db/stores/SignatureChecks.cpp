@@ -9,6 +9,7 @@
 
 #include "core/format/exchange/SignedContent.h"
 #include "core/record/RecordWords.h"
+#include "db/chain/Links.h"
 #include "db/engine/Statement.h"
 #include "db/stores/Signatures.h"
 #include "db/stores/SigningStore.h"
@@ -81,10 +82,25 @@ bool changedAfter(const std::vector<TrailRow>& trail, std::int64_t entry)
     });
 }
 
+/// An entry that says that the swing was frozen.
+bool freezesSwing(const TrailRow& row)
+{
+    return row.what == "froze swing" || row.detail.find("state: 1 -> 2") != std::string::npos
+        || (row.what == "added swing" && row.detail.find("; state: 2;") != std::string::npos);
+}
+
+bool signedBefore(const std::vector<TrailRow>& trail, const ChainHead& head)
+{
+    return std::none_of(trail.begin(), trail.end(), namesSignature)
+        && std::any_of(trail.begin(), trail.end(), [&head](const TrailRow& row) { return row.id <= head.before && freezesSwing(row); });
+}
+
 class Signings {
 public:
-    Signings(Database& database, std::vector<NotedHead>& heads, std::vector<Message>& notes, const Progress& progress)
+    Signings(
+        Database& database, const ChainHead& head, std::vector<NotedHead>& heads, std::vector<Message>& notes, const Progress& progress)
         : m_database(database)
+        , m_head(head)
         , m_heads(heads)
         , m_notes(notes)
         , m_progress(progress)
@@ -183,11 +199,18 @@ private:
     {
         const bool frozen = swing.state == SwingState::Signed;
         if (swing.signatures.empty()) {
-            const bool told = std::any_of(trail.begin(), trail.end(),
-                [](const TrailRow& row) { return row.what == "froze swing" || row.detail.find("state: 1 -> 2") != std::string::npos; });
-            if (frozen && !told)
-                findings.push_back({MARKED("db", "the swing of %1 (record %2) is signed, and the audit trail does not say by whom"),
-                    swing.date, swing.record});
+            if (!frozen || signedBefore(trail, m_head))
+                return;
+            const bool cameSo
+                = std::none_of(trail.begin(), trail.end(), namesSignature) && std::any_of(trail.begin(), trail.end(), freezesSwing);
+            const Message said = cameSo
+                ? Message{MARKED("db",
+                              "the swing of %1 (record %2) came with an import as a signed one, and the file does not say by whom: it is "
+                              "printed as not signed"),
+                    swing.date, swing.record}
+                : Message{MARKED("db", "the swing of %1 (record %2) is signed, and the audit trail does not say by whom"), swing.date,
+                    swing.record};
+            (cameSo ? m_notes : findings).push_back(said);
         } else if (frozen && !freezes(swing.signatures, hold)) {
             findings.push_back({MARKED("db", "the signed swing of %1 (record %2) is not what was signed"), swing.date, swing.record});
         } else if (!frozen && freezes(swing.signatures, hold)) {
@@ -197,6 +220,7 @@ private:
     }
 
     Database& m_database;
+    const ChainHead& m_head;
     std::vector<NotedHead>& m_heads;
     std::vector<Message>& m_notes;
     const Progress& m_progress;
@@ -247,6 +271,15 @@ Result<std::vector<SignatureState>> statesIn(Database& database, const SwingReco
     return states;
 }
 
+Result<bool> signedBeforeSignatures(Database& database, const RecordId& record)
+{
+    const auto trail = trailOf(database, record);
+    const auto head = chainHead(database);
+    if (!trail || !head)
+        return trail ? head.error() : trail.error();
+    return signedBefore(*trail, *head);
+}
+
 Result<std::vector<Message>> signatureFaults(
     Database& database, std::vector<NotedHead>& heads, std::vector<Message>& notes, const Progress& progress)
 {
@@ -259,7 +292,7 @@ Result<std::vector<Message>> signatureFaults(
     const auto ids = rowsOf<SwingId>(statement, [](Statement& row) { return row.id<SwingId>(0); });
     if (!ids)
         return ids.error();
-    Signings all(database, heads, notes, progress);
+    Signings all(database, *head, heads, notes, progress);
     for (const SwingId id : *ids)
         if (const auto done = all.check(id, head->file); !done)
             return done.error();

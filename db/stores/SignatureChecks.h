@@ -15,6 +15,10 @@ namespace lubberline::db {
 /// Likewise of a stored one; what is printed otherwise must be a change that the trail knows, or the signature does not hold.
 Result<std::vector<SignatureState>> statesIn(Database& database, const SwingRecord& record, const std::optional<SwingJob>& job);
 
+/// Whether a swing that has no signatures was signed before signatures were kept: an entry from before the trail's chain says that it was
+/// frozen, and none names a signature. Of any other such swing nobody knows who signed it, if anybody did.
+Result<bool> signedBeforeSignatures(Database& database, const RecordId& record);
+
 /// Signatures and the trail, held against each other for all swings. @return what is wrong; adds the heads that signatures given
 /// in this file name, and to `notes` what is no fault: keys that the station does not know.
 Result<std::vector<Message>> signatureFaults(

@@ -230,6 +230,13 @@ Result<std::vector<bool>> SigningStore::hold(SwingId id)
     return all ? Result<std::vector<bool>>(holding(*all)) : all.error();
 }
 
+Result<bool> SigningStore::stands(const Swing& swing, const std::vector<SignatureState>& states)
+{
+    if (!swing.signatures.empty())
+        return states.size() == swing.signatures.size() && freezes(swing.signatures, holding(states));
+    return swing.state == SwingState::Signed ? signedBeforeSignatures(m_database, swing.record) : Result<bool>(false);
+}
+
 Result<std::vector<KeyVerdict>> SigningStore::verdicts(SwingId id, const Progress& progress)
 {
     const auto signatures = signaturesOf(m_database, id);

@@ -32,6 +32,9 @@ public:
     Result<void> add(SwingId id, const Signature& prepared);
     Result<std::vector<bool>> hold(SwingId id);             ///< as Swing::signatures
     Result<std::vector<SignatureState>> states(SwingId id); ///< likewise
+    /// Whether signatures stand over what a signed swing says now. @param states of its signatures, in their order; a swing without any
+    /// stands only where it was signed before signatures were kept.
+    Result<bool> stands(const Swing& swing, const std::vector<SignatureState>& states);
     /// Of each signature what its key is worth, by the station's list. Runs gpg for those that have one: on a worker.
     Result<std::vector<KeyVerdict>> verdicts(SwingId id, const Progress& progress);
     /// states() with the verdicts in them.

@@ -22,7 +22,6 @@ public:
 
     Result<void> swing(const Swing& swing);
     Imported imported;
-    int signedByNobody = 0; ///< before signatures were kept, or they were taken out: told once for all
 
 private:
     Result<SwingId> add(Swing swing, const JobRecord* job);
@@ -149,7 +148,6 @@ Result<void> Importer::swing(const Swing& original)
         auto told = checkStored(m_database, m_fleet, *stored, original, job);
         if (!told)
             return told.error();
-        signedByNobody += one.state == SwingState::Signed && one.signatures.empty();
         imported.warnings.insert(imported.warnings.end(), told->begin(), told->end());
         return {};
     }
@@ -190,9 +188,6 @@ Result<Imported> importFleet(Database& database, const Fleet& fleet, const Progr
         if (const auto done = importer.swing(fleet.swings[i]); !done)
             return done.error();
     }
-    if (importer.signedByNobody > 0)
-        importer.imported.warnings.push_back(
-            {MARKED_N("db", "%n new swing(s) signed, and the file does not say by whom"), importer.signedByNobody});
     if (progress && !progress(1.0)) // the last moment at which nothing has been stored
         return Error{ErrorCode::Cancelled, MARKED("db", "cancelled; nothing was stored"), database.path().toStdString()};
     if (const auto committed = transaction->commit(); !committed)

@@ -41,8 +41,11 @@ Result<std::vector<Message>> checkStored(Database& database, const Fleet& fleet,
         warnings.push_back({MARKED("db", "the swing of %1, %2, %3 (record %4): %5"), record->aircraft.registration, record->compass.name,
             swing.date, swing.record, std::move(what)});
     };
-    if (swing.signatures.empty())
+    if (swing.signatures.empty()) {
+        if (swing.state == SwingState::Signed) // before signatures were kept, or they were taken out of the file
+            tell(MARKED("db", "the file has it as signed and does not say by whom; it is printed as not signed"));
         return warnings;
+    }
     // What was changed where it comes from, after it was signed: said here, in the trail and wherever it is printed.
     std::set<std::string> told;
     for (const auto& state : statesBy(recordIn(fleet, original), job ? std::optional(job->job) : std::nullopt))

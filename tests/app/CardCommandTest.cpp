@@ -65,6 +65,23 @@ TEST(CorrectCommand, millstdExampleWithTheSignTurned)
     EXPECT_EQ(json["C_deg"], -5.5);
 }
 
+TEST(CorrectCommand, turnsNoScrewForReadingsThatCannotBeRight)
+{
+    const Sandbox sandbox;
+    // West misread by 100: no coefficient follows, and "make the compass read 41" is for no crew.
+    const auto refused = sandbox.run({"correct", sandbox.write("c.csv", kHeader + "0,357\n90,91\n180,183\n271,171\n")});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_THAT(refused.err, testing::HasSubstr("no deviation can be told"));
+    const auto reciprocal = sandbox.run({"correct", sandbox.write("c.csv", kHeader + "0,180\n90,270\n180,0\n270,90\n"), "--json"});
+    EXPECT_EQ(reciprocal.status, 0);
+    EXPECT_THAT(reciprocal.err, testing::HasSubstr("reads the reciprocal"));
+    EXPECT_THAT(reciprocal.json()["warnings"].dump(), testing::HasSubstr("reads the reciprocal"));
+    const auto large = sandbox.run({"correct", sandbox.write("c.csv", kHeader + "0,0\n90,60\n180,180\n270,300\n")});
+    EXPECT_EQ(large.status, 0);
+    EXPECT_THAT(large.err, testing::HasSubstr("B is +30.0°, more than a corrector takes"));
+}
+
 TEST(CorrectCommand, namesTheCardinalThatIsMissing)
 {
     const Sandbox sandbox;

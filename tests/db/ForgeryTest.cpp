@@ -2,6 +2,8 @@
 
 #include "core/format/exchange/Exchange.h"
 #include "core/format/exchange/SignedContent.h"
+#include "db/stores/DueStore.h"
+#include "db/transfer/SignedFleet.h"
 #include "tests/db/SignedFile.h"
 
 namespace lubberline::test {
@@ -113,6 +115,18 @@ TEST_P(Forgeries, isNamed)
     EXPECT_THAT(found(), Contains(HasSubstr(GetParam().words)));
     const auto hold = holdNow();
     EXPECT_EQ(std::all_of(hold.begin(), hold.end(), [](bool one) { return one; }) && hold.size() == 2, GetParam().holds);
+    const bool onlyAdded = QString::fromLatin1(GetParam().name).endsWith("SignatureIsPutIn"); // beside two that hold: each says so itself
+    EXPECT_EQ(standsNow(), GetParam().holds || onlyAdded);
+}
+
+TEST_F(SignedFile, signedByItsStateAloneStandsForNothing)
+{
+    forge({"UPDATE swing SET state = 1", "DELETE FROM signature",
+        "DELETE FROM audit_entry WHERE what IN ('signed swing', 'froze swing')"}); // as one that was complete, and nobody signed
+    EXPECT_FALSE(standsNow());
+    forge({"UPDATE swing SET state = 2"});
+    EXPECT_FALSE(standsNow());
+    EXPECT_THAT(found(), Contains(HasSubstr("the audit trail does not say by whom")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Forgeries, testing::ValuesIn(kForgeries), [](const auto& test) { return std::string(test.param.name); });
@@ -218,7 +232,43 @@ TEST_F(SignedFile, anImportThatDoesNotHoldIsRefusedOrMarked)
     EXPECT_THAT(marked.second, testing::IsEmpty()); // told, in the trail, and printed as "signed as"
     const auto unsignedOne = elsewhere([](Fleet& one) { one.swings[0].signatures.clear(); });
     ASSERT_TRUE(unsignedOne.first);
-    EXPECT_THAT(inEnglish(unsignedOne.first->warnings), Contains(HasSubstr("does not say by whom")));
+    EXPECT_THAT(inEnglish(unsignedOne.first->warnings),
+        Contains(AllOf(HasSubstr("3713"), HasSubstr("2026-11-20"), HasSubstr("does not say by whom"), HasSubstr("printed as not signed"))));
+    Fleet bare = fleet;
+    bare.swings[0].signatures.clear();
+    bare.swings[0].readings[0].compass = CompassHeading::fromDegrees(1);
+    auto there = inMemory();
+    const auto id = db::importFleet(there, bare, {})->swingIds.front();
+    const Swing stored = *db::SwingStore(there).swing(id);
+    EXPECT_EQ(stored.state, SwingState::Signed); // as it came, frozen
+    EXPECT_FALSE(*db::SigningStore(there).stands(stored, {}));
+    EXPECT_THAT(inEnglish(db::verify(there, {})->notes), Contains(HasSubstr("it is printed as not signed")));
+    for (const auto& compass : *db::DueStore(there).compasses()) { // and it takes no compass off the list
+        EXPECT_TRUE(compass.signedSwings.empty());
+        for (const auto& finding : compass.findings)
+            EXPECT_FALSE(finding.isSigned);
+    }
+    auto signedThere = inMemory();
+    ASSERT_TRUE(db::importFleet(signedThere, fleet, {}));
+    EXPECT_EQ(db::DueStore(signedThere).compasses()->at(0).signedSwings.size(), 1u);
+}
+
+TEST_F(SignedFile, aDemonstrationIsSignedInNames)
+{
+    auto here = db::openDatabase(m_path, db::OpenMode::ReadOnly);
+    Fleet fleet = *db::exportFleet(*here, {}, {});
+    fleet.swings[0].signatures.clear();
+    fleet.swings[0].people.datumReader = "Ada";
+    fleet.swings[0].people.inspector = "Ben";
+    db::signInNames(fleet);
+    auto there = inMemory();
+    const auto imported = db::importFleet(there, fleet, {});
+    ASSERT_TRUE(imported) << describe(imported.error());
+    EXPECT_THAT(inEnglish(imported->warnings), testing::IsEmpty());
+    const auto id = imported->swingIds.front();
+    db::SigningStore signing(there);
+    EXPECT_TRUE(*signing.stands(*db::SwingStore(there).swing(id), *signing.states(id)));
+    EXPECT_THAT(db::verify(there, {})->findings, testing::IsEmpty());
 }
 
 TEST_F(SignedFile, aClockThatWasSetBackIsTold)

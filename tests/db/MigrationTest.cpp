@@ -152,6 +152,7 @@ TEST_P(OldDatabase, hasNoJobsAndSignaturesAndTakesThem)
     EXPECT_EQ(signedOne.signatures.size(), GetParam() < 4 ? 0u : 2u); // signed before signatures were kept: it stays frozen all the same
     EXPECT_FALSE(*db::JobStore(*database).jobOf(SwingId{1}));
     db::SigningStore signing(*database);
+    EXPECT_TRUE(*signing.stands(signedOne, *signing.states(SwingId{1})));
     const auto made = signing.amend(SwingId{1}, "wrong site");
     ASSERT_TRUE(made) << describe(made.error());
     EXPECT_EQ(swings.swing(*made)->supersedes, signedOne.record);

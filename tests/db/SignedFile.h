@@ -50,6 +50,12 @@ protected:
         auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
         return *db::SigningStore(*database).hold(m_swing);
     }
+    bool standsNow()
+    {
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+        db::SigningStore signing(*database);
+        return *signing.stands(*db::SwingStore(*database).swing(m_swing), *signing.states(m_swing));
+    }
 
     QTemporaryDir m_folder;
     QString m_path = m_folder.filePath("a.db");

@@ -108,6 +108,7 @@ std::vector<LicenceTable> licences()
                 {QStringLiteral("CLI11"), HelpText::tr("the command line"), QStringLiteral("BSD-3-Clause")},
                 {QStringLiteral("qpdf"), HelpText::tr("the data inside a report"), QStringLiteral("Apache-2.0")},
                 {QStringLiteral("libqrencode"), HelpText::tr("QR codes"), QStringLiteral("LGPL-2.1-or-later")},
+                {QStringLiteral("zlib"), HelpText::tr("check sum of those data"), QStringLiteral("Zlib")},
                 {QStringLiteral("SQLite"), HelpText::tr("the database"), HelpText::tr("public domain")}}}};
 }
 

@@ -96,14 +96,6 @@ Result<std::optional<SwingRecord>> radioPartner(db::Stores& stores, const SwingR
     return best;
 }
 
-/// Whether the signatures of a swing freeze what it says now.
-bool signaturesHold(const Swing& swing, const std::vector<SignatureState>& states)
-{
-    if (swing.signatures.empty()) // signed before signatures were kept: the state is all there is
-        return swing.state == SwingState::Signed;
-    return states.size() == swing.signatures.size() && freezes(swing.signatures, holding(states));
-}
-
 bool areVerified(const std::vector<SignatureState>& states)
 {
     return std::all_of(states.begin(), states.end(), [](const SignatureState& one) { return isVerified(one.key); });
@@ -119,8 +111,11 @@ Result<CardColumn> columnOf(db::Stores& stores, const SwingRecord& record, const
     const auto superseded = isSuperseded(stores, record);
     if (!states || !superseded)
         return states ? superseded.error() : states.error();
-    return CardColumn{columnHeading(record.swing.configuration.radio), std::move(card.value()), record,
-        signaturesHold(record.swing, *states), *superseded, signedAs(*states), areVerified(*states)};
+    const auto stands = stores.signing.stands(record.swing, *states);
+    if (!stands)
+        return stands.error();
+    return CardColumn{columnHeading(record.swing.configuration.radio), std::move(card.value()), record, *stands, *superseded,
+        signedAs(*states), areVerified(*states)};
 }
 
 QString nextDue(db::Stores& stores, const SwingRecord& record)
@@ -205,7 +200,8 @@ Result<SignedStanding> standingOf(db::Stores& stores, const SwingRecord& record,
         return states ? superseded.error() : states.error();
     for (std::size_t i = 0; i < states->size() && i < verdicts.size(); ++i)
         (*states)[i].key = verdicts[i];
-    return SignedStanding{signaturesHold(record.swing, *states), *superseded};
+    const auto stands = stores.signing.stands(record.swing, *states);
+    return stands ? Result<SignedStanding>({*stands, *superseded}) : stands.error();
 }
 
 Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& madeAtUtc, const Progress& progress)
@@ -226,11 +222,15 @@ Result<ReportInput> reportOf(db::Stores& stores, SwingId id, const QString& made
     const auto head = stores.signing.trailHead();
     if (!states || !head)
         return states ? head.error() : states.error();
+    const auto stands = stores.signing.stands(record->swing, *states);
+    if (!stands)
+        return stands.error();
     auto previousJob = *previous ? stores.jobs.jobOf((*previous)->id) : Result<std::optional<JobRecord>>(std::nullopt);
     if (!previousJob)
         return previousJob.error();
     ReportInput input;
     input.record = std::move(record.value());
+    input.signaturesStand = *stands;
     input.previousJob = std::move(previousJob.value());
     input.analysis = std::move(analysis.value());
     input.previous = std::move(previous.value());
@@ -327,9 +327,12 @@ Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString
     const auto superseded = isSuperseded(stores, *record);
     if (!states || !superseded)
         return states ? superseded.error() : states.error();
+    const auto stands = stores.signing.stands(record->swing, *states);
+    if (!stands)
+        return stands.error();
     StyleSheet1613 sheet;
     sheet.record = std::move(record.value());
-    sheet.holds = signaturesHold(sheet.record.swing, *states);
+    sheet.holds = *stands;
     sheet.verified = areVerified(*states);
     sheet.superseded = *superseded;
     sheet.madeAtUtc = madeAtUtc;
@@ -358,9 +361,12 @@ Result<StyleSheet1613> sheet1613Of(db::Stores& stores, SwingId id, const QString
     const auto theirs = stores.signing.checkedStates((*compensating)->swing.id, progress);
     if (!theirs)
         return theirs.error();
+    const auto theirsStand = stores.signing.stands((*compensating)->swing, *theirs);
+    if (!theirsStand)
+        return theirsStand.error();
     sheet.asFound = (*compensating)->swing;
     sheet.compensating = std::move(**compensating);
-    sheet.compensatingHolds = signaturesHold(sheet.compensating->swing, *theirs);
+    sheet.compensatingHolds = *theirsStand;
     return sheet;
 }
 

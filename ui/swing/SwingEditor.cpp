@@ -256,8 +256,14 @@ QString SwingEditor::whyReadOnly() const
 {
     if (m_context.stores.readOnly())
         return tr("This database can only be read.");
-    if (m_record.swing.state == SwingState::Signed)
-        return tr("This swing is signed: it is frozen.");
+    if (m_record.swing.state == SwingState::Signed) {
+        // Where signatures stand, and no longer hold, each says so itself.
+        const auto stands = m_record.swing.signatures.empty() ? m_context.stores.signing.stands(m_record.swing, {}) : Result<bool>(true);
+        return stands && *stands
+            ? tr("This swing is signed: it is frozen.")
+            : tr(
+                "This swing is frozen as a signed one, but nobody's signature is there: it is printed as not signed. Amend it to sign it.");
+    }
     if (m_record.swing.state == SwingState::Complete)
         return tr("This swing is complete. To change a reading, open it again.");
     return {};

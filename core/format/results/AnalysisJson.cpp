@@ -208,7 +208,7 @@ std::string toJson(const Card& card, const SwingRecord& record)
     return json.dump(2);
 }
 
-std::string toJson(const Correction& correction)
+std::string toJson(const Correction& correction, const std::vector<Message>& warnings)
 {
     Json json{{"A_deg", degrees(correction.A_rad)}, {"B_deg", degrees(correction.B_rad)}, {"C_deg", degrees(correction.C_rad)},
         {"steps", Json::array()}};
@@ -216,6 +216,7 @@ std::string toJson(const Correction& correction)
         json["steps"].push_back({{"coefficient", std::string(1, letterOf(step.coefficient))}, {"on", std::string(1, letterOf(step.on))},
             {"magnetic_heading_deg", headingJson(step.magnetic)}, {"compass_reads_deg", headingJson(step.compassReads)},
             {"make_compass_read_deg", headingJson(step.makeCompassRead)}});
+    json["warnings"] = inEnglish(warnings);
     return json.dump(2);
 }
 

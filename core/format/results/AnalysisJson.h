@@ -21,6 +21,6 @@ using TextSink = std::function<void(std::string_view)>;
 void writeJson(const Analysis& analysis, const Removal* removal, const TextSink& put);
 /// With what has to be said beside it (core/swing/CardRemarks.h). @param record whose swing it is of: its limits and attitude.
 [[nodiscard]] std::string toJson(const Card& card, const SwingRecord& record);
-[[nodiscard]] std::string toJson(const Correction& correction);
+[[nodiscard]] std::string toJson(const Correction& correction, const std::vector<Message>& warnings = {});
 
 } // namespace lubberline

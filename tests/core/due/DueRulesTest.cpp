@@ -49,6 +49,29 @@ TEST(DueRules, neverSwung)
     EXPECT_EQ(dueOf(without).state, DueState::NotDue);
 }
 
+TEST(DueRules, anEventWhoseDayCannotBeRightStaysOpenWhateverIsSigned)
+{
+    auto made = input("2026-11-23", {"2026-05-01"});
+    for (const Date day : {Date(), Date("2062-06-10"), Date("1980-01-06"), Date("0026-06-10")}) {
+        made.events = {{"e1", day, DueCause::Lightning, said("struck")}};
+        const auto due = dueOf(made);
+        ASSERT_EQ(due.flags.size(), 1u) << day.text();
+        EXPECT_EQ(due.state, DueState::Due);
+        EXPECT_EQ(due.flags[0].event, "e1");
+        EXPECT_TRUE(due.flags[0].since.empty());
+        EXPECT_NE(due.flags[0].reason.english().find("may have been after the last swing"), std::string::npos);
+    }
+    made.waivers = {Waiver{"w", "e1", "2026-11-01", "read again: 2024", "Ada"}};
+    EXPECT_EQ(dueOf(made).state, DueState::NotDue);
+    // An installation that is still to come hides nothing that happened.
+    made.waivers.clear();
+    made.installed = "2062-01-01";
+    made.events = {{"e1", "2026-06-10", DueCause::Lightning, said("struck")}};
+    EXPECT_EQ(dueOf(made).state, DueState::Due);
+    made.events = {{"e1", "2026-11-24", DueCause::Lightning, said("struck")}}; // tomorrow already, east of Greenwich
+    EXPECT_EQ(dueOf(made).flags.at(0).since, Date("2026-11-24"));
+}
+
 TEST(DueRules, anEventStaysOpenUntilALaterSignedSwingOrAWaiver)
 {
     auto made = input("2026-11-23", {"2026-05-01"});
@@ -120,7 +143,9 @@ TEST(DueRules, anEventOfTodayIsOpenToday)
     auto made = input("2028-02-29", {"2028-02-28"});
     made.events = {{"e1", "2028-02-29", DueCause::HardLanding, said("hard landing")}};
     EXPECT_EQ(dueOf(made).state, DueState::Due);
-    made.today = "2028-02-28";
+    made.today = "2028-02-28"; // UTC: east of Greenwich it is the 29th already, and nobody plans a hard landing
+    EXPECT_EQ(dueOf(made).state, DueState::Due);
+    made.events[0].cause = DueCause::EngineChange;
     EXPECT_EQ(dueOf(made).state, DueState::NotDue);
 }
 

@@ -9,7 +9,11 @@
 #include "core/deviation/Correction.h"
 #include "core/deviation/Derivation.h"
 #include "core/swing/Analysis.h"
+#include "core/swing/Card.h"
+#include "core/swing/CardRemarks.h"
+#include "core/swing/Prediction.h"
 #include "core/swing/Removal.h"
+#include "core/swing/SwingPlaces.h"
 
 namespace lubberline {
 namespace {
@@ -168,6 +172,28 @@ TEST_P(FarOut, saysWhatItsCoefficientsMean)
 }
 
 /// Further out than aircraft compasses are, and not far enough to be taken out: what B and C will be is said.
+TEST_P(FarOut, isPredictedAndCardedWithItsIndex)
+{
+    const auto field = MeridianField::fromDip(18700, toRadians(67.5)), there = MeridianField::fromDip(30000, toRadians(20));
+    const auto curveOf = [&](const Analysis& analysis) { return *predict(*swingAtPlace(analysis.exact, field, "a base"), there); };
+    const Analysis right = analysed(0, 45), out = analysed(GetParam(), 45);
+    const Prediction straight = curveOf(right), turned = curveOf(out);
+    for (std::size_t i = 0; i < straight.points.size(); ++i) {
+        const auto &one = straight.points[i], &other = turned.points[i];
+        EXPECT_NEAR(wrap180(other.deviation->degrees() - one.deviation->degrees() - GetParam()), 0, 1e-6) << i;
+        EXPECT_NEAR(*other.highest_rad - *other.lowest_rad, *one.highest_rad - *one.lowest_rad, 1e-9) << i;
+        EXPECT_NEAR((*other.highest_rad + *other.lowest_rad) / 2, other.deviation->radians(), 1e-9) << i;
+    }
+    EXPECT_GT(toDegrees(turned.maxAbs_rad), std::abs(GetParam()) - 5.0);
+    EXPECT_THAT(inEnglish(turned.warnings), testing::Contains(testing::HasSubstr("index")));
+    EXPECT_THAT(inEnglish(straight.warnings), testing::Not(testing::Contains(testing::HasSubstr("index"))));
+
+    const SwingRecord record;
+    const auto card = makeCard(out, {});
+    EXPECT_THAT(inEnglish(remarksOn(*card, record)), testing::Contains(testing::HasSubstr("OUT AS A WHOLE")));
+    EXPECT_THAT(inEnglish(remarksOn(*makeCard(right, {}), record)), testing::Not(testing::Contains(testing::HasSubstr("OUT AS A WHOLE"))));
+}
+
 TEST(OutOfPlace, saysWhatBAndCWillBeInTheMountSetRight)
 {
     const Analysis right = *analyse(readOnTheRound(0, 15));

@@ -70,11 +70,11 @@ QString useWords(const CardInput& input)
 std::vector<Fact> factsOfColumns(const std::vector<CardColumn>& columns)
 {
     std::vector<Fact> facts;
-    for (const Fact& fact : factsOf(columns.front().record)) {
+    for (const Fact& fact : factsOf(columns.front().record, columns.front().holds)) {
         QStringList each;
         bool same = true;
         for (const CardColumn& column : columns) {
-            const auto theirs = factsOf(column.record);
+            const auto theirs = factsOf(column.record, column.holds);
             const auto found = std::ranges::find_if(theirs, [&](const Fact& one) { return one.name == fact.name; });
             const QString value = found == theirs.end() ? notStated() : found->value;
             same = same && value == fact.value;
@@ -83,7 +83,7 @@ std::vector<Fact> factsOfColumns(const std::vector<CardColumn>& columns)
         facts.push_back(same ? fact : Fact{fact.name, each.join(QStringLiteral("; "))});
     }
     // What only the second record states.
-    for (const Fact& fact : factsOf(columns.back().record))
+    for (const Fact& fact : factsOf(columns.back().record, columns.back().holds))
         if (std::ranges::none_of(facts, [&](const Fact& one) { return one.name == fact.name; }))
             facts.push_back({fact.name, QStringLiteral("%1: %2").arg(columns.back().heading, fact.value)});
     return facts;

@@ -104,7 +104,8 @@ QStringList signatureLinesOf(const CardColumn& column)
         return {Words::tr("Not signed: figures without %1, which was taken out after what was signed")
                     .arg(lettersOf(column.card.options.removed))};
     if (swing.state == SwingState::Signed && !column.holds)
-        return {Words::tr("Not signed: the record is not what was signed")};
+        return {swing.signatures.empty() ? Words::tr("Not signed: the record says signed, and nobody's signature is there")
+                                         : Words::tr("Not signed: the record is not what was signed")};
     if (swing.state != SwingState::Signed)
         return {swing.state == SwingState::Draft ? Words::tr("Not signed: a draft")
                                                  : Words::tr("Not signed: complete, signatures are wanting")};

@@ -181,7 +181,7 @@ QString compensatingFact(const StyleSheet1613& sheet)
 
 std::vector<Fact> factsOf1613(const StyleSheet1613& sheet)
 {
-    std::vector<Fact> facts = factsOf(sheet.record);
+    std::vector<Fact> facts = factsOf(sheet.record, sheet.holds);
     facts.push_back({Words::tr("Compensating"), compensatingFact(sheet)});
     facts.push_back({Words::tr("Spread"), spreadFact(sheet)});
     facts.push_back({Words::tr("Signed"), stateWords(sheet.isSigned(), sheet.verified, sheet.record.swing)});

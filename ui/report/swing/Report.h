@@ -38,6 +38,7 @@ struct ReportInput {
     std::optional<Swing> superseded = {};        ///< the revision that it amends
     AngleStyle angleStyle = shownAngles();       ///< of readings and plots
     std::vector<SignatureState> signatures = {}; ///< as Swing::signatures; empty: their hashes alone are looked at
+    bool signaturesStand = true;                 ///< over what a signed swing says now; a swing of a file: its hashes alone are looked at
     AuditHead audit = {};                        ///< of the database that it is of
     QString madeAtUtc;                           ///< ISO 8601; printed
     bool archive = false;                        ///< PDF/A-1b, which may carry no attachment; else PDF 1.6 with the exchange JSON attached

@@ -1,12 +1,15 @@
 /// Reading the exchange JSON back out of a report.
 
+#include <QCryptographicHash>
 #include <QFile>
 #include <QFileInfo>
 
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFEmbeddedFileDocumentHelper.hh>
+#include <zlib.h>
 
 #include <exception>
+#include <vector>
 
 #include "core/base/WholeFile.h"
 #include "ui/report/page/BoundedPdf.h"
@@ -23,14 +26,45 @@ Error formatError(const QString& message, const QString& path) { return {ErrorCo
 
 bool hasEnding(const std::string& name) { return QString::fromStdString(name).endsWith(QLatin1String(kEnding), Qt::CaseInsensitive); }
 
-/// The stream of the first attachment with our ending; null when there is none.
-std::shared_ptr<Buffer> findAttachment(QPDF& pdf)
+/// Whether packed data fit the check sum that zlib writes behind them. qpdf, like most readers of PDF, passes over one that does not fit; a
+/// single bit that turned over would then make another figure.
+bool fitsCheckSum(QPDFObjectHandle stream, const Buffer& unpacked)
+{
+    auto filter = stream.getDict().getKey("/Filter"); // its questions are not const
+    if (filter.isArray() && filter.getArrayNItems() == 1)
+        filter = filter.getArrayItem(0);
+    if (!filter.isName() || filter.getName() != "/FlateDecode" || unpacked.getSize() == 0)
+        return true;
+    if (!stream.getDict().getKey("/DecodeParms").isNull()) // predictors: nothing of ours
+        return true;
+    const auto packed = stream.getRawStreamData();
+    std::vector<Bytef> again(unpacked.getSize());
+    uLongf size = again.size();
+    uLong taken = packed->getSize();
+    return uncompress2(again.data(), &size, packed->getBuffer(), &taken) == Z_OK && size == unpacked.getSize();
+}
+
+struct Attachment {
+    std::shared_ptr<Buffer> data; ///< null: there is none
+    bool whole = true;            ///< by its check sums
+};
+
+/// The first attachment with our ending.
+Attachment findAttachment(QPDF& pdf)
 {
     QPDFEmbeddedFileDocumentHelper attachments(pdf);
-    for (const auto& [name, file] : attachments.getEmbeddedFiles())
-        if (hasEnding(name) || hasEnding(file->getFilename()))
-            return file->getEmbeddedFileStream().getStreamData(qpdf_dl_generalized);
-    return nullptr;
+    for (const auto& [name, file] : attachments.getEmbeddedFiles()) {
+        if (!hasEnding(name) && !hasEnding(file->getFilename()))
+            continue;
+        auto stream = file->getEmbeddedFileStream();
+        auto data = stream.getStreamData(qpdf_dl_generalized);
+        const std::string md5 = QPDFEFStreamObjectHelper(stream).getChecksum(); // may be there, of what is unpacked
+        const auto bytes
+            = QByteArray::fromRawData(reinterpret_cast<const char*>(data->getBuffer()), static_cast<qsizetype>(data->getSize()));
+        const bool agrees = md5.empty() || QCryptographicHash::hash(bytes, QCryptographicHash::Md5).toStdString() == md5;
+        return {data, agrees && fitsCheckSum(stream, *data)};
+    }
+    return {};
 }
 
 } // namespace
@@ -54,7 +88,11 @@ Result<std::string> exchangeInPdf(const std::string& bytes, const QString& name)
         QPDF pdf;
         pdf.setSuppressWarnings(true);
         pdf.processMemoryFile(name.toUtf8().constData(), bytes.data(), bytes.size());
-        if (const auto data = findAttachment(pdf))
+        const auto [data, whole] = findAttachment(pdf);
+        if (data && !whole)
+            return formatError(
+                Words::tr("this PDF is damaged: its data do not fit their check sum; expected the report as it was written"), name);
+        if (data)
             return data->getSize() <= kMaxWholeFileBytes
                 ? Result<std::string>(std::string(reinterpret_cast<const char*>(data->getBuffer()), data->getSize()))
                 : tooLarge();

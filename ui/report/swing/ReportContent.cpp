@@ -198,7 +198,7 @@ ReportContent contentOf(const ReportInput& input)
     content.verdict = judge(input.analysis.summary, record.limits).verdict;
     content.verdictWord = verdictWordOf(content.verdict);
     content.verdictSentence = sentenceFor(input);
-    content.facts = factsOf(record);
+    content.facts = factsOf(record, input.signaturesStand);
     if (auto change = changeFact(input))
         content.facts.push_back(std::move(*change));
     content.readings = readingsTable(input);

@@ -42,7 +42,7 @@ struct ReportContent {
 [[nodiscard]] ReportContent contentOf(const ReportInput& input);
 
 /// The parts, each in a source of its own.
-[[nodiscard]] std::vector<Fact> factsOf(const SwingRecord& record);
+[[nodiscard]] std::vector<Fact> factsOf(const SwingRecord& record, bool signaturesStand = true);
 [[nodiscard]] Table readingsTable(const ReportInput& input);
 [[nodiscard]] Table coefficientsTable(const Analysis& analysis);
 [[nodiscard]] Table fitsTable(const Analysis& analysis);

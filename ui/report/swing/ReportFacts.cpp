@@ -32,14 +32,15 @@ QString compassWords(const CompassSystem& compass)
         compensator});
 }
 
-QString swingWords(const Swing& swing)
+QString swingWords(const Swing& swing, bool signaturesStand)
 {
     const QString date = swing.date.empty() ? Words::tr("date not stated") : Words::tr("%1 (UTC)").arg(printable(swing.date));
     const QString times = swing.startUtc.empty()
         ? QString()
         : Words::tr("%1 to %2 UTC").arg(printable(swing.startUtc).mid(11, 5), printable(swing.endUtc).mid(11, 5));
-    const QString state
-        = swing.state == SwingState::Complete ? Words::tr("%1, not yet signed").arg(wordFor(swing.state)) : wordFor(swing.state);
+    const QString state = swing.state == SwingState::Complete   ? Words::tr("%1, not yet signed").arg(wordFor(swing.state))
+        : swing.state == SwingState::Signed && !signaturesStand ? Words::tr("signed by its state alone: NO SIGNATURE STANDS")
+                                                                : wordFor(swing.state);
     const QString revision = swing.revision > 1 ? Words::tr("revision %1").arg(swing.revision) : QString();
     return joined({date, times, statedWord(swing.kind), statedWord(swing.stage), state, revision, printable(swing.weather)});
 }
@@ -124,11 +125,11 @@ QString limitsFact(const std::optional<LimitsProfile>& limits)
 
 } // namespace
 
-std::vector<Fact> factsOf(const SwingRecord& record)
+std::vector<Fact> factsOf(const SwingRecord& record, bool signaturesStand)
 {
     const Swing& swing = record.swing;
     std::vector<Fact> facts{{Words::tr("Aircraft"), orNotStated(aircraftWords(record.aircraft, record.type))},
-        {Words::tr("Compass"), orNotStated(compassWords(record.compass))}, {Words::tr("Swing"), swingWords(swing)},
+        {Words::tr("Compass"), orNotStated(compassWords(record.compass))}, {Words::tr("Swing"), swingWords(swing, signaturesStand)},
         {Words::tr("Task"), orNotStated(workWords(swing))}, {Words::tr("Site"), siteWords(record.site, swing)},
         {Words::tr("Configuration"), orNotStated(configurationWords(swing.configuration))},
         {Words::tr("Datum"), orNotStated(datumWords(swing.datum))}, {Words::tr("People"), orNotStated(peopleWords(swing.people))},

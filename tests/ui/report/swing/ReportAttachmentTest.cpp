@@ -37,6 +37,31 @@ TEST(ReportAttachment, isTheExchangeFileByteForByteAndReadsBack)
     }
 }
 
+TEST(ReportAttachment, aBitThatTurnedOverIsSeen)
+{
+    const PdfProbe pdf(reportOf(simulatedRecord(8)));
+    QFile file(pdf.path());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    const auto whole = ui::exchangeInPdf(bytes.toStdString(), "report.pdf");
+    ASSERT_TRUE(whole);
+    const auto named = bytes.indexOf("/EF <</F ") + 9; // the number of the object that holds it
+    const QByteArray object = "\n" + bytes.mid(named, bytes.indexOf(' ', named) - named) + " 0 obj";
+    const auto begin = bytes.indexOf("stream", bytes.indexOf(object)), end = bytes.indexOf("endstream", begin);
+    ASSERT_GT(end - begin, 300);
+    int refused = 0;
+    for (auto at = begin + 7; at < end; ++at) {
+        QByteArray damaged = bytes;
+        damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+        const auto read = ui::exchangeInPdf(damaged.toStdString(), "report.pdf");
+        if (!read)
+            ++refused;
+        else
+            EXPECT_EQ(*read, *whole) << at;
+    }
+    EXPECT_GT(refused, end - begin - 20); // a bit of the line's end in front of "endstream" changes nothing
+}
+
 TEST(ReportAttachment, hasThePrintedHash)
 {
     const auto input = reportOf(simulatedRecord(8));
