@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include "app/Console.h"
@@ -9,12 +10,14 @@
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
 #include "core/earth/FieldModel.h"
+#include "core/earth/VariationError.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/reference/ReferenceJson.h"
 #include "core/format/reference/SunCsv.h"
 #include "core/procedure/SunDatum.h"
 #include "core/reference/Grid.h"
 #include "core/reference/VariationTable.h"
+#include "core/swing/SharedDoubts.h"
 
 namespace lubberline::app {
 
@@ -25,7 +28,7 @@ struct SunArguments {
     std::string time, readings;
     Output output;
     SunSighting sighting;
-    std::optional<double> variation_deg;
+    std::optional<double> variation_deg, variationError_deg;
     bool json = false;
 };
 
@@ -38,16 +41,27 @@ void printBudget(const ErrorBudget& budget)
 
 struct SunSwing {
     SwingRecord record;
+    std::vector<double> errors_deg; ///< of the sun's azimuth at each reading
     std::vector<Message> warnings;
 };
 
-/// The variation of the day and place by the model, where it is not stated.
-Result<Variation> variationOf(const SunArguments& options, const Place& place, Date day)
+struct UsedVariation {
+    Variation variation;
+    double error_deg = 0; ///< one standard deviation; 0: not known
+};
+
+/// That of the day and place by the model, where it is not stated.
+Result<UsedVariation> variationOf(const SunArguments& options, const Place& place, Date day)
 {
     if (options.variation_deg)
-        return Variation::fromDegrees(*options.variation_deg);
-    const auto stamp = stampField(place, day);
-    return stamp ? Result<Variation>(stamp->field.variation()) : Result<Variation>(stamp.error());
+        return UsedVariation{Variation::fromDegrees(*options.variation_deg), options.variationError_deg.value_or(0)};
+    const auto model = defaultFieldModel(yearOf(day));
+    if (!model)
+        return model.error();
+    const auto answer = fieldForCompass(*model, place, yearOf(day));
+    if (!answer)
+        return answer.error();
+    return UsedVariation{answer->field.variation(), options.variationError_deg.value_or(variationError_deg(*answer))};
 }
 
 Result<SunSwing> swingBySun(const SunArguments& options, const Place& place)
@@ -65,10 +79,10 @@ Result<SunSwing> swingBySun(const SunArguments& options, const Place& place)
     Swing& swing = made.record.swing;
     swing.kind = SwingKind::Check;
     swing.date = day;
-    swing.variation_deg = variation->degrees();
+    swing.variation_deg = variation->variation.degrees();
     swing.datum.instrument = readings->front().ofShadow ? "shadow pin" : "astrocompass";
     std::vector<UtcTime> times;
-    double worst_deg = 0;
+    std::vector<TakenHeading> taken;
     for (const SunReading& read : *readings) {
         const SunPosition sun = sunAt(place, read.time);
         const ErrorBudget budget = sunBudget(place, read.time, options.sighting);
@@ -78,16 +92,20 @@ Result<SunSwing> swingBySun(const SunArguments& options, const Place& place)
                 ErrorCode::InvalidInput, {MARKED("app", "%1: %2"), read.timeText, doubts.warnings.front()}, nameOfInput(options.readings)};
         for (const Message& warning : doubts.warnings)
             made.warnings.push_back({MARKED("app", "%1: %2"), read.timeText, warning});
-        worst_deg = std::max(worst_deg, budget.total_deg());
+        made.errors_deg.push_back(budget.total_deg());
         Reading reading;
         reading.trueHeading = headingBySun(sun, read.bearing_deg, read.ofShadow);
-        reading.magnetic = toMagnetic(*reading.trueHeading, *variation);
+        reading.magnetic = toMagnetic(*reading.trueHeading, variation->variation);
         reading.compass = read.compass;
         reading.timeUtc = read.timeText;
+        reading.extra.emplace_back(kDatumErrorColumn, figureText(budget.total_deg(), 2));
+        taken.push_back({*reading.trueHeading, read.compass, read.time});
         swing.readings.push_back(std::move(reading));
         times.push_back(read.time);
     }
-    swing.datum.readOut = "the sun; up to " + figureText(worst_deg, 2) + " deg out (one standard deviation)";
+    swing.sharedErrors = sharedBySun(place, taken, options.sighting, variation->error_deg);
+    swing.datum.readOut = "the sun; up to " + figureText(*std::max_element(made.errors_deg.begin(), made.errors_deg.end()), 2)
+        + " deg out (one standard deviation)";
     std::vector<double> deviations;
     for (const Reading& reading : swing.readings)
         deviations.push_back(deviationOf(*reading.magnetic, *reading.compass).degrees());
@@ -101,14 +119,17 @@ int sunSwing(const SunArguments& options, const Place& place)
     const auto swing = swingBySun(options, place);
     if (!swing)
         return fail(swing.error());
-    warn(swing->warnings);
+    if (!options.json)
+        warn(swing->warnings);
     if (!options.output.empty()) {
         if (const auto written = writeWholeFile(options.output.path, writeSwingCsv(swing->record)); !written)
             return fail(written.error());
         sayWritten(options.output);
-        return kDone;
     }
-    putText(writeSwingCsv(swing->record));
+    if (options.json)
+        put("%s\n", toJson(swing->record.swing, swing->errors_deg, swing->warnings).c_str());
+    else if (options.output.empty())
+        putText(writeSwingCsv(swing->record));
     return kDone;
 }
 
@@ -259,6 +280,11 @@ void addSun(CLI::App& app, Invocation& invocation)
     command->add_option("--variation", options->variation_deg, "with --readings [deg, east positive] (default: the model's)")
         ->check(CLI::Range(-180.0, 180.0))
         ->needs(readings);
+    command
+        ->add_option(
+            "--variation-error-deg", options->variationError_deg, "of it (default: what the model states; 0 of one that is stated)")
+        ->check(CLI::Range(0.0, 90.0))
+        ->needs(readings);
     addOutputOption(*command, invocation, "-o,--output", options->output, "with --readings: write them as a Swing CSV", {".csv"})
         ->needs(readings);
     addSighting(*command, options->sighting);
@@ -266,6 +292,8 @@ void addSun(CLI::App& app, Invocation& invocation)
     command->callback([options, &invocation] {
         if (options->time.empty() == options->readings.empty())
             throw CLI::ValidationError("expected --time, or --readings, and not both");
+        if (options->json && options->output.toStandardOutput())
+            throw CLI::ValidationError("--json and -o - would both write to standard output; expected one of them");
         invocation.action = [options] { return sunCommand(*options); };
     });
 }

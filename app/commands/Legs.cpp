@@ -93,6 +93,9 @@ void addLegs(CLI::App& app, Invocation& invocation)
             options->legs.variation_deg = *variation_deg;
         },
         "east positive, for legs that state none");
+    command->add_option("--variation-error", options->legs.variationError_deg, "of the variation, one standard deviation [deg]")
+        ->check(CLI::Range(0.0, 90.0))
+        ->capture_default_str();
     command->add_option("--speed-error", options->legs.speedError_kt, "of the mean ground velocity of a leg [kt]")
         ->check(CLI::Range(0.001, 100.0))
         ->capture_default_str();

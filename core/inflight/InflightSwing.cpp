@@ -1,6 +1,8 @@
 #include "core/inflight/InflightSwing.h"
 
+#include "core/base/Number.h"
 #include "core/swing/Observations.h"
+#include "core/swing/SharedDoubts.h"
 
 namespace lubberline {
 
@@ -20,14 +22,23 @@ Swing swingInFlight(std::string datum)
 Swing swingOf(const LegsSolution& solution)
 {
     Swing swing = swingInFlight("GPS tracks of legs, wind taken out");
+    const Eigen::Matrix2d half = solution.air.covariance.llt().matrixL(); // of the wind, which all legs have in them
+    std::vector<CompassHeading> compass;
+    SharedDoubt east, north;
     for (const auto& one : solution.legs)
         if (one.magneticHeading_deg && one.leg.compassHeading_deg) {
             Reading reading;
             reading.magnetic = MagneticHeading::fromDegrees(*one.magneticHeading_deg);
             reading.compass = CompassHeading::fromDegrees(*one.leg.compassHeading_deg);
             reading.note = one.leg.name;
+            reading.extra.emplace_back(kDatumErrorColumn, figureText(one.standardError_deg, 2));
             swing.readings.push_back(std::move(reading));
+            compass.push_back(*swing.readings.back().compass);
+            const Eigen::Vector2d turned = half.transpose() * turnedByWind_deg(solution.air, one.leg.track_deg, one.leg.groundSpeed_kt);
+            east.push_back(turned.x());
+            north.push_back(turned.y());
         }
+    swing.sharedErrors = sharedErrorsOf(compass, std::vector{east, north, SharedDoubt(compass.size(), solution.variationError_deg)});
     return swing;
 }
 

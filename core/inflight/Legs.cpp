@@ -30,6 +30,7 @@ Result<LegsSolution> solveLegs(std::span<const Leg> legs, const LegsOptions& opt
         return untold;
     LegsSolution solution;
     solution.air = *air;
+    solution.variationError_deg = options.variationError_deg;
     bool anyVariation = true;
     for (const auto& leg : legs) {
         SolvedLeg solved;

@@ -31,6 +31,7 @@ struct SolvedLeg {
 
 struct LegsSolution {
     AirMass air;
+    double variationError_deg = 0; ///< as stated
     std::vector<SolvedLeg> legs;
     std::vector<Message> warnings;
 };
@@ -38,6 +39,7 @@ struct LegsSolution {
 struct LegsOptions {
     double speedError_kt = 0.5;          ///< of the mean ground velocity of a leg: GPS, and an airspeed that was not quite held
     std::optional<double> variation_deg; ///< for legs that state none
+    double variationError_deg = 0;       ///< of all that are stated; 0: not known
 };
 
 /// Errors: InvalidInput (fewer than three legs), Numeric (directions on too short an arc).

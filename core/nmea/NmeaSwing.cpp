@@ -4,7 +4,6 @@
 #include <array>
 
 #include "core/base/WholeFile.h"
-#include "core/nmea/NmeaDoubts.h"
 #include "core/nmea/NmeaLines.h"
 #include "core/nmea/SwingOfLog.h"
 
@@ -80,8 +79,8 @@ Swing toSwing(const NmeaSwing& nmea)
     swing.datum.instrument = "NMEA 0183 log";
     if (nmea.variation)
         swing.variation_deg = nmea.variation->degrees();
-    swing.sharedErrors = sharedErrorsOf(nmea);
     swing.note = together(nmea.limits).english();
+    std::vector<CompassHeading> compass;
     for (const auto& pair : nmea.pairs) {
         if (!pair.used)
             continue;
@@ -91,7 +90,9 @@ Swing toSwing(const NmeaSwing& nmea)
         reading.timeUtc = pair.timeUtc;
         reading.note = pair.timeUtc; // a Swing CSV has no other place for it
         swing.readings.push_back(std::move(reading));
+        compass.push_back(pair.compass);
     }
+    swing.sharedErrors = sharedErrorsOf(compass, nmea.doubts);
     return swing;
 }
 

@@ -15,6 +15,7 @@
 #include "core/nmea/NmeaVariation.h"
 #include "core/nmea/NmeaWind.h"
 #include "core/record/Swing.h"
+#include "core/swing/SharedDoubts.h"
 
 namespace lubberline {
 
@@ -59,10 +60,6 @@ struct NmeaDirections {
     double largestDifference_deg = 0; ///< of the two curves, over the headings that were read both ways
 };
 
-/// Something that all readings share, so that more of them make no coefficient surer: what one standard error of it adds to the deviation
-/// of each used pair [deg].
-using NmeaDoubt = std::vector<double>;
-
 struct NmeaSwing {
     std::int64_t lines = 0;
     std::int64_t sentences = 0; ///< well formed, with a right checksum or with none
@@ -84,7 +81,7 @@ struct NmeaSwing {
     NmeaDelay delay;
     std::optional<NmeaWind> wind; ///< of a track
     std::optional<NmeaDirections> directions;
-    std::vector<NmeaDoubt> doubts;
+    std::vector<SharedDoubt> doubts; ///< of the used pairs
     std::vector<Message> warnings;
     std::vector<Message> limits; ///< those of them that say how sure the coefficients can be
 };

@@ -8,6 +8,7 @@
 #include "core/base/Middle.h"
 #include "core/base/Number.h"
 #include "core/earth/FieldModel.h"
+#include "core/earth/VariationError.h"
 #include "core/record/ClockDates.h"
 
 namespace lubberline {
@@ -15,8 +16,6 @@ namespace lubberline {
 namespace {
 
 constexpr double kApart_deg = 1.0;
-/// Where a model states no uncertainty (IGRF): WMM states some 0.4° at middle latitudes for its own five years.
-constexpr double kUnstatedError_deg = 0.5;
 
 /// What other clocks of the log say of the day.
 void compareClocks(const NmeaLog& log, NmeaDate& date)
@@ -93,14 +92,12 @@ double chooseOfLog(const NmeaLog& log, const std::optional<double>& model_deg, s
     return chosen_deg;
 }
 
-double errorOf_deg(const FieldAnswer& answer) { return answer.uncertainty ? answer.uncertainty->declination_deg : kUnstatedError_deg; }
-
 void holdAgainstModel(ChosenVariation& chosen, const FieldAnswer& answer, Date date)
 {
     const double apart_deg = std::abs(wrap180(chosen.variation.degrees() - *chosen.model_deg));
     const bool ofLog = chosen.source == "log";
     if (ofLog)
-        chosen.standardError_deg = std::max(errorOf_deg(answer), apart_deg);
+        chosen.standardError_deg = std::max(variationError_deg(answer), apart_deg);
     if (apart_deg <= kApart_deg)
         return;
     chosen.warnings.push_back(
@@ -171,13 +168,13 @@ Result<ChosenVariation> chooseVariation(const NmeaLog& log, const NmeaVariation&
     } else {
         chosen.variation = answer->field.variation();
         chosen.source = whereOf(*answer, date.date);
-        chosen.standardError_deg = std::hypot(errorOf_deg(*answer), movedByDate_deg(log, date, *answer));
+        chosen.standardError_deg = std::hypot(variationError_deg(*answer), movedByDate_deg(log, date, *answer));
         chosen.warnings.insert(chosen.warnings.end(), answer->warnings.begin(), answer->warnings.end());
     }
     if (answer)
         holdAgainstModel(chosen, *answer, date.date);
     else if (chosen.source == "log") {
-        chosen.standardError_deg = kUnstatedError_deg;
+        chosen.standardError_deg = kUnstatedVariationError_deg;
         chosen.warnings.push_back({MARKED("core", "the variation of the log, %1° (east +), is held against no model: %2"),
             signedFigureText(chosen.variation.degrees(), 1), whyNoModel(log, date.date).message});
     }

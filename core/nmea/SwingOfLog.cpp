@@ -330,7 +330,7 @@ void SwingOfLog::addWindDoubts(const std::vector<TimedHeading>& used)
         applied.toward_kt.setZero();
     }
     const Eigen::Matrix2d half = open.llt().matrixL();
-    std::array<NmeaDoubt, 2> doubts;
+    std::array<SharedDoubt, 2> doubts;
     for (const auto& heading : used) {
         const auto sent = m_sent.at(heading.seconds + m_swing.delay.seconds.value_or(0.0));
         const Eigen::Vector2d turned = sent && sent->speed_kt
@@ -345,7 +345,7 @@ void SwingOfLog::addWindDoubts(const std::vector<TimedHeading>& used)
 void SwingOfLog::addDoubts()
 {
     const auto used = usedHeadings();
-    NmeaDoubt delay = referenceRates(used, m_reference, m_swing.delay.seconds.value_or(0.0));
+    SharedDoubt delay = referenceRates(used, m_reference, m_swing.delay.seconds.value_or(0.0));
     for (double& turned : delay)
         turned *= -m_swing.delay.standardError_s;
     m_swing.doubts.push_back(std::move(delay));

@@ -6,6 +6,8 @@
 #include <map>
 
 #include "core/base/Number.h"
+#include "core/earth/VariationError.h"
+#include "core/swing/SharedDoubts.h"
 
 namespace lubberline {
 
@@ -39,6 +41,68 @@ Result<SunHeading> sunHeading(const DatumInstrument& instrument, const RawFigure
         return heading.error();
     heading->uncertainty_deg = std::hypot(heading->uncertainty_deg, budget.total_deg());
     return SunHeading{std::move(*heading), std::move(doubts.warnings)};
+}
+
+SharedErrors sharedBySun(const Place& place, std::span<const TakenHeading> headings, const SunSighting& sighting, double variationError_deg)
+{
+    std::vector<CompassHeading> compass;
+    SharedDoubt clock, position, leanAhead, leanRight, variation;
+    for (const TakenHeading& taken : headings) {
+        compass.push_back(taken.compass);
+        variation.push_back(taken.fromTrue ? variationError_deg : 0);
+        if (!taken.bySun) {
+            for (SharedDoubt* doubt : {&clock, &position, &leanAhead, &leanRight})
+                doubt->push_back(0);
+            continue;
+        }
+        const SunPosition sun = sunAt(place, *taken.bySun);
+        const SunShares shares = sunShares(place, *taken.bySun, sighting);
+        const double fromNose = toRadians(sun.azimuth_deg - taken.heading.degrees());
+        clock.push_back(std::copysign(shares.clock_deg, sun.azimuthRate_deg_min));
+        position.push_back(shares.position_deg);
+        leanAhead.push_back(shares.plumb_deg * std::sin(fromNose)); // across the sun is what turns a shadow
+        leanRight.push_back(shares.plumb_deg * std::cos(fromNose));
+    }
+    return sharedErrorsOf(compass, std::vector{clock, position, leanAhead, leanRight, variation});
+}
+
+namespace {
+
+/// Whether that variation was taken from the model: it is what the model says there and then.
+double errorOfVariation_deg(const Swing& swing, const Place& place)
+{
+    constexpr double kSame_deg = 0.05;
+    const auto model = swing.date.empty() ? Result<FieldModel>(Error{}) : defaultFieldModel(yearOf(swing.date));
+    const auto answer = model ? model->evaluate(place, yearOf(swing.date)) : Result<FieldAnswer>(Error{});
+    if (!answer || !swing.variation_deg || std::abs(wrap180(*swing.variation_deg - answer->field.variation().degrees())) > kSame_deg)
+        return 0;
+    return variationError_deg(*answer);
+}
+
+} // namespace
+
+SharedErrors sharedErrorsOf(const SwingJob& job, const Swing& swing, const Place& place)
+{
+    std::map<std::string, const DatumInstrument*> datumAt; // by the time of the reading
+    const DatumInstrument* datum = &job.datum;
+    for (const JobEvent& event : job.events) {
+        if (const auto* changed = std::get_if<job::DatumChanged>(&event.what))
+            datum = &changed->datum;
+        else if (std::holds_alternative<job::ReadingTaken>(event.what))
+            datumAt[event.timeUtc] = datum;
+    }
+    const Variation variation = Variation::fromDegrees(swing.variation_deg.value_or(0));
+    std::vector<TakenHeading> headings;
+    for (const Reading& reading : swing.readings) {
+        const auto found = datumAt.find(reading.timeUtc);
+        if (!reading.used() || found == datumAt.end())
+            continue;
+        const auto time = readUtcTime(reading.timeUtc);
+        const bool bySun = takesSun(found->second->kind) && time;
+        headings.push_back({toTrue(*reading.magnetic, variation), *reading.compass, bySun ? std::optional(*time) : std::nullopt,
+            bySun || found->second->givesTrue});
+    }
+    return sharedBySun(place, headings, {}, errorOfVariation_deg(swing, place));
 }
 
 double hourInA_deg(const Place& place, std::span<const UtcTime> times, int hours)

@@ -5,6 +5,7 @@
 
 #include "core/procedure/DatumHeading.h"
 #include "core/procedure/JobState.h"
+#include "core/record/SharedErrors.h"
 #include "core/reference/Sun.h"
 
 namespace lubberline {
@@ -27,6 +28,21 @@ struct SunHeading {
 };
 Result<SunHeading> sunHeading(const DatumInstrument& instrument, const RawFigures& raw, const Place& place, UtcTime time,
     std::optional<Variation> variation, const SunSighting& sighting = {});
+
+/// A heading of a swing of which some, or all, were taken by the sun.
+struct TakenHeading {
+    TrueHeading heading;
+    CompassHeading compass;
+    std::optional<UtcTime> bySun; ///< when; none: by another instrument
+    bool fromTrue = true;         ///< made magnetic with the variation
+};
+/// What the headings by the sun share: clock, position and variation, which are in A, and a pin or level that leans with the aircraft
+/// (`plumb`), which is in B and C. What is read anew on each heading (pointing) their scatter shows.
+[[nodiscard]] SharedErrors sharedBySun(
+    const Place& place, std::span<const TakenHeading> headings, const SunSighting& sighting, double variationError_deg);
+/// The same of a guided swing at its base, with what a sighting commonly has (the defaults of SunSighting); headings that are true are
+/// uncertain by the variation, too, where that is the model's. None: no true heading is among its readings.
+[[nodiscard]] SharedErrors sharedErrorsOf(const SwingJob& job, const Swing& swing, const Place& place);
 
 /// What a clock that is an hour fast adds to A (magnetic − compass) of a swing read at these times [deg]; slow: about the opposite.
 [[nodiscard]] double hourInA_deg(const Place& place, std::span<const UtcTime> times, int hours = 1);

@@ -98,7 +98,7 @@ double ErrorBudget::total_deg() const
     return std::sqrt(squares);
 }
 
-ErrorBudget sunBudget(const Place& place, UtcTime time, const SunSighting& sighting)
+SunShares sunShares(const Place& place, UtcTime time, const SunSighting& sighting)
 {
     const SunPosition sun = sunAt(place, time);
     const double moved_deg = toDegrees(sighting.position_km * 1000 / kMeanEarthRadius_m);
@@ -109,9 +109,15 @@ ErrorBudget sunBudget(const Place& place, UtcTime time, const SunSighting& sight
     const double position
         = std::hypot(wrap180(sunAt(north, time).azimuth_deg - sun.azimuth_deg), wrap180(sunAt(east, time).azimuth_deg - sun.azimuth_deg));
     const double upright = std::min(std::abs(sun.elevation_deg), 89.9);
-    return {{{MARKED("core", "clock"), std::abs(sun.azimuthRate_deg_min) * sighting.clock_s / 60}, {MARKED("core", "position"), position},
-        {MARKED("core", "plumb"), std::min(sighting.plumb_deg * std::tan(toRadians(upright)), 180.0)},
-        {MARKED("core", "pointing"), sighting.pointing_deg}}};
+    return {std::abs(sun.azimuthRate_deg_min) * sighting.clock_s / 60, position,
+        std::min(sighting.plumb_deg * std::tan(toRadians(upright)), 180.0)};
+}
+
+ErrorBudget sunBudget(const Place& place, UtcTime time, const SunSighting& sighting)
+{
+    const SunShares shares = sunShares(place, time, sighting);
+    return {{{MARKED("core", "clock"), shares.clock_deg}, {MARKED("core", "position"), shares.position_deg},
+        {MARKED("core", "plumb"), shares.plumb_deg}, {MARKED("core", "pointing"), sighting.pointing_deg}}};
 }
 
 /// Near a pole: the azimuth follows the longitude, and a kilometre is degrees of it.

@@ -42,6 +42,14 @@ struct ErrorBudget {
     [[nodiscard]] double total_deg() const; ///< root of the sum of squares
 };
 
+/// What each part of a sighting is worth in the sun's azimuth [deg].
+struct SunShares {
+    double clock_deg = 0; ///< × rate
+    double position_deg = 0;
+    double plumb_deg = 0; ///< × tan of elevation
+};
+[[nodiscard]] SunShares sunShares(const Place& place, UtcTime time, const SunSighting& sighting);
+
 /// Of the sun's azimuth as it was taken: clock × rate, position, plumb × tan of elevation, pointing.
 [[nodiscard]] ErrorBudget sunBudget(const Place& place, UtcTime time, const SunSighting& sighting);
 

@@ -100,6 +100,13 @@ Message GuidedJob::clockDoubt() const
     return place ? hourDoubt(m_job, m_state, *place) : Message{};
 }
 
+void GuidedJob::tellDatumErrors(Swing& swing) const
+{
+    const auto place = placeOfSun();
+    if (place && !swing.sharedErrors.any()) // else somebody stated it
+        swing.sharedErrors = sharedErrorsOf(m_job, swing, *place);
+}
+
 QString GuidedJob::astroSetting() const
 {
     const auto place = placeOfSun();
@@ -243,6 +250,7 @@ SwingPicture GuidedJob::picture() const
         record.swing.readings.begin(), record.swing.readings.end(), [](const Reading& reading) { return reading.complete(); });
     if (!checking)
         record.swing = asFoundSwing(m_job, m_state);
+    tellDatumErrors(record.swing);
     std::shared_ptr<const Analysis> analysis;
     QString why;
     record.compass.resolution_deg = m_job.resolution_deg;

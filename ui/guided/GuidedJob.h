@@ -77,6 +77,9 @@ public:
     /// The swing as it is so far, for the live plot: the check swing once it has begun, as found before.
     [[nodiscard]] SwingPicture picture() const;
 
+    /// What the readings of a swing that it makes share by the sun or the model's variation, where nobody stated it.
+    void tellDatumErrors(Swing& swing) const;
+
     /// By the sun: that the clock seems an hour wrong; empty: it does not, or nothing tells it.
     [[nodiscard]] Message clockDoubt() const;
     /// What an astrocompass is set to now; empty for another datum, or where the base's place is not known.

@@ -326,8 +326,12 @@ void GuidedPage::finish()
     Swing main = asLeftSwing(job, state);
     main.startUtc = job.events.empty() ? std::string() : job.events.front().timeUtc;
     main.endUtc = job.events.empty() ? std::string() : job.events.back().timeUtc;
+    std::vector<Swing> further = furtherSwings(job, state, main, m_stores.clock().today());
+    m_job->tellDatumErrors(main);
+    for (Swing& swing : further)
+        m_job->tellDatumErrors(swing);
     const QScopedValueRollback storing(m_storing, true);
-    if (const auto done = m_stores.jobs.finish(m_swing, main, furtherSwings(job, state, main, m_stores.clock().today())); !done) {
+    if (const auto done = m_stores.jobs.finish(m_swing, main, further); !done) {
         emit failed(messageOf(done.error()));
         return;
     }

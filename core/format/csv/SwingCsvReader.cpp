@@ -5,6 +5,7 @@
 #include "core/base/LineReader.h"
 #include "core/base/Number.h"
 #include "core/base/WholeFile.h"
+#include "core/format/csv/ColumnName.h"
 #include "core/format/csv/RowSplitter.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/csv/SwingCsvAside.h"
@@ -15,6 +16,7 @@
 #include "core/record/DerivedId.h"
 #include "core/record/NorthTwice.h"
 #include "core/record/Ranges.h"
+#include "core/swing/SharedDoubts.h"
 
 namespace lubberline {
 
@@ -271,7 +273,8 @@ Result<void> SwingReader::takeHeader()
                 "true_heading_deg stands in place of the magnetic heading, but the variation is not stated; expected a line \"# variation_deg: \u2026\" (degrees, east positive) above the header"));
     m_rows.emplace(*m_columns, variation_deg);
     for (const auto& [place, name] : m_columns->unknown)
-        m_file.warnings.push_back({MARKED("core", "the column %1 means nothing here; it is kept with the readings"), inQuotes(name)});
+        if (columnKey(name) != kDatumErrorColumn)
+            m_file.warnings.push_back({MARKED("core", "the column %1 means nothing here; it is kept with the readings"), inQuotes(name)});
     return {};
 }
 

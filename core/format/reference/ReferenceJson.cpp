@@ -165,6 +165,38 @@ std::string toJson(const SunPosition& sun, const ErrorBudget& budget, const SunD
     return withoutNewline(json.take());
 }
 
+std::string toJson(const Swing& bySun, std::span<const double> errors_deg, const std::vector<Message>& warnings)
+{
+    JsonWriter json;
+    json.beginObject();
+    json.text("datum", bySun.datum.instrument);
+    json.text("date", bySun.date.text());
+    if (bySun.variation_deg)
+        json.number("variation_deg", tenDecimals(*bySun.variation_deg));
+    else
+        json.null("variation_deg");
+    json.beginArray("readings");
+    for (std::size_t i = 0; i < bySun.readings.size(); ++i) {
+        const Reading& reading = bySun.readings[i];
+        json.beginObject({}, true);
+        json.text("time_utc", reading.timeUtc);
+        json.number("true_heading_deg", tenDecimals(reading.trueHeading->degrees()));
+        json.number("magnetic_heading_deg", tenDecimals(reading.magnetic->degrees()));
+        json.number("compass_heading_deg", tenDecimals(reading.compass->degrees()));
+        json.number("deviation_deg", tenDecimals(deviationOf(*reading.magnetic, *reading.compass).degrees()));
+        json.number("standard_deviation_deg", tenDecimals(errors_deg[i]));
+        json.end();
+    }
+    json.end();
+    json.beginObject("shared_error_deg", true);
+    for (std::size_t c = 0; c < bySun.sharedErrors.of_deg.size(); ++c)
+        json.number(std::string(1, "ABCDE"[c]) + "_deg", bySun.sharedErrors.of_deg[c]);
+    json.end();
+    writeWarnings(json, warnings);
+    json.end();
+    return withoutNewline(json.take());
+}
+
 std::string toJson(const ErrorBudget& budget)
 {
     JsonWriter json;

@@ -1,8 +1,10 @@
 #pragma once
 /// The JSON of `reference`, `sun`, `alignment` and `grid` (the contract of the command line): every key carries its unit.
 
+#include <span>
 #include <string>
 
+#include "core/record/Swing.h"
 #include "core/reference/Alignment.h"
 #include "core/reference/ReferenceRun.h"
 
@@ -17,6 +19,9 @@ namespace lubberline {
 
 [[nodiscard]] std::string toJson(const SunPosition& sun, const ErrorBudget& budget, const SunDoubts& doubts);
 [[nodiscard]] std::string toJson(const ErrorBudget& budget);
+
+/// A swing by the sun. @param errors_deg of the sun's azimuth at each reading, one standard deviation
+[[nodiscard]] std::string toJson(const Swing& bySun, std::span<const double> errors_deg, const std::vector<Message>& warnings);
 
 /// Which points a file of every so many steps holds.
 [[nodiscard]] std::vector<std::size_t> pointsOf(const ReferenceRun& run, std::size_t every);

@@ -100,4 +100,26 @@ TEST(Legs, windZeroAndWindAboveTheAirspeed)
     }
 }
 
+/// What the wind is uncertain by is in every leg, so it is in the swing's coefficients however many legs there are.
+TEST(Legs, theSwingKeepsWhatTheWindLeavesOpen)
+{
+    std::vector<Leg> legs;
+    for (const double heading : {0.0, 90.0, 180.0, 270.0}) {
+        legs.push_back(legOf(heading, 100, {12, 7}));
+        legs.back().compassHeading_deg = heading;
+        legs.back().variation_deg = 0.0;
+    }
+    const auto solution = solveLegs(legs, {1.0, {}, 0.4});
+    ASSERT_TRUE(solution);
+    const Swing swing = swingOf(*solution);
+    EXPECT_NEAR(swing.sharedErrors.of_deg[0], 0.4, 1e-3); // the variation's; the wind turns no mean of four cardinals
+    // A knot of wind across is a degree of heading at 57 kt: B by the northerly part, C by the easterly.
+    const double knot_deg = toDegrees(1.0 / solution->air.airspeed_kt);
+    EXPECT_NEAR(swing.sharedErrors.of_deg[1], std::sqrt(solution->air.covariance(1, 1)) * knot_deg, 0.02);
+    EXPECT_NEAR(swing.sharedErrors.of_deg[2], std::sqrt(solution->air.covariance(0, 0)) * knot_deg, 0.02);
+    EXPECT_GT(swing.sharedErrors.of_deg[1], 0.2);
+    ASSERT_EQ(swing.readings.front().extra.size(), 1u);
+    EXPECT_EQ(swing.readings.front().extra.front().first, "datum_error_deg");
+}
+
 } // namespace

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/earth/FieldModel.h"
 #include "core/procedure/SunDatum.h"
 
 namespace lubberline {
@@ -104,6 +107,78 @@ TEST(SunDatum, anAstrocompassShowsTheHeadingItself)
     // Noon at Greenwich's meridian: the hour angle is what the equation of time leaves (+2.2 min on 1 June).
     const SunPosition noon = sunAt({52, 0, 0}, at("2026-06-01T12:00:00Z"));
     EXPECT_NEAR(wrap180(noon.hourAngle_deg), 2.2 / 4, 0.05);
+}
+
+/// Eight headings of a swing by the sun, a reading every two minutes.
+std::vector<TakenHeading> takenAllRound()
+{
+    std::vector<TakenHeading> taken;
+    for (int i = 0; i < 8; ++i)
+        taken.push_back({TrueHeading::fromDegrees(45.0 * i), CompassHeading::fromDegrees(45.0 * i),
+            at("2026-06-01T09:00:00Z") + std::chrono::minutes(2 * i)});
+    return taken;
+}
+
+TEST(SunDatum, whatAllHeadingsShareIsInTheCoefficients)
+{
+    const auto taken = takenAllRound();
+    const auto middle = sunAt(kWarsaw, at("2026-06-01T09:07:00Z"));
+    // The clock turns every heading alike: 30 s of it are half of what a minute is worth, and in A alone.
+    const auto clock = sharedBySun(kWarsaw, taken, {30, 0, 0, 0.25}, 0).of_deg;
+    EXPECT_NEAR(clock[0], middle.azimuthRate_deg_min / 2, 0.01);
+    for (int c = 1; c < 5; ++c)
+        EXPECT_LT(clock[static_cast<std::size_t>(c)], 0.01);
+    // The model's variation, too, and squares add.
+    const auto both = sharedBySun(kWarsaw, taken, {30, 0, 0, 0.25}, 0.36).of_deg;
+    EXPECT_NEAR(both[0], std::hypot(clock[0], 0.36), 2e-4);
+    // A pin that leans by 1° turns a heading by up to tan(elevation): once a turn, so B and C, and A not at all.
+    const auto lean = sharedBySun(kWarsaw, taken, {0, 0, 1, 0.25}, 0).of_deg;
+    const double turned = std::tan(toRadians(middle.elevation_deg));
+    EXPECT_NEAR(lean[1], turned, 0.03);
+    EXPECT_NEAR(lean[2], turned, 0.03);
+    for (const std::size_t c : {0u, 3u, 4u})
+        EXPECT_LT(lean[c], 0.03);
+    // Without the sun and of magnetic headings there is nothing to share; two headings tell no coefficient.
+    auto others = taken;
+    for (TakenHeading& one : others)
+        one.bySun.reset(), one.fromTrue = false;
+    EXPECT_FALSE(sharedBySun(kWarsaw, others, {30, 1, 1, 0.25}, 0.36).any());
+    EXPECT_FALSE(sharedBySun(kWarsaw, std::span(taken).first(2), {30, 1, 1, 0.25}, 0.36).any());
+}
+
+TEST(SunDatum, aGuidedSwingKeepsWhatTheSunLeavesOpen)
+{
+    SwingJob job;
+    job.datum = shadowPin();
+    Swing swing;
+    swing.date = Date("2026-06-01");
+    swing.variation_deg = 0; // not the model's
+    for (int i = 0; i < 8; ++i) {
+        const std::string time = "2026-06-01T09:0" + std::to_string(i) + ":00Z";
+        job.events.push_back({time, job::ReadingTaken{i, {}, 0, 0, {}}});
+        Reading reading;
+        reading.magnetic = MagneticHeading::fromDegrees(45.0 * i);
+        reading.compass = CompassHeading::fromDegrees(45.0 * i);
+        reading.timeUtc = time;
+        swing.readings.push_back(reading);
+    }
+    const SharedErrors stated = sharedErrorsOf(job, swing, kWarsaw);
+    EXPECT_LT(stated.of_deg[0], 0.05);
+    EXPECT_GT(stated.of_deg[1], 0.25); // plumb 0.25° with the sun beyond 45°
+    const auto model = defaultFieldModel(yearOf(swing.date));
+    swing.variation_deg = model->evaluate(kWarsaw, yearOf(swing.date))->field.variation().degrees();
+    const SharedErrors ofModel = sharedErrorsOf(job, swing, kWarsaw);
+    EXPECT_GT(ofModel.of_deg[0], 0.3);
+    EXPECT_LT(ofModel.of_deg[0], 0.5);
+    // From the fourth reading on by a sighting compass: half of it is the sun's.
+    auto sighting = shadowPin();
+    sighting.kind = DatumKind::SightingCompass;
+    job.events.insert(job.events.begin() + 4, {"2026-06-01T09:03:30Z", job::DatumChanged{sighting}});
+    const SharedErrors mixed = sharedErrorsOf(job, swing, kWarsaw);
+    EXPECT_GT(mixed.of_deg[0], 0.1);
+    EXPECT_LT(mixed.of_deg[0], ofModel.of_deg[0]);
+    job.datum = sighting;
+    EXPECT_FALSE(sharedErrorsOf(job, swing, kWarsaw).any());
 }
 
 } // namespace

@@ -1,9 +1,10 @@
-#include "core/nmea/NmeaDoubts.h"
+#include "core/swing/SharedDoubts.h"
 
 #include <Eigen/Core>
 #include <cmath>
 
 #include "core/algebra/Solve.h"
+#include "core/base/Contract.h"
 #include "core/deviation/ToldCoefficients.h"
 
 namespace lubberline {
@@ -15,24 +16,23 @@ double rounded(double error_deg) { return std::round(error_deg * 1e4) / 1e4; }
 
 } // namespace
 
-SharedErrors sharedErrorsOf(const NmeaSwing& swing)
+SharedErrors sharedErrorsOf(std::span<const CompassHeading> readings, std::span<const SharedDoubt> doubts)
 {
-    const auto readings = static_cast<Eigen::Index>(swing.used), doubts = static_cast<Eigen::Index>(swing.doubts.size());
+    const auto rows = static_cast<Eigen::Index>(readings.size()), columns = static_cast<Eigen::Index>(doubts.size());
     SharedErrors shared;
-    if (readings < 3 || doubts == 0)
+    if (rows < 3 || columns == 0)
         return shared;
-    Eigen::MatrixXd design(readings, 5), turned(readings, doubts);
-    Eigen::Index row = 0;
-    for (const auto& pair : swing.pairs) {
-        if (!pair.used)
-            continue;
-        const double heading = pair.compass.radians();
+    Eigen::MatrixXd design(rows, 5), turned(rows, columns);
+    for (Eigen::Index row = 0; row < rows; ++row) {
+        const double heading = readings[static_cast<std::size_t>(row)].radians();
         design.row(row) << 1.0, std::sin(heading), std::cos(heading), std::sin(2.0 * heading), std::cos(2.0 * heading);
-        for (Eigen::Index doubt = 0; doubt < doubts; ++doubt)
-            turned(row, doubt) = swing.doubts[static_cast<std::size_t>(doubt)][static_cast<std::size_t>(row)];
-        ++row;
     }
-    const ToldCoefficients told = toldBy(design, static_cast<int>(readings));
+    for (Eigen::Index column = 0; column < columns; ++column) {
+        const SharedDoubt& doubt = doubts[static_cast<std::size_t>(column)];
+        LUBBERLINE_EXPECT(doubt.size() == readings.size(), "a doubt says what it adds to each reading");
+        turned.col(column) = Eigen::Map<const Eigen::VectorXd>(doubt.data(), rows);
+    }
+    const ToldCoefficients told = toldBy(design, static_cast<int>(rows));
     if (told.columns.empty())
         return shared;
     // The exact coefficients are the approximate ones to the first order, and a doubt is no better known than that.
