@@ -1,5 +1,7 @@
 #include "app/PlacedSwings.h"
 
+#include <algorithm>
+
 #include "app/OpenStores.h"
 #include "core/swing/SwingPlaces.h"
 
@@ -12,10 +14,14 @@ Result<PlacedSwings> placedSwings(const std::string& database, const std::vector
         return stores.error();
     PlacedSwings placed;
     CompassId compass;
+    std::vector<SwingId> taken;
     for (const auto& name : names) {
         const auto id = (*stores)->swings.named(name);
         if (!id)
             return id.error();
+        if (std::find(taken.begin(), taken.end(), *id) != taken.end())
+            return Error{ErrorCode::InvalidInput, {MARKED("app", "swing %1 is named once more; expected each swing once"), name}};
+        taken.push_back(*id);
         const auto record = (*stores)->swings.record(*id);
         if (!record)
             return record.error();

@@ -37,6 +37,8 @@ struct CheckedCompass {
     CompassBelief belief;
     CheckOptions options;
     std::size_t swings = 0;
+    std::vector<SourcedRecord> records; ///< of its history
+    std::vector<Message> warnings;
     SwingRecord last; ///< the newest swing that there is: what the check is of
 };
 
@@ -50,9 +52,9 @@ struct CheckArguments {
     bool json = false;
 };
 
-Result<std::vector<SwingRecord>> recordsOf(const HistorySource& source, const std::string& database)
+Result<std::vector<SourcedRecord>> recordsOf(const HistorySource& source, const std::string& database)
 {
-    std::vector<SwingRecord> records;
+    std::vector<SourcedRecord> records;
     for (const std::string& file : source.files) {
         auto swing = swingFromCsv(file);
         if (!swing)
@@ -60,7 +62,7 @@ Result<std::vector<SwingRecord>> recordsOf(const HistorySource& source, const st
         if (swing->record.swing.date.empty())
             return Error{ErrorCode::InvalidInput,
                 MARKED("app", "a swing without a date is no part of a history; expected “# date: YYYY-MM-DD”"), nameOfInput(file)};
-        records.push_back(std::move(swing->record));
+        records.push_back({nameOfInput(file), std::move(swing->record)});
     }
     if (source.swing.empty())
         return records;
@@ -77,30 +79,48 @@ Result<std::vector<SwingRecord>> recordsOf(const HistorySource& source, const st
     if (!listed)
         return listed.error();
     for (const ListedSwing& swing : *listed) {
-        if (swing.compass != one->compass.name)
+        if (swing.compass != one->compass.name || swing.row.superseded) // what amends it is there, too
             continue;
         const auto id = (*stores)->swings.named(swing.record);
         auto record = id ? (*stores)->swings.record(*id) : Result<SwingRecord>(id.error());
         if (!record)
             return record.error();
-        records.push_back(std::move(record.value()));
+        records.push_back({record->swing.record, std::move(record.value())});
     }
     return records;
 }
 
-Result<CheckedCompass> compassOf(const HistorySource& source, const std::string& database, double year, const CheckArguments& options)
+/// @param read what the check itself reads: no part of its own history
+Result<CheckedCompass> compassOf(
+    const HistorySource& source, const std::string& database, double year, const CheckArguments& options, const SwingRecord* read = nullptr)
 {
     auto records = recordsOf(source, database);
     if (!records)
         return records.error();
     CheckedCompass compass;
+    if (!source.swing.empty()) {
+        if (read && std::erase_if(*records, [&](const SourcedRecord& one) { return isSameSwing(one.record, *read); }) > 0)
+            compass.warnings.push_back(MARKED("app", "these readings are on record already: they are no part of the history here"));
+        for (auto one = records->begin(); one != records->end(); ++one) // what is on record is not this command's to refuse
+            records->erase(std::remove_if(std::next(one), records->end(),
+                               [&](const SourcedRecord& other) { return isSameSwing(one->record, other.record); }),
+                records->end());
+    }
+    if (const auto one = checkHistory(*records); !one)
+        return one.error();
+    for (Message& doubt : doubtsOfHistory(*records))
+        compass.warnings.push_back(std::move(doubt));
     compass.options = options.options;
-    const auto history = historyOf(*records);
+    std::vector<SwingRecord> swings;
+    for (const SourcedRecord& one : *records)
+        swings.push_back(one.record);
+    const auto history = historyOf(swings);
     compass.swings = static_cast<std::size_t>(
         std::count_if(history.begin(), history.end(), [year](const PastSwing& one) { return one.year <= year; }));
-    std::stable_sort(records->begin(), records->end(), [](const auto& a, const auto& b) { return a.swing.date < b.swing.date; });
-    if (!records->empty())
-        compass.last = records->back();
+    compass.records = std::move(*records);
+    std::stable_sort(swings.begin(), swings.end(), [](const auto& a, const auto& b) { return a.swing.date < b.swing.date; });
+    if (!swings.empty())
+        compass.last = swings.back();
     if (options.error_deg)
         compass.options.readingError_deg = *options.error_deg;
     compass.options.limit_deg = options.limit_deg;
@@ -147,26 +167,35 @@ int checkCommand(const CheckArguments& options, const std::string& database)
     const auto year = yearOfCheck(options);
     if (!year)
         return fail(year.error());
-    const auto compass = compassOf(options.history, database, *year, options);
-    if (!compass)
-        return fail(compass.error());
-    const ChosenHeadings chosen = headingsFor(compass->belief, options.headings, compass->options);
-    if (options.readings.empty()) {
-        if (const Message unknown = whatIsUnknown(compass->belief); !unknown.empty())
-            warn(std::vector{unknown});
-        if (options.json)
-            put("%s\n", toJson(compass->belief, compass->swings, chosen, compass->options).c_str());
-        else
-            printHeadings(chosen);
-        return kDone;
-    }
-    const auto read = swingFromCsv(options.readings);
+    auto read = options.readings.empty() ? Result<SourcedSwing>(SourcedSwing{}) : swingFromCsv(options.readings);
     if (!read)
         return fail(read.error());
+    const bool isRead = !options.readings.empty();
+    auto compass = compassOf(options.history, database, *year, options, isRead ? &read->record : nullptr);
+    if (!compass)
+        return fail(compass.error());
+    if (isRead) {
+        compass->records.push_back({nameOfInput(options.readings), read->record});
+        if (const auto one = checkHistory(compass->records); !one)
+            return fail(one.error());
+    }
+    const ChosenHeadings chosen = headingsFor(compass->belief, options.headings, compass->options);
+    if (!isRead) {
+        if (Message unknown = whatIsUnknown(compass->belief); !unknown.empty())
+            compass->warnings.push_back(std::move(unknown));
+        if (options.json) {
+            put("%s\n", toJson(compass->belief, compass->swings, chosen, compass->options, compass->warnings).c_str());
+        } else {
+            warn(compass->warnings);
+            printHeadings(chosen);
+        }
+        return kDone;
+    }
     const auto observations = observationsOf(read->record.swing);
-    const auto verdict = verdictOf(compass->belief, observations, compass->options);
+    auto verdict = verdictOf(compass->belief, observations, compass->options);
     if (!verdict)
         return fail({verdict.error().code, verdict.error().message, nameOfInput(options.readings)});
+    verdict->warnings.insert(verdict->warnings.begin(), compass->warnings.begin(), compass->warnings.end());
     if (!options.json) {
         warn(read->warnings);
         warn(verdict->warnings);
@@ -202,15 +231,19 @@ int compareCommand(const CompareArguments& options, const std::string& database)
     const auto year = yearOfCheck(options.common);
     if (!year)
         return fail(year.error());
-    const auto first = compassOf(options.first, database, *year, options.common);
+    auto first = compassOf(options.first, database, *year, options.common);
     if (!first)
         return fail(first.error());
-    const auto second = compassOf(options.second, database, *year, options.common);
+    auto second = compassOf(options.second, database, *year, options.common);
     if (!second)
         return fail(second.error());
-    const auto verdict = compareCompasses(first->belief, second->belief, *pairs, first->options);
+    if (const auto two = checkTwoCompasses(first->records, second->records); !two)
+        return fail(two.error());
+    auto verdict = compareCompasses(first->belief, second->belief, *pairs, first->options);
     if (!verdict)
         return fail({verdict.error().code, verdict.error().message, nameOfInput(options.pairs)});
+    for (const CheckedCompass* one : {&*first, &*second})
+        verdict->warnings.insert(verdict->warnings.begin(), one->warnings.begin(), one->warnings.end());
     if (options.common.json) {
         put("%s\n", toJson(*verdict).c_str());
         return kDone;

@@ -13,6 +13,7 @@
 #include "app/commands/Command.h"
 #include "core/base/Number.h"
 #include "core/base/WholeFile.h"
+#include "core/check/History.h"
 #include "core/deviation/TurnedBothWays.h"
 #include "core/format/csv/StrayCsv.h"
 #include "core/format/results/SensorTestsJson.h"
@@ -71,6 +72,9 @@ int siteCheckCommand(const SiteCheckArguments& options)
     const auto second = swingFromCsv(options.counterClockwise);
     if (!second)
         return fail(second.error());
+    const SourcedRecord runs[] = {{nameOfInput(options.clockwise), first->record}, {nameOfInput(options.counterClockwise), second->record}};
+    if (const auto one = checkHistory(runs); !one)
+        return fail(one.error());
     const auto both = turnedBothWays(observationsOf(first->record.swing), observationsOf(second->record.swing), options.limit_deg);
     if (!both)
         return fail({both.error().code, both.error().message, nameOfInput(options.clockwise)});

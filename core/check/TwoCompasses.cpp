@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
@@ -160,6 +161,33 @@ void judge(const std::vector<Drawn>& all, PairVerdict& verdict)
     verdict.errorProbability = 1 - *likeliest;
 }
 
+/// What both compasses are off the datum by, where that is the same of both and little else is left: two compasses with a life of their
+/// own seldom move alike, and a variation, a clock or a line that is wrong looks just so.
+std::optional<double> datumOutBy_deg(const Bins& bins, const CheckOptions& options)
+{
+    std::array<std::vector<double>, 2> off_deg;
+    for (const auto& [place, bin] : bins)
+        if (bin.datums > 0) {
+            off_deg[0].push_back(bin.first_deg / bin.datums);
+            off_deg[1].push_back(bin.second_deg / bin.datums);
+        }
+    const auto count = static_cast<double>(off_deg[0].size());
+    if (off_deg[0].empty())
+        return {};
+    std::array<double, 2> mean_deg{};
+    for (std::size_t which = 0; which < 2; ++which)
+        mean_deg[which] = std::accumulate(off_deg[which].begin(), off_deg[which].end(), 0.0) / count;
+    const double alike_deg = (mean_deg[0] + mean_deg[1]) / 2;
+    double squares = 0;
+    for (std::size_t which = 0; which < 2; ++which)
+        for (const double off : off_deg[which])
+            squares += std::pow(off - alike_deg, 2);
+    const double left_deg = std::sqrt(squares / (2 * count)), error_deg = options.readingError_deg;
+    const bool sure = std::abs(alike_deg) > std::max(options.tolerance_deg / 2, 3 * error_deg / std::sqrt(2 * count));
+    const bool nothingElse = left_deg < std::max(2 * error_deg, std::abs(alike_deg) / 3);
+    return sure && nothingElse ? std::optional(alike_deg) : std::nullopt;
+}
+
 } // namespace
 
 Result<PairVerdict> compareCompasses(
@@ -175,6 +203,8 @@ Result<PairVerdict> compareCompasses(
         verdict.withDatum += static_cast<std::size_t>(bin.datums);
     describeDifference(bins, options, verdict);
     judge(drawAll(first, second, pairReadings(bins, options), options), verdict);
+    if (verdict.firstFault > 0.5 && verdict.secondFault > 0.5)
+        verdict.datumOut_deg = datumOutBy_deg(bins, options);
     if (verdict.withDatum == 0)
         verdict.warnings.push_back(MARKED("core",
             "no reading has a datum beside it: had both compasses moved alike, their readings would agree; that is not told apart from the datum"));
@@ -192,7 +222,7 @@ Message inWords(const PairVerdict& verdict)
     const auto percent = [](double probability) {
         return probability > 0.99 ? std::string("> 99") : probability < 0.01 ? std::string("< 1") : figureText(100 * probability, 0);
     };
-    if (!verdict.named)
+    if (!verdict.named && !verdict.datumOut_deg)
         return {verdict.withDatum > 0
                 ? MARKED("core",
                     "not told which: the first has moved with %1 %, the second with %2 %, neither with %3 %; read them on more headings beside the datum")
@@ -200,6 +230,11 @@ Message inWords(const PairVerdict& verdict)
                     "not told which: the first has moved with %1 %, the second with %2 %, neither with %3 %; read them once beside a datum"),
             percent(verdict.firstFault), percent(verdict.secondFault), percent(verdict.probability[0])};
     const double probability = 1 - verdict.errorProbability;
+    if (verdict.datumOut_deg)
+        return {
+            MARKED("core",
+                "both compasses differ from the datum by %1° alike: the datum (variation, clock, line) may be out, or both moved; hold it against another"),
+            signedFigureText(*verdict.datumOut_deg, 1)};
     switch (*verdict.named) {
     case Moved::First: return {MARKED("core", "the first compass moved (%1 %)"), percent(probability)};
     case Moved::Second: return {MARKED("core", "the second compass moved (%1 %)"), percent(probability)};
@@ -219,6 +254,9 @@ Message whySwing(const PairVerdict& verdict, const std::string& first, const std
     if (which == Moved::First || which == Moved::Second)
         return {MARKED("core", "read beside %1, the compass %2 no longer holds its card (%3 %)"), which == Moved::First ? second : first,
             which == Moved::First ? first : second, percent};
+    if (verdict.datumOut_deg)
+        return {MARKED("core", "read together, %1 and %2 differ from the datum by %3° alike: the datum may have been out, or both moved"),
+            first, second, signedFigureText(*verdict.datumOut_deg, 1)};
     if (which == Moved::Both)
         return {MARKED("core", "read together, neither %1 nor %2 holds its card (%3 %)"), first, second, percent};
     return {MARKED("core", "read together, one of %1 and %2 no longer holds its card, not told which (%3 %)"), first, second, percent};

@@ -24,6 +24,8 @@ struct PairVerdict {
     std::array<double, 5> difference_deg{};      ///< of m1 − m2, coefficients A … E over the mean of both headings
     std::array<double, 5> differenceError_deg{}; ///< standard errors, with what is believed before
     double rms_deg = 0;
+    /// Both differ from the datum by this much, datum − compass as corrected, and by little else: the datum may be what is out.
+    std::optional<double> datumOut_deg;
     std::size_t readings = 0, withDatum = 0, headings = 0; ///< headings: bins of 10° that have a reading
     std::vector<Message> warnings;
 };

@@ -118,6 +118,25 @@ TEST(SunCommand, aSwingAnywhere)
     const auto analysis = sandbox.run({"analyse", swing, "--json"});
     ASSERT_EQ(analysis.status, 0) << analysis.err;
     EXPECT_NEAR(analysis.json().at("approximate").at("A_deg").get<double>(), 2, 1e-3);
+    // A stated variation has no error of its own; the model's has, and 5° of plumb are in B and C.
+    const auto sharedOf = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"sun", "--lat", "52", "--lon", "21", "--readings", fileOf(9), "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const auto run = sandbox.run(arguments);
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_EQ(run.json().at("readings").size(), 8u);
+        return run.json().at("shared_error_deg");
+    };
+    EXPECT_LT(sharedOf({"--variation", "6"}).at("A_deg").get<double>(), 0.1);
+    EXPECT_NEAR(sharedOf({"--variation", "6", "--variation-error-deg", "1"}).at("A_deg").get<double>(), 1, 0.02);
+    EXPECT_NEAR(sharedOf({}).at("A_deg").get<double>(), 0.38, 0.06);
+    EXPECT_GT(sharedOf({"--plumb-error-deg", "5"}).at("B_deg").get<double>(), 4);
+    const auto wide = sandbox.path("wide.csv");
+    ASSERT_EQ(sandbox.run({"sun", "--lat", "52", "--lon", "21", "--readings", fileOf(9), "--plumb-error-deg", "5", "-o", wide}).status, 0);
+    const auto analysed = sandbox.run({"analyse", wide, "--json"});
+    EXPECT_GT(analysed.json().at("approximate").at("standard_error_deg").at("B_deg").get<double>(), 4);
+    EXPECT_EQ(analysed.err.find("means nothing here"), std::string::npos) << analysed.err;
+    EXPECT_EQ(sandbox.run({"sun", "--lat", "52", "--lon", "21", "--readings", fileOf(9), "--json", "-o", "-"}).status, 2);
     const auto fast = sandbox.run({"sun", "--lat", "52", "--lon", "21", "--variation", "6", "--readings", fileOf(10)});
     EXPECT_EQ(fast.status, 0);
     EXPECT_NE(fast.err.find("an hour fast"), std::string::npos) << fast.err;
@@ -164,6 +183,23 @@ TEST(CheckCommand, headingsVerdictAndASwingToSign)
     EXPECT_EQ(before.json().at("verdict"),
         sandbox.run({"check", "--date", "2026-03-01", readings, "--json", "--history", history[0]}).json().at("verdict"));
     EXPECT_EQ(sandbox.run({"check", "--history", history[0], history[1], readings}).status, 2);
+    // A history is of this compass, and has each swing once; what is checked is no part of it.
+    const auto other = sandbox.path("other.csv");
+    write(other,
+        "# aircraft: SP-XXX\n# compass: no 2\n# date: 2024-01-01\nmagnetic_heading_deg,compass_heading_deg\n0,0\n120,120\n240,240\n");
+    for (const auto& [file, said] :
+        {std::pair{other, "this swing is of SP-XXX, no 2"}, std::pair{history[1], "once more"}, std::pair{readings, "once more"}}) {
+        auto wrong = call;
+        wrong.insert(wrong.end(), {"--history", file, readings});
+        const auto run = sandbox.run(wrong);
+        EXPECT_EQ(run.status, 1) << file;
+        EXPECT_NE(run.err.find(said), std::string::npos) << run.err;
+    }
+    EXPECT_EQ(sandbox.run({"check", "--history", history[0], other}).status, 1) << "the readings are of another compass";
+    const auto pairs = sandbox.path("pairs.csv");
+    write(pairs, "first_compass_deg,second_compass_deg\n0,0\n90,90\n");
+    EXPECT_EQ(sandbox.run({"compare", pairs, "--first-history", history[0], "--second-history", history[0]}).status, 1);
+    EXPECT_EQ(sandbox.run({"compare", pairs, "--first-history", history[0], "--second-history", history[1]}).status, 1);
     write(readings,
         "# date: 2026-03-01\n# aircraft: SP-ABC\n# compass: standby\nmagnetic_heading_deg,compass_heading_deg\n10,0\n130,120\n242,240\n");
     EXPECT_EQ(sandbox.run(judge).json().at("verdict"), "swing it");

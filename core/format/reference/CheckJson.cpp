@@ -66,12 +66,14 @@ std::string finished(JsonWriter& json)
 
 } // namespace
 
-std::string toJson(const CompassBelief& belief, std::size_t swings, const ChosenHeadings& chosen, const CheckOptions& options)
+std::string toJson(const CompassBelief& belief, std::size_t swings, const ChosenHeadings& chosen, const CheckOptions& options,
+    const std::vector<Message>& warnings)
 {
     JsonWriter json;
     json.beginObject();
     writeChosen(json, belief, swings, chosen, options);
     json.number("fault_probability", sixDecimals(chanceOfFault(belief, {}, options)));
+    writeSaid(json, warnings);
     return finished(json);
 }
 
@@ -117,6 +119,10 @@ std::string toJson(const PairVerdict& verdict)
     json.number("second_fault_probability", sixDecimals(verdict.secondFault));
     writeFive(json, "difference", verdict.difference_deg);
     writeFive(json, "difference_standard_error", verdict.differenceError_deg);
+    if (verdict.datumOut_deg)
+        json.number("datum_out_deg", sixDecimals(*verdict.datumOut_deg));
+    else
+        json.null("datum_out_deg");
     json.number("rms_difference_deg", sixDecimals(verdict.rms_deg));
     json.integer("pairs", static_cast<std::int64_t>(verdict.readings));
     json.integer("pairs_with_datum", static_cast<std::int64_t>(verdict.withDatum));

@@ -10,8 +10,8 @@
 namespace lubberline {
 
 /// What to read, of a compass with so many swings on record. No newline at the end.
-[[nodiscard]] std::string toJson(
-    const CompassBelief& belief, std::size_t swings, const ChosenHeadings& chosen, const CheckOptions& options);
+[[nodiscard]] std::string toJson(const CompassBelief& belief, std::size_t swings, const ChosenHeadings& chosen, const CheckOptions& options,
+    const std::vector<Message>& warnings);
 /// The same with what was read and the verdict.
 [[nodiscard]] std::string toJson(const CompassBelief& belief, std::size_t swings, const ChosenHeadings& chosen, const CheckOptions& options,
     std::span<const Observation> readings, const CheckVerdict& verdict);

@@ -118,5 +118,25 @@ TEST(TwoCompasses, aLogIsNoSurerThanItsHeadings)
         EXPECT_NEAR(many->probability[i], few->probability[i], 1e-9);
 }
 
+TEST(TwoCompasses, aDatumThatIsOutIsDoubtedBeforeBothCompasses)
+{
+    const auto one = compassOf(0.05), two = compassOf(0.05);
+    const auto beside = [&](double datum_deg, double firstB_deg, double secondB_deg) {
+        auto pairs = readingsOf(one, two, firstB_deg, secondB_deg, false);
+        for (std::size_t i = 0; i < pairs.size(); ++i)
+            pairs[i].datum = MagneticHeading::fromDegrees(45.0 * static_cast<double>(i) + datum_deg);
+        return compareCompasses(one, two, pairs, {});
+    };
+    const auto out = beside(5, 0, 0);
+    ASSERT_TRUE(out && out->datumOut_deg) << inWords(*out).english();
+    EXPECT_NEAR(*out->datumOut_deg, 5, 0.05);
+    EXPECT_NE(inWords(*out).english().find("+5.0° alike"), std::string::npos) << inWords(*out).english();
+    EXPECT_NE(whySwing(*out, "main", "standby").english().find("+5.0° alike"), std::string::npos);
+    EXPECT_NEAR(*beside(-5, 0, 0)->datumOut_deg, -5, 0.05);
+    EXPECT_FALSE(beside(0, 0, 0)->datumOut_deg); // all is well
+    EXPECT_FALSE(beside(0, 6, 6)->datumOut_deg); // a B of both is no datum's
+    EXPECT_FALSE(beside(0, 0, 6)->datumOut_deg); // one of them moved
+}
+
 } // namespace
 } // namespace lubberline
