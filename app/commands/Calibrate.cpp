@@ -58,7 +58,7 @@ void printTable(const EllipsoidResult& result, const SensorLog& log)
         printParameters(result.fit->parameters);
 }
 
-/// The field as it is known. Without a dip it is written as if it were horizontal, and the note says so.
+/// The field as it is known; without a dip only its size.
 SensorSetup setupOf(const SensorModel& model, const KnownFieldArguments& arguments, const KnownField& known, double size, std::string note)
 {
     SensorSetup setup;
@@ -69,8 +69,8 @@ SensorSetup setupOf(const SensorModel& model, const KnownFieldArguments& argumen
     else if (known.meridian)
         setup.field = *known.meridian;
     else {
-        setup.field = MeridianField{size, 0.0};
-        setup.note += "; the dip is not known and stands as 0: what rests on it (smith, simulate, map) needs --dip-deg or a place";
+        setup.field = TotalField{size};
+        setup.note += "; the dip is not known: what rests on it (smith, simulate, map) needs --dip-deg or a place";
     }
     return setup;
 }
@@ -85,6 +85,8 @@ int writeModel(const CalibrateArguments& options, const SensorSetup& setup, std:
         content = *header;
     } else {
         content = writeModelJson(setup);
+        if (std::holds_alternative<TotalField>(setup.field))
+            warn({MARKED("app", "the dip is not known: smith, simulate and map refuse this model until it or a place is stated")});
     }
     if (const auto written = writeWholeFile(options.output.path, content, {options.log.file}); !written)
         return fail(written.error());

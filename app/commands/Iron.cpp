@@ -34,16 +34,17 @@ BenchStates chosenStates(const IronArguments& options, const IronBench& bench)
     return states;
 }
 
-Result<std::variant<MeridianField, PlaceAndDate>> fieldOf(const IronArguments& options)
+Result<std::variant<MeridianField, PlaceAndDate, TotalField>> fieldOf(const IronArguments& options)
 {
     if (options.horizontal_nT)
-        return std::variant<MeridianField, PlaceAndDate>(MeridianField::fromDip(*options.horizontal_nT, toRadians(*options.dip_deg)));
+        return std::variant<MeridianField, PlaceAndDate, TotalField>(
+            MeridianField::fromDip(*options.horizontal_nT, toRadians(*options.dip_deg)));
     const auto place = makePlace(*options.latitude_deg, *options.longitude_deg, options.altitude_m);
     if (!place)
         return place.error();
     if (const auto year = decimalYear(options.date); !year)
         return year.error();
-    return std::variant<MeridianField, PlaceAndDate>(PlaceAndDate{*place, options.date});
+    return std::variant<MeridianField, PlaceAndDate, TotalField>(PlaceAndDate{*place, options.date});
 }
 
 Result<void> writeModel(const IronArguments& options, const BenchModel& model, const BenchStates& states)

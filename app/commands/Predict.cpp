@@ -56,6 +56,8 @@ Result<PredictAnswer> fromModel(const std::string& path, const MeridianField& th
     auto prediction = predict(setup->model, {here ? std::optional(*here) : std::nullopt, there});
     if (!prediction)
         return prediction.error();
+    if (!here)
+        prediction->warnings.push_back({MARKED("app", "what changes from here is not told: %1"), here.error().message});
     if (setup->uncertainty)
         addModelBand(*prediction, setup->model, *setup->uncertainty);
     return PredictAnswer{std::move(prediction.value()), {}};

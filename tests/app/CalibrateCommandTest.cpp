@@ -65,6 +65,25 @@ TEST(CalibrateCommand, unitsGiveTheSameAnswer)
     EXPECT_NEAR(json.at("hard_iron_nT")[0], 3000, 15);
 }
 
+TEST(CalibrateCommand, aModelWithoutADipIsNotComputedWith)
+{
+    const Sandbox sandbox;
+    const auto made = sandbox.run({"calibrate", sandbox.write("log.csv", logOf(1000, 50)), "--field-nT", "48000", "-o", "model.json"});
+    ASSERT_EQ(made.status, 0);
+    EXPECT_THAT(made.err, HasSubstr("the dip is not known"));
+    EXPECT_EQ(nlohmann::json::parse(sandbox.read("model.json")).at("field"), nlohmann::json({{"F_nT", 48000}}));
+    for (const auto& arguments : {std::vector<std::string>{"smith", "model.json"}, {"simulate", "model.json"},
+             {"map", "model.json", "--x", "heading", "--y", "pitch"}, {"compensator", "model.json"}}) {
+        const auto refused = sandbox.run(arguments);
+        EXPECT_EQ(refused.status, 1) << arguments.front();
+        EXPECT_THAT(refused.err, HasSubstr("only its size is known")) << arguments.front();
+    }
+    // Elsewhere the field is stated: only what changes from here to there is not told.
+    const auto there = sandbox.run({"predict", "model.json", "--lat", "52", "--lon", "21", "--date", "2026-11-28", "--json"});
+    ASSERT_EQ(there.status, 0) << there.err;
+    EXPECT_THAT(there.json().at("warnings").dump(), HasSubstr("only its size is known"));
+}
+
 TEST(CalibrateCommand, writesModelAndHeader)
 {
     const Sandbox sandbox;

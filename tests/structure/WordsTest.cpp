@@ -96,7 +96,7 @@ bool isNoSentence(const std::string& file, const std::string& text)
         {"ui/report/page/", "it holds more than it may"}, {"ui/guided/", "read again after the review"},
         {"ui/guided/", "after the check swing"}, {"ui/guided/", "magnetic heading, as read"}, {"ui/fleet/", "completion undone"},
         {"ui/", "from the log "}, {"ui/calibration/", "calibrated from "},
-        {"ui/calibration/", "; the dip is not known and stands as 0: what rests on it needs it entered"}, {"ui/swing/", " job card.pdf"},
+        {"ui/calibration/", "; the dip is not known: what rests on it needs it entered"}, {"ui/swing/", " job card.pdf"},
         {"ui/report/forms/", "compensator at zero"}, {"ui/report/forms/", "variation setter"}, {"ui/sensor/", "soft iron "},
         {"ui/sensor/", "hard iron "}, {"ui/sensor/", "soft constant "}, {"ui/report/swing/", "(d − b) / 2λ, with the turn of the mount"}};
     for (const auto& [place, stored] : kStored)

@@ -53,8 +53,8 @@ Result<std::string> CalibrationPage::modelText(const QString& path) const
     if (const auto dip_deg = chosen->dip_deg) {
         setup.field = MeridianField{m_run->field_nT * std::cos(toRadians(*dip_deg)), m_run->field_nT * std::sin(toRadians(*dip_deg))};
     } else {
-        setup.field = MeridianField{m_run->field_nT, 0};
-        setup.note += "; the dip is not known and stands as 0: what rests on it needs it entered";
+        setup.field = TotalField{m_run->field_nT};
+        setup.note += "; the dip is not known: what rests on it needs it entered";
     }
     return writeModelJson(setup);
 }

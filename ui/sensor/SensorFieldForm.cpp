@@ -130,7 +130,7 @@ void SensorFieldForm::showTyped(const MeridianField& field)
     compute();
 }
 
-std::variant<MeridianField, PlaceAndDate> SensorFieldForm::stated() const
+std::variant<MeridianField, PlaceAndDate, TotalField> SensorFieldForm::stated() const
 {
     if (const Site* chosen = site(); chosen && m_field)
         return PlaceAndDate{*placeOf(*chosen), m_date->text().trimmed().toStdString()};

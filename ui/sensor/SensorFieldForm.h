@@ -33,7 +33,7 @@ public:
     /// Errors: no such date, outside the years of every model, blackout zone.
     [[nodiscard]] const Result<MeridianField>& field() const { return m_field; }
     /// As a Model JSON states it: place and date where a site is chosen.
-    [[nodiscard]] std::variant<MeridianField, PlaceAndDate> stated() const;
+    [[nodiscard]] std::variant<MeridianField, PlaceAndDate, TotalField> stated() const;
 
 signals:
     void played();  ///< a slider moves

@@ -85,13 +85,20 @@ MeridianField readMeridian(JsonObject& object)
     return MeridianField::fromDip(horizontal_nT, toRadians(dip_deg));
 }
 
-std::variant<MeridianField, PlaceAndDate> readField(JsonObject& object)
+std::variant<MeridianField, PlaceAndDate, TotalField> readField(JsonObject& object)
 {
+    if (object.has("F_nT")) {
+        object.only({"F_nT"});
+        return TotalField{object.requiredNumber("F_nT", {0, 1e9})};
+    }
     for (const char* key : {"lat_deg", "lon_deg", "alt_m", "date"})
         if (object.has(key))
             return readPlace(object);
     return readMeridian(object);
 }
+
+/// What calibrations of before wrote into the note of a model whose dip nobody knew.
+constexpr std::string_view kOldDipNote = "the dip is not known and stands as 0";
 
 /// The keys of SensorModel, and those before it.
 constexpr std::array<std::string_view, 8> kKeys{
@@ -105,6 +112,9 @@ SensorSetup readSetup(JsonObject& object)
     if (!object.has("field"))
         object.missing("field", MARKED("core", "{H_nT, dip_deg} or {lat_deg, lon_deg, alt_m, date}"));
     object.object("field", [&](JsonObject& field) { setup.field = readField(field); });
+    if (const auto* given = std::get_if<MeridianField>(&setup.field);
+        given && given->down_nT == 0 && setup.note.find(kOldDipNote) != std::string::npos)
+        setup.field = TotalField{given->horizontal_nT};
     setup.model = readSensorModel(object);
     setup.uncertainty = readCovariance(object);
     return setup;
@@ -256,6 +266,8 @@ std::string writeModelJson(const SensorSetup& setup)
     json.beginObject("field", true);
     if (const auto* given = std::get_if<MeridianField>(&setup.field))
         writeMeridian(json, *given);
+    else if (const auto* total = std::get_if<TotalField>(&setup.field))
+        json.number("F_nT", total->total_nT);
     else
         writePlace(json, std::get<PlaceAndDate>(setup.field));
     json.end();

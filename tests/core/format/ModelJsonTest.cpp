@@ -364,5 +364,25 @@ TEST(SensorModelJson, theSamplesAreModels)
     }
 }
 
+TEST(ModelJson, aFieldWithoutADipIsNone)
+{
+    const auto setup = readModelJson(R"({"field": {"F_nT": 49800}, "hard_iron_nT": [1500, -2300, 800]})", "m.json");
+    ASSERT_TRUE(setup) << describe(setup.error());
+    EXPECT_EQ(std::get<TotalField>(setup->field).total_nT, 49800);
+    const auto field = fieldOf(*setup);
+    ASSERT_FALSE(field);
+    EXPECT_NE(describe(field.error()).find("only its size is known (49800)"), std::string::npos) << describe(field.error());
+    const auto back = readModelJson(writeModelJson(*setup), "m.json");
+    ASSERT_TRUE(back);
+    EXPECT_EQ(*back, *setup);
+    EXPECT_FALSE(readModelJson(R"({"field": {"F_nT": 49800, "dip_deg": 67}})", "m.json"));
+    // Calibrations of before wrote a dip of 0, and in their note that nobody knew it. A stated dip of 0 is the magnetic equator.
+    const auto old = readModelJson(R"({"note": "good; the dip is not known and stands as 0: what rests on it (smith) needs --dip-deg",
+        "field": {"H_nT": 49800, "dip_deg": 0}})",
+        "m.json");
+    EXPECT_EQ(std::get<TotalField>(old->field).total_nT, 49800);
+    EXPECT_TRUE(fieldOf(*readModelJson(R"({"field": {"H_nT": 40000, "dip_deg": 0}})", "m.json")));
+}
+
 } // namespace
 } // namespace lubberline::test
