@@ -74,7 +74,17 @@ struct Peak {
     double frequency_hz = 0, amplitude = 0;
 };
 
-std::vector<Peak> peaksOf(const WelchSpectrum& spectrum)
+/// Less than this of the largest figure is the rounding of numbers, and no line.
+double leastLine(const std::vector<std::vector<double>>& runs)
+{
+    double largest = 0;
+    for (const auto& run : runs)
+        for (const double value : run)
+            largest = std::max(largest, std::abs(value));
+    return 1e-9 * largest;
+}
+
+std::vector<Peak> peaksOf(const WelchSpectrum& spectrum, double leastAmplitude)
 {
     const auto& density = spectrum.density;
     const auto bins = static_cast<int>(density.size());
@@ -98,6 +108,8 @@ std::vector<Peak> peaksOf(const WelchSpectrum& spectrum)
         double power = 0;
         for (int i = std::max(1, k - kNear); i <= std::min(bins - 1, k + kNear); ++i)
             power += std::max(0.0, at(i) - floor) * spectrum.step_hz;
+        if (std::sqrt(2 * power) <= leastAmplitude)
+            continue;
         const double left = std::log(std::max(at(k - 1), 1e-300)), middle = std::log(at(k)), right = std::log(std::max(at(k + 1), 1e-300));
         const double bend = left - 2 * middle + right;
         const double shift = bend < 0 ? std::clamp(0.5 * (left - right) / bend, -0.5, 0.5) : 0.0;
@@ -123,21 +135,55 @@ Message supplyName(const Supply& supply, int harmonic)
     return {MARKED("core", "harmonic %1 of %2"), harmonic, supply.name};
 }
 
-/// The supply that a line may come from: as it stands before folded ones, low harmonics before high ones.
+/// Generators of 400 Hz keep it to one or two parts in a hundred.
+constexpr double kAircraftSupply_hz = 400, kKept = 0.02;
+
+/// The supplies of the lowest harmonic that has any which falls there; those that stand as they are, or those that sampling folded.
+std::vector<LineSource> suppliesAt(double frequency_hz, bool folded, double rate_hz, double within_hz)
+{
+    std::vector<LineSource> found;
+    for (const int harmonic : kHarmonics) {
+        for (const auto& supply : kSupplies) {
+            const double frequency = supply.frequency_hz * harmonic;
+            if ((frequency > rate_hz / 2) == folded && std::abs(aliasOf_hz(frequency, rate_hz) - frequency_hz) <= within_hz)
+                found.push_back({supplyName(supply, harmonic), folded ? std::optional(frequency) : std::nullopt});
+        }
+        if (!found.empty())
+            break;
+    }
+    return found;
+}
+
+/// The frequency next to 400 Hz that sampling folds to a line; none within what such a supply keeps.
+std::optional<double> nearAircraftSupply_hz(double frequency_hz, double rate_hz)
+{
+    std::optional<double> best;
+    for (const double side : {-1.0, 1.0}) {
+        const double near = frequency_hz * side + rate_hz * std::round((kAircraftSupply_hz - frequency_hz * side) / rate_hz);
+        if (near > rate_hz / 2 && std::abs(near - kAircraftSupply_hz) <= kKept * kAircraftSupply_hz
+            && (!best || std::abs(near - kAircraftSupply_hz) < std::abs(*best - kAircraftSupply_hz)))
+            best = near;
+    }
+    return best;
+}
+
+/// All that a line may come from: as it stands before folded ones. A folded line may be a 400 Hz supply that is a little off, too.
 void nameLine(SpectralLine& line, double rate_hz, double within_hz)
 {
-    for (const bool folded : {false, true})
-        for (const int harmonic : kHarmonics)
-            for (const auto& supply : kSupplies) {
-                const double frequency = supply.frequency_hz * harmonic;
-                if ((frequency > rate_hz / 2) != folded || std::abs(aliasOf_hz(frequency, rate_hz) - line.frequency_hz) > within_hz)
-                    continue;
-                line.source = supplyName(supply, harmonic);
-                if (folded)
-                    line.aliasOf_hz = frequency;
-                return;
-            }
-    line.source = {MARKED("core", "not known")};
+    line.sources = suppliesAt(line.frequency_hz, false, rate_hz, within_hz);
+    if (line.sources.empty()) {
+        line.sources = suppliesAt(line.frequency_hz, true, rate_hz, within_hz);
+        const auto near_hz = nearAircraftSupply_hz(line.frequency_hz, rate_hz);
+        const bool named = std::any_of(line.sources.begin(), line.sources.end(),
+            [](const LineSource& one) { return one.aliasOf_hz && *one.aliasOf_hz == kAircraftSupply_hz; });
+        if (near_hz && !named)
+            line.sources.push_back({{MARKED("core", "aircraft supply 400 Hz at %1 Hz"), figureText(*near_hz, 1)}, *near_hz});
+    }
+    line.source = line.sources.empty() ? Message{MARKED("core", "not known")} : line.sources.front().name;
+    for (std::size_t i = 1; i < line.sources.size(); ++i)
+        line.source = {MARKED("core", "%1 or %2"), line.source, line.sources[i].name};
+    if (!line.sources.empty())
+        line.aliasOf_hz = line.sources.front().aliasOf_hz;
 }
 
 const std::vector<double>* columnNamed(const SensorLog& log, const std::string& name)
@@ -185,14 +231,14 @@ void addOrders(LogSpectrum& result, const std::vector<double>& values, const std
         even[0].push_back(values[row] + part * (values[row + 1] - values[row]));
     }
     const WelchSpectrum orders = welch(even, segmentFor(even), perTurn);
-    for (const auto& peak : peaksOf(orders)) {
+    for (const auto& peak : peaksOf(orders, leastLine(even))) {
         const double order = std::round(peak.frequency_hz);
         if (order < 1 || std::abs(peak.frequency_hz - order) > 1.5 * orders.step_hz)
             continue;
         std::erase_if(result.lines, [&](const SpectralLine& line) { // seen twice: by frequency and by order
             return std::abs(line.frequency_hz - order * mean) <= 2 * result.rate_hz / static_cast<double>(result.segment);
         });
-        result.lines.push_back({order * mean, peak.amplitude, {MARKED("core", "rotor order %1"), static_cast<int>(order)}, {}});
+        result.lines.push_back({order * mean, peak.amplitude, {MARKED("core", "rotor order %1"), static_cast<int>(order)}, {}, {}});
     }
 }
 
@@ -212,8 +258,8 @@ Result<LogSpectrum> spectrumOfColumn(
     result.density = spectrum.density;
     for (std::size_t k = 0; k < result.density.size(); ++k)
         result.frequency_hz.push_back(static_cast<double>(k) * spectrum.step_hz);
-    for (const auto& peak : peaksOf(spectrum)) {
-        SpectralLine line{peak.frequency_hz, peak.amplitude, {}, {}};
+    for (const auto& peak : peaksOf(spectrum, leastLine(runs))) {
+        SpectralLine line{peak.frequency_hz, peak.amplitude, {}, {}, {}};
         nameLine(line, result.rate_hz, spectrum.step_hz);
         result.lines.push_back(std::move(line));
     }
@@ -293,12 +339,17 @@ Result<LogSpectrum> spectrumOf(const SensorLog& log, const SpectrumOptions& opti
             lines_hz.push_back(line.frequency_hz);
         result->filter = chooseFilter(result->frequency_hz, result->density, lines_hz, *options.maxDelay_ms);
     }
-    for (const auto& line : result->lines)
-        if (line.aliasOf_hz)
+    for (const auto& line : result->lines) {
+        std::string folded;
+        for (const auto& source : line.sources)
+            if (source.aliasOf_hz)
+                folded += (folded.empty() ? "" : ", ") + shortestNumber(std::round(10 * *source.aliasOf_hz) / 10);
+        if (!folded.empty())
             result->warnings.push_back(
                 {MARKED("core",
                      "the line at %1 Hz may be %2 Hz, folded down by sampling: a filter behind the sensor cannot tell it from what is there"),
-                    figureText(line.frequency_hz, 2), figureText(*line.aliasOf_hz, 0)});
+                    figureText(line.frequency_hz, 2), folded});
+    }
     if (Message zero = warningOfZero(result->rate_hz, result->frequency_hz[1]); !zero.empty())
         result->warnings.push_back(std::move(zero));
     if (options.maxDelay_ms && *options.maxDelay_ms * 1e-3 * result->rate_hz < 1)

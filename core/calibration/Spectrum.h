@@ -9,11 +9,18 @@
 
 namespace lubberline {
 
-struct SpectralLine {
-    double frequency_hz = 0;          ///< as it stands in the log
-    double amplitude = 0;             ///< of the sine, in the unit of the log
-    Message source;                   ///< "mains 50 Hz", "rotor order 2", "not known"
+/// What a line may come from.
+struct LineSource {
+    Message name;                     ///< "mains 50 Hz"
     std::optional<double> aliasOf_hz; ///< the frequency that sampling folded down to it
+};
+
+struct SpectralLine {
+    double frequency_hz = 0;              ///< as it stands in the log
+    double amplitude = 0;                 ///< of the sine, in the unit of the log
+    Message source;                       ///< "mains 50 Hz", "rotor order 2", "not known"; all that explain it: "… or …"
+    std::optional<double> aliasOf_hz;     ///< of the first of them
+    std::vector<LineSource> sources = {}; ///< supplies that explain it alike; nothing in the log tells one from the other
 };
 
 struct SpectrumOptions {
