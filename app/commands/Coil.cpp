@@ -54,7 +54,7 @@ void print(const CoilResult& result)
         result.used, result.range_nT, "", "x", "y", "z");
     printThree("scale, measured per applied", result.scale, 6);
     printThree("  standard error", result.scaleError, 6);
-    printThree("bias", result.bias_nT, 1);
+    printThree(result.biasAt_c ? text("bias, at %.1f deg C", *result.biasAt_c).c_str() : "bias", result.bias_nT, 1);
     printThree("  standard error", result.biasError_nT, 1);
     if (result.temperature_nT_per_c)
         printThree("per degree of temperature", *result.temperature_nT_per_c, 2);
@@ -87,7 +87,7 @@ void print(const std::vector<CoilBench>& benches)
             put("  the two benches %s\n\n", describe(drift.error()).c_str());
             continue;
         }
-        printThree("  bias a year", drift->bias_nT_per_year, 1);
+        printThree(drift->at_c ? text("  bias a year, at %.1f deg C", *drift->at_c).c_str() : "  bias a year", drift->bias_nT_per_year, 1);
         printThree("    +/- (95 %)", drift->biasInterval_nT_per_year, 1);
         printThree("  scale a year, of it", drift->scale_per_year, 6);
         printThree("    +/- (95 %)", drift->scaleInterval_per_year, 6);

@@ -33,6 +33,15 @@ int failIn(const Error& error, const SensorTestArguments& options)
     return fail({error.code, error.message, nameOfInput(options.log.file)});
 }
 
+std::string foldedFrom(const SpectralLine& line)
+{
+    std::string all;
+    for (const auto& one : line.sources)
+        if (one.aliasOf_hz)
+            all += (all.empty() ? "" : " or ") + text("%g", std::round(*one.aliasOf_hz * 10) / 10);
+    return all;
+}
+
 void printSpectrum(const LogSpectrum& spectrum, const SensorLog& log)
 {
     const std::string unit(log.figureUnit());
@@ -42,7 +51,7 @@ void printSpectrum(const LogSpectrum& spectrum, const SensorLog& log)
         put("no lines\n");
     for (const auto& line : spectrum.lines)
         put("%10.3f Hz  %10.2f %s  %s%s\n", line.frequency_hz, line.amplitude, unit.c_str(), line.source.english().c_str(),
-            line.aliasOf_hz ? text(", folded down from %.0f Hz", *line.aliasOf_hz).c_str() : "");
+            line.aliasOf_hz ? text(", folded down from %s Hz", foldedFrom(line).c_str()).c_str() : "");
     if (const auto& filter = spectrum.filter) {
         std::string notches;
         for (const double notch : filter->notches_hz)

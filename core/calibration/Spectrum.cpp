@@ -161,7 +161,7 @@ std::optional<double> nearAircraftSupply_hz(double frequency_hz, double rate_hz)
     for (const double side : {-1.0, 1.0}) {
         const double near = frequency_hz * side + rate_hz * std::round((kAircraftSupply_hz - frequency_hz * side) / rate_hz);
         if (near > rate_hz / 2 && std::abs(near - kAircraftSupply_hz) <= kKept * kAircraftSupply_hz
-            && (!best || std::abs(near - kAircraftSupply_hz) < std::abs(*best - kAircraftSupply_hz)))
+            && (!best || std::abs(near - kAircraftSupply_hz) < std::abs(*best - kAircraftSupply_hz) - 1e-6))
             best = near;
     }
     return best;

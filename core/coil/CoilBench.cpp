@@ -20,7 +20,8 @@ struct BenchRows {
     std::vector<std::size_t> rows;
     std::array<const std::vector<double>*, 3> applied{};
     std::array<std::vector<double>, 3> way; ///< +1: the applied field rose last, −1: it fell, 0: not moved yet
-    std::vector<double> temperature;        ///< from its mean; empty: none
+    std::vector<double> temperature;        ///< from its mean; empty: none, or it did not change
+    std::optional<double> meanTemperature_c;
 };
 
 Result<BenchRows> benchRows(const SensorLog& log)
@@ -59,6 +60,7 @@ Result<BenchRows> benchRows(const SensorLog& log)
         double mean = 0;
         for (const double value : bench.temperature)
             mean += value / static_cast<double>(bench.temperature.size());
+        bench.meanTemperature_c = mean;
         const auto [low, high] = std::minmax_element(bench.temperature.begin(), bench.temperature.end());
         if (*high - *low < 1.0)
             bench.temperature.clear();
@@ -126,6 +128,7 @@ Result<CoilResult> coilBench(const SensorLog& log)
     CoilResult result;
     result.samples = log.size();
     result.used = bench->rows.size();
+    result.biasAt_c = bench->meanTemperature_c;
     const auto count = static_cast<Eigen::Index>(result.used);
     const bool warm = !bench->temperature.empty();
     const bool loops = bothWays(bench->way[0]) && bothWays(bench->way[1]) && bothWays(bench->way[2]);
@@ -166,7 +169,7 @@ Result<CoilResult> coilBench(const SensorLog& log)
         result.biasError_nT[axis] = std::sqrt(scatter * inverse(3, 3));
         result.scaleError[axis] = std::sqrt(scatter * inverse(axis, axis));
         if (warm)
-            (*result.temperature_nT_per_c)[axis] = solved[4];
+            (*result.temperature_nT_per_c)[axis] = solved[4], result.temperatureError_nT_per_c[axis] = std::sqrt(scatter * inverse(4, 4));
         if (loops)
             (*result.hysteresis_nT)[axis] = solved[columns - 1];
         result.nonlinearity_nT[axis] = takeNonlinearity(residual, design.col(axis));

@@ -24,8 +24,10 @@ struct CoilResult {
     Eigen::Vector3d nonOrthogonality_deg = Eigen::Vector3d::Zero(); ///< 90° − angle of x and y, x and z, y and z
     Misalignment misalignment;                                      ///< of the axes' nearest rectangular frame in the coil's
     Eigen::Vector3d bias_nT = Eigen::Vector3d::Zero(), biasError_nT = Eigen::Vector3d::Zero();
+    std::optional<double> biasAt_c;                      ///< the mean temperature of the log: the bias is that there; none without a column
     std::optional<Eigen::Vector3d> temperature_nT_per_c; ///< none without a column, or where it did not change by 1°
-    std::optional<Eigen::Vector3d> hysteresis_nT;        ///< read on the way up − on the way down; none where the field went one way only
+    Eigen::Vector3d temperatureError_nT_per_c = Eigen::Vector3d::Zero();
+    std::optional<Eigen::Vector3d> hysteresis_nT; ///< read on the way up − on the way down; none where the field went one way only
     Eigen::Vector3d nonlinearity_nT = Eigen::Vector3d::Zero(); ///< largest part of a curve of third order along the axis
     Eigen::Vector3d noise_nT = Eigen::Vector3d::Zero();        ///< what is left, rms
     std::vector<Message> warnings;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
@@ -17,9 +16,17 @@ constexpr double kOf95 = 1.96;
 constexpr double kOtherTemperature_c = 5;
 constexpr double kOtherRange = 1.25;
 
-double meanTemperature_c(const std::vector<double>& values)
+struct Bias {
+    Eigen::Vector3d value_nT, error_nT;
+};
+
+/// What the bias is at another temperature, by what a degree does to that sensor; where its bench did not tell, by what the other one told.
+Bias biasAt(double temperature_c, const CoilResult& bench, const CoilResult& other)
 {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(std::max<std::size_t>(1, values.size()));
+    const CoilResult& told = bench.temperature_nT_per_c ? bench : other;
+    const double warmer_c = temperature_c - *bench.biasAt_c;
+    return {bench.bias_nT + warmer_c * *told.temperature_nT_per_c,
+        (bench.biasError_nT.array().square() + (warmer_c * told.temperatureError_nT_per_c).array().square()).sqrt().matrix()};
 }
 
 std::vector<Message> doubtsOf(const CoilBench& earlier, const CoilBench& later, const CoilResult& first, const CoilResult& second)
@@ -32,12 +39,12 @@ std::vector<Message> doubtsOf(const CoilBench& earlier, const CoilBench& later, 
             {MARKED("core",
                  "the field went to %1 nT before and to %2 nT now: a sensor that is not straight has another scale over another range"),
                 figureText(first.range_nT, 0), figureText(second.range_nT, 0)});
-    if (earlier.temperature_c.empty() || later.temperature_c.empty())
+    if (!first.biasAt_c || !second.biasAt_c)
         doubts.push_back({MARKED("core", "not both benches have a temperature: a difference may be its")});
-    else if (const double was = meanTemperature_c(earlier.temperature_c), is = meanTemperature_c(later.temperature_c);
-             std::abs(is - was) > kOtherTemperature_c)
-        doubts.push_back({MARKED("core", "it was %1 °C before and %2 °C now: a difference may be the temperature's"), figureText(was, 0),
-            figureText(is, 0)});
+    else if (!first.temperature_nT_per_c && !second.temperature_nT_per_c
+        && std::abs(*second.biasAt_c - *first.biasAt_c) > kOtherTemperature_c)
+        doubts.push_back({MARKED("core", "it was %1 °C before and %2 °C now: a difference may be the temperature's"),
+            figureText(*first.biasAt_c, 0), figureText(*second.biasAt_c, 0)});
     return doubts;
 }
 
@@ -105,10 +112,16 @@ Result<CoilDrift> driftBetween(const CoilBench& earlier, const CoilBench& later)
         return first ? second.error() : first.error();
     CoilDrift drift;
     drift.years = days / kDaysOfYear;
-    drift.bias_nT_per_year = (second->bias_nT - first->bias_nT) / drift.years;
+    Bias was{first->bias_nT, first->biasError_nT}, is{second->bias_nT, second->biasError_nT};
+    if (first->biasAt_c && second->biasAt_c && (first->temperature_nT_per_c || second->temperature_nT_per_c)) {
+        drift.at_c = (*first->biasAt_c + *second->biasAt_c) / 2;
+        was = biasAt(*drift.at_c, *first, *second);
+        is = biasAt(*drift.at_c, *second, *first);
+    }
+    drift.bias_nT_per_year = (is.value_nT - was.value_nT) / drift.years;
     drift.scale_per_year = (second->scale - first->scale).cwiseQuotient(first->scale) / drift.years;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        drift.biasInterval_nT_per_year[axis] = kOf95 * std::hypot(first->biasError_nT[axis], second->biasError_nT[axis]) / drift.years;
+        drift.biasInterval_nT_per_year[axis] = kOf95 * std::hypot(was.error_nT[axis], is.error_nT[axis]) / drift.years;
         drift.scaleInterval_per_year[axis]
             = kOf95 * std::hypot(first->scaleError[axis], second->scaleError[axis]) / first->scale[axis] / drift.years;
         drift.noiseRatio[axis] = second->noise_nT[axis] / std::max(first->noise_nT[axis], 1e-12);

@@ -18,6 +18,7 @@ Result<CoilBench> coilRecordOf(const SensorLog& log);
 /// What became other from one bench to a later one; intervals are 95 %.
 struct CoilDrift {
     double years = 0;
+    std::optional<double> at_c; ///< both biases were brought to this temperature; none: it is not known, or what a degree does is not
     Eigen::Vector3d bias_nT_per_year = Eigen::Vector3d::Zero(), biasInterval_nT_per_year = Eigen::Vector3d::Zero();
     Eigen::Vector3d scale_per_year = Eigen::Vector3d::Zero(), scaleInterval_per_year = Eigen::Vector3d::Zero(); ///< of the scale: relative
     Eigen::Vector3d noiseRatio = Eigen::Vector3d::Ones();                                                       ///< later per earlier

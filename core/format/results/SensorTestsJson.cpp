@@ -30,6 +30,7 @@ TestKeys coilKeys(const CoilResult& result)
         {"yaw", toDegrees(result.misalignment.yaw_rad)}};
     json["bias_nT"] = threeKeys(result.bias_nT);
     json["bias_standard_error_nT"] = threeKeys(result.biasError_nT);
+    json["bias_at_c"] = result.biasAt_c ? TestKeys(*result.biasAt_c) : TestKeys();
     json["temperature_nT_per_c"] = threeKeys(result.temperature_nT_per_c);
     json["hysteresis_nT"] = threeKeys(result.hysteresis_nT);
     json["nonlinearity_nT"] = threeKeys(result.nonlinearity_nT);
@@ -43,7 +44,7 @@ TestKeys driftKeys(const CoilBench& earlier, const CoilBench& later)
     if (!drift)
         return {{"since", earlier.date.text()}, {"comparable", false}, {"reason", describe(drift.error())}};
     return {{"since", earlier.date.text()}, {"comparable", true}, {"years", drift->years},
-        {"bias_nT_per_year", threeKeys(drift->bias_nT_per_year)},
+        {"bias_at_c", drift->at_c ? TestKeys(*drift->at_c) : TestKeys()}, {"bias_nT_per_year", threeKeys(drift->bias_nT_per_year)},
         {"bias_interval95_nT_per_year", threeKeys(drift->biasInterval_nT_per_year)}, {"scale_per_year", threeKeys(drift->scale_per_year)},
         {"scale_interval95_per_year", threeKeys(drift->scaleInterval_per_year)}, {"noise_ratio", threeKeys(drift->noiseRatio)},
         {"doubts", inEnglish(drift->doubts)}};
@@ -56,9 +57,14 @@ std::string toJson(const LogSpectrum& spectrum, const SensorLog& log)
     TestKeys json{{"column", spectrum.column}, {"rate_hz", spectrum.rate_hz}, {"segment", spectrum.segment},
         {"segments", spectrum.segments}, {"frequency_hz", spectrum.frequency_hz}, {"density_nT2_per_hz", spectrum.density}};
     json["lines"] = TestKeys::array();
-    for (const auto& line : spectrum.lines)
+    const auto orNothing = [](const std::optional<double>& value) { return value ? TestKeys(*value) : TestKeys(); };
+    for (const auto& line : spectrum.lines) {
+        TestKeys sources = TestKeys::array();
+        for (const auto& one : line.sources)
+            sources.push_back({{"source", one.name.english()}, {"alias_of_hz", orNothing(one.aliasOf_hz)}});
         json["lines"].push_back({{"frequency_hz", line.frequency_hz}, {"amplitude_nT", line.amplitude}, {"source", line.source.english()},
-            {"alias_of_hz", line.aliasOf_hz ? TestKeys(*line.aliasOf_hz) : TestKeys()}});
+            {"alias_of_hz", orNothing(line.aliasOf_hz)}, {"sources", sources}});
+    }
     json["filter"] = nullptr;
     if (const auto& filter = spectrum.filter)
         json["filter"] = {{"notches_hz", filter->notches_hz},

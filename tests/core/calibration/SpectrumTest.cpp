@@ -92,6 +92,33 @@ TEST(Spectrum, linesAreNamedWithTheirAmplitude)
     EXPECT_THAT(together(spectrum->warnings).english(), HasSubstr("may be 400 Hz, folded down"));
 }
 
+TEST(Spectrum, everySupplyThatExplainsALineIsNamed)
+{
+    // At 90 samples a second 50 Hz and 400 Hz both stand at 40 Hz.
+    const auto both = spectrumOf(logWith({{400, 200}}, 90, 20000), {});
+    ASSERT_TRUE(both && both->lines.size() == 1u);
+    EXPECT_NEAR(both->lines[0].frequency_hz, 40, 0.1);
+    EXPECT_EQ(both->lines[0].source.english(), "mains 50 Hz or aircraft supply 400 Hz");
+    ASSERT_EQ(both->lines[0].sources.size(), 2u);
+    EXPECT_EQ(both->lines[0].sources[1].aliasOf_hz, 400.0);
+    EXPECT_THAT(together(both->warnings).english(), HasSubstr("may be 50, 400 Hz, folded down"));
+    // A generator at 399 Hz, at 100 samples a second: a line of 1 Hz that looks like iron which drifts. At 380 Hz it is none.
+    const auto slow = spectrumOf(logWith({{399, 100}}, 100, 40000), {});
+    ASSERT_TRUE(slow && !slow->lines.empty());
+    EXPECT_NEAR(slow->lines[0].frequency_hz, 1, 0.05);
+    EXPECT_THAT(slow->lines[0].source.english(), HasSubstr("aircraft supply 400 Hz at 399"));
+    EXPECT_NEAR(*slow->lines[0].aliasOf_hz, 399, 0.05);
+    EXPECT_EQ(spectrumOf(logWith({{379, 100}}, 100, 40000), {})->lines[0].source.english(), "not known");
+}
+
+TEST(Spectrum, aConstantHasNoLines)
+{
+    SensorLog log = logWith({}, 90, 20000);
+    for (auto& axis : log.field)
+        std::fill(axis.begin(), axis.end(), 18000.1);
+    EXPECT_TRUE(spectrumOf(log, {.column = "bx"})->lines.empty());
+}
+
 TEST(Spectrum, whatFallsOnZeroIsWarnedOf)
 {
     EXPECT_EQ(aliasOf_hz(400, 240), 80);

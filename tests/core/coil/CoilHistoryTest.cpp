@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <random>
 
 namespace lubberline::test {
@@ -106,6 +107,56 @@ TEST(CoilHistory, whatCannotBeComparedIsSaid)
     later = keptOn("2026-05-01", 1, 0, 5, 2);
     later.inCounts = true;
     EXPECT_THAT(describe(driftBetween(earlier, later).error()), HasSubstr("one in counts and one in nT"));
+}
+
+/// A sensor of 30 nT at 20 °C and 2 nT/°C that did not drift, on a bench in winter (20 °C) and in summer (40 °C).
+TEST(CoilHistory, biasesAreComparedAtOneTemperature)
+{
+    const auto benchAt = [](Date date, double mean_c, unsigned seed) {
+        SensorLog log = benchLog(1, 30, 5, seed);
+        for (std::size_t row = 0; row < log.size(); ++row) {
+            const double temperature = mean_c + 6.0 * (static_cast<double>(row) / static_cast<double>(log.size() - 1) - 0.5);
+            log.others[3].values[row] = temperature;
+            for (auto& axis : log.field)
+                axis[row] += 2 * (temperature - 20);
+        }
+        CoilBench bench = *coilRecordOf(log);
+        bench.date = date;
+        bench.serialNumber = "S 12";
+        return bench;
+    };
+    const CoilBench winter = benchAt("2024-05-01", 20, 1), summer = benchAt("2026-05-01", 40, 2);
+    const auto first = coilBench(logOf(winter)), second = coilBench(logOf(summer));
+    ASSERT_TRUE(first && second);
+    EXPECT_NEAR(*first->biasAt_c, 20, 1e-9);
+    EXPECT_NEAR(*second->biasAt_c, 40, 1e-9);
+    EXPECT_NEAR(first->bias_nT.x(), 30, 2);
+    EXPECT_NEAR(second->bias_nT.x(), 70, 2);
+    const auto drift = driftBetween(winter, summer);
+    ASSERT_TRUE(drift && drift->at_c) << describe(drift.error());
+    EXPECT_NEAR(*drift->at_c, 30, 1e-9);
+    EXPECT_TRUE(drift->doubts.empty());
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        EXPECT_LT(std::abs(drift->bias_nT_per_year[axis]), 1.5 * drift->biasInterval_nT_per_year[axis]) << "the temperature's 20 nT a year";
+        EXPECT_LT(drift->biasInterval_nT_per_year[axis], 5);
+    }
+    // Where one bench alone told what a degree does, that is taken for both; where none did, the difference is doubted (above).
+    CoilBench even = summer;
+    for (std::size_t i = 0; i < even.readings.size(); ++i) {
+        for (std::size_t axis = 3; axis < 6; ++axis)
+            even.readings[i][axis] -= 2 * (even.temperature_c[i] - 40);
+        even.temperature_c[i] = 40;
+    }
+    const auto byOne = driftBetween(winter, even);
+    ASSERT_TRUE(byOne && byOne->at_c);
+    EXPECT_LT(std::abs(byOne->bias_nT_per_year.x()), 1.5 * byOne->biasInterval_nT_per_year.x());
+    EXPECT_FALSE(driftBetween(even,
+        [&] {
+            CoilBench later = even;
+            later.date = "2027-05-01";
+            return later;
+        }())
+                     ->at_c);
 }
 
 } // namespace

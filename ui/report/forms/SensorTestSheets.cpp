@@ -82,7 +82,7 @@ Table coilTable(const CoilResult& result)
     };
     add(Words::tr("scale, measured per applied"), result.scale, 6);
     add(Words::tr("its standard error"), result.scaleError, 6);
-    add(Words::tr("bias (nT)"), result.bias_nT, 1);
+    add(result.biasAt_c ? Words::tr("bias at %1 °C (nT)").arg(figure(*result.biasAt_c, 1)) : Words::tr("bias (nT)"), result.bias_nT, 1);
     add(Words::tr("its standard error (nT)"), result.biasError_nT, 1);
     if (result.temperature_nT_per_c)
         add(Words::tr("per degree of temperature (nT/°C)"), *result.temperature_nT_per_c, 2);
@@ -141,6 +141,8 @@ QStringList driftWords(const CoilBench& earlier, const CoilBench& later)
                 three(drift->scale_per_year, drift->scaleInterval_per_year, 1e6, 0),
                 QStringLiteral("%1, %2, %3")
                     .arg(figure(drift->noiseRatio.x(), 2), figure(drift->noiseRatio.y(), 2), figure(drift->noiseRatio.z(), 2)))};
+    if (drift->at_c)
+        lines += Words::tr("Both biases are taken at %1 °C.").arg(figure(*drift->at_c, 1));
     return lines + printableLines(drift->doubts);
 }
 
