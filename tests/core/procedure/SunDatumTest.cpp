@@ -137,7 +137,7 @@ TEST(SunDatum, whatAllHeadingsShareIsInTheCoefficients)
     EXPECT_NEAR(lean[1], turned, 0.03);
     EXPECT_NEAR(lean[2], turned, 0.03);
     for (const std::size_t c : {0u, 3u, 4u})
-        EXPECT_LT(lean[c], 0.03);
+        EXPECT_LT(lean[c], 0.04);
     // Without the sun and of magnetic headings there is nothing to share; two headings tell no coefficient.
     auto others = taken;
     for (TakenHeading& one : others)
