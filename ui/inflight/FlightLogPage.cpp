@@ -1,6 +1,7 @@
 #include "ui/inflight/FlightLogPage.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
@@ -11,6 +12,7 @@
 
 #include "core/angle/AngleText.h"
 #include "core/angle/PrintedHeading.h"
+#include "core/inflight/FlownModel.h"
 #include "core/inflight/InflightSwing.h"
 #include "core/swing/SwingResult.h"
 #include "ui/kit/Words.h"
@@ -95,9 +97,11 @@ FlightLogPage::FlightLogPage(db::Stores& stores, FileQuestions questions, QWidge
     , m_variation(new QLineEdit)
     , m_noise(new QLineEdit)
     , m_whole(new QCheckBox(tr("&Whole sensor model")))
+    , m_from(new QComboBox)
     , m_open(new QPushButton(tr("&Open a log of legs or headings…")))
     , m_cancel(new QPushButton(tr("Cancel")))
     , m_make(new QPushButton(tr("&Make a swing of it")))
+    , m_keep(new QPushButton(tr("&Keep the sensor model")))
     , m_tabs(new QTabWidget)
     , m_plot(makeCurvePlot())
     , m_told(new DrawnPlot(tr("What is told")))
@@ -118,6 +122,15 @@ void FlightLogPage::build()
     m_noise->setPlaceholderText(tr("error of a heading pair, 0.5°"));
     m_whole->setObjectName(QStringLiteral("flightWhole"));
     m_whole->setToolTip(tr("Soft and hard iron in place of A to E: the log has pitch_deg, roll_deg, horizontal_nT and dip_deg, too."));
+    m_from->setObjectName(QStringLiteral("flightFrom"));
+    m_from->setAccessibleName(tr("The whole sensor model begins"));
+    m_from->setToolTip(
+        tr("A sensor model of this compass whose errors are known: the flight adds to it. Begin anew after the iron was changed."));
+    m_from->hide();
+    m_keep->setObjectName(QStringLiteral("flightKeep"));
+    m_keep->setToolTip(tr("Among the sensor models of the compass, with its errors: the next flight goes on from it."));
+    m_keep->setEnabled(false);
+    m_keep->hide();
     m_open->setObjectName(QStringLiteral("flightOpen"));
     m_make->setObjectName(QStringLiteral("flightMake"));
     m_make->setEnabled(false);
@@ -125,7 +138,7 @@ void FlightLogPage::build()
     for (QLineEdit* line : {m_variation, m_noise})
         showHint(*line);
     auto* row = new FlowLayout; // beside the title they would cut it
-    for (QWidget* one : std::initializer_list<QWidget*>{m_open, m_cancel, m_make, m_variation, m_noise, m_whole})
+    for (QWidget* one : std::initializer_list<QWidget*>{m_open, m_cancel, m_make, m_keep, m_variation, m_noise, m_whole, m_from})
         row->addWidget(one);
     body().addLayout(row);
     messageLine().setWordWrap(true);
@@ -141,7 +154,17 @@ void FlightLogPage::build()
     connect(m_open, &QPushButton::clicked, this, &FlightLogPage::choose);
     connect(m_make, &QPushButton::clicked, this, &FlightLogPage::make);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_worker.cancel(); });
-    connect(m_whole, &QCheckBox::toggled, this, &FlightLogPage::start);
+    connect(m_keep, &QPushButton::clicked, this, &FlightLogPage::keepModel);
+    connect(m_whole, &QCheckBox::toggled, this, [this](bool whole) {
+        m_from->setVisible(whole && !m_models.empty());
+        m_keep->setVisible(whole);
+        start();
+    });
+    connect(m_from, &QComboBox::activated, this, &FlightLogPage::start);
+    connect(&m_stores.changes(), &db::Changes::sensorsChanged, this, [this](CompassId compass) {
+        if (compass == m_compass.id)
+            takeModels();
+    });
     for (QLineEdit* line : {m_variation, m_noise}) {
         connect(line, &QLineEdit::textEdited, this, [this] { m_make->setEnabled(false); }); // Enter reads it again
         connect(line, &QLineEdit::returnPressed, this, &FlightLogPage::start);
@@ -161,6 +184,7 @@ Result<void> FlightLogPage::open(const FleetItem& record)
         return aircraft.error();
     m_compass = *compass;
     takeFlown();
+    takeModels();
     setTitle(tr("A swing in flight of %1 · %2").arg(toText(aircraft->registration), toText(compass->name)));
     return {};
 }
@@ -177,26 +201,6 @@ void FlightLogPage::showNothing()
     DrawnPicture told;
     told.notice = what;
     m_told->setPicture(told);
-}
-
-/// A continuous swing goes on from what the swings in flight on record tell; a compass that was corrected since begins anew.
-void FlightLogPage::takeFlown()
-{
-    m_before.reset();
-    m_flown = 0;
-    const auto rows = m_stores.swings.swingsOf(m_compass.id); // newest first
-    std::vector<Swing> flown;
-    for (const SwingRow& row : rows ? *rows : std::vector<SwingRow>()) {
-        if (row.superseded)
-            continue;
-        if (row.kind != SwingKind::Air)
-            break;
-        if (auto swing = m_stores.swings.swing(row.id))
-            flown.push_back(std::move(swing.value()));
-    }
-    std::reverse(flown.begin(), flown.end());
-    m_before = stateAfter(flown, ContinuousOptions{}.noise_deg);
-    m_flown = m_before ? static_cast<int>(flown.size()) : 0;
 }
 
 void FlightLogPage::choose()
@@ -234,13 +238,15 @@ void FlightLogPage::start()
         }
         filter.noise_deg = *noise_deg;
     }
+    filter.start = begin();
     if (m_whole->isChecked())
-        filter.wholeModelOver_nT = 0; // that of the log
-    else
-        filter.start = m_before;
+        filter.wholeModelOver_nT = 0; // that of the log, or of the model that it goes on from
+    m_begunAt = filter.start;
+    m_begunWords = begunAt();
     m_cancel->show();
     m_open->setEnabled(false);
     m_make->setEnabled(false);
+    m_keep->setEnabled(false);
     m_worker.start(
         [path = m_path.toStdString(), legs, filter](const Progress& progress) { return readFlightLog(path, legs, filter, progress); });
 }
@@ -259,8 +265,8 @@ void FlightLogPage::take(Result<FlightLog> read)
     m_swing = legs ? swingOf(*legs) : swingOf(continuous->legs);
     QStringList lines{QFileInfo(m_path).fileName()};
     lines += legs ? wordsOf(*legs) : wordsOf(*continuous);
-    if (continuous && m_flown > 0 && !continuous->whole)
-        lines += tr("It goes on from %n swing(s) in flight on record, recomputed from their readings.", nullptr, m_flown);
+    if (continuous && !m_begunWords.isEmpty())
+        lines += m_begunWords;
     m_said.clear();
     if (legs)
         for (const auto& warning : legs->warnings)
@@ -285,7 +291,9 @@ void FlightLogPage::take(Result<FlightLog> read)
     SwingPicture picture = pictureOf(record, analysis, why, nullptr, {}, shownAngles());
     picture.readingsTitle = tr("means of legs");
     m_plot->setPicture(picture);
-    m_make->setEnabled(!m_swing.readings.empty() && m_compass.id.valid() && !m_stores.readOnly());
+    const bool stores = m_compass.id.valid() && !m_stores.readOnly();
+    m_make->setEnabled(!m_swing.readings.empty() && stores);
+    m_keep->setEnabled(continuous && flownModel(*continuous, m_begunAt) && stores);
 }
 
 void FlightLogPage::writeReport()
@@ -303,15 +311,6 @@ void FlightLogPage::writeReport()
         = legs ? legsSheet(*legs, source, m_said) : continuousSheet(std::get<ContinuousResult>(m_log->solved), source, m_said);
     sheet.madeAtUtc = toText(m_stores.clock().nowUtc());
     m_questions.write({path, [sheet, path](const Progress& progress) { return writeReferenceSheet(sheet, path, progress); }});
-}
-
-void FlightLogPage::make()
-{
-    Swing swing = m_swing;
-    swing.compass = m_compass.id;
-    // Stored: the same in every language.
-    swing.note = "from the log " + QFileInfo(m_path).fileName().toStdString();
-    emit makeSwing(swing);
 }
 
 } // namespace lubberline::ui

@@ -6,12 +6,14 @@
 
 #include "core/format/csv/InflightCsv.h"
 #include "core/record/Fleet.h"
+#include "core/record/SensorRecord.h"
 #include "db/stores/Stores.h"
 #include "ui/kit/FileQuestions.h"
 #include "ui/kit/Page.h"
 #include "ui/kit/Worker.h"
 
 class QCheckBox;
+class QComboBox;
 class QLineEdit;
 class QPushButton;
 class QTabWidget;
@@ -39,9 +41,11 @@ public:
     [[nodiscard]] Plot* plot() const override;
     void readLog(const QString& path);
     void writeReport(); ///< asks where to: PDF
+    void fleetChanged() override;
 
 signals:
     void makeSwing(const lubberline::Swing& swing);
+    void storeModel(const lubberline::SensorRecord& sensor);
 
 private:
     void build();
@@ -49,7 +53,12 @@ private:
     void start();
     void take(Result<FlightLog> read);
     void make();
+    void keepModel();
     void takeFlown();
+    void takeModels();
+    [[nodiscard]] bool swungSince(const SensorRecord& sensor) const;
+    [[nodiscard]] std::optional<ContinuousState> begin() const; ///< where the next log begins
+    [[nodiscard]] QString begunAt() const;                      ///< in words; empty: anew
     void showNothing();
 
     db::Stores& m_stores;
@@ -59,11 +68,20 @@ private:
     Swing m_swing;
     std::optional<ContinuousState> m_before; ///< what the swings in flight on record tell
     int m_flown = 0;                         ///< of these
+    /// A sensor model of the compass whose errors are known.
+    struct Model {
+        SensorRecord record;
+        ContinuousState state;
+    };
+    std::vector<Model> m_models;              ///< newest first
+    std::optional<ContinuousState> m_begunAt; ///< where the log that is shown began
+    QString m_begunWords;
     std::shared_ptr<const FlightLog> m_log;
     QStringList m_said;
     QLineEdit *m_variation, *m_noise;
     QCheckBox* m_whole; ///< the sensor model in place of A to E
-    QPushButton *m_open, *m_cancel, *m_make;
+    QComboBox* m_from;  ///< and the one that it goes on from: anew first, then those of m_models
+    QPushButton *m_open, *m_cancel, *m_make, *m_keep;
     QTabWidget* m_tabs;
     SwingPlot* m_plot;
     DrawnPlot* m_told;

@@ -3,6 +3,7 @@
 #include "ui/inflight/FlightLogPage.h"
 #include "ui/inflight/WindsPage.h"
 #include "ui/kit/PageDescription.h"
+#include "ui/sensor/SensorEdits.h"
 
 namespace lubberline::ui {
 
@@ -32,6 +33,10 @@ PageDescription FlightLogPage::description(PageContext& context)
         QStringLiteral("flightLog"), [&context] {
             auto* log = new FlightLogPage(context.stores, context.files);
             connect(log, &FlightLogPage::makeSwing, &context.window, [&context](const Swing& swing) { context.makeSwing(swing); });
+            connect(log, &FlightLogPage::storeModel, &context.window, [&context](const SensorRecord& sensor) {
+                context.undo.push(new MakeSensor(context.edits, sensor, MakeSensor::Direction::Make,
+                    tr("keep the sensor model %1").arg(QString::fromStdString(sensor.name))));
+            });
             return log;
         }};
     page.commands = {{MenuId::Swing, 201, tr("Swing in &flight from a log…"), tr("Ctrl+Alt+L"), "flightLog",
@@ -49,7 +54,8 @@ PageDescription FlightLogPage::description(PageContext& context)
         + QLatin1Char(' ')
         + tr(
             "Whole sensor model: sin δ = Σ g (S b + p/H) with b the Earth's field in the aircraft over H and g what a field along each axis does across the heading "
-            "read, exact at every attitude (after Poisson; Kayton and Fried 1997, 9.13); level flight tells A to E of it.");
+            "read, exact at every attitude (after Poisson; Kayton and Fried 1997, 9.13); level flight tells A to E of it. "
+            "Kept with the compass, with its errors, it is where the next flight goes on; a circuit that is on is part of it, as the heading is read with it.");
     return page;
 }
 
