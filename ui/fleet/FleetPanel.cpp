@@ -218,6 +218,15 @@ QStringList FleetPanel::openBranches() const
     return open;
 }
 
+int FleetPanel::wantedWidth() const
+{
+    const auto& view = static_cast<const QAbstractItemView&>(*m_tree);
+    int width = m_tree->verticalScrollBar()->sizeHint().width() + 2 * m_tree->frameWidth() + (this->width() - m_tree->width());
+    for (int column = 0; m_tree->model() && column < m_model->columnCount({}); ++column)
+        width += view.sizeHintForColumn(column) + 1;
+    return width;
+}
+
 void FleetPanel::setOpenBranches(const QStringList& branches)
 {
     if (!m_tree->model())

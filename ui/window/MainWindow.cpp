@@ -69,7 +69,7 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     buildActions();
     buildStatusBar();
     showPlace();
-    m_placement = new Placement(*this, *m_fleet, m_services.settings);
+    m_placement = new Placement(*this, *m_fleet, m_services.settings, m_stores.location());
     m_placement->restore();
     qApp->installEventFilter(this);
     new LengthLimits([this](const QString& words) { m_messages->add(MessagePanel::Kind::Information, words); }, this);

@@ -1,10 +1,13 @@
 #include "ui/window/Placement.h"
 
+#include <QDockWidget>
 #include <QEvent>
+#include <QFileInfo>
 #include <QMainWindow>
 #include <QScreen>
 #include <QSettings>
 #include <QTimer>
+#include <QUrl>
 
 #include <algorithm>
 
@@ -14,16 +17,24 @@ namespace lubberline::ui {
 
 namespace {
 
-const QString kGeometry = QStringLiteral("window/geometry"), kState = QStringLiteral("window/state"), kOpen = QStringLiteral("tree/open");
+const QString kGeometry = QStringLiteral("window/geometry"), kState = QStringLiteral("window/state");
 constexpr int kSoon_ms = 300; // one drag is many changes
+
+/// Branches are named by ids, which another database gives to others: each file has its own.
+QString branchesOf(const QString& database)
+{
+    const QString path = QFileInfo(database).canonicalFilePath();
+    return QStringLiteral("tree/open/") + QString::fromLatin1(QUrl::toPercentEncoding(path.isEmpty() ? database : path));
+}
 
 } // namespace
 
-Placement::Placement(QMainWindow& window, FleetPanel& tree, QSettings& settings)
+Placement::Placement(QMainWindow& window, FleetPanel& tree, QSettings& settings, const QString& database)
     : QObject(&window)
     , m_window(window)
     , m_tree(tree)
     , m_settings(settings)
+    , m_branches(branchesOf(database))
     , m_soon(new QTimer(this))
 {
     m_soon->setSingleShot(true);
@@ -50,9 +61,14 @@ void Placement::restore()
         std::clamp(m_window.y(), room.top(), std::max(room.top(), last.y())));
 }
 
+/// A new user's tree is as wide as what stands in it, where the window has the room.
 void Placement::restoreTree()
 {
-    m_tree.setOpenBranches(m_settings.value(kOpen).toStringList());
+    auto* dock = qobject_cast<QDockWidget*>(m_tree.parentWidget());
+    if (dock && !m_settings.contains(kState))
+        m_window.resizeDocks(
+            {dock}, {std::clamp(m_tree.wantedWidth(), dock->width(), std::max(dock->width(), m_window.width() * 3 / 10))}, Qt::Horizontal);
+    m_tree.setOpenBranches(m_settings.value(m_branches).toStringList());
     m_treeFilled = true;
 }
 
@@ -62,7 +78,7 @@ void Placement::keep()
     m_settings.setValue(kGeometry, m_window.saveGeometry());
     m_settings.setValue(kState, m_window.saveState());
     if (m_treeFilled)
-        m_settings.setValue(kOpen, m_tree.openBranches());
+        m_settings.setValue(m_branches, m_tree.openBranches());
 }
 
 bool Placement::eventFilter(QObject* object, QEvent* event)

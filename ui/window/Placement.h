@@ -17,7 +17,8 @@ class Placement : public QObject {
 
 public:
     /// @param tree  in a dock of the window
-    Placement(QMainWindow& window, FleetPanel& tree, QSettings& settings);
+    /// @param database  whose branches they are: its file
+    Placement(QMainWindow& window, FleetPanel& tree, QSettings& settings, const QString& database);
 
     /// As it was left, and never larger than the screen it is on now, nor outside it.
     void restore();
@@ -31,6 +32,7 @@ private:
     QMainWindow& m_window;
     FleetPanel& m_tree;
     QSettings& m_settings;
+    QString m_branches; ///< the key of those of this database
     QTimer* m_soon;
     bool m_treeFilled = false;
 };

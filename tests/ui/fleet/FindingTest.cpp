@@ -22,6 +22,7 @@ private slots:
     void theOverviewOpensWithWhatNeedsAHand();
     void theTreeSaysWhatDistinguishesAndKeepsItsBranches();
     void whatWasNotClosedIsFoundAgain();
+    void eachDatabaseKeepsItsOwnBranches();
     void aPageThatWasAskedForTakesTheKeys();
     void aWindowIsNeverRestoredLargerThanItsScreen();
 };
@@ -136,7 +137,11 @@ void FindingTest::whatWasNotClosedIsFoundAgain()
     before.expand(type);
     before.expand(before.model()->index(0, 0, type));
     killed.window.resize(1010, 655);
-    QTRY_COMPARE(killed.settings.value("tree/open").toStringList().size(), 2);
+    const auto branches = [&killed] {
+        const QStringList keys = killed.settings.allKeys().filter("tree/open/");
+        return keys.size() == 1 ? killed.settings.value(keys.front()).toStringList().size() : -1;
+    };
+    QTRY_COMPARE(branches(), 2);
     QTRY_VERIFY(!killed.settings.value("window/geometry").toByteArray().isEmpty());
 
     OpenWindow again(fleet.stores, false, &killed.settings);
@@ -144,7 +149,35 @@ void FindingTest::whatWasNotClosedIsFoundAgain()
     QVERIFY(tree.isExpanded(tree.model()->index(0, 0)));
     QVERIFY(tree.isExpanded(tree.model()->index(0, 0, tree.model()->index(0, 0))));
     before.collapse(type);
-    QTRY_COMPARE(killed.settings.value("tree/open").toStringList().size(), 0);
+    QTRY_COMPARE(branches(), 0);
+}
+
+/// Two databases give the same ids to different records.
+void FindingTest::eachDatabaseKeepsItsOwnBranches()
+{
+    SmallFleet one, other;
+    OpenWindow first(one.stores);
+    auto& tree = first.find<QTreeView>("fleetTree");
+    tree.expand(tree.model()->index(0, 0));
+    first.window.close();
+    {
+        OpenWindow second(other.stores, false, &first.settings);
+        const auto& another = second.find<QTreeView>("fleetTree");
+        QVERIFY(!another.isExpanded(another.model()->index(0, 0)));
+        second.window.close();
+        OpenWindow back(one.stores, false, &second.settings);
+        const auto& again = back.find<QTreeView>("fleetTree");
+        QVERIFY(again.isExpanded(again.model()->index(0, 0)));
+    }
+    // By another name it is the same file.
+    const QString path = one.stores.location(), link = QFileInfo(path).absolutePath() + "/link.lubberline";
+    QVERIFY(QFile::link(path, link));
+    auto database = db::openDatabase(link, db::OpenMode::ReadWriteCreate);
+    QVERIFY(database);
+    db::Stores linked(std::move(*database));
+    OpenWindow third(linked, false, &first.settings);
+    const auto& same = third.find<QTreeView>("fleetTree");
+    QVERIFY(same.isExpanded(same.model()->index(0, 0)));
 }
 
 void FindingTest::aPageThatWasAskedForTakesTheKeys()
