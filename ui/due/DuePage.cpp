@@ -22,7 +22,7 @@ namespace lubberline::ui {
 
 namespace {
 
-enum Column { State, TypeName, Registration, Compass, Since, Reason, LastSigned, Next, kColumns };
+enum Column { State, TypeName, Compass, Since, Reason, LastSigned, Next, kColumns };
 enum Filter { DueNow, DueOrSoon, Everything };
 
 QTableWidgetItem* cell(const QString& text)
@@ -92,8 +92,7 @@ QWidget* DuePage::buildList()
     m_words->setClearButtonEnabled(true);
     auto* calendar = new QPushButton(tr("Write a &calendar (.ics)…"));
     calendar->setObjectName(QStringLiteral("dueCalendar"));
-    plain(*m_table, "dueTable",
-        {tr("State"), tr("Type"), tr("Aircraft"), tr("Compass"), tr("Since"), tr("Reason"), tr("Last signed"), tr("By calendar")});
+    plain(*m_table, "dueTable", {tr("State"), tr("Type"), tr("Compass"), tr("Since"), tr("Reason"), tr("Last signed"), tr("By calendar")});
     plain(*m_flags, "dueFlags", {tr("State"), tr("Since"), tr("Reason")});
     m_flags->setMaximumHeight(130);
     m_reason->setObjectName(QStringLiteral("waiverReason"));
@@ -195,8 +194,8 @@ void DuePage::fill()
         state->setIcon(dueIcon(line.answer.state));
         m_table->setItem(row, State, state);
         m_table->setItem(row, TypeName, cell(toText(line.compass.typeName)));
-        m_table->setItem(row, Registration, cell(toText(line.compass.registration)));
-        m_table->setItem(row, Compass, cell(toText(line.compass.compassName)));
+        // In one column, whose words go on beneath: with one for each the table scrolled sideways on small screens.
+        m_table->setItem(row, Compass, cell(toText(line.compass.registration + " · " + line.compass.compassName)));
         m_table->setItem(row, Since, cell(flag ? toText(flag->since) : QString()));
         m_table->setItem(row, Reason, cell(flag ? toText(flag->reason) : QString()));
         m_table->setItem(row, LastSigned, cell(line.answer.lastSigned.empty() ? tr("none") : toText(line.answer.lastSigned)));

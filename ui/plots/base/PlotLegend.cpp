@@ -12,7 +12,8 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr double kKeyWidth = 26, kKeyGap = 5, kEntryGap = 16, kMargin = 4;
+constexpr double kKeyWidth = 26, kKeyGap = 5, kEntryGap = 16, kMargin = 4, kHigh = 10'000;
+constexpr int kWrapped = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
 
 struct PlacedEntry {
     int index = 0;
@@ -21,9 +22,16 @@ struct PlacedEntry {
 
 double rowHeight(const QFont& font) { return QFontMetricsF(font).height() + 4; }
 
-double entryWidth(const LegendEntry& entry, const QFontMetricsF& metrics)
+/// In one line, or, where the room is too narrow, with words that go on beneath.
+QSizeF entrySize(const LegendEntry& entry, double room, const QFont& font)
 {
-    return kKeyWidth + kKeyGap + metrics.horizontalAdvance(inAngleStyle(entry.title));
+    const QFontMetricsF metrics(font);
+    const QString title = inAngleStyle(entry.title);
+    const double width = kKeyWidth + kKeyGap + metrics.horizontalAdvance(title);
+    if (width <= room)
+        return {width, rowHeight(font)};
+    const QRectF text(0, 0, std::max(1.0, room - kKeyWidth - kKeyGap), kHigh);
+    return {room, rowHeight(font) - metrics.height() + metrics.boundingRect(text, kWrapped, title).height()};
 }
 
 void centreRow(std::vector<PlacedEntry>& placed, std::size_t first, const QRectF& rect)
@@ -37,22 +45,23 @@ void centreRow(std::vector<PlacedEntry>& placed, std::size_t first, const QRectF
 
 std::vector<PlacedEntry> place(const std::vector<LegendEntry>& entries, const QRectF& rect, const QFont& font)
 {
-    const QFontMetricsF metrics(font);
-    const double height = rowHeight(font);
     std::vector<PlacedEntry> placed;
     std::size_t rowStart = 0;
+    double height = 0; // of the row
     double x = rect.left() + kMargin, y = rect.top() + kMargin / 2;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (!entries[i].present)
             continue;
-        const double width = std::min(entryWidth(entries[i], metrics), rect.width() - 2 * kMargin);
+        const auto [width, entryHeight] = entrySize(entries[i], rect.width() - 2 * kMargin, font);
         if (x + width > rect.right() - kMargin + 0.5 && placed.size() > rowStart) {
             centreRow(placed, rowStart, rect);
             rowStart = placed.size();
             x = rect.left() + kMargin;
             y += height;
+            height = 0;
         }
-        placed.push_back({static_cast<int>(i), QRectF(x, y, width, height)});
+        height = std::max(height, entryHeight);
+        placed.push_back({static_cast<int>(i), QRectF(x, y, width, entryHeight)});
         x += width + kEntryGap;
     }
     centreRow(placed, rowStart, rect);
@@ -98,7 +107,6 @@ void paintLegend(QPainter& painter, const QRectF& rect, const std::vector<Legend
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    const QFontMetricsF metrics(painter.font());
     for (const auto& [index, place] : place(entries, rect, painter.font())) {
         const LegendEntry& entry = entries[index];
         painter.setBrush(Qt::NoBrush);
@@ -107,11 +115,9 @@ void paintLegend(QPainter& painter, const QRectF& rect, const std::vector<Legend
             look.pen.setColor(colours.grid);
             look.fill = look.key == LegendEntry::Key::Dot ? QBrush(colours.grid) : QBrush(Qt::NoBrush);
         }
-        paintKey(painter, QRectF(place.left(), place.top(), kKeyWidth, place.height()), look);
+        paintKey(painter, QRectF(place.left(), place.top(), kKeyWidth, rowHeight(painter.font())), look);
         painter.setPen(entry.shown ? colours.text : colours.previous);
-        const QRectF text = place.adjusted(kKeyWidth + kKeyGap, 0, 1, 0);
-        painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
-            metrics.elidedText(inAngleStyle(entry.title), Qt::ElideRight, text.width() + 1));
+        painter.drawText(place.adjusted(kKeyWidth + kKeyGap, 0, 1, 0), kWrapped, inAngleStyle(entry.title));
     }
     painter.restore();
 }

@@ -12,7 +12,27 @@ namespace lubberline::ui {
 
 namespace {
 
-constexpr double kMargin = 6;
+constexpr double kMargin = 6, kHigh = 10'000;
+constexpr int kCaption = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
+
+QFont boldOf(QFont font)
+{
+    font.setBold(true);
+    return font;
+}
+
+double kindWidth(const MapPicture& picture, const QFont& font)
+{
+    return QFontMetricsF(boldOf(font)).horizontalAdvance(kindWord(picture)) + 2 * kMargin;
+}
+
+/// What is wider than the map goes on beneath.
+double headerHeight(const MapPicture& picture, double width, const QFont& font)
+{
+    const QRectF room(0, 0, std::max(1.0, width - 2 * kMargin - kindWidth(picture, font)), kHigh);
+    const QFontMetricsF metrics(font);
+    return std::max(metrics.height(), metrics.boundingRect(room, kCaption, mapCaption(picture)).height()) + 2 * kMargin;
+}
 
 } // namespace
 
@@ -26,14 +46,14 @@ MapViewChart::MapViewChart(QWidget* parent)
 
 void MapViewChart::setPicture(const MapPicture& picture)
 {
-    const double oldWidth = colourBarWidth(m_bar, font());
+    const double oldWidth = colourBarWidth(m_bar, font()), oldHeight = headerHeight(m_picture, width(), font());
     m_picture = picture;
     m_cells = picture.map ? std::make_shared<const MapCells>(picture.map) : nullptr;
     m_bar = {mapScale(picture, m_cells ? m_cells->largest_deg() : 0), mapValueTitle(picture), picture.limit_deg};
     m_headerStrip->update();
     m_barStrip->update();
     takePicture();
-    if (colourBarWidth(m_bar, font()) != oldWidth)
+    if (colourBarWidth(m_bar, font()) != oldWidth || headerHeight(m_picture, width(), font()) != oldHeight)
         layoutPlots(contentRect());
     replotAll();
 }
@@ -46,7 +66,7 @@ void MapViewChart::styleItems()
 
 MapViewChart::Parts MapViewChart::partsOf(const QRectF& rect, const QFont& font) const
 {
-    const double header = QFontMetricsF(font).height() + 2 * kMargin;
+    const double header = headerHeight(m_picture, rect.width(), font);
     const double bar = colourBarWidth(m_bar, font) + kMargin;
     const double bodyWidth = std::max(1.0, rect.width() - bar), bodyHeight = std::max(1.0, rect.height() - header);
     const double barHeight = std::max(1.0, bodyHeight - footHeight());
@@ -56,18 +76,12 @@ MapViewChart::Parts MapViewChart::partsOf(const QRectF& rect, const QFont& font)
 
 void MapViewChart::paintHeader(QPainter& painter, const QRectF& rect, const QFont& font) const
 {
-    QFont bold = font;
-    bold.setBold(true);
     const QRectF room = rect.adjusted(kMargin, 0, -kMargin, 0);
-    const QString kind = kindWord(m_picture);
-    const double kindWidth = QFontMetricsF(bold).horizontalAdvance(kind);
     painter.setPen(colours().text);
-    painter.setFont(bold);
-    painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, kind);
+    painter.setFont(boldOf(font));
+    painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, kindWord(m_picture));
     painter.setFont(font);
-    const QRectF left = room.adjusted(0, 0, -kindWidth - 2 * kMargin, 0);
-    painter.drawText(left, Qt::AlignLeft | Qt::AlignVCenter,
-        QFontMetricsF(font).elidedText(mapCaption(m_picture), Qt::ElideMiddle, std::max(0.0, left.width())));
+    painter.drawText(room.adjusted(0, 0, -kindWidth(m_picture, font), 0), kCaption, mapCaption(m_picture));
 }
 
 void MapViewChart::layoutPlots(const QRect& rect)

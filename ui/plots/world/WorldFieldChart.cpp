@@ -73,7 +73,8 @@ void WorldFieldChart::setGrid(std::shared_ptr<const FieldGrid> grid)
     const QString title = m_grid
         ? tr("%1, %2, %3").arg(fieldElementTitle(m_grid->element), QString::fromStdString(m_grid->model)).arg(m_grid->year, 0, 'f', 1)
         : tr("The field is being computed.");
-    m_plot->setTitles(title, tr("equirectangular, equal scales"));
+    // Beneath the map, where it has the width of the page: beside a low map it was cut.
+    m_plot->setTitles(title + QLatin1Char('\n') + tr("equirectangular, equal scales"), {});
     replotAll();
 }
 
