@@ -156,6 +156,9 @@ void UndoTest::suspectIsSaid()
     OpenWindow open(fleet.stores);
     open.window.go(id);
     QVERIFY2(open.cell(1, ReadingColumn::State).contains("suspect"), qPrintable(open.cell(1, ReadingColumn::State)));
+    // The sign stands where no narrow table scrolls it out of sight.
+    const auto number = [&](int row) { return open.table().model()->headerData(row, Qt::Vertical).toString(); };
+    QCOMPARE(number(0) + ", " + number(1), QString("1, ◉ 2"));
     const QString said = open.label("readingsMessage");
     QVERIFY2(said.contains("the compass reads 035°") && said.contains("045° meant"), qPrintable(said));
     QVERIFY2(said.contains("Look again: most likely a 10° slip"), qPrintable(said));

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "ui/plots/swing/PictureText.h"
 
@@ -16,7 +17,7 @@ namespace lubberline::ui {
 namespace {
 
 constexpr double kDensityCell = 4, kLightest = 0.12, kDarkest = 0.55; ///< of the density; never so dark that a curve is lost in it
-constexpr double kRadius = 3.5, kRing = 7.5, kHalo = 10, kCap = 3;
+constexpr double kRadius = 3.5, kRing = 7.5, kHalo = 10, kCap = 3, kGap = kHalo + 3;
 /// More readings than this are a log: they would hide each other, and take longer to draw than a keystroke may. One in a cell of this
 /// side is drawn, without its bar; suspect, excluded and chosen ones always are.
 constexpr std::size_t kMostMarks = 1000;
@@ -103,49 +104,50 @@ void paintDensity(
     }
 }
 
-/// The first of the places beside the point that is free.
-QRectF freePlace(const QPointF& at, const QSizeF& size, const QRectF& within, const std::vector<QRectF>& taken)
+/// The first of the places around the point that is free, beside it or, in a crowd, further off.
+std::optional<QRectF> freePlace(const QPointF& at, const QSizeF& size, const QRectF& within, const std::vector<QRectF>& taken)
 {
-    const double gap = kHalo + 3;
-    const std::array<QPointF, 8> corners{QPointF(gap, -size.height() / 2), QPointF(-gap - size.width(), -size.height() / 2),
-        QPointF(gap * 0.7, -gap * 0.7 - size.height()), QPointF(gap * 0.7, gap * 0.7),
-        QPointF(-gap * 0.7 - size.width(), -gap * 0.7 - size.height()), QPointF(-gap * 0.7 - size.width(), gap * 0.7),
-        QPointF(-size.width() / 2, -gap - size.height()), QPointF(-size.width() / 2, gap)};
-    for (const QPointF& corner : corners) {
-        const QRectF place(at + corner, size);
-        const auto collides = [&place](const QRectF& other) { return other.intersects(place); };
-        if (within.contains(place) && std::none_of(taken.begin(), taken.end(), collides))
-            return place;
+    for (const double far : {1.0, 2.5, 4.5, 7.0}) {
+        const double gap = far * kGap;
+        const std::array<QPointF, 8> corners{QPointF(gap, -size.height() / 2), QPointF(-gap - size.width(), -size.height() / 2),
+            QPointF(gap * 0.7, -gap * 0.7 - size.height()), QPointF(gap * 0.7, gap * 0.7),
+            QPointF(-gap * 0.7 - size.width(), -gap * 0.7 - size.height()), QPointF(-gap * 0.7 - size.width(), gap * 0.7),
+            QPointF(-size.width() / 2, -gap - size.height()), QPointF(-size.width() / 2, gap)};
+        for (const QPointF& corner : corners) {
+            const QRectF place(at + corner, size);
+            const auto collides = [&place](const QRectF& other) { return other.intersects(place); };
+            if (within.contains(place) && std::none_of(taken.begin(), taken.end(), collides))
+                return place;
+        }
     }
-    QRectF place(at + corners[0], size); // crowded: at least within the plot
-    place.moveRight(std::min(place.right(), within.right()));
-    place.moveBottom(std::min(place.bottom(), within.bottom()));
-    return place;
+    return {};
+}
+
+/// From the ring to a label that stands further off.
+void paintLeader(QPainter& painter, const QPointF& at, const QRectF& place, const PlotColours& colours)
+{
+    const QPointF end(std::clamp(at.x(), place.left(), place.right()), std::clamp(at.y(), place.top(), place.bottom()));
+    QLineF leader(at, end);
+    if (leader.length() <= kGap + 1)
+        return;
+    leader.setP1(leader.pointAt(kRing / leader.length()));
+    painter.setPen(QPen(colours.suspect, 1));
+    painter.drawLine(leader);
 }
 
 void paintLabels(QPainter& painter, const std::vector<const ReadingPoint*>& marks, const Projection& project, const LabelRoom& room,
     const PlotColours& colours, const QFont& font)
 {
-    std::vector<QRectF> taken = room.taken;
-    for (const ReadingPoint* point : marks) {
-        const QPointF at = project(point->heading_deg, point->value_deg);
-        const double clear = point->suspect ? kRing + 1 : kRadius + 1;
-        taken.emplace_back(at.x() - clear, at.y() - clear, 2 * clear, 2 * clear);
-    }
     painter.setFont(font);
-    const QFontMetricsF metrics(font);
-    for (const ReadingPoint* point : marks) {
-        const QPointF at = project(point->heading_deg, point->value_deg);
-        if (!point->suspect || point->label.isEmpty() || !room.within.contains(at))
-            continue;
-        const QSizeF size(metrics.horizontalAdvance(point->label) + 6, metrics.height());
-        const QRectF place = freePlace(at, size, room.within, taken);
+    const auto placed = placesOfLabels(marks, project, room, font);
+    for (const auto& [point, place] : placed)
+        paintLeader(painter, project(point->heading_deg, point->value_deg), place, colours);
+    for (const auto& [point, place] : placed) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(colours.ground);
         painter.drawRoundedRect(place, 3, 3);
         painter.setPen(colours.text);
         painter.drawText(place, Qt::AlignCenter | Qt::TextSingleLine, point->label);
-        taken.push_back(place);
     }
 }
 
@@ -160,6 +162,30 @@ std::vector<ReadingPoint> readingPoints(const SwingPicture& picture)
             reading.excluded, reading.suspect, reading.suspect ? suspectLabel(reading) : QString()});
     }
     return points;
+}
+
+std::vector<PlacedLabel> placesOfLabels(
+    const std::vector<const ReadingPoint*>& marks, const Projection& project, const LabelRoom& room, const QFont& font)
+{
+    std::vector<QRectF> taken = room.taken;
+    for (const ReadingPoint* point : marks) {
+        const QPointF at = project(point->heading_deg, point->value_deg);
+        const double clear = point->suspect ? kRing + 1 : kRadius + 1;
+        taken.emplace_back(at.x() - clear, at.y() - clear, 2 * clear, 2 * clear);
+    }
+    const QFontMetricsF metrics(font);
+    std::vector<PlacedLabel> placed;
+    for (const ReadingPoint* point : marks) {
+        const QPointF at = project(point->heading_deg, point->value_deg);
+        if (!point->suspect || point->label.isEmpty() || !room.within.contains(at))
+            continue;
+        const QSizeF size(metrics.horizontalAdvance(point->label) + 6, metrics.height());
+        if (const auto place = freePlace(at, size, room.within, taken)) {
+            placed.push_back({point, *place});
+            taken.push_back(*place);
+        }
+    }
+    return placed;
 }
 
 void paintReadings(QPainter& painter, const std::vector<ReadingPoint>& points, int selectedRow, const Projection& project,

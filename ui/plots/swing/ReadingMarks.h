@@ -40,11 +40,20 @@ struct LabelRoom {
     std::vector<QRectF> taken = {};
 };
 
+struct PlacedLabel {
+    const ReadingPoint* point;
+    QRectF place;
+};
+
+/// Labels of suspect readings keep clear of each other, of the points, and of what is taken; where nothing is free the ring stands alone.
+[[nodiscard]] std::vector<PlacedLabel> placesOfLabels(
+    const std::vector<const ReadingPoint*>& marks, const Projection& project, const LabelRoom& room, const QFont& font);
+
 /// From so many on they are drawn as a density, beneath the curves, so that a fit is seen.
 inline constexpr std::size_t kMostSeenApart = 150;
 [[nodiscard]] inline double depthOf(std::size_t readings) { return readings > kMostSeenApart ? 8 : 30; }
 
-/// Labels keep clear of each other, of the points, and of what is taken, where they can.
+/// With their labels; one that stands further off has a line to its point.
 void paintReadings(QPainter& painter, const std::vector<ReadingPoint>& points, int selectedRow, const Projection& project,
     const LabelRoom& room, const PlotColours& colours, const QFont& font);
 

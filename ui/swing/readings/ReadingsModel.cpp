@@ -14,6 +14,12 @@
 
 namespace lubberline::ui {
 
+namespace {
+
+constexpr int kMostTyped = 64; ///< rows by hand: each is held against the others as it is made
+
+} // namespace
+
 ReadingsModel::ReadingsModel(SwingEditor& editor, QObject* parent) : QAbstractTableModel(parent), m_editor(editor)
 {
     connect(&editor, &SwingEditor::opened, this, &ReadingsModel::reset);
@@ -63,9 +69,10 @@ void ReadingsModel::syncRow(int row)
 
 void ReadingsModel::showResults()
 {
-    if (rowCount() > 0)
-        emit dataChanged(
-            index(0, static_cast<int>(ReadingColumn::Residual)), index(rowCount() - 1, static_cast<int>(ReadingColumn::State)));
+    if (rowCount() == 0)
+        return;
+    emit dataChanged(index(0, static_cast<int>(ReadingColumn::Residual)), index(rowCount() - 1, static_cast<int>(ReadingColumn::State)));
+    emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1);
 }
 
 void ReadingsModel::forgetStored()
@@ -136,11 +143,25 @@ int ReadingsModel::rowCount(const QModelIndex& parent) const { return parent.isV
 
 int ReadingsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kReadingColumns; }
 
+/// As the page's message marks it: State says why, and may be out of sight.
+bool ReadingsModel::lookedAtAgain(int row) const
+{
+    const Reading& reading = m_rows[static_cast<std::size_t>(row)];
+    if (reading.exclusion || !reading.complete())
+        return false;
+    const AnalysedReading* analysed = m_editor.analysed(row);
+    if (analysed && analysed->suspect)
+        return true;
+    return m_count <= kMostTyped && !slipOfRow(m_editor, row, m_style, SlipFigures::Beside).isEmpty();
+}
+
 QVariant ReadingsModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation == Qt::Vertical) {
         if (role == Qt::DisplayRole)
-            return isNewRow(section) ? QStringLiteral("+") : QString::number(section + 1);
+            return isNewRow(section)     ? QStringLiteral("+")
+                : lookedAtAgain(section) ? QStringLiteral("◉ %1").arg(section + 1)
+                                         : QString::number(section + 1);
         return {};
     }
     static const char* const meanings[] = {QT_TR_NOOP("The heading that the aircraft was turned to, magnetic"),

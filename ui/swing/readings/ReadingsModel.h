@@ -75,6 +75,7 @@ private:
     [[nodiscard]] const Rejected* rejectedAt(const QModelIndex& index) const;
     [[nodiscard]] QString displayText(int row, ReadingColumn column) const;
     [[nodiscard]] QString stateText(int row) const;
+    [[nodiscard]] bool lookedAtAgain(int row) const;
     [[nodiscard]] QString storedWords(const QModelIndex& index) const;
     [[nodiscard]] QString toolTip(const QModelIndex& index) const;
     bool reject(const QModelIndex& index, const QString& text, const QString& message);

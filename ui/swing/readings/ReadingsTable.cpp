@@ -31,7 +31,7 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent) : QTableView
     setWordWrap(false);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setMinimumWidth(fontMetrics().horizontalAdvance("000"));
+    verticalHeader()->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("◉ 000")));
     wrapHeadings(*this);
     keepOwnColumns(*this);
     horizontalHeader()->setHighlightSections(false);
