@@ -9,6 +9,13 @@ namespace lubberline::ui {
 
 inline constexpr int kFigure_px = 52, kSentence_px = 24, kTitle_px = 20, kTarget_px = 96;
 
+/// Vermilion that stands 4.5 : 1 apart from the window, light or dark: it is read in the sun.
+inline QColor urgentColour(const QPalette& palette)
+{
+    const bool dark = palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+    return dark ? QColor(0xff, 0x8c, 0x40) : QColor(0xa8, 0x45, 0x00);
+}
+
 inline QFont bigFont(QFont font, int pixels, bool bold = false)
 {
     font.setPixelSize(pixels);

@@ -35,6 +35,7 @@ GuidedPrepare::GuidedPrepare(GuidedJob& job, QWidget* parent)
     , m_go(bigButton(tr("Prepared: to the first heading (Enter)"), "prepared"))
 {
     m_load->setObjectName(QStringLiteral("interferenceLoad"));
+    m_load->setFont(bigFont(font(), kList_px));
     m_table->setObjectName(QStringLiteral("interference"));
     wrapHeadings(*m_table);
     m_table->setHorizontalHeaderLabels({tr("compass, off"), tr("compass, on"), tr("change")});

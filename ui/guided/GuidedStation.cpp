@@ -241,7 +241,7 @@ void GuidedStation::say(const QString& message, bool urgent)
     m_message->setText(inAngleStyle(message));
     QPalette colours = palette();
     if (urgent)
-        colours.setColor(QPalette::WindowText, QColor(0xD5, 0x5E, 0x00));
+        colours.setColor(QPalette::WindowText, urgentColour(colours));
     m_message->setPalette(colours);
     m_message->setFont(bigFont(m_message->font(), kTitle_px, urgent));
 }
