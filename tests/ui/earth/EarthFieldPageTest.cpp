@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "tests/db/TestStores.h"
+#include "tests/ui/window/Typing.h"
 #include "ui/earth/EarthFieldPage.h"
 #include "ui/kit/PlaceText.h"
 #include "ui/plots/world/WorldFieldChart.h"
@@ -43,10 +44,7 @@ struct OpenPage {
     template <class Widget>
     Widget& find(const char* name)
     {
-        auto* widget = page.findChild<Widget*>(QString::fromLatin1(name));
-        if (!widget)
-            qFatal("there is no widget named %s", name);
-        return *widget;
+        return in<Widget>(page, name);
     }
     void type(const char* name, const QString& text)
     {

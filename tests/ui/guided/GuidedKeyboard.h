@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "tests/ui/window/Fixture.h"
+#include "tests/ui/window/Typing.h"
 #include "ui/guided/GuidedPage.h"
 
 namespace lubberline::ui {
@@ -34,10 +35,7 @@ struct Keyboard {
     template <class Widget>
     Widget& find(const char* name)
     {
-        auto* widget = page.findChild<Widget*>(QString::fromLatin1(name));
-        if (!widget)
-            qFatal("there is no widget named %s", name);
-        return *widget;
+        return in<Widget>(page, name);
     }
     QString text(const char* label) { return find<QLabel>(label).text(); }
     void begin(ProcedureKind kind = ProcedureKind::Coefficient)

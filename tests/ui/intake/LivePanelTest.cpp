@@ -16,6 +16,7 @@
 #include "core/nmea/NmeaSentence.h"
 #include "core/swing/Observations.h"
 #include "tests/ui/window/Fixture.h"
+#include "tests/ui/window/Typing.h"
 #include "ui/intake/LivePanel.h"
 #include "ui/intake/NmeaImportPage.h"
 
@@ -24,15 +25,6 @@ namespace lubberline::ui {
 namespace {
 
 QByteArray line(const std::string& body) { return QByteArray::fromStdString(makeNmea(body)) + "\r\n"; }
-
-template <class Widget>
-Widget& in(QWidget& page, const char* name)
-{
-    auto* widget = page.findChild<Widget*>(QString::fromLatin1(name));
-    if (!widget)
-        qFatal("there is no widget named %s", name);
-    return *widget;
-}
 
 /// A free port for a moment: bound and let go.
 int freePort()

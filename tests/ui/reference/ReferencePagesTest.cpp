@@ -19,6 +19,7 @@
 #include "core/format/reference/ScenarioJson.h"
 #include "core/record/Completeness.h"
 #include "tests/db/TestStores.h"
+#include "tests/ui/window/Typing.h"
 #include "ui/plots/drawn/DrawnPlot.h"
 #include "ui/reference/CheckPage.h"
 #include "ui/reference/ComparePage.h"
@@ -30,15 +31,6 @@ using namespace lubberline;
 using namespace lubberline::ui;
 
 namespace {
-
-template <class Widget>
-Widget& find(QWidget& page, const char* name)
-{
-    auto* widget = page.findChild<Widget*>(QString::fromLatin1(name));
-    if (!widget)
-        qFatal("there is no widget named %s", name);
-    return *widget;
-}
 
 /// An aircraft with two compasses and six yearly swings of the first.
 struct Fleet2 {
@@ -94,16 +86,16 @@ private slots:
         page.resize(1000, 650);
         page.show();
         QTRY_VERIFY(page.message().contains("Levelling"));
-        auto& slider = find<QSlider>(page, "referenceTau1");
+        auto& slider = in<QSlider>(page, "referenceTau1");
         const double before = page.scenario().vertical->tau1_s;
         slider.setValue(slider.value() + 200);
         QVERIFY(page.scenario().vertical->tau1_s > before * 2);
-        auto& loop = find<QComboBox>(page, "referenceLoop");
+        auto& loop = in<QComboBox>(page, "referenceLoop");
         loop.setCurrentIndex(4);
         emit loop.activated(4);
-        find<QSlider>(page, "referenceTau3").setValue(0);
+        in<QSlider>(page, "referenceTau3").setValue(0);
         QTRY_VERIFY2(page.message().contains("tau3 > tau2"), qPrintable(page.message()));
-        auto& table = find<QTableWidget>(page, "referenceTable");
+        auto& table = in<QTableWidget>(page, "referenceTable");
         table.item(0, 0)->setText("x");
         QVERIFY(page.message().contains("no number"));
         table.item(0, 0)->setText("20");
@@ -118,7 +110,7 @@ private slots:
                                                              : std::nullopt;
         });
         QVERIFY(page.open(FleetItem()));
-        auto& iron = find<QCheckBox>(page, "referenceIron");
+        auto& iron = in<QCheckBox>(page, "referenceIron");
         QVERIFY(iron.isHidden());
         QVERIFY(page.open(FleetItem(CompassId{})));
         QVERIFY(!iron.isHidden() && iron.text().contains("SP-ABC"));
@@ -126,7 +118,7 @@ private slots:
         iron.setChecked(true);
         QVERIFY(page.scenario().compass.model);
         QCOMPARE(page.scenario().compass.model->hardIron_nT.x(), 0.05 * page.scenario().compass.horizontal_nT);
-        find<QSlider>(page, "referenceTau1").setValue(100); // what else is changed leaves it
+        in<QSlider>(page, "referenceTau1").setValue(100); // what else is changed leaves it
         QVERIFY(page.scenario().compass.model && iron.isChecked());
         QVERIFY(page.open(FleetItem())); // from a page of no compass it is still the last one's
         QVERIFY(iron.isChecked());
@@ -139,7 +131,7 @@ private slots:
         ReferencePage page(files());
         page.resize(1000, 650);
         page.show();
-        auto& slider = find<QSlider>(page, "referenceDip");
+        auto& slider = in<QSlider>(page, "referenceDip");
         const int before = slider.value();
         const double dip_deg = page.scenario().dip_deg;
         slider.setFocus();
@@ -161,7 +153,7 @@ private slots:
         empty.manoeuvres.clear();
         empty.duration_s = 600;
         page.showScenario(empty);
-        auto& line = find<ManoeuvreLine>(page, "manoeuvreLine");
+        auto& line = in<ManoeuvreLine>(page, "manoeuvreLine");
         const QRectF turns = line.laneRect(ManoeuvreLine::Turn);
         const auto at = [&](double time_s, double part) {
             return QPoint(qRound(line.xOf(time_s)), qRound(turns.center().y() - part * turns.height() / 2));
@@ -178,7 +170,7 @@ private slots:
         const Manoeuvre drawn = page.scenario().manoeuvres[0];
         QVERIFY(std::abs(drawn.from_s - 100) <= 3 && std::abs(drawn.to_s - 200) <= 3);
         QCOMPARE(drawn.turnRate_deg_s, 3.0); // half of the lane's 6°/s
-        QCOMPARE(find<QTableWidget>(page, "referenceTable").rowCount(), 2);
+        QCOMPARE(in<QTableWidget>(page, "referenceTable").rowCount(), 2);
         // Its end is stretched, the block is moved.
         QTest::mousePress(&line, Qt::LeftButton, {}, at(drawn.to_s, 0.2));
         dragTo(at(250, 0.2));
@@ -212,10 +204,10 @@ private slots:
         page.resize(1024, 700);
         page.show();
         QTRY_VERIFY(page.message().contains("Levelling"));
-        auto& time = find<DrawnPlot>(page, "referenceTime");
+        auto& time = in<DrawnPlot>(page, "referenceTime");
         const QPointF middle = QRectF(time.canvas()->rect()).center();
         QVERIFY2(time.textAt(middle).contains("error"), qPrintable(time.textAt(middle)));
-        auto& gain = find<DrawnPlot>(page, "referenceGain");
+        auto& gain = in<DrawnPlot>(page, "referenceGain");
         QVERIFY2(gain.textAt(QRectF(gain.canvas()->rect()).center()).contains("levelling"), "gain");
         QCOMPARE(page.plot(), static_cast<Plot*>(&time));
         for (const char* ending : {"png", "svg", "pdf"}) {
@@ -231,7 +223,7 @@ private slots:
         page.resize(1024, 700);
         page.show();
         const auto type = [&](const char* name, const QString& text) {
-            auto& edit = find<QLineEdit>(page, name);
+            auto& edit = in<QLineEdit>(page, name);
             edit.setText(text);
             edit.setModified(true);
             emit edit.editingFinished();
@@ -239,21 +231,21 @@ private slots:
         type("sunLatitude", "52 N");
         type("sunLongitude", "21 E");
         type("sunVariation", "6 E");
-        auto& headline = find<QLabel>(page, "datumHeadline");
+        auto& headline = in<QLabel>(page, "datumHeadline");
         QVERIFY2(headline.text().contains("bearing of the shadow"), qPrintable(headline.text()));
         type("sunBearing", "0");
         const double heading = sunAt({52, 21, 0}, *readUtcTime("2026-06-21T11:30:00Z")).azimuth_deg + 180 - 6;
         QVERIFY2(headline.text().contains(QString::number(wrap360(heading), 'f', 1).rightJustified(5, '0')), qPrintable(headline.text()));
-        QCOMPARE(find<QTableWidget>(page, "datumBudget").rowCount(), 6);
-        QVERIFY(find<QLabel>(page, "datumLines").text().contains("daylight saving"));
-        auto& day = find<DrawnPlot>(page, "datumDay");
+        QCOMPARE(in<QTableWidget>(page, "datumBudget").rowCount(), 6);
+        QVERIFY(in<QLabel>(page, "datumLines").text().contains("daylight saving"));
+        auto& day = in<DrawnPlot>(page, "datumDay");
         QVERIFY(day.textAt(QRectF(day.canvas()->rect()).center()).contains("elevation"));
         type("sunTime", "2026-06-21T23:30:00Z"); // night
         QVERIFY(headline.text().contains("no heading"));
         QVERIFY(page.message().contains("below the horizon"));
         type("sunTime", "noon"); // refused, and changes nothing
         QVERIFY(headline.text().contains("no heading"));
-        auto& method = find<QComboBox>(page, "datumMethod");
+        auto& method = in<QComboBox>(page, "datumMethod");
         method.setCurrentIndex(1);
         type("runwayWheelbase", "10");
         QVERIFY(headline.text().contains("± 0.42"));
@@ -303,9 +295,9 @@ private slots:
         CheckPage page(fleet.stores, files());
         QVERIFY(page.open(FleetItem(fleet.first)).ok());
         QVERIFY(page.title().contains("SP-ABC"));
-        auto& table = find<QTableWidget>(page, "checkTable");
+        auto& table = in<QTableWidget>(page, "checkTable");
         QCOMPARE(table.rowCount(), 3);
-        QVERIFY(!find<QPushButton>(page, "checkStore").isEnabled());
+        QVERIFY(!in<QPushButton>(page, "checkStore").isEnabled());
         for (int row = 0; row < 3; ++row) {
             const double compass = table.item(row, 0)->text().chopped(1).toDouble();
             table.item(row, 1)->setText(
@@ -313,9 +305,9 @@ private slots:
             table.item(row, 2)->setText(QString::number(compass));
         }
         QVERIFY(page.verdict().has_value());
-        QVERIFY2(page.verdict()->holds, qPrintable(find<QLabel>(page, "checkAnswer").text()));
+        QVERIFY2(page.verdict()->holds, qPrintable(in<QLabel>(page, "checkAnswer").text()));
         QSignalSpy made(&page, &CheckPage::makeSwing);
-        find<QPushButton>(page, "checkStore").click();
+        in<QPushButton>(page, "checkStore").click();
         QCOMPARE(made.count(), 1);
         const auto swing = made[0][0].value<Swing>();
         QCOMPARE(swing.readings.size(), std::size_t(3));
@@ -336,7 +328,7 @@ private slots:
         QVERIFY(QFile::exists(m_path));
         // Another compass, without a swing: said.
         QVERIFY(page.open(FleetItem(fleet.second)).ok());
-        QVERIFY(find<QLabel>(page, "checkHistory").text().contains("No swing on record"));
+        QVERIFY(in<QLabel>(page, "checkHistory").text().contains("No swing on record"));
         QVERIFY(!page.isOf(FleetItem(fleet.first)));
     }
 
@@ -345,7 +337,7 @@ private slots:
         Fleet2 fleet;
         ComparePage page(fleet.stores, files());
         QVERIFY(page.open(FleetItem(fleet.first)).ok());
-        QCOMPARE(find<QComboBox>(page, "compareSecond").count(), 2);
+        QCOMPARE(in<QComboBox>(page, "compareSecond").count(), 2);
         m_path = m_folder.filePath("pairs.csv");
         QFile file(m_path);
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -354,7 +346,7 @@ private slots:
         page.load();
         QVERIFY(page.verdict().has_value());
         QCOMPARE(page.verdict()->readings, std::size_t(4));
-        QVERIFY(!find<QLabel>(page, "compareFigures").text().isEmpty());
+        QVERIFY(!in<QLabel>(page, "compareFigures").text().isEmpty());
         m_path = m_folder.filePath("compare.pdf");
         page.writeReport();
         QVERIFY(QFile::exists(m_path));
@@ -364,7 +356,7 @@ private slots:
         file.close();
         m_path = m_folder.filePath("pairs.csv");
         page.load();
-        auto& due = find<QPushButton>(page, "compareDue");
+        auto& due = in<QPushButton>(page, "compareDue");
         QVERIFY(due.isEnabled());
         due.click();
         QVERIFY(!due.isEnabled());
@@ -372,7 +364,7 @@ private slots:
         QCOMPARE(events->size(), std::size_t(1));
         QVERIFY(events->front().cause == DueCause::AccuracySuspected);
         QVERIFY2(events->front().kind.find("slaved no longer holds") != std::string::npos, events->front().kind.c_str());
-        find<QTableWidget>(page, "compareTable").item(0, 0)->setText("north-ish");
+        in<QTableWidget>(page, "compareTable").item(0, 0)->setText("north-ish");
         QVERIFY(!page.verdict().has_value());
         QVERIFY(!page.message().isEmpty());
     }

@@ -9,6 +9,7 @@
 
 #include "core/sensor/PoissonSmith.h"
 #include "tests/db/TestStores.h"
+#include "tests/ui/window/Typing.h"
 #include "ui/kit/Words.h"
 #include "ui/plots/map/MapChart.h"
 #include "ui/plots/map/MapPlot.h"
@@ -105,10 +106,7 @@ struct OpenPage {
     template <class Widget>
     Widget& find(const char* name)
     {
-        auto* widget = page->findChild<Widget*>(QString::fromLatin1(name));
-        if (!widget)
-            qFatal("there is no widget named %s", name);
-        return *widget;
+        return in<Widget>(*page, name);
     }
     void type(const char* name, const QString& text)
     {

@@ -15,85 +15,92 @@
 
 namespace lubberline::ui {
 
+namespace {
+
+/// The panel of a swing's signatures, without its page.
+struct Signing {
+    SmallFleet fleet;
+    EditContext context{fleet.stores, [](const Error&) {}};
+    QUndoStack stack;
+    SwingEditor editor{context, stack};
+    KeyChecks keys{fleet.stores};
+    SigningPanel panel{context, editor, keys};
+    QSignalSpy failed{&panel, &SigningPanel::failed}, opened{&panel, &SigningPanel::openSwing};
+
+    void show(SwingId swing)
+    {
+        QVERIFY(editor.open(swing));
+        panel.QWidget::show();
+        panel.show("In limits.");
+    }
+    template <class Widget>
+    Widget& find(const char* name)
+    {
+        return in<Widget>(panel, name);
+    }
+};
+
+} // namespace
+
 class SigningPanelTest : public QObject {
     Q_OBJECT
 
 private slots:
     void twoPeopleSignAndAnAmendmentShowsWhatItChanges()
     {
-        SmallFleet fleet;
-        const SwingId id = fleet.addSwing("2026-11-20", eightPoints());
-        EditContext context{fleet.stores, [](const Error&) {}};
-        QUndoStack stack;
-        SwingEditor editor(context, stack);
-        KeyChecks keys(fleet.stores);
-        SigningPanel panel(context, editor, keys);
-        panel.QWidget::show();
-        QSignalSpy failed(&panel, &SigningPanel::failed), opened(&panel, &SigningPanel::openSwing);
-        const auto refresh = [&](SwingId swing) {
-            QVERIFY(editor.open(swing));
-            panel.show("In limits.");
-        };
-        refresh(id);
-        QVERIFY(!in<QLineEdit>(panel, "signName").isVisible()); // a draft is not signed
-        in<QPushButton>(panel, "changeState").click();
-        refresh(id);
-        QCOMPARE(fleet.stores.swings.record(id)->swing.state, SwingState::Complete);
-        type(in<QLineEdit>(panel, "signName"), "Ada");
-        type(in<QLineEdit>(panel, "signLicence"), "PL 12");
-        refresh(id);
-        QCOMPARE(in<QTableWidget>(panel, "signatures").rowCount(), 1);
-        QVERIFY(in<QTableWidget>(panel, "signatures").item(0, 4)->text().startsWith("✓"));
-        QCOMPARE(in<QComboBox>(panel, "signRole").currentIndex(), 1); // the inspector is next
-        type(in<QLineEdit>(panel, "signLicence"), "");
-        QCOMPARE(failed.count(), 1); // nobody's name
-        in<QLineEdit>(panel, "signName").setText("Ben");
-        in<QPushButton>(panel, "signButton").click();
-        refresh(id);
-        QCOMPARE(fleet.stores.swings.record(id)->swing.state, SwingState::Signed);
-        QVERIFY(!in<QPushButton>(panel, "changeState").isVisible());
-        in<QPushButton>(panel, "amendButton").click();
-        QCOMPARE(failed.count(), 2); // not without a reason
-        in<QLineEdit>(panel, "stateReason").setText("the date was wrong");
-        in<QPushButton>(panel, "amendButton").click();
-        QCOMPARE(opened.count(), 1);
-        Swing amended = fleet.stores.swings.record(opened.front().front().value<SwingId>())->swing;
+        Signing at;
+        auto& stores = at.fleet.stores;
+        const SwingId id = at.fleet.addSwing("2026-11-20", eightPoints());
+        at.show(id);
+        QVERIFY(!at.find<QLineEdit>("signName").isVisible()); // a draft is not signed
+        at.find<QPushButton>("changeState").click();
+        at.show(id);
+        QCOMPARE(stores.swings.record(id)->swing.state, SwingState::Complete);
+        type(at.find<QLineEdit>("signName"), "Ada");
+        type(at.find<QLineEdit>("signLicence"), "PL 12");
+        at.show(id);
+        QCOMPARE(at.find<QTableWidget>("signatures").rowCount(), 1);
+        QVERIFY(at.find<QTableWidget>("signatures").item(0, 4)->text().startsWith("✓"));
+        QCOMPARE(at.find<QComboBox>("signRole").currentIndex(), 1); // the inspector is next
+        type(at.find<QLineEdit>("signLicence"), "");
+        QCOMPARE(at.failed.count(), 1); // nobody's name
+        at.find<QLineEdit>("signName").setText("Ben");
+        at.find<QPushButton>("signButton").click();
+        at.show(id);
+        QCOMPARE(stores.swings.record(id)->swing.state, SwingState::Signed);
+        QVERIFY(!at.find<QPushButton>("changeState").isVisible());
+        at.find<QPushButton>("amendButton").click();
+        QCOMPARE(at.failed.count(), 2); // not without a reason
+        at.find<QLineEdit>("stateReason").setText("the date was wrong");
+        at.find<QPushButton>("amendButton").click();
+        QCOMPARE(at.opened.count(), 1);
+        Swing amended = stores.swings.record(at.opened.front().front().value<SwingId>())->swing;
         amended.date = "2026-11-19";
-        QVERIFY(fleet.stores.put(amended));
-        refresh(amended.id);
-        auto& differences = in<QTableWidget>(panel, "differences");
+        QVERIFY(stores.put(amended));
+        at.show(amended.id);
+        auto& differences = at.find<QTableWidget>("differences");
         QCOMPARE(differences.rowCount(), 1);
         QCOMPARE(differences.item(0, 1)->text() + " > " + differences.item(0, 2)->text(), QString("2026-11-20 > 2026-11-19"));
     }
 
-    /// By the keyboard alone: what opens it is followed by the name, not by a search for its field.
     /// 1980-01-06 is what receivers write that know no day: who knows that it was that day says how, in the field that is shown for it.
     void aDayFromWhichClocksCountIsCompletedByWhoKnowsIt()
     {
-        SmallFleet fleet;
-        const SwingId id = fleet.addSwing("1980-01-06", eightPoints());
-        EditContext context{fleet.stores, [](const Error&) {}};
-        QUndoStack stack;
-        SwingEditor editor(context, stack);
-        KeyChecks keys(fleet.stores);
-        SigningPanel panel(context, editor, keys);
-        panel.QWidget::show();
-        QSignalSpy failed(&panel, &SigningPanel::failed);
-        QVERIFY(editor.open(id));
-        panel.show("In limits.");
-        QVERIFY(in<QLineEdit>(panel, "stateReason").isVisible());
-        in<QPushButton>(panel, "changeState").click();
-        QCOMPARE(failed.count(), 1);
-        QVERIFY(failed.front().front().toString().contains("say how it is known"));
-        in<QLineEdit>(panel, "stateReason").setText("sheet 114");
-        in<QPushButton>(panel, "changeState").click();
-        QVERIFY(fleet.stores.swings.swing(id)->state == SwingState::Complete);
-        const SwingId other = fleet.addSwing("2026-11-20", eightPoints());
-        QVERIFY(editor.open(other));
-        panel.show("In limits.");
-        QVERIFY(!in<QLineEdit>(panel, "stateReason").isVisible());
+        Signing at;
+        const SwingId id = at.fleet.addSwing("1980-01-06", eightPoints());
+        at.show(id);
+        QVERIFY(at.find<QLineEdit>("stateReason").isVisible());
+        at.find<QPushButton>("changeState").click();
+        QCOMPARE(at.failed.count(), 1);
+        QVERIFY(at.failed.front().front().toString().contains("say how it is known"));
+        at.find<QLineEdit>("stateReason").setText("sheet 114");
+        at.find<QPushButton>("changeState").click();
+        QVERIFY(at.fleet.stores.swings.swing(id)->state == SwingState::Complete);
+        at.show(at.fleet.addSwing("2026-11-20", eightPoints()));
+        QVERIFY(!at.find<QLineEdit>("stateReason").isVisible());
     }
 
+    /// By the keyboard alone: what opens it is followed by the name, not by a search for its field.
     void openingItAsksForTheName()
     {
         SmallFleet fleet;
@@ -107,22 +114,17 @@ private slots:
 
     void aSignatureThatNoLongerHoldsIsSaid()
     {
-        SmallFleet fleet;
-        const SwingId id = fleet.addSwing("2026-11-20", eightPoints());
-        QVERIFY(fleet.stores.signing.complete(id) && fleet.stores.signing.sign(id, {SignatureRole::Performer, "Ada", "", "", ""}));
-        QVERIFY(fleet.stores.signing.reopen(id, "misread"));
-        const auto before = fleet.stores.swings.record(id)->swing.readings[0];
+        Signing at;
+        auto& stores = at.fleet.stores;
+        const SwingId id = at.fleet.addSwing("2026-11-20", eightPoints());
+        QVERIFY(stores.signing.complete(id) && stores.signing.sign(id, {SignatureRole::Performer, "Ada", "", "", ""}));
+        QVERIFY(stores.signing.reopen(id, "misread"));
+        const auto before = stores.swings.record(id)->swing.readings[0];
         Reading after = before;
         after.compass = CompassHeading::fromDegrees(2);
-        QVERIFY(fleet.stores.swings.changeReading(id, before, after));
-        EditContext context{fleet.stores, [](const Error&) {}};
-        QUndoStack stack;
-        SwingEditor editor(context, stack);
-        QVERIFY(editor.open(id));
-        KeyChecks keys(fleet.stores);
-        SigningPanel panel(context, editor, keys);
-        panel.show({});
-        QVERIFY(in<QTableWidget>(panel, "signatures").item(0, 4)->text().startsWith("✗"));
+        QVERIFY(stores.swings.changeReading(id, before, after));
+        at.show(id);
+        QVERIFY(at.find<QTableWidget>("signatures").item(0, 4)->text().startsWith("✗"));
     }
 };
 

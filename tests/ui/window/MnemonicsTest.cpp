@@ -11,6 +11,27 @@
 using namespace lubberline;
 using namespace lubberline::ui;
 
+namespace {
+
+/// Every page of a window, with a compass or else a swing.
+struct EachPage {
+    SmallFleet fleet;
+    SwingId swing = fleet.addSwing("2026-11-20", eightPoints());
+    OpenWindow open{fleet.stores};
+    PageStack& stack = *open.window.findChild<PageStack*>();
+
+    void look(const std::function<void(const QString& page)>& at)
+    {
+        for (const PageDescription& page : stack.descriptions()) {
+            if (!stack.show(Destination{page.id, fleet.compass}))
+                QVERIFY2(static_cast<bool>(stack.show(Destination{page.id, swing})), qPrintable(page.id));
+            at(page.id);
+        }
+    }
+};
+
+} // namespace
+
 class MnemonicsTest : public QObject {
     Q_OBJECT
 
@@ -58,57 +79,47 @@ void MnemonicsTest::everyLetterOfAMenuIsGivenOnce()
 {
     QFETCH(QString, language);
     QCOMPARE(speak({language}), language);
-    SmallFleet fleet;
-    const SwingId swing = fleet.addSwing("2026-11-20", eightPoints());
-    OpenWindow open(fleet.stores);
-    auto* stack = open.window.findChild<PageStack*>();
+    EachPage each;
     QString bar;
-    for (const QAction* action : open.window.menuBar()->actions()) {
+    for (const QAction* action : each.open.window.menuBar()->actions()) {
         const QChar letter = mnemonicOf(action->text());
         QVERIFY2(!letter.isNull() && !bar.contains(letter), qPrintable(action->text()));
         bar += letter;
     }
-    for (const PageDescription& page : stack->descriptions()) {
-        if (!stack->show(Destination{page.id, fleet.compass}))
-            QVERIFY2(static_cast<bool>(stack->show(Destination{page.id, swing})), qPrintable(page.id));
-        for (const QAction* action : open.window.menuBar()->actions()) {
+    each.look([&](const QString&) {
+        for (const QAction* action : each.open.window.menuBar()->actions()) {
             emit action->menu()->aboutToShow();
             checkMenu(*action->menu());
         }
-    }
+    });
 }
 
 void MnemonicsTest::everyLetterOfAPageIsGivenOnce()
 {
     QFETCH(QString, language);
     QCOMPARE(speak({language}), language);
-    SmallFleet fleet;
-    const SwingId swing = fleet.addSwing("2026-11-20", eightPoints());
-    OpenWindow open(fleet.stores);
-    auto* stack = open.window.findChild<PageStack*>();
-    for (const PageDescription& page : stack->descriptions()) {
-        if (!stack->show(Destination{page.id, fleet.compass}))
-            QVERIFY2(static_cast<bool>(stack->show(Destination{page.id, swing})), qPrintable(page.id));
+    EachPage each;
+    each.look([&](const QString& page) {
         QMap<QChar, QString> seen;
         const auto take = [&](const QString& text) {
             const QChar letter = mnemonicOf(text);
             if (letter.isNull())
                 return;
-            QVERIFY2(!seen.contains(letter), qPrintable(page.id + ": " + text + " and " + seen.value(letter)));
+            QVERIFY2(!seen.contains(letter), qPrintable(page + ": " + text + " and " + seen.value(letter)));
             seen.insert(letter, text);
         };
-        for (const QAction* action : open.window.menuBar()->actions())
+        for (const QAction* action : each.open.window.menuBar()->actions())
             take(action->text());
-        for (const QLabel* label : stack->current().findChildren<QLabel*>())
+        for (const QLabel* label : each.stack.current().findChildren<QLabel*>())
             if (label->buddy() && label->isVisible())
                 take(label->text());
-        for (const QAbstractButton* button : stack->current().findChildren<QAbstractButton*>())
+        for (const QAbstractButton* button : each.stack.current().findChildren<QAbstractButton*>())
             if (button->isVisible())
                 take(button->text());
-        for (const QGroupBox* box : stack->current().findChildren<QGroupBox*>())
+        for (const QGroupBox* box : each.stack.current().findChildren<QGroupBox*>())
             if (box->isVisible())
                 take(box->title());
-    }
+    });
 }
 
 QTEST_MAIN(MnemonicsTest)
