@@ -25,7 +25,7 @@ public:
     /// Marks what the page shows, without emitting itemChosen().
     void select(const std::vector<FleetItem>& path);
     [[nodiscard]] QStringList openBranches() const; ///< as setOpenBranches() takes them
-    [[nodiscard]] int wantedWidth() const; ///< that shows names and states of what is open whole
+    [[nodiscard]] int wantedWidth() const;          ///< that shows names and states of what is open whole
     void setOpenBranches(const QStringList& branches);
     void focusSearch();
     void focusTree();
