@@ -133,8 +133,11 @@ TEST(FlownModel, aKeptModelIsAsSureAsItWas)
 TEST(FlownModel, whatIsNotKnownIsNoStart)
 {
     SensorRecord sensor = calibrated();
-    sensor.uncertainty->covariance.row(0).setZero();
-    sensor.uncertainty->covariance.col(0).setZero(); // known exactly: a flight would never move it
+    sensor.model = iron();
+    for (const int place : {0, 8}) { // a and k known exactly: no flight would ever move a
+        sensor.uncertainty->covariance.row(place).setZero();
+        sensor.uncertainty->covariance.col(place).setZero();
+    }
     EXPECT_FALSE(stateOf(sensor, kOver_nT));
     sensor.uncertainty.reset();
     EXPECT_FALSE(stateOf(sensor, kOver_nT));
