@@ -177,7 +177,7 @@ void nameLine(SpectralLine& line, double rate_hz, double within_hz)
         const bool named = std::any_of(line.sources.begin(), line.sources.end(),
             [](const LineSource& one) { return one.aliasOf_hz && *one.aliasOf_hz == kAircraftSupply_hz; });
         if (near_hz && !named)
-            line.sources.push_back({{MARKED("core", "aircraft supply 400 Hz at %1 Hz"), figureText(*near_hz, 1)}, *near_hz});
+            line.sources.push_back({{MARKED("core", "perhaps aircraft supply 400 Hz at %1 Hz"), figureText(*near_hz, 1)}, *near_hz});
     }
     line.source = line.sources.empty() ? Message{MARKED("core", "not known")} : line.sources.front().name;
     for (std::size_t i = 1; i < line.sources.size(); ++i)
