@@ -53,15 +53,16 @@ inline SineCosine quickSineCosineOfDegrees(double angle_deg)
     constexpr double kManyTurns_deg = 1e5;
     if (!(std::abs(angle_deg) < kManyTurns_deg))
         return {std::sin(toRadians(angle_deg)), std::cos(toRadians(angle_deg))};
-    const int quarters = static_cast<int>(angle_deg / 90.0 + (angle_deg < 0 ? -0.5 : 0.5));
+    const int quarters = static_cast<int>(angle_deg * (1.0 / 90.0) + (angle_deg < 0 ? -0.5 : 0.5));
     const SineCosine rest = quickSineCosine(toRadians(angle_deg - 90.0 * quarters));
-    switch (quarters & 3) {
-    case 0: return rest;
-    case 1: return {rest.cosine, -rest.sine};
-    case 2: return {-rest.sine, -rest.cosine};
-    default: return {-rest.cosine, rest.sine};
-    }
+    // Chosen without a branch: headings come from all quarters in no order.
+    const bool odd = (quarters & 1) != 0;
+    const double sine = odd ? rest.cosine : rest.sine, cosine = odd ? rest.sine : rest.cosine;
+    return {(quarters & 2) != 0 ? -sine : sine, ((quarters + 1) & 2) != 0 ? -cosine : cosine};
 }
+
+/// wrap180(), whose remainder is only needed where there is something to wrap.
+inline double quickWrap180(double angle_deg) { return angle_deg > -180.0 && angle_deg <= 180.0 ? angle_deg : wrap180(angle_deg); }
 
 /// Where the series of arctangentNearZero() holds: to some 11°.
 inline bool arctangentIsNearZero(double y, double x) { return std::abs(y) < 0.2 * x; }
@@ -72,6 +73,21 @@ inline double arctangentNearZero(double y, double x)
     constexpr std::array kSeries{1.0, -1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13, -1.0 / 15, 1.0 / 17, -1.0 / 19};
     const double tangent = y / x;
     return tangent * polynomial(tangent * tangent, kSeries);
+}
+
+/// std::atan2 [rad] of any direction, without a branch; not a number where both are zero. By the tangent of the difference to 0°, 22.5°
+/// or 45°, whichever is within 11.25°.
+inline double arctangentAround(double y, double x)
+{
+    constexpr double kEighth = 0.41421356237309503, kFrom = 0.19891236737965801, kTo = 0.66817863791929888; // tan 22.5°, 11.25°, 33.75°
+    const double across = std::abs(y), along = std::abs(x);
+    const bool steep = across > along;
+    const double small = steep ? along : across, large = steep ? across : along;
+    const double tangent = small < kFrom * large ? 0.0 : small < kTo * large ? kEighth : 1.0;
+    const double base = small < kFrom * large ? 0.0 : small < kTo * large ? kPi / 8 : kPi / 4;
+    const double near = base + arctangentNearZero(small - tangent * large, large + tangent * small);
+    const double within = steep ? kPi / 2 - near : near;
+    return std::copysign(x < 0 ? kPi - within : within, y);
 }
 
 /// std::atan2 [rad].

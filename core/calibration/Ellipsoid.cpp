@@ -39,13 +39,15 @@ LUBBERLINE_VECTOR_CLONES void dropOutside(const double* values, std::size_t coun
 }
 
 /// Rows far outside of where the log is on an axis: a whole spike of many fields' size would drown all else.
-void dropFarRows(const SensorLog& log, std::vector<std::uint8_t>& used)
+void dropFarRows(const SensorLog& log, const LogQuality& quality, std::vector<std::uint8_t>& used)
 {
     const auto rows = someRows(used);
     if (rows.size() < 20)
         return;
-    for (const auto& values : log.field) {
-        std::vector<double> some;
+    std::vector<double> some;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto& values = log.field[axis];
+        some.clear();
         some.reserve(rows.size());
         for (const auto row : rows)
             some.push_back(values[row]);
@@ -54,7 +56,8 @@ void dropFarRows(const SensorLog& log, std::vector<std::uint8_t>& used)
         const double low = some[static_cast<std::size_t>(twentieth)];
         std::nth_element(some.begin() + twentieth, some.end() - 1 - twentieth, some.end());
         const double high = *(some.end() - 1 - twentieth), margin = 1.5 * (high - low);
-        dropOutside(values.data(), values.size(), low - margin, high + margin, used.data());
+        if (quality.ends[axis].lowest < low - margin || quality.ends[axis].highest > high + margin)
+            dropOutside(values.data(), values.size(), low - margin, high + margin, used.data());
     }
 }
 
@@ -99,24 +102,28 @@ struct Trimmed {
     double scatter = std::numeric_limits<double>::max(); ///< 1.4826 MAD of all that were offered
 };
 
-double scatterOf(const SensorLog& log, const Quadric& quadric, const std::vector<std::size_t>& rows)
+double scatterOf(const Quadric& quadric, const FieldSamples& samples)
 {
     std::vector<double> away;
-    away.reserve(rows.size());
-    for (const auto row : rows)
-        away.push_back(std::abs(distanceFrom(quadric, log.at(row))));
+    away.reserve(samples.size());
+    for (const auto& sample : samples)
+        away.push_back(std::abs(distanceFrom(quadric, sample)));
     return 1.4826 * middleOf(std::move(away));
 }
 
-/// |V (m − c)|² of rows, which is 1 on the quadric.
-LUBBERLINE_VECTOR_CLONES void squaredSizes(
-    const double* x, const double* y, const double* z, std::size_t count, const double* v, const double* c, double* square)
+/// |V (m − c)|² of rows, which is 1 on the quadric. @return how many lie from `least` to `most`
+LUBBERLINE_VECTOR_CLONES std::int64_t squaredSizes(const double* x, const double* y, const double* z, std::size_t count, const double* v,
+    const double* c, double least, double most, double* square)
 {
+    std::int64_t between = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const double dx = x[i] - c[0], dy = y[i] - c[1], dz = z[i] - c[2];
         const double ux = v[0] * dx + v[3] * dy + v[6] * dz, uy = v[1] * dx + v[4] * dy + v[7] * dz, uz = v[2] * dx + v[5] * dy + v[8] * dz;
-        square[i] = ux * ux + uy * uy + uz * uz;
+        const double size = ux * ux + uy * uy + uz * uz;
+        square[i] = size;
+        between += (size >= least) & (size <= most) ? 1 : 0;
     }
+    return between;
 }
 
 /// Rows of `offered` within the trimming limit of a quadric.
@@ -136,7 +143,12 @@ std::vector<std::uint8_t> within(const SensorLog& log, const Quadric& quadric, c
     std::array<double, kRows> squares{};
     for (std::size_t from = 0; from < offered.size(); from += kRows) {
         const std::size_t count = std::min(kRows, offered.size() - from);
-        squaredSizes(&log.field[0][from], &log.field[1][from], &log.field[2][from], count, v.data(), c.data(), squares.data());
+        const auto sure = squaredSizes(
+            &log.field[0][from], &log.field[1][from], &log.field[2][from], count, v.data(), c.data(), surelyFrom, surelyTo, squares.data());
+        if (static_cast<std::size_t>(sure) == count) {
+            std::copy_n(offered.begin() + static_cast<std::ptrdiff_t>(from), count, used.begin() + static_cast<std::ptrdiff_t>(from));
+            continue;
+        }
         for (std::size_t i = 0; i < count; ++i) {
             const double square = squares[i];
             bool in = square >= surelyFrom && square <= surelyTo;
@@ -148,25 +160,26 @@ std::vector<std::uint8_t> within(const SensorLog& log, const Quadric& quadric, c
     return used;
 }
 
-Trimmed trimmedFit(const SensorLog& log, const std::vector<std::uint8_t>& offered, EllipsoidShape shape, std::optional<Quadric> start)
+/// @param samples  some of what is offered
+Trimmed trimmedFit(const SensorLog& log, const std::vector<std::uint8_t>& offered, const FieldSamples& samples, EllipsoidShape shape,
+    std::optional<Quadric> start)
 {
     Trimmed result;
     result.used = offered;
-    const auto offeredRows = someRows(offered);
     if (start)
-        result.used = within(log, *start, offered, scatterOf(log, *start, offeredRows));
+        result.used = within(log, *start, offered, scatterOf(*start, samples));
     for (int round = 0; round < 5; ++round) {
-        const auto rows = someRows(result.used);
-        if (rows.size() <= freeOf(shape))
+        const FieldSamples mine = round == 0 && !start ? samples : samplesOf(log, someRows(result.used));
+        if (mine.size() <= freeOf(shape))
             return {};
-        const Spread spread = spreadOf(log, rows);
+        const Spread spread = spreadOf(mine);
         const FieldMoments moments = momentsOf(columnsOf(log), result.used, spread.centre, spread.scale);
         result.quadric = adjustedQuadric(moments, shape);
         if (!result.quadric && round == 0 && shape == EllipsoidShape::General)
             result.quadric = constrainedQuadric(moments);
         if (!result.quadric)
             return {};
-        result.scatter = scatterOf(log, *result.quadric, offeredRows);
+        result.scatter = scatterOf(*result.quadric, samples);
         auto next = within(log, *result.quadric, offered, result.scatter);
         if (next == result.used)
             break;
@@ -201,10 +214,10 @@ EllipsoidResult fitEllipsoid(const SensorLog& log, EllipsoidShape shape, std::op
     if (quality.rate_hz && log.size() > 100)
         if (Message zero = warningOfZero(*quality.rate_hz, 0.005 * *quality.rate_hz); !zero.empty())
             result.warnings.push_back(std::move(zero));
-    std::vector<std::uint8_t> offered(log.size(), 0);
-    for (std::size_t row = 0; row < log.size(); ++row)
-        offered[row] = quality.faults[row] == SampleFault::None || quality.faults[row] == SampleFault::Repeat ? 1 : 0;
-    dropFarRows(log, offered);
+    std::vector<std::uint8_t> offered(log.size());
+    std::ranges::transform(quality.faults, offered.begin(),
+        [](SampleFault fault) { return static_cast<std::uint8_t>((fault == SampleFault::None) | (fault == SampleFault::Repeat)); });
+    dropFarRows(log, quality, offered);
     const auto rows = someRows(offered);
     result.usedRows = offered;
     result.used = static_cast<std::size_t>(std::count(offered.begin(), offered.end(), std::uint8_t{1}));
@@ -216,10 +229,11 @@ EllipsoidResult fitEllipsoid(const SensorLog& log, EllipsoidShape shape, std::op
         return result;
     }
 
-    Trimmed best = trimmedFit(log, offered, shape, {});
+    const FieldSamples samples = samplesOf(log, rows);
+    Trimmed best = trimmedFit(log, offered, samples, shape, {});
     const double radius = best.quadric ? 1.0 / std::cbrt(best.quadric->toUnit.determinant()) : 0.0;
     if (!best.quadric || best.scatter > 0.01 * radius) {
-        Trimmed other = trimmedFit(log, offered, shape, consensusSphere(log, someRows(offered, 1000)));
+        Trimmed other = trimmedFit(log, offered, samples, shape, consensusSphere(log, someRows(offered, 1000)));
         if (other.quadric && (!best.quadric || other.scatter < 0.8 * best.scatter))
             best = std::move(other);
     }

@@ -107,17 +107,28 @@ std::vector<std::size_t> someRows(const std::vector<std::uint8_t>& used, std::si
     return rows;
 }
 
-Spread spreadOf(const SensorLog& log, const std::vector<std::size_t>& rows)
+FieldSamples samplesOf(const SensorLog& log, const std::vector<std::size_t>& rows)
+{
+    FieldSamples samples;
+    samples.reserve(rows.size());
+    for (const auto row : rows)
+        samples.push_back(log.at(row));
+    return samples;
+}
+
+Spread spreadOf(const FieldSamples& samples)
 {
     Spread spread;
-    for (const auto row : rows)
-        spread.centre += log.at(row) / static_cast<double>(rows.size());
+    const auto count = static_cast<double>(samples.size());
+    for (const auto& sample : samples)
+        spread.centre += sample;
+    spread.centre /= count;
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (const auto row : rows) {
-        const Eigen::Vector3d off = log.at(row) - spread.centre;
-        covariance += off * off.transpose() / static_cast<double>(rows.size());
+    for (const auto& sample : samples) {
+        const Eigen::Vector3d off = sample - spread.centre;
+        covariance += off * off.transpose();
     }
-    const SymmetricParts parts = symmetricParts(covariance);
+    const SymmetricParts parts = symmetricParts(covariance / count);
     spread.axes = parts.values.cwiseMax(0).cwiseSqrt();
     spread.thinnest = parts.vectors.col(0);
     spread.scale = std::max(spread.axes[2], 1e-300);
@@ -140,6 +151,8 @@ EllipsoidFit fitOf(
     Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
     std::vector<Eigen::Vector3d> directions;
     std::vector<double> residuals;
+    directions.reserve(rows.size());
+    residuals.reserve(rows.size());
     double weighted = 0, plain = 0;
     for (const auto row : rows) {
         const Eigen::Vector3d d = log.at(row) - fit.hardIron, field_ = w * d;

@@ -19,13 +19,21 @@ constexpr double kMereNoise = 3;      ///< thickness in standard deviations of t
 std::string figure(double value) { return figureText(value, std::abs(value) < 10 ? 2 : 0); }
 
 /// Sizes of two kinds, far from each other: a log whose unit changes on its way. Spikes alone are few.
-Message twoUnits(const SensorLog& log, const std::vector<std::size_t>& rows)
+Message twoUnits(const SensorLog& log, const FieldSamples& samples)
 {
     std::vector<double> sizes;
-    for (const auto row : rows)
-        sizes.push_back(log.at(row).norm());
-    std::sort(sizes.begin(), sizes.end());
+    sizes.reserve(samples.size());
+    for (const auto& sample : samples)
+        sizes.push_back(sample.norm());
     const std::size_t few = std::max<std::size_t>(10, sizes.size() / 20);
+    if (2 * few >= sizes.size())
+        return {};
+    const auto low = sizes.begin() + static_cast<std::ptrdiff_t>(few - 1), high = sizes.end() - static_cast<std::ptrdiff_t>(few + 1);
+    std::nth_element(sizes.begin(), low, sizes.end());
+    std::nth_element(low + 1, high, sizes.end());
+    if (!(*high > kOtherUnit * *low)) // nor then do any two between them lie so far apart
+        return {};
+    std::sort(sizes.begin(), sizes.end());
     for (std::size_t i = few; i + few < sizes.size(); ++i)
         if (sizes[i] > kOtherUnit * sizes[i - 1] && sizes[i - 1] > 0)
             return {MARKED("core", "%1 samples are of sizes up to %2 %5, and %3 of %4 %5 or more: two units in one log"), i,
@@ -81,11 +89,12 @@ Message flatness(const SensorLog& log, const std::vector<std::size_t>& rows, Ell
     const std::size_t least = 2 * (freeOf(shape) + 1);
     if (rows.size() < least)
         return {MARKED_N("core", "%n usable sample(s); expected %1 or more, in many attitudes"), rows.size(), least};
-    const Spread spread = spreadOf(log, rows);
+    const FieldSamples samples = samplesOf(log, rows);
+    const Spread spread = spreadOf(samples);
     const std::string unit(log.figureUnit());
     if (spread.axes[2] <= 1e-9 * std::max(1.0, spread.centre.norm()))
         return {MARKED("core", "all samples are equal: the sensor was not turned, or it is stuck")};
-    if (Message mixed = twoUnits(log, rows); !mixed.empty())
+    if (Message mixed = twoUnits(log, samples); !mixed.empty())
         return mixed;
     if (spread.axes[2] < kUnturned * spread.centre.norm())
         return {MARKED("core", "the samples spread by %1 %3 about one field of %2 %3: the sensor was hardly turned"),

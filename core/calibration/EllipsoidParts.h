@@ -12,6 +12,10 @@ inline constexpr std::size_t kSubsample = 50000; ///< of a long log: enough for 
 /// Evenly spread rows that are in use, at most `most`.
 [[nodiscard]] std::vector<std::size_t> someRows(const std::vector<std::uint8_t>& used, std::size_t most = kSubsample);
 
+/// Rows side by side: what is asked of them several times must not lie all over a long log.
+using FieldSamples = std::vector<Eigen::Vector3d>;
+[[nodiscard]] FieldSamples samplesOf(const SensorLog& log, const std::vector<std::size_t>& rows);
+
 struct Spread {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double scale = 1;
@@ -19,7 +23,7 @@ struct Spread {
     Eigen::Vector3d thinnest = Eigen::Vector3d::Zero();
 };
 
-[[nodiscard]] Spread spreadOf(const SensorLog& log, const std::vector<std::size_t>& rows);
+[[nodiscard]] Spread spreadOf(const FieldSamples& samples);
 
 /// Figures, their covariance by one weighted Gauss–Newton step, the gate and the coverage.
 [[nodiscard]] EllipsoidFit fitOf(

@@ -99,6 +99,22 @@ LUBBERLINE_VECTOR_CLONES void fillBlock(
     }
 }
 
+/// Of what is used; the rest is zero. @return how many are
+LUBBERLINE_VECTOR_CLONES std::int64_t fillUsed(Block& block, const double* x, const double* y, const double* z, const std::uint8_t* used,
+    std::size_t count, const double* centre, double factor)
+{
+    auto& c = block.column;
+    std::int64_t points = 0;
+    for (std::size_t i = 0; i < count; ++i) { // chosen and not multiplied: what is left out may be NaN
+        const bool in = used[i] != 0;
+        c[kX][i] = in ? (x[i] - centre[0]) * factor : 0.0;
+        c[kY][i] = in ? (y[i] - centre[1]) * factor : 0.0;
+        c[kZ][i] = in ? (z[i] - centre[2]) * factor : 0.0;
+        points += in ? 1 : 0;
+    }
+    return points;
+}
+
 /// The products of a block whose X, Y and Z are filled; points that are not there are zero and add nothing.
 void addBlock(Block& block, FieldMoments& moments)
 {
@@ -141,37 +157,27 @@ FieldMoments momentsOf(const FieldColumns& points, std::span<const std::uint8_t>
     FieldMoments moments;
     moments.centre = centre;
     moments.scale = scale;
-    Block block, whole;
+    Block block;
     const double factor = 1.0 / scale;
     const std::size_t count = points[0].size();
-    std::size_t filled = 0;
-    const auto take = [&](std::size_t row) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            block.column[axis][filled] = (points[axis][row] - centre[static_cast<Eigen::Index>(axis)]) * factor;
-        if (++filled < kBlockPoints)
-            return;
-        addBlock(block, moments);
-        moments.sum[0] += static_cast<double>(kBlockPoints);
-        filled = 0;
-    };
+    constexpr auto allUsed = [] {
+        std::array<std::uint8_t, kBlockPoints> all{};
+        all.fill(1);
+        return all;
+    }();
     for (std::size_t from = 0; from < count; from += kBlockPoints) {
-        const std::size_t to = std::min(from + kBlockPoints, count);
-        const bool all = used.empty() || std::memchr(used.data() + from, 0, to - from) == nullptr;
-        if (all && to - from == kBlockPoints) {
-            fillBlock(whole, points[0].data() + from, points[1].data() + from, points[2].data() + from, centre.data(), factor);
-            addBlock(whole, moments);
-            moments.sum[0] += static_cast<double>(kBlockPoints);
-            continue;
+        const std::size_t here = std::min(kBlockPoints, count - from);
+        const std::uint8_t* const mine = used.empty() ? allUsed.data() : used.data() + from;
+        const double *x = points[0].data() + from, *y = points[1].data() + from, *z = points[2].data() + from;
+        if (here == kBlockPoints && std::memchr(mine, 0, here) == nullptr) {
+            fillBlock(block, x, y, z, centre.data(), factor);
+            moments.sum[0] += static_cast<double>(here);
+        } else {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                std::fill(block.column[axis].begin() + static_cast<std::ptrdiff_t>(here), block.column[axis].end(), 0.0);
+            moments.sum[0] += static_cast<double>(fillUsed(block, x, y, z, mine, here, centre.data(), factor));
         }
-        for (std::size_t row = from; row < to; ++row)
-            if (used.empty() || used[row] != 0)
-                take(row);
-    }
-    if (filled > 0) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            std::fill(block.column[axis].begin() + static_cast<std::ptrdiff_t>(filled), block.column[axis].end(), 0.0);
         addBlock(block, moments);
-        moments.sum[0] += static_cast<double>(filled);
     }
     return moments;
 }

@@ -4,13 +4,12 @@
 
 #include "core/base/Middle.h"
 #include "core/base/Number.h"
-#include "core/base/VectorClones.h"
+#include "core/calibration/QuickLook.h"
 
 namespace lubberline {
 
 namespace {
 
-constexpr std::size_t kStuckRows = 50;
 constexpr double kSpikeScatters = 12.0;
 constexpr std::size_t kLongestPeriod = 64; ///< rows, of what comes again
 constexpr double kMedianToSigma = 1.4826;
@@ -21,15 +20,16 @@ void note(LogQuality& quality, std::size_t row, SampleFault fault)
         quality.faults[row] = fault;
 }
 
-/// Rows in stretches all over a long log: as many as tell its scatter to a percent.
+constexpr std::size_t kStretch = 256; ///< rows
+
+/// Stretches of rows all over a long log: as many as tell its scatter to a percent.
 template <class Use>
 void someStretches(std::size_t count, Use&& use)
 {
-    constexpr std::size_t stretch = 256, stretches = 200;
-    const std::size_t step = std::max(stretch, count / stretches);
+    constexpr std::size_t stretches = 200;
+    const std::size_t step = std::max(kStretch, count / stretches);
     for (std::size_t from = 0; from < count; from += step)
-        for (std::size_t row = from; row < std::min(from + stretch, count); ++row)
-            use(row);
+        use(from, std::min(from + kStretch, count));
 }
 
 void findGaps(const SensorLog& log, LogQuality& quality)
@@ -47,7 +47,9 @@ void findGaps(const SensorLog& log, LogQuality& quality)
     }
     // Of a long log's steps enough to tell the middle one: nearly all are alike.
     std::vector<double> some;
-    someStretches(steps.size(), [&](std::size_t i) { some.push_back(steps[i]); });
+    someStretches(steps.size(), [&](std::size_t from, std::size_t to) {
+        some.insert(some.end(), steps.begin() + static_cast<std::ptrdiff_t>(from), steps.begin() + static_cast<std::ptrdiff_t>(to));
+    });
     const double step = middleOf(std::move(some));
     // The mean of those like it: times that are written to a millisecond or two have no step of their true length.
     double lasting = 0, alike = 0;
@@ -97,10 +99,12 @@ bool othersMove(const SensorLog& log, std::size_t axis, std::size_t from, std::s
     return false;
 }
 
-void findStuck(const SensorLog& log, LogQuality& quality)
+void findStuck(const SensorLog& log, const QuickLook& look, LogQuality& quality)
 {
     constexpr std::array<char, 3> kAxes{'x', 'y', 'z'};
     for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!look.stands[axis])
+            continue;
         const auto& values = log.field[axis];
         std::size_t rows = 0;
         for (std::size_t from = 0; from < values.size();) {
@@ -120,34 +124,13 @@ void findStuck(const SensorLog& log, LogQuality& quality)
     }
 }
 
-struct Ends {
-    double lowest = std::numeric_limits<double>::infinity(), highest = -std::numeric_limits<double>::infinity();
-    std::size_t atLowest = 0, atHighest = 0;
-};
-
-/// The finite ends of an axis, and how many rows stand there: most logs are told sound by that alone.
-LUBBERLINE_VECTOR_CLONES Ends endsOf(const double* values, std::size_t count)
-{
-    Ends ends;
-    constexpr double most = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < count; ++i) { // a comparison with NaN is false
-        ends.lowest = values[i] < ends.lowest && values[i] >= -most ? values[i] : ends.lowest;
-        ends.highest = values[i] > ends.highest && values[i] <= most ? values[i] : ends.highest;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        ends.atLowest += values[i] == ends.lowest ? 1 : 0;
-        ends.atHighest += values[i] == ends.highest ? 1 : 0;
-    }
-    return ends;
-}
-
 /// Rows that stand at the end of an axis' range, where more of them do than a crest that is not cut off would leave.
 void findClipped(const SensorLog& log, LogQuality& quality)
 {
     constexpr std::array<char, 3> kAxes{'x', 'y', 'z'};
     constexpr std::size_t kFewest = 5;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Ends ends = endsOf(log.field[axis].data(), log.size());
+        const AxisEnds& ends = quality.ends[axis];
         if (std::max(ends.atLowest, ends.atHighest) < kFewest)
             continue;
         std::vector<double> values;
@@ -189,42 +172,45 @@ void findClipped(const SensorLog& log, LogQuality& quality)
     }
 }
 
-/// away[i] = v[i + 2] − the middle of v[i] … v[i + 4], by comparisons alone; NaN where one of the five is.
-LUBBERLINE_VECTOR_CLONES void awayFromMiddle(const double* v, std::size_t count, double* away)
-{
-    const auto least = [](double a, double b) { return a < b ? a : b; };
-    const auto most = [](double a, double b) { return a < b ? b : a; };
-    for (std::size_t i = 0; i < count; ++i) {
-        const double a = v[i], b = v[i + 1], c = v[i + 2], d = v[i + 3], e = v[i + 4];
-        // Neither the least of four nor the most of them is the middle of five.
-        const double inner = most(least(a, b), least(d, e)), outer = least(most(a, b), most(d, e));
-        const double middle = most(least(inner, outer), least(c, most(inner, outer)));
-        const double nothing = (a - a) + (b - b) + (d - d) + (e - e); // or NaN
-        away[i] = c - middle + nothing;
-    }
-}
-
 /// How far a row may leave the middle of five: 12 of the log's own scatter.
-double spikeLimit(const std::vector<double>& values, const std::vector<double>& away)
+double spikeLimit(const std::vector<double>& values)
 {
     std::vector<double> off;
     std::size_t asked = 0;
-    someStretches(values.size(), [&](std::size_t row) {
-        ++asked;
-        if (const double one = away[row]; std::isfinite(one) && one != 0)
-            off.push_back(std::abs(one));
+    std::array<double, kStretch> away{};
+    someStretches(values.size(), [&](std::size_t from, std::size_t to) {
+        asked += to - from;
+        from = std::max<std::size_t>(from, 2);
+        to = std::min(to, values.size() - 2);
+        if (from >= to)
+            return;
+        awayFromMiddle(&values[from - 2], to - from, away.data());
+        for (std::size_t i = 0; i < to - from; ++i)
+            if (std::isfinite(away[i]) && away[i] != 0)
+                off.push_back(std::abs(away[i]));
     });
     if (off.size() < asked / 8) { // so smooth that most samples are the middle of their neighbours: what bends is its scatter
         off.clear();
-        someStretches(values.size(), [&](std::size_t row) {
-            if (row == 0 || row + 1 >= values.size())
-                return;
-            const double bend = values[row] - 0.5 * (values[row - 1] + values[row + 1]);
-            if (std::isfinite(bend) && bend != 0)
-                off.push_back(std::abs(bend));
+        someStretches(values.size(), [&](std::size_t from, std::size_t to) {
+            for (std::size_t row = std::max<std::size_t>(from, 1); row < std::min(to, values.size() - 1); ++row) {
+                const double bend = values[row] - 0.5 * (values[row - 1] + values[row + 1]);
+                if (std::isfinite(bend) && bend != 0)
+                    off.push_back(std::abs(bend));
+            }
         });
     }
     return off.empty() ? std::numeric_limits<double>::max() : kSpikeScatters * kMedianToSigma * middleOf(std::move(off));
+}
+
+/// In a log whose samples follow each other; of one whose rows are in no order the scatter is as large as the field, and nothing is found.
+std::array<double, 3> spikeLimits(const SensorLog& log)
+{
+    constexpr std::size_t fewest = 20;
+    std::array<double, 3> limits;
+    limits.fill(std::numeric_limits<double>::max());
+    for (std::size_t axis = 0; axis < 3 && log.size() >= fewest; ++axis)
+        limits[axis] = spikeLimit(log.field[axis]);
+    return limits;
 }
 
 /// Whether what leaves its neighbours at a row does so again after equal steps, on both sides or twice on one: a line of the spectrum, maybe
@@ -253,17 +239,16 @@ bool amongMany(const std::vector<double>& away, std::size_t row, double limit)
     return others.size() * 5 > kLongestPeriod && std::abs(away[row]) < 4 * middleOf(std::move(others));
 }
 
-/// In a log whose samples follow each other; of one whose rows are in no order the scatter is as large as the field, and nothing is found.
-void findSpikes(const SensorLog& log, LogQuality& quality)
+void findSpikes(const SensorLog& log, const QuickLook& look, const std::array<double, 3>& limits, LogQuality& quality)
 {
-    if (log.size() < 20)
-        return;
-    std::vector<double> away(log.size(), kNoValue); // how far each row leaves the middle of five around it; NaN where that is not known
-    for (const auto& values : log.field) {
-        awayFromMiddle(values.data(), values.size() - 4, away.data() + 2);
-        const double limit = spikeLimit(values, away);
+    std::vector<double> away; // how far each row leaves the middle of five around it; NaN where that is not known
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!look.leaves[axis])
+            continue;
+        away.resize(log.size(), kNoValue);
+        awayFromMiddle(log.field[axis].data(), log.size() - 4, away.data() + 2);
         for (std::size_t row = 0; row < away.size(); ++row)
-            if (std::abs(away[row]) > limit && log.hasField(row) && !comesAgain(away, row) && !amongMany(away, row, limit))
+            if (std::abs(away[row]) > limits[axis] && log.hasField(row) && !comesAgain(away, row) && !amongMany(away, row, limits[axis]))
                 note(quality, row, SampleFault::Spike);
     }
 }
@@ -303,10 +288,14 @@ LogQuality qualityOf(const SensorLog& log)
     LogQuality quality;
     quality.faults.assign(log.size(), SampleFault::None);
     findGaps(log, quality);
+    const auto limits = spikeLimits(log);
+    const QuickLook look = lookOver(log, limits);
+    quality.ends = look.ends;
     findClipped(log, quality);
-    findStuck(log, quality);
-    findSpikes(log, quality);
-    findMissingAndRepeats(log, quality);
+    findStuck(log, look, quality);
+    findSpikes(log, look, limits, quality);
+    if (look.incomplete)
+        findMissingAndRepeats(log, quality);
     quality.count.fill(0);
     for (const auto fault : quality.faults)
         ++quality.count[static_cast<std::size_t>(fault)];

@@ -15,9 +15,16 @@ struct TimeGap {
     double from_s = 0, length_s = 0;
 };
 
+/// The finite ends of an axis, and how many rows stand there.
+struct AxisEnds {
+    double lowest = std::numeric_limits<double>::infinity(), highest = -std::numeric_limits<double>::infinity();
+    std::size_t atLowest = 0, atHighest = 0;
+};
+
 struct LogQuality {
     std::vector<SampleFault> faults; ///< of each row; the first that applies
     std::array<std::int64_t, 6> count{};
+    std::array<AxisEnds, 3> ends;
     std::optional<double> rate_hz; ///< of the median step; none without time
     std::vector<TimeGap> gaps;     ///< longer than 2.5 median steps
     std::vector<Message> remarks;  ///< each fault in words, with its figure

@@ -113,10 +113,10 @@ LUBBERLINE_VECTOR_CLONES void acrossLevel(
     }
 }
 
-LUBBERLINE_VECTOR_CLONES void arctangentsNearZero(const double* east, const double* north, std::size_t count, double* angle)
+LUBBERLINE_VECTOR_CLONES void arctangents(const double* east, const double* north, std::size_t count, double* angle)
 {
     for (std::size_t i = 0; i < count; ++i)
-        angle[i] = arctangentNearZero(east[i], north[i]);
+        angle[i] = arctangentAround(east[i], north[i]);
 }
 
 LUBBERLINE_VECTOR_CLONES void sinesNearZero(const AxisTilt* tilt, std::size_t count, TurnedBy* attitudes)
@@ -150,14 +150,12 @@ void MagneticSensor::take(MotionPart points, const LevelField& field, std::span<
         acrossLevel(points.data(), field, count, m_north.data(), m_east.data());
     else
         acrossTilted(points.data(), field, sensor.data(), count, m_north.data(), m_east.data());
-    arctangentsNearZero(m_east.data(), m_north.data(), count, errors.data());
+    arctangents(m_east.data(), m_north.data(), count, errors.data());
     for (std::size_t i = 0; i < count; ++i) {
-        const double north = m_north[i], east = m_east[i];
-        if (arctangentIsNearZero(east, north) && north > m_smallest_nT)
+        if (std::abs(m_north[i]) + std::abs(m_east[i]) > m_smallest_nT)
             continue;
-        const bool gone = std::abs(north) + std::abs(east) <= m_smallest_nT;
-        m_vanished = m_vanished || gone;
-        errors[i] = !gone ? std::atan2(east, north) : i > 0 ? errors[i - 1] : m_last;
+        m_vanished = true;
+        errors[i] = i > 0 ? errors[i - 1] : m_last;
     }
     if (count > 0)
         m_last = errors.back();
