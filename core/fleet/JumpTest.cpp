@@ -9,6 +9,7 @@
 #include "core/algebra/Cholesky.h"
 #include "core/fleet/FleetRandom.h"
 #include "core/fleet/FleetSwings.h"
+#include "core/fleet/JumpChances.h"
 #include "core/fleet/SeriesFit.h"
 
 namespace lubberline {
@@ -88,7 +89,7 @@ Eigen::VectorXd whitened(std::span<const DatedValue> series, const Eigen::Matrix
     return whitener * values;
 }
 
-constexpr int kPilotDraws = 8, kDraws = 64, kSimulations = 20000;
+constexpr int kSimulations = 20000;
 constexpr double kNeverFound = 0.1; ///< no jump of a p above the false discovery rate is ever kept
 
 } // namespace
@@ -125,7 +126,7 @@ JumpDesign::JumpDesign(std::span<const DatedValue> series, const JumpOptions& op
     m_length.conservativeResize(static_cast<Eigen::Index>(m_places.size()));
 }
 
-double JumpDesign::knownBeyond(double c, int draws, double stopAbove) const
+std::vector<double> JumpDesign::worthOfPlaces(std::span<const double> statistics, int draws) const
 {
     const auto count = static_cast<Eigen::Index>(m_places.size()), n = m_whitener.rows();
     ContentSeed seed;
@@ -133,21 +134,30 @@ double JumpDesign::knownBeyond(double c, int draws, double stopAbove) const
         seed.add(std::round(m_steps.data()[i] * 1e6)); // of the dates, not of their rounding
     FleetRandom random(seed.value());
     const Eigen::MatrixXd correlation = m_steps * m_steps.transpose();
-    const double tail = normalTail(c);
+    const auto asked = static_cast<Eigen::Index>(statistics.size());
+    Eigen::MatrixXd beyond(asked, draws); // what a place has that is beyond: each an equal share of the tail
+    for (Eigen::Index c = 0; c < asked; ++c) {
+        const double limit = statistics[static_cast<std::size_t>(c)], tail = normalTail(limit);
+        for (int draw = 0; draw < draws; ++draw)
+            beyond(c, draw) = tail > 0 ? normalTailQuantile(tail * (draw + 0.5) / draws) : limit;
+    }
     Eigen::VectorXd noise(n), z(count);
-    double shares = 0;
-    for (int draw = 0; draw < draws; ++draw) {
+    std::vector<double> worth(statistics.size(), 0.0);
+    for (int draw = 0; draw < draws; ++draw)
         for (Eigen::Index place = 0; place < count; ++place) {
             for (Eigen::Index i = 0; i < n; ++i)
                 noise[i] = random.normal();
             z.noalias() = m_steps * noise;
-            z += correlation.col(place) * (normalTailQuantile(tail * random.unit()) - z[place]);
-            shares += 1.0 / std::max<double>(1.0, static_cast<double>((z.array().abs() >= c).count()));
+            z -= z[place] * correlation.col(place);
+            for (Eigen::Index c = 0; c < asked; ++c) {
+                const double limit = statistics[static_cast<std::size_t>(c)], here = beyond(c, draw);
+                const auto others = ((z + here * correlation.col(place)).array().abs() >= limit).count();
+                worth[static_cast<std::size_t>(c)] += 1.0 / std::max<double>(1.0, static_cast<double>(others));
+            }
         }
-        if (draw + 1 == kPilotDraws && 2 * tail * shares / kPilotDraws > stopAbove)
-            return std::min(1.0, 2 * tail * shares / kPilotDraws);
-    }
-    return std::min(1.0, 2 * tail * shares / draws);
+    for (double& each : worth)
+        each = std::clamp(each / draws, 1.0, std::max<double>(1.0, static_cast<double>(count)));
+    return worth;
 }
 
 std::vector<double> JumpDesign::simulated(int draws) const
@@ -173,8 +183,10 @@ double JumpDesign::chanceBeyond(double statistic, int draws) const
 {
     if (m_places.empty())
         return 1.0;
-    if (m_scale == ErrorScale::Known)
-        return knownBeyond(std::abs(statistic), draws, 2.0);
+    if (m_scale == ErrorScale::Known) {
+        const double c = std::abs(statistic);
+        return std::min(1.0, 2 * normalTail(c) * worthOfPlaces({&c, 1}, draws).front());
+    }
     const auto all = simulated(draws);
     const auto beyond = all.end() - std::ranges::lower_bound(all, std::abs(statistic));
     return (static_cast<double>(beyond) + 1) / (static_cast<double>(all.size()) + 1);
@@ -188,7 +200,7 @@ double JumpDesign::criticalValue(double chance, int draws) const
            high = normalTailQuantile(0.5 * chance / std::max<std::size_t>(1, m_places.size())) + 0.01;
     for (int round = 0; round < 24; ++round) {
         const double middle = 0.5 * (low + high);
-        (knownBeyond(middle, draws, 2.0) > chance ? low : high) = middle;
+        (chanceBeyond(middle, draws) > chance ? low : high) = middle;
     }
     return 0.5 * (low + high);
 }
@@ -240,10 +252,6 @@ struct JumpFinder {
         jump.p = design.chanceBeyond(jump.statistic, kSimulations);
         return jump;
     }
-    static double chanceOfAny(const Jump& jump, std::span<const DatedValue> series, const JumpOptions& options, double stopAbove)
-    {
-        return JumpDesign(series, options).knownBeyond(std::abs(jump.statistic), kDraws, stopAbove);
-    }
 };
 
 std::optional<Jump> largestJump(std::span<const DatedValue> series, const JumpOptions& options, JumpChance chance)
@@ -253,10 +261,9 @@ std::optional<Jump> largestJump(std::span<const DatedValue> series, const JumpOp
     auto jump = largestKnown(series, options);
     if (!jump || chance == JumpChance::Least)
         return jump;
-    if (chance == JumpChance::Exact)
-        jump->p = JumpFinder::chanceOfAny(*jump, series, options, 2.0);
-    else
-        jump->p = jump->p < kNeverFound ? JumpFinder::chanceOfAny(*jump, series, options, 3 * kNeverFound) : 1.0;
+    jump->p = chance == JumpChance::Exact || jump->p < kNeverFound
+        ? jumpChances().of(jumpPatternOf(series, options))->chanceBeyond(jump->statistic)
+        : 1.0;
     return jump;
 }
 

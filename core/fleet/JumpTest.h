@@ -43,12 +43,13 @@ public:
 
     /// The chance that the largest statistic is as far from 0 or farther, if there is no jump. @param draws a place
     [[nodiscard]] double chanceBeyond(double statistic, int draws) const;
+    /// Of errors that are known: how many places alone the chance of any is worth, Σ_s E[1 / …] of above, at each of some statistics.
+    [[nodiscard]] std::vector<double> worthOfPlaces(std::span<const double> statistics, int draws) const;
     /// The statistic that is exceeded with a chance.
     [[nodiscard]] double criticalValue(double chance, int draws) const;
 
 private:
     friend struct JumpFinder;
-    [[nodiscard]] double knownBeyond(double c, int draws, double stopAbove) const;
     [[nodiscard]] std::vector<double> simulated(int draws) const; ///< sorted |t|
     ErrorScale m_scale;
     std::vector<std::size_t> m_places;
@@ -67,7 +68,7 @@ struct Jump {
 
 /// How well a jump's p is to be known, where the errors are.
 enum class JumpChance {
-    Exact,
+    Exact,    ///< of its pattern of dates (JumpChances.h)
     Decisive, ///< where it is surely above 0.1, only that
     Least     ///< the chance of its place alone, which that of any place is not below: nothing is simulated
 };

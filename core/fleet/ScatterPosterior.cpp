@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
 namespace lubberline {
@@ -60,19 +61,32 @@ struct Mixture {
             square += weight[i] * (error[i] * error[i] + (mean[i] - middle) * (mean[i] - middle));
         return {middle, std::sqrt(square)};
     }
-    /// Where so much is above. By bisection.
-    [[nodiscard]] double quantile(double chanceAbove) const
+    /// Where so much is above. By Newton's steps, which are halved away where they leave what is known to hold it.
+    [[nodiscard]] double quantile(double chanceAbove, double start) const
     {
         double low = mean.front(), high = low;
         for (std::size_t i = 0; i < weight.size(); ++i) {
             low = std::min(low, mean[i] - 8 * error[i]);
             high = std::max(high, mean[i] + 8 * error[i]);
         }
-        for (int halving = 0; halving < 40; ++halving) {
-            const double middle = 0.5 * (low + high);
-            (above(middle) > chanceAbove ? low : high) = middle;
+        constexpr int most = 60;
+        double x = std::clamp(start, low, high);
+        for (int step = 0; step < most; ++step) {
+            double beyond = -chanceAbove, density = 0;
+            for (std::size_t i = 0; i < weight.size(); ++i) {
+                const double z = (x - mean[i]) / error[i];
+                beyond += weight[i] * normalTail(z);
+                density += weight[i] * std::exp(-0.5 * z * z) / (error[i] * std::sqrt(2 * std::numbers::pi));
+            }
+            (beyond > 0 ? low : high) = x;
+            double next = density > 0 ? x + beyond / density : low;
+            if (!(next > low && next < high))
+                next = 0.5 * (low + high);
+            if (std::abs(next - x) <= 1e-12 * (high - low) + 1e-11 * std::abs(x))
+                return next;
+            x = next;
         }
-        return 0.5 * (low + high);
+        return x;
     }
 };
 
@@ -122,12 +136,14 @@ ScatterPosterior::ScatterPosterior(const std::map<std::size_t, std::vector<Dated
 /// Adds to the logarithms of these sizes.
 void ScatterPosterior::tell(const std::map<std::size_t, std::vector<DatedValue>>& series, const std::vector<std::size_t>& sizes)
 {
+    SeriesFit fit;
     for (const auto& [history, values] : series) {
         Told& told = m_told[history];
         for (auto* column : {&told.log, &told.perYear, &told.perYearError})
             column->resize(m_sizes.size());
+        SeriesFitter fitter(values, true, {});
         for (const auto i : sizes) {
-            const auto fit = fitSeries(values, m_sizes[i], true, {});
+            fitter.fit(m_sizes[i], SeriesSteps::Asked, fit);
             told.log[i] = withRareStep(fit);
             told.perYear[i] = fit.perYear.value_or(0);
             told.perYearError[i] = fit.perYearError;
@@ -180,8 +196,10 @@ std::optional<Drift> ScatterPosterior::drift(std::size_t history, std::span<cons
         return mixed(m_log, own->second);
     auto logs = without(history);
     Told told;
+    SeriesFitter fitter(series, true, at);
+    SeriesFit fit;
     for (std::size_t i = 0; i < m_sizes.size(); ++i) {
-        const auto fit = fitSeries(series, m_sizes[i], true, at);
+        fitter.fit(m_sizes[i], SeriesSteps::Asked, fit);
         told.perYear.push_back(fit.perYear.value_or(0));
         told.perYearError.push_back(fit.perYearError);
         logs[i] += withRareStep(fit);
@@ -205,7 +223,8 @@ std::optional<Drift> ScatterPosterior::mixed(const std::vector<double>& logs, co
     Drift drift;
     std::tie(drift.perYear, drift.standardError) = mixture.moments();
     drift.p = std::min(1.0, 2 * std::min(mixture.above(0), mixture.below(0)));
-    drift.interval95 = {mixture.quantile(0.975), mixture.quantile(0.025)};
+    const double half = studentFactor(0) * drift.standardError;
+    drift.interval95 = {mixture.quantile(0.975, drift.perYear - half), mixture.quantile(0.025, drift.perYear + half)};
     return drift;
 }
 
@@ -215,7 +234,9 @@ std::optional<Jump> ScatterPosterior::jump(
     constexpr int fewest = 2; // one degree of freedom is no choice of places
     if (series.size() < 3)
         return {};
-    std::vector<SeriesFit> fits{fitSeries(series, m_sizes.front(), trend, at)};
+    SeriesFitter fitter(series, trend, at);
+    std::vector<SeriesFit> fits(1);
+    fitter.fit(m_sizes.front(), SeriesSteps::Asked, fits.front());
     const std::size_t count = fits.front().places.size();
     if (count == 0 || fits.front().freedom < fewest)
         return {};
@@ -225,8 +246,9 @@ std::optional<Jump> ScatterPosterior::jump(
     // What is nothing in the least scatter is nothing in more.
     if (std::ranges::all_of(fits.front().places, [&](auto& place) { return chanceIn(place.statistic) > kNeverAJump; }))
         return Jump{fits.front().places.front().place - 1, fits.front().places.front().place, 0, 0, 0, 1};
+    fits.resize(m_sizes.size());
     for (std::size_t i = 1; i < m_sizes.size(); ++i)
-        fits.push_back(fitSeries(series, m_sizes[i], trend, at));
+        fitter.fit(m_sizes[i], SeriesSteps::Asked, fits[i]);
     if (std::ranges::any_of(fits, [&](auto& fit) { return fit.places.size() != count; }))
         return {};
     auto logs = without(history);

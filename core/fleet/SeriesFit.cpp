@@ -9,152 +9,114 @@ namespace lubberline {
 
 namespace {
 
-constexpr double kExplained = 1e-12; ///< of a column's squared length: less is rounding
+constexpr double kExplained = 1e-12;     ///< of a step's squared length: less is rounding
+constexpr double kLeastVariance = 1e-60; ///< of a figure that is said to have no error [deg²]
 constexpr double kRareStep = 0.01, kStepVariance_deg2 = 4.0;
 
-/// Whitened columns, each less what those before it explain. One allocation: a hundred sizes are asked of each series.
-class Whitened {
+/// Half the logarithm of a product of variances; logarithms are taken seldom.
+class HalfLog {
 public:
-    Whitened(std::span<const DatedValue> series, const ScatterSize& size) : m_n(series.size()), m_room(2 * m_n * m_n + 2 * m_n)
+    void times(double variance)
     {
-        for (std::size_t i = 0; i < m_n; ++i) {
-            for (std::size_t j = 0; j <= i; ++j) {
-                const auto& first = series[j];
-                double covariance = size.wander_deg2_year * (first.day - series.front().day) / kDaysPerYear
-                    + (i == j ? first.variance + first.swingShare * size.swing_deg2 : 0.0);
-                for (std::size_t k = 0; k < j; ++k)
-                    covariance -= lower(i)[k] * lower(j)[k];
-                lower(i)[j] = i == j ? std::sqrt(std::max(covariance, 1e-300)) : covariance / lower(j)[j];
-            }
-            m_logs += std::log(lower(i)[i]);
-        }
+        m_product *= variance;
+        if (m_product > 1e150 || m_product < 1e-150)
+            take();
     }
-
-    /// Where a column is put before it is whitened.
-    [[nodiscard]] std::span<double> column() { return {basis(m_columns), m_n}; }
-    void setStep(std::size_t place)
-    {
-        for (std::size_t i = 0; i < m_n; ++i)
-            column()[i] = i < place ? 0.0 : 1.0;
-    }
-
-    /// @return its squared length; it starts with zeros up to a place
-    double whiten(std::size_t from = 0)
-    {
-        double* x = basis(m_columns);
-        double whole = 0;
-        for (std::size_t i = from; i < m_n; ++i) {
-            for (std::size_t k = from; k < i; ++k)
-                x[i] -= lower(i)[k] * x[k];
-            x[i] /= lower(i)[i];
-            whole += x[i] * x[i];
-        }
-        return whole;
-    }
-
-    /// Less what the others explain. @return the squared length that is left
-    double takeOut()
-    {
-        double* x = basis(m_columns);
-        for (std::size_t b = 0; b < m_columns; ++b) {
-            const double along = product(basis(b), x);
-            for (std::size_t i = 0; i < m_n; ++i)
-                x[i] -= along * basis(b)[i];
-        }
-        return product(x, x);
-    }
-
-    /// The column as one that explains. @return the length that was left of it; 0: it is in the span of the others
-    double explain()
-    {
-        const double whole = whiten();
-        takeOut();
-        const double left = takeOut(); // once leaves rounding behind
-        if (!(left > kExplained * whole))
-            return 0;
-        const double length = std::sqrt(left);
-        for (double& each : column())
-            each /= length;
-        m_logs += std::log(length);
-        ++m_columns;
-        return length;
-    }
-
-    /// A copy of the column that stays.
-    std::span<double> setAside()
-    {
-        const std::span<double> aside(basis(m_n + 1), m_n);
-        std::ranges::copy(column(), aside.begin());
-        return aside;
-    }
-
-    [[nodiscard]] std::span<const double> last() { return {basis(m_columns - 1), m_n}; }
-    [[nodiscard]] int columns() const { return static_cast<int>(m_columns); }
-    [[nodiscard]] double logs() const { return m_logs; } ///< of the determinants' roots
-
-    [[nodiscard]] double product(const double* a, const double* b) const
-    {
-        double sum = 0;
-        for (std::size_t i = 0; i < m_n; ++i)
-            sum += a[i] * b[i];
-        return sum;
-    }
+    [[nodiscard]] double value() const { return m_sum + 0.5 * std::log(m_product); }
 
 private:
-    double* lower(std::size_t row) { return m_room.data() + row * m_n; } ///< covariance LLᵀ
-    double* basis(std::size_t column) { return m_room.data() + (m_n + column) * m_n; }
-    std::size_t m_n, m_columns = 0;
-    std::vector<double> m_room;
-    double m_logs = 0;
+    void take()
+    {
+        m_sum += 0.5 * std::log(m_product);
+        m_product = 1;
+    }
+    double m_sum = 0, m_product = 1;
 };
 
 } // namespace
+
+SeriesFitter::SeriesFitter(std::span<const DatedValue> series, bool trend, std::span<const std::size_t> at) : m_trend(trend)
+{
+    m_figures.reserve(series.size());
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const DatedValue &one = series[i], &before = series[i == 0 ? 0 : i - 1];
+        const bool known = i == 0 || one.corrected || std::ranges::find(at, i) != at.end();
+        m_figures.push_back({one.value - series.front().value, (one.day - series.front().day) / kDaysPerYear,
+            (one.day - before.day) / kDaysPerYear, one.variance, one.swingShare, known, !known && one.day != before.day});
+        m_levels += known ? 1 : 0;
+    }
+    m_error.resize(series.size());
+    m_before.resize(series.size());
+}
+
+void SeriesFitter::fit(const ScatterSize& size, SeriesSteps steps, SeriesFit& into)
+{
+    into.places.clear();
+    into.perYear.reset();
+    into.logLikelihood = into.perYearError = 0;
+    into.freedom = static_cast<int>(m_figures.size()) - m_levels;
+    HalfLog logs;
+    double yearsSquared = 0, along = 0, valuesSquared = 0; // products of innovations over their variances
+    Level level{};
+    for (std::size_t i = 0; i < m_figures.size(); ++i) {
+        const Figure& figure = m_figures[i];
+        const double error = m_error[i] = std::max(figure.variance + figure.swingShare * size.swing_deg2, kLeastVariance);
+        if (figure.known) {
+            level = {error, figure.value, figure.years};
+        } else {
+            const double expected = level.variance + size.wander_deg2_year * figure.gap, variance = expected + error;
+            const double value = figure.value - level.value, years = figure.years - level.years;
+            const double weight = 1 / variance, gain = expected * weight;
+            logs.times(variance);
+            valuesSquared += value * value * weight;
+            along += value * years * weight;
+            yearsSquared += years * years * weight;
+            level = {error * gain, level.value + gain * value, level.years + gain * years};
+        }
+        m_before[i] = level;
+    }
+    double trend = 0;
+    into.logLikelihood = -logs.value();
+    if (m_trend && yearsSquared > 0) {
+        trend = along / yearsSquared;
+        into.perYear = trend;
+        into.perYearError = 1 / std::sqrt(yearsSquared);
+        into.freedom -= 1;
+        into.logLikelihood -= 0.5 * std::log(yearsSquared);
+        valuesSquared -= along * trend;
+    }
+    into.logLikelihood -= 0.5 * std::max(0.0, valuesSquared);
+    if (steps == SeriesSteps::NotAsked || m_figures.empty())
+        return;
+    const double ofTrend = into.perYear ? 1 / yearsSquared : 0;
+    into.places.reserve(m_figures.size() - 1);
+    level = {m_error.back(), m_figures.back().value, m_figures.back().years};
+    for (std::size_t i = m_figures.size() - 1; i > 0; --i) { // level: from this figure and those after it
+        const Figure &figure = m_figures[i], &next = m_figures[i - 1];
+        const double expected = level.variance + size.wander_deg2_year * figure.gap;
+        if (figure.asked) {
+            const double weight = 1 / (m_before[i - 1].variance + expected);
+            const double step = (level.value - m_before[i - 1].value) * weight, years = (level.years - m_before[i - 1].years) * weight;
+            const double length2 = weight - years * years * ofTrend;
+            if (length2 > kExplained * weight)
+                into.places.push_back({i, (step - years * trend) / std::sqrt(length2), length2});
+        }
+        const double error = m_error[i - 1];
+        if (figure.known) {
+            level = {error, next.value, next.years};
+        } else {
+            const double gain = expected / (expected + error);
+            level = {error * gain, level.value + gain * (next.value - level.value), level.years + gain * (next.years - level.years)};
+        }
+    }
+    std::ranges::reverse(into.places);
+}
 
 SeriesFit fitSeries(
     std::span<const DatedValue> series, const ScatterSize& size, bool trend, std::span<const std::size_t> at, SeriesSteps steps)
 {
     SeriesFit fit;
-    const std::size_t n = series.size();
-    if (n == 0)
-        return fit;
-    Whitened space(series, size);
-    space.setStep(0);
-    space.explain();
-    for (std::size_t i = 1; i < n; ++i)
-        if (series[i].corrected || std::ranges::find(at, i) != at.end()) {
-            space.setStep(i);
-            space.explain();
-        }
-    for (std::size_t i = 0; i < n; ++i)
-        space.column()[i] = series[i].value - series.front().value;
-    space.whiten();
-    space.takeOut();
-    space.takeOut();
-    const std::span<double> residual = space.setAside();
-    if (trend) {
-        for (std::size_t i = 0; i < n; ++i)
-            space.column()[i] = (series[i].day - series.front().day) / kDaysPerYear;
-        if (const double length = space.explain(); length > 0) {
-            const double along = space.product(space.last().data(), residual.data());
-            fit.perYear = along / length;
-            fit.perYearError = 1 / length;
-            for (std::size_t i = 0; i < n; ++i)
-                residual[i] -= along * space.last()[i];
-        }
-    }
-    fit.freedom = static_cast<int>(n) - space.columns();
-    fit.logLikelihood = -space.logs() - 0.5 * space.product(residual.data(), residual.data());
-    if (steps == SeriesSteps::NotAsked)
-        return fit;
-    fit.places.reserve(n - 1);
-    for (std::size_t place = 1; place < n; ++place) {
-        if (series[place].corrected || series[place].day == series[place - 1].day)
-            continue;
-        space.setStep(place);
-        const double whole = space.whiten(place), length2 = space.takeOut();
-        if (length2 > kExplained * whole)
-            fit.places.push_back({place, space.product(space.column().data(), residual.data()) / std::sqrt(length2), length2});
-    }
+    SeriesFitter(series, trend, at).fit(size, steps, fit);
     return fit;
 }
 
@@ -162,17 +124,18 @@ double withRareStep(const SeriesFit& fit)
 {
     if (fit.places.empty())
         return fit.logLikelihood;
+    const auto spreadOf = [](const SeriesPlace& place) { return kStepVariance_deg2 * place.length2; }; // of the step against its error
+    const auto explained = [&](const SeriesPlace& place) {
+        const double spread = spreadOf(place);
+        return 0.5 * place.statistic * place.statistic * spread / (1 + spread);
+    };
     double largest = 0;
-    std::vector<double> gains;
-    gains.reserve(fit.places.size());
-    for (const auto& place : fit.places) {
-        const double spread = kStepVariance_deg2 * place.length2; // of the step against its error
-        gains.push_back(0.5 * (place.statistic * place.statistic * spread / (1 + spread) - std::log1p(spread)));
-        largest = std::max(largest, gains.back());
-    }
-    double sum = (1 - kRareStep) * std::exp(-largest);
-    for (const double gain : gains)
-        sum += kRareStep / static_cast<double>(gains.size()) * std::exp(gain - largest);
+    for (const auto& place : fit.places)
+        largest = std::max(largest, explained(place));
+    double gains = 0;
+    for (const auto& place : fit.places)
+        gains += std::exp(explained(place) - largest) / std::sqrt(1 + spreadOf(place));
+    const double sum = (1 - kRareStep) * std::exp(-largest) + kRareStep / static_cast<double>(fit.places.size()) * gains;
     return fit.logLikelihood + largest + std::log(sum);
 }
 
