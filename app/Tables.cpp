@@ -105,9 +105,7 @@ std::string tableOf(const Analysis& analysis)
 {
     const auto& summary = analysis.summary;
     return readingsTable(analysis) + slipsTable(analysis) + coefficientsTable(analysis) + harmonicsTable(analysis.harmonics)
-        + text("\nlargest deviation %+.2f deg at magnetic heading %.1f deg; rms %.2f deg\n",
-            summary.maxDeviation_rad >= -summary.minDeviation_rad ? toDegrees(summary.maxDeviation_rad)
-                                                                  : toDegrees(summary.minDeviation_rad),
+        + text("\nlargest deviation %+.2f deg at magnetic heading %.1f deg; rms %.2f deg\n", toDegrees(summary.largestDeviation_rad),
             printedHeading_deg(summary.maxAbsDeviationAt.degrees(), 1), toDegrees(summary.rmsDeviation_rad))
         + "deviation = magnetic - compass, east positive; approximate fit on compass heading, exact fit on magnetic heading\n";
 }

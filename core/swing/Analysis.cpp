@@ -110,7 +110,8 @@ void warnOfSlips(std::vector<Message>& warnings, const SlipSearch& slips, std::s
 Summary summarise(const std::vector<AnalysedReading>& readings, double index_rad)
 {
     Summary summary;
-    double sumOfSquares = 0, largest = 0;
+    double sumOfSquares = 0;
+    double& largest = summary.largestDeviation_rad;
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const double deviation = readings[i].deviation.radians();
         sumOfSquares += deviation * deviation;

@@ -32,9 +32,10 @@ struct AnalysedReading {
 
 struct Summary {
     double maxAbsDeviation_rad = 0;
+    double largestDeviation_rad = 0; ///< the same with its sign
     MagneticHeading maxAbsDeviationAt;
     double rmsDeviation_rad = 0;
-    double minDeviation_rad = 0; ///< signed
+    double minDeviation_rad = 0; ///< signed; of a compass far out as a whole about its index, also beyond half a turn
     double maxDeviation_rad = 0;
     [[nodiscard]] double spread_rad() const { return maxDeviation_rad - minDeviation_rad; }
 };

@@ -17,11 +17,6 @@ struct SwingWordsTexts {
 
 QString place(MagneticHeading heading) { return toText(formatHeading(heading.degrees(), AngleStyle::DecimalDegrees, 0)); }
 
-double extreme_rad(const Summary& summary)
-{
-    return summary.maxDeviation_rad >= -summary.minDeviation_rad ? summary.maxDeviation_rad : summary.minDeviation_rad;
-}
-
 QString limitName(const LimitsProfile& limits)
 {
     QStringList parts;
@@ -81,7 +76,7 @@ QString meaningOf(const Analysis& analysis, const std::optional<LimitsProfile>& 
 {
     const Summary& summary = analysis.summary;
     return SwingWordsTexts::tr("Largest deviation %1 at %2 magnetic. ")
-               .arg(toText(formatSignedAngle(toDegrees(extreme_rad(summary)), style)), place(summary.maxAbsDeviationAt))
+               .arg(toText(formatSignedAngle(toDegrees(summary.largestDeviation_rad), style)), place(summary.maxAbsDeviationAt))
         + judgementSentence(summary, limits) + suspicionSentence(analysis) + unreadSentence(analysis);
 }
 

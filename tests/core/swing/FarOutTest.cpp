@@ -184,6 +184,11 @@ TEST_P(FarOut, isPredictedAndCardedWithItsIndex)
         EXPECT_NEAR(*other.highest_rad - *other.lowest_rad, *one.highest_rad - *one.lowest_rad, 1e-9) << i;
         EXPECT_NEAR((*other.highest_rad + *other.lowest_rad) / 2, other.deviation->radians(), 1e-9) << i;
     }
+    EXPECT_EQ(std::abs(out.summary.largestDeviation_rad),
+        out.summary.maxAbsDeviation_rad); // the figure, its sign and its heading are one reading's
+    for (const auto& reading : out.readings)
+        if (reading.magnetic == out.summary.maxAbsDeviationAt)
+            EXPECT_EQ(reading.deviation.radians(), out.summary.largestDeviation_rad);
     EXPECT_GT(toDegrees(turned.maxAbs_rad), std::abs(GetParam()) - 5.0);
     EXPECT_THAT(inEnglish(turned.warnings), testing::Contains(testing::HasSubstr("index")));
     EXPECT_THAT(inEnglish(straight.warnings), testing::Not(testing::Contains(testing::HasSubstr("index"))));

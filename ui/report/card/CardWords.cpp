@@ -72,6 +72,8 @@ QString cardBanner(const CardInput& input)
             marks += ofSome.arg(those.join(QStringLiteral(", ")));
     };
     mark([](const CardColumn& column) { return column.outOfLimits(); }, Words::tr("OUT OF LIMITS"), Words::tr("%1: OUT OF LIMITS"));
+    mark([](const CardColumn& column) { return column.card.index_deg != 0.0; }, Words::tr("OUT AS A WHOLE: LOOK AT ITS MOUNT"),
+        Words::tr("%1: OUT AS A WHOLE, LOOK AT ITS MOUNT"));
     mark([](const CardColumn& column) { return isDraft(column); }, Words::tr("DRAFT — NOT SIGNED"), Words::tr("%1: DRAFT — NOT SIGNED"));
     mark([](const CardColumn& column) { return !column.isSigned() && !isDraft(column); }, Words::tr("NOT SIGNED"),
         Words::tr("%1: NOT SIGNED"));

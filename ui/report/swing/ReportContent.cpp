@@ -47,18 +47,12 @@ QString verdictWordOf(Verdict verdict)
     return Words::tr("NO LIMIT SET");
 }
 
-double largestSigned_deg(const Summary& summary)
-{
-    const bool east = summary.maxDeviation_rad >= -summary.minDeviation_rad;
-    return toDegrees(east ? summary.maxDeviation_rad : summary.minDeviation_rad);
-}
-
 QString sentenceFor(const ReportInput& input)
 {
     const Summary& summary = input.analysis.summary;
     QString found
         = Words::tr("Largest deviation %1 at %2 magnetic; spread (maximum − minimum) %3°.")
-              .arg(angleWords(largestSigned_deg(summary), input.angleStyle),
+              .arg(angleWords(toDegrees(summary.largestDeviation_rad), input.angleStyle),
                   headingWords(summary.maxAbsDeviationAt.degrees(), input.angleStyle), figure(toDegrees(summary.spread_rad()), 1));
     for (const auto& gap : gapsOf(input.analysis)) // the verdict is of what was read
         found += QStringLiteral(" %1.").arg(printable(wordsOf(gap)));
