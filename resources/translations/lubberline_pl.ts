@@ -366,6 +366,34 @@
         <source>&apos;%1&apos; is no day of the calendar; expected YYYY-MM-DD</source>
         <translation>„%1” nie jest dniem kalendarza; oczekiwano RRRR-MM-DD</translation>
     </message>
+    <message>
+        <source>the reading on %1° looks misread: read it again before a screw is turned</source>
+        <translation>odczyt na %1° wygląda na błędny: odczytaj go ponownie, zanim ktokolwiek obróci śrubę</translation>
+    </message>
+    <message>
+        <source>%1 is %2°, more than a corrector takes (some %3°): look for what is magnetised, or misread, before a screw is turned</source>
+        <translation>%1 wynosi %2°, więcej niż usuwa kompensator (około %3°): zanim ktokolwiek obróci śrubę, sprawdź, co jest namagnesowane albo źle odczytane</translation>
+    </message>
+    <message>
+        <source>opens no due flag</source>
+        <translation>niczego nie czyni wymagalnym</translation>
+    </message>
+    <message>
+        <source>a swing is due until a later one is signed, or a waiver answers (%1)</source>
+        <translation>dewiacja jest wymagalna, dopóki nie podpisze się późniejszej albo nie odpowie odstąpienie (%1)</translation>
+    </message>
+    <message>
+        <source>is still to come: a swing is due from %1 on</source>
+        <translation>dopiero nastąpi: dewiacja jest wymagalna od %1</translation>
+    </message>
+    <message>
+        <source>the aircraft has no compass that it makes due</source>
+        <translation>statek powietrzny nie ma busoli, którą to czyni wymagalną</translation>
+    </message>
+    <message>
+        <source>makes nothing due: the swing of %1 was signed after it</source>
+        <translation>niczego nie czyni wymagalnym: późniejszą dewiację z %1 podpisano</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4861,6 +4889,34 @@
         <source>A is %1°: B, C, D and E hold for the headings that the compass reads as it stands now. Turn it right in its mount before B and C are corrected, and swing again: B will be about %2° and C %3°</source>
         <translation>A wynosi %1°: B, C, D i E odnoszą się do kursów, które busola wskazuje w obecnym ustawieniu. Przed kompensacją B i C ustaw ją prosto w mocowaniu i powtórz dewiację: B wyniesie około %2°, a C %3°</translation>
     </message>
+    <message>
+        <source>%1, on a day that is not recorded: it may have been after the last swing</source>
+        <translation>%1, dnia nie zapisano: mogło to być po ostatniej dewiacji</translation>
+    </message>
+    <message>
+        <source>%1, dated %2, which cannot be right: it may have been after the last swing</source>
+        <translation>%1, z datą %2, która nie może być prawdziwa: mogło to być po ostatniej dewiacji</translation>
+    </message>
+    <message>
+        <source>%1 stands beside %2 and tells %3° more on average (east +): one of the two is wrong, and the log does not say which; %2 is taken, and A is no surer than that</source>
+        <translation>obok %2 stoi %1 i podaje średnio o %3° więcej (wschód +): jedno z dwojga jest błędne, a dziennik nie mówi które; przyjęto %2, a A nie jest pewniejsze niż to</translation>
+    </message>
+    <message>
+        <source>%1 and %2 disagree by up to %3° on some headings: on wheels a track is the heading, so one of the two is wrong, or a heading that is made of the compass</source>
+        <translation>%1 i %2 różnią się na niektórych kursach nawet o %3°: na kołach kąt drogi jest kursem, więc jedno z dwojga jest błędne albo jest kursem utworzonym z busoli</translation>
+    </message>
+    <message>
+        <source>%1 differs from the compass by %2° at all headings, within %3°: no second instrument agrees so well. If it is made of this compass (by a multiplexer, a plotter, an autopilot), it shows no deviation, and no card may be made of it</source>
+        <translation>%1 różni się od busoli o %2° na wszystkich kursach, z dokładnością do %3°: żaden drugi przyrząd nie zgadza się tak dobrze. Jeśli powstaje z tej busoli (w multiplekserze, ploterze, autopilocie), nie pokazuje dewiacji i nie wolno z niego robić tabeli</translation>
+    </message>
+    <message>
+        <source>THE COMPASS IS %1°%2 OUT AS A WHOLE: its mount, its lubber line, or from which side it was read, is to be looked at before anybody steers by it</source>
+        <translation>BUSOLA JEST W CAŁOŚCI PRZESUNIĘTA O %1°%2: zanim ktokolwiek będzie według niej sterował, sprawdź jej mocowanie, kreskę kursową i stronę, z której ją odczytano</translation>
+    </message>
+    <message>
+        <source>c apart from P, f apart from Q: the places are too alike, c/λ would be known within a standard error of %1</source>
+        <translation>c osobno od P, f osobno od Q: miejsca są zbyt podobne, c/λ byłoby znane z błędem standardowym %1</translation>
+    </message>
 </context>
 <context>
     <name>db</name>
@@ -5653,14 +5709,6 @@
         <translation>nie ma klucza %1 (%2), a dziennik zmian nie mówi, że go usunięto</translation>
     </message>
     <message numerus="yes">
-        <source>%n new swing(s) signed, and the file does not say by whom</source>
-        <translation>
-            <numerusform>%n nowa dewiacja podpisana, a plik nie mówi przez kogo</numerusform>
-            <numerusform>%n nowe dewiacje podpisane, a plik nie mówi przez kogo</numerusform>
-            <numerusform>%n nowych dewiacji podpisanych, a plik nie mówi przez kogo</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n swing(s) in draft, the first in line %1: %2</source>
         <translation>
             <numerusform>%n dewiacja jako szkic, pierwsza w wierszu %1: %2</numerusform>
@@ -5703,6 +5751,14 @@
     <message>
         <source>the swing is not complete: %1; if it was that day, say how it is known</source>
         <translation>dewiacja nie jest kompletna: %1; jeśli był to ten dzień, podaj, skąd to wiadomo</translation>
+    </message>
+    <message>
+        <source>the swing of %1 (record %2) came with an import as a signed one, and the file does not say by whom: it is printed as not signed</source>
+        <translation>dewiacja z %1 (zapis %2) przyszła z importem jako podpisana, a plik nie mówi przez kogo: drukuje się jako niepodpisana</translation>
+    </message>
+    <message>
+        <source>the file has it as signed and does not say by whom; it is printed as not signed</source>
+        <translation>plik podaje ją jako podpisaną i nie mówi przez kogo; drukuje się jako niepodpisana</translation>
     </message>
 </context>
 <context>
@@ -10846,6 +10902,26 @@ soft iron S:</source>
         <source>least squares of δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; %1, A to E are angles. Residual = deviation read − deviation fitted.</source>
         <translation>najmniejsze kwadraty dla δ = A + B sin ψ′ + C cos ψ′ + D sin 2ψ′ + E cos 2ψ′; %1, A do E są kątami. Reszta = dewiacja odczytana − dewiacja dopasowana.</translation>
     </message>
+    <message>
+        <source>OUT AS A WHOLE: LOOK AT ITS MOUNT</source>
+        <translation>W CAŁOŚCI PRZESUNIĘTA: SPRAWDŹ MOCOWANIE</translation>
+    </message>
+    <message>
+        <source>%1: OUT AS A WHOLE, LOOK AT ITS MOUNT</source>
+        <translation>%1: W CAŁOŚCI PRZESUNIĘTA, SPRAWDŹ MOCOWANIE</translation>
+    </message>
+    <message>
+        <source>Not signed: the record says signed, and nobody&apos;s signature is there</source>
+        <translation>Niepodpisane: zapis mówi, że podpisano, a niczyjego podpisu nie ma</translation>
+    </message>
+    <message>
+        <source>this PDF is damaged: its data do not fit their check sum; expected the report as it was written</source>
+        <translation>ten plik PDF jest uszkodzony: dane nie zgadzają się z sumą kontrolną; oczekiwano protokołu w postaci, w jakiej go zapisano</translation>
+    </message>
+    <message>
+        <source>signed by its state alone: NO SIGNATURE STANDS</source>
+        <translation>podpisana tylko według stanu: ŻADEN PODPIS NIE STOI</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::DueBadge</name>
@@ -12922,6 +12998,10 @@ Po znaku ± stoi przedział 95 %, który pozostawia rozrzut odczytów; rms to te
     <message>
         <source>Overview of the fleet</source>
         <translation>Przegląd floty</translation>
+    </message>
+    <message>
+        <source>check sum of those data</source>
+        <translation>suma kontrolna tych danych</translation>
     </message>
 </context>
 <context>
@@ -17782,6 +17862,10 @@ pole całkowite %1 nT</translation>
     <message>
         <source>This swing is complete. To change a reading, open it again.</source>
         <translation>Ta dewiacja jest kompletna. Aby zmienić odczyt, otwórz ją ponownie.</translation>
+    </message>
+    <message>
+        <source>This swing is frozen as a signed one, but nobody&apos;s signature is there: it is printed as not signed. Amend it to sign it.</source>
+        <translation>Ta dewiacja jest zamrożona jako podpisana, ale niczyjego podpisu nie ma: drukuje się jako niepodpisana. Aby ją podpisać, utwórz jej zmianę.</translation>
     </message>
 </context>
 <context>
