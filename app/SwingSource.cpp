@@ -7,6 +7,7 @@
 #include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/record/ClockDates.h"
+#include "core/swing/SwingField.h"
 #include "core/swing/SwingResult.h"
 
 namespace lubberline::app {
@@ -22,6 +23,10 @@ Result<SourcedSwing> swingFromCsv(const std::string& path)
     sourced.record = recordOf(std::move(file.value())); // a million readings are not kept twice
     if (const auto doubt = doubtOfDate(sourced.record.swing.date, today()); !doubt.empty())
         sourced.warnings.push_back(doubt);
+    const Swing& swing = sourced.record.swing;
+    if (variationDoubt_deg(swing, sourced.record.site) > 0.0)
+        sourced.warnings.push_back(variationDisagreement(
+            sourced.record.site, swing.field ? swing.field : stampFor(swing, sourced.record.site), swing.variation_deg));
     if (sourced.record.site)
         sourced.record.site->variation_deg = sourced.record.swing.variation_deg;
     return sourced;

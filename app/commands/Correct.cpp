@@ -26,6 +26,13 @@ std::vector<Message> doubtsOf(const Analysis& analysis, const Correction& correc
     for (const auto& slip : analysis.slips.slips)
         doubts.push_back({MARKED("app", "the reading on %1° looks misread: read it again before a screw is turned"),
             figureText(printedHeading_deg(analysis.readings[slip.reading].magnetic.degrees(), 0), 0)});
+    // A slip on one of N, E, S and W alone makes a quarter of itself E, and soft iron makes no such E.
+    constexpr double kMostE_deg = 3.5;
+    if (const auto E_rad = analysis.approximate.of(Coefficient::E); E_rad && std::abs(toDegrees(*E_rad)) > kMostE_deg)
+        doubts.push_back(
+            {MARKED("app",
+                 "E is %1°, more than soft iron makes: one of the readings is likely misread, by some %2°; read them again before a screw is turned"),
+                signedFigureText(toDegrees(*E_rad), 1), figureText(4.0 * std::abs(toDegrees(*E_rad)), 0)});
     constexpr double kMostOfACorrector_deg = 25.0;
     for (const auto& [letter, term_rad] : {std::pair('B', correction.B_rad), std::pair('C', correction.C_rad)})
         if (const double term_deg = toDegrees(term_rad); std::abs(term_deg) > kMostOfACorrector_deg)

@@ -12,7 +12,7 @@ namespace lubberline {
 namespace {
 
 constexpr std::size_t kSectors = 8, kFewestBeside = 10; ///< headings are compared by sectors, each of so many moments at least
-constexpr double kApartSameKind_deg = 1.0, kApartOtherKind_deg = 3.0;
+constexpr double kApartSameKind_deg = 1.0, kApartOtherKind_deg = 1.5;
 /// Two instruments of their own scatter against each other by more than this times their rounding, and by a little at least.
 constexpr double kOfRounding = 1.25, kLeastScatter_deg = 0.03;
 
@@ -66,14 +66,36 @@ Apart apartOf(const NmeaStream& reference, const NmeaStream& other, const NmeaTi
     return apart;
 }
 
-/// The largest mean of a sector, about `about_deg`, less what its scatter explains.
-double largestSector_deg(const Apart& apart, double about_deg)
+/// The amplitude of the one-cycle part of what two differ by over the headings, from the means of the sectors; 0 where its scatter
+/// explains it, or sectors are missing.
+double oneCycle_deg(const Apart& apart)
 {
-    double largest = 0.0;
-    for (const auto& sector : apart.sectors)
-        if (sector.count >= kFewestBeside)
-            largest = std::max(largest, std::abs(sector.mean() - about_deg) - 3.0 * sector.standardError());
-    return largest;
+    double sine = 0.0, cosine = 0.0, variance = 0.0;
+    for (std::size_t i = 0; i < kSectors; ++i) {
+        const Sector& sector = apart.sectors[i];
+        if (sector.count < kFewestBeside)
+            return 0.0;
+        const double middle = 2.0 * kPi * (static_cast<double>(i) + 0.5) / static_cast<double>(kSectors);
+        constexpr double kOfMean = 0.974; // sin(22.5°)/22.5°: how much of a cycle's amplitude the mean of an eighth of it keeps
+        const double weight = 2.0 / static_cast<double>(kSectors) / kOfMean;
+        sine += weight * std::sin(middle) * sector.mean();
+        cosine += weight * std::cos(middle) * sector.mean();
+        variance += weight * weight / 2.0 * sector.standardError() * sector.standardError();
+    }
+    constexpr double kSure = 6.0; // neighbours are alike, so a standard error of independent ones is too small
+    const double amplitude = std::hypot(sine, cosine);
+    return amplitude > kSure * std::sqrt(variance) ? amplitude : 0.0;
+}
+
+/// The middle of some angles about the first of them, which they may lie around on both sides of ±180°.
+double medianAngle_deg(std::vector<double> angles_deg)
+{
+    const double first = angles_deg.front();
+    for (double& angle : angles_deg)
+        angle = first + wrap180(angle - first);
+    const auto middle = angles_deg.begin() + static_cast<std::ptrdiff_t>(angles_deg.size() / 2);
+    std::nth_element(angles_deg.begin(), middle, angles_deg.end());
+    return *middle;
 }
 
 /// Step of the figures that a stream is written to [deg]: 1, 0.1, or finer.
@@ -111,11 +133,11 @@ std::vector<NmeaContradiction> contradictionsOf(
                     std::abs(wrap180(mean)) / std::sqrt(2.0)});
             continue;
         }
-        const double largest = largestSector_deg(apart, reference.north == NmeaNorth::Compass ? mean : 0.0);
+        const double largest = oneCycle_deg(apart);
         if (largest >= kApartOtherKind_deg)
             found.push_back({{MARKED("core",
-                                  "%1 and %2 disagree by up to %3° on some headings: on wheels a track is the heading, so one of the two "
-                                  "is wrong, or a heading that is made of the compass"),
+                                  "%1 and %2 disagree by ±%3° over the headings: on wheels a track is the heading, so one of the two is "
+                                  "wrong, or a heading that is made of the compass"),
                                  nameOf(other.source), nameOf(reference.source), figureText(largest, 1)},
                 0.0});
     }
@@ -146,6 +168,40 @@ std::optional<Message> doubtOfRepetition(const NmeaStream& reference, const Nmea
                        "%1 differs from the compass by %2° at all headings, within %3°: no second instrument agrees so well. If it is made "
                        "of this compass (by a multiplexer, a plotter, an autopilot), it shows no deviation, and no card may be made of it"),
         nameOf(reference.source), signedFigureText(wrap180(apart.all.mean()), 1), figureText(scatter, 2)};
+}
+
+NmeaJumps takeOutJumps(std::vector<TimedHeading>& tracks, const std::vector<TimedHeading>& compass)
+{
+    constexpr std::size_t kBeside = 7;                         // neighbours on either side
+    constexpr double kJump_deg = 15.0, kBackwards_deg = 120.0; // no deviation changes by so much in a few seconds, or is so large
+    constexpr double kMostPart = 1.0 / 3.0;
+    const HeadingLine line(compass);
+    std::vector<std::size_t> places;
+    std::vector<double> apart_deg;
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        if (const auto beside = tracks[i].heading_deg ? line.at(tracks[i].seconds) : std::nullopt; beside && beside->heading_deg) {
+            places.push_back(i);
+            apart_deg.push_back(wrap180(*tracks[i].heading_deg - *beside->heading_deg));
+        }
+    if (places.size() < 2 * kBeside + 1)
+        return {};
+    const double usual_deg = medianAngle_deg(apart_deg);
+    std::vector<std::size_t> away, backwards;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const std::size_t first = std::min(i - std::min(i, kBeside), places.size() - 2 * kBeside - 1);
+        const auto begin = apart_deg.begin() + static_cast<std::ptrdiff_t>(first);
+        const double near_deg = medianAngle_deg({begin, begin + 2 * kBeside + 1});
+        if (std::abs(wrap180(apart_deg[i] - near_deg)) > kJump_deg)
+            away.push_back(places[i]);
+        else if (std::abs(wrap180(apart_deg[i] - usual_deg)) > kBackwards_deg)
+            backwards.push_back(places[i]);
+    }
+    if (static_cast<double>(away.size() + backwards.size()) > kMostPart * static_cast<double>(places.size()))
+        return {};
+    for (const auto* those : {&away, &backwards})
+        for (const std::size_t place : *those)
+            tracks[place].heading_deg.reset();
+    return {away.size(), backwards.size()};
 }
 
 } // namespace lubberline

@@ -26,4 +26,14 @@ struct NmeaContradiction {
 [[nodiscard]] std::optional<Message> doubtOfRepetition(
     const NmeaStream& reference, const NmeaStream& compass, const std::vector<NmeaPair>& pairs);
 
+struct NmeaJumps {
+    std::size_t away = 0;      ///< tracks that jump away from the compass for moments: multipath, a receiver that hardly moves
+    std::size_t backwards = 0; ///< tracks of the opposite sense: the aircraft was pushed back
+};
+
+/// Takes out the tracks that are no heading of the aircraft, which does not turn by itself what its compass does not see; left in, they
+/// look like turns the other way, and A and a delay seem to be told apart. Nothing is taken out where most would be.
+/// @param tracks, compass in order of time; what is taken out has no heading any more.
+NmeaJumps takeOutJumps(std::vector<TimedHeading>& tracks, const std::vector<TimedHeading>& compass);
+
 } // namespace lubberline

@@ -8,12 +8,12 @@
 
 #include "core/angle/PrintedHeading.h"
 #include "core/base/Number.h"
-#include "core/deviation/SmithFit.h"
 #include "core/nmea/HeadingLine.h"
 #include "core/nmea/NmeaAgreement.h"
 #include "core/nmea/NmeaSources.h"
 #include "core/nmea/NmeaStands.h"
 #include "core/nmea/NmeaTimes.h"
+#include "core/nmea/NmeaTurns.h"
 
 namespace lubberline {
 
@@ -47,6 +47,7 @@ private:
     }
     Result<void> findVariation();
     void placeInTime();
+    void tellJumps(const NmeaJumps& jumps);
     void findWind();
     void leaveWindOpen(double speed_kt);
     void bringToTrue();
@@ -124,7 +125,10 @@ void SwingOfLog::placeInTime()
     if (!m_times->told())
         m_times->stretch(m_swing.step_s = stepOf_s(HeadingLine(inTime(*m_sources.reference, *m_times))));
     m_compass = inTime(*m_sources.compass, *m_times);
-    m_sent = HeadingLine(inTime(*m_sources.reference, *m_times));
+    auto sent = inTime(*m_sources.reference, *m_times);
+    if (m_options.reference == NmeaReference::Track)
+        tellJumps(takeOutJumps(sent, m_compass));
+    m_sent = HeadingLine(std::move(sent));
     m_rates = m_times->told() ? turnRates(m_compass) : std::vector<std::optional<double>>(m_compass.size());
     m_speeds = m_sent;
     if (m_options.reference == NmeaReference::Track)
@@ -132,6 +136,16 @@ void SwingOfLog::placeInTime()
     for (const auto& stream : m_log.streams())
         if (stream.north == NmeaNorth::Track)
             m_speeds = HeadingLine(inTime(stream, *m_times));
+}
+
+void SwingOfLog::tellJumps(const NmeaJumps& jumps)
+{
+    if (jumps.away > 0)
+        tell({MARKED_N("core", "%n track(s) left out that jump away from the compass for a moment, as a receiver's do near walls"),
+            jumps.away});
+    if (jumps.backwards > 0)
+        tell({MARKED_N("core", "%n track(s) left out that go backwards: the aircraft was pushed, and its track is not its heading"),
+            jumps.backwards});
 }
 
 void SwingOfLog::findWind()
@@ -294,29 +308,11 @@ void SwingOfLog::tellDelay()
 void SwingOfLog::compareDirections()
 {
     const auto rates = referenceRates(usedHeadings(), m_reference, m_swing.delay.seconds.value_or(0.0));
-    std::array<std::vector<Observation>, 2> ways;
-    std::size_t next = 0;
-    for (const auto& pair : m_swing.pairs) {
-        if (!pair.used)
-            continue;
-        const double rate = rates[next++];
-        if (std::abs(rate) >= kSlowestTurn_deg_s)
-            ways[rate > 0.0 ? 0 : 1].push_back({pair.magnetic, pair.compass});
-    }
-    constexpr std::size_t kFewest = 20;
-    if (ways[0].size() < kFewest || ways[1].size() < kFewest)
-        return;
-    const auto right = fitApproximate(ways[0]), left = fitApproximate(ways[1]);
-    if (!right || !left || right->parameters < 5 || left->parameters < 5)
-        return;
-    NmeaDirections directions{toDegrees(*right->of(Coefficient::A)), toDegrees(*left->of(Coefficient::A)), 0.0};
-    for (const auto& one : ways[0].size() < ways[1].size() ? ways[0] : ways[1])
-        directions.largestDifference_deg = std::max(directions.largestDifference_deg,
-            std::abs(wrap180(deviationAt(right->smith(), one.compass).degrees() - deviationAt(left->smith(), one.compass).degrees())));
-    tell({MARKED("core", "clockwise A is %1°, counter-clockwise %2°; the two curves differ by up to %3°"),
-        signedFigureText(directions.clockwiseA_deg, 2), signedFigureText(directions.counterClockwiseA_deg, 2),
-        figureText(directions.largestDifference_deg, 1)});
-    m_swing.directions = directions;
+    m_swing.directions = directionsOf(m_swing.pairs, rates);
+    if (m_swing.directions)
+        tell({MARKED("core", "clockwise A is %1°, counter-clockwise %2°; the two curves differ by up to %3°"),
+            signedFigureText(m_swing.directions->clockwiseA_deg, 2), signedFigureText(m_swing.directions->counterClockwiseA_deg, 2),
+            figureText(m_swing.directions->largestDifference_deg, 1)});
 }
 
 void SwingOfLog::addWindDoubts(const std::vector<TimedHeading>& used)

@@ -46,11 +46,20 @@ Result<Whole> wholeOf(Database& database, SwingId id)
     return whole;
 }
 
-Result<void> checkSigner(const Swing& swing, const Signature& signature, const std::vector<bool>& hold)
+Result<void> checkSigner(Database& database, const Swing& swing, const Signature& signature, const std::vector<bool>& hold)
 {
     if (swing.state == SwingState::Draft)
         return Error{
             ErrorCode::InvalidInput, MARKED("db", "the swing is a draft; expected a complete one: it is completed before it is signed")};
+    if (swing.state == SwingState::Signed && swing.signatures.empty()) { // else a first signature would make it look as if it had been
+        const auto before = signedBeforeSignatures(database, swing.record);
+        if (!before)
+            return before.error();
+        if (!*before)
+            return Error{ErrorCode::InvalidInput,
+                MARKED("db",
+                    "the swing is frozen as a signed one, and nobody's signature is there; expected an amendment, which can be signed")};
+    }
     if (signature.name.find_first_not_of(' ') == std::string::npos)
         return Error{ErrorCode::InvalidInput, MARKED("db", "the name is empty; expected who signs")};
     if (const auto why = whyNotSign(signature, swing.signatures, hold, swing.people.adjuster, swing.people.inspector); !why.empty())
@@ -150,7 +159,7 @@ Result<Signature> SigningStore::prepare(SwingId id, Signature signature)
     const auto states = statesIn(m_database, whole->record, whole->job);
     if (!states)
         return states.error();
-    if (const auto may = checkSigner(whole->record.swing, signature, holding(*states)); !may)
+    if (const auto may = checkSigner(m_database, whole->record.swing, signature, holding(*states)); !may)
         return may.error();
     const auto head = chainHead(m_database);
     const auto own = recordHead(m_database, whole->record.swing.record);
@@ -191,7 +200,7 @@ Result<void> SigningStore::add(SwingId id, const Signature& prepared)
     const auto states = statesIn(m_database, whole->record, whole->job);
     if (!states)
         return states.error();
-    if (const auto may = checkSigner(swing, prepared, holding(*states)); !may)
+    if (const auto may = checkSigner(m_database, swing, prepared, holding(*states)); !may)
         return may;
     const auto own = recordHead(m_database, swing.record);
     if (!own)

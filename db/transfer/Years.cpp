@@ -49,6 +49,16 @@ QString insertOfReading()
         + placeholders(readingFields().size() + 2) + ")";
 }
 
+/// A registration without what people write now so and now otherwise.
+std::string bareName(const std::string& registration)
+{
+    std::string bare;
+    for (const QChar letter : QString::fromStdString(registration))
+        if (letter.isLetterOrNumber())
+            bare += QString(letter.toUpper()).toStdString();
+    return bare;
+}
+
 class YearsImporter {
 public:
     YearsImporter(Database& database, YearsStep step, Date today)
@@ -179,9 +189,45 @@ private:
             m_outcome.types, m_outcome.made.types);
     }
 
+    void tell(Message message)
+    {
+        if (m_outcome.warnings.size() < kMostTold)
+            m_outcome.warnings.push_back(std::move(message));
+    }
+
+    /// One aircraft of two types, or two names that differ by a space, a hyphen or a capital letter: mostly one of them is a slip, which
+    /// would tear the history of its compasses apart.
+    Result<void> doubtAircraft(const YearsSwing& swing)
+    {
+        const auto& file = swing.file;
+        if (m_bareNames.empty()) {
+            Statement statement(m_database, "SELECT registration FROM aircraft");
+            const auto names = rowsOf<std::string>(statement, [](Statement& row) { return row.text(0); });
+            if (!names)
+                return names.error();
+            for (const auto& name : *names)
+                m_bareNames.emplace(bareName(name), name);
+        }
+        if (!m_aircraft.contains(file.aircraft)) {
+            const auto [near, fresh] = m_bareNames.emplace(bareName(file.aircraft), file.aircraft);
+            if (!fresh && near->second != file.aircraft)
+                tell({MARKED("db", "line %1: %2 and %3 are perhaps one aircraft, written in two ways; they are taken as two"), swing.line,
+                    near->second, file.aircraft});
+        }
+        if (file.type.empty())
+            return {};
+        const auto [first, only] = m_typeSaid.emplace(file.aircraft, file.type);
+        if (!only && first->second != file.type)
+            tell({MARKED("db", "line %1: %2 is a %3 here, and a %4 above; it is taken as the first"), swing.line, file.aircraft, file.type,
+                first->second});
+        return {};
+    }
+
     Result<AircraftId> aircraftOf(const YearsSwing& swing, AircraftTypeId type)
     {
         const auto& file = swing.file;
+        if (const auto doubted = doubtAircraft(swing); !doubted)
+            return doubted.error();
         const auto find = [&]() -> Result<AircraftId> {
             const auto id = rowWhere<AircraftId>(m_database, "aircraft", "registration = ?", file.aircraft);
             if (!id || !id->valid() || file.type.empty())
@@ -189,9 +235,9 @@ private:
             const auto same = rowWhere<AircraftId>(m_database, "aircraft", "id = ? AND type_id = ?", *id, type.value);
             if (!same)
                 return same;
-            if (!same->valid() && m_outcome.warnings.size() < kMostTold)
-                m_outcome.warnings.push_back({MARKED("db", "line %1: %2 is no %3 in the database; what is known of it is left as it is"),
-                    swing.line, file.aircraft, file.type});
+            if (!same->valid())
+                tell({MARKED("db", "line %1: %2 is no %3 in the database; what is known of it is left as it is"), swing.line, file.aircraft,
+                    file.type});
             return id;
         };
         return known(
@@ -276,6 +322,8 @@ private:
     Statement m_findSwing, m_swing, m_reading;
     KnownNames<AircraftTypeId> m_types;
     KnownNames<AircraftId> m_aircraft;
+    std::unordered_map<std::string, std::string> m_bareNames; ///< of all aircraft: the name that each first had
+    std::unordered_map<std::string, std::string> m_typeSaid;  ///< by the table, of each aircraft
     KnownNames<CompassId> m_compasses;
     KnownNames<SiteId> m_siteNames;
     std::unordered_map<SiteId, std::optional<Site>> m_sites;

@@ -77,6 +77,8 @@ TEST(CorrectCommand, turnsNoScrewForReadingsThatCannotBeRight)
     EXPECT_EQ(reciprocal.status, 0);
     EXPECT_THAT(reciprocal.err, testing::HasSubstr("reads the reciprocal"));
     EXPECT_THAT(reciprocal.json()["warnings"].dump(), testing::HasSubstr("reads the reciprocal"));
+    const auto one = sandbox.run({"correct", sandbox.write("c.csv", kHeader + "0,357\n90,91\n180,183\n270,303\n")}); // 273 was read
+    EXPECT_THAT(one.err, testing::HasSubstr("one of the readings is likely misread"));
     const auto large = sandbox.run({"correct", sandbox.write("c.csv", kHeader + "0,0\n90,60\n180,180\n270,300\n")});
     EXPECT_EQ(large.status, 0);
     EXPECT_THAT(large.err, testing::HasSubstr("B is +30.0°, more than a corrector takes"));

@@ -242,6 +242,8 @@ TEST_F(SignedFile, anImportThatDoesNotHoldIsRefusedOrMarked)
     const Swing stored = *db::SwingStore(there).swing(id);
     EXPECT_EQ(stored.state, SwingState::Signed); // as it came, frozen
     EXPECT_FALSE(*db::SigningStore(there).stands(stored, {}));
+    const auto late = db::SigningStore(there).sign(id, {SignatureRole::Performer, "Eve", "", "", ""});
+    EXPECT_THAT(late.error().message.english(), HasSubstr("nobody's signature is there"));
     EXPECT_THAT(inEnglish(db::verify(there, {})->notes), Contains(HasSubstr("it is printed as not signed")));
     for (const auto& compass : *db::DueStore(there).compasses()) { // and it takes no compass off the list
         EXPECT_TRUE(compass.signedSwings.empty());

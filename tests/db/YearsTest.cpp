@@ -47,6 +47,27 @@ std::size_t swingsIn(db::Database& database) { return db::exportFleet(database, 
 
 } // namespace
 
+TEST(Years, oneAircraftInTwoWritingsOrOfTwoTypesIsDoubted)
+{
+    auto database = inMemory();
+    const std::string header = "type,aircraft,compass,date,stage,0,90,180,270,360\n";
+    const auto outcome = import(database,
+        header + "Su-22,SP-A,standby,2019-05-01,as_found,1,2,-1,-2,1\nSu-22,sp-a,standby,2020-05-01,as_found,1,2,-,-2,5\n"
+            + "Su-22,SPA,standby,2021-05-01,as_found,1,n/a,-1,-2,\nMi-2,SP-A,standby,2022-05-01,as_found,1,2,-1,-2,\n");
+    ASSERT_TRUE(outcome) << outcome.error().message.english();
+    const auto told = inEnglish(outcome->warnings);
+    using testing::Contains;
+    using testing::HasSubstr;
+    EXPECT_THAT(told, Contains(HasSubstr("line 3: SP-A and sp-a are perhaps one aircraft")));
+    EXPECT_THAT(told, Contains(HasSubstr("line 4: SP-A and SPA are perhaps one aircraft")));
+    EXPECT_THAT(told, Contains(HasSubstr("line 5: SP-A is a Mi-2 here, and a Su-22 above")));
+    EXPECT_THAT(told, Contains(HasSubstr("line 2 lists one heading, 000 and 360, with the same reading")));
+    EXPECT_THAT(told, Contains(HasSubstr("line 3 lists one heading, 000 and 360, with different readings")));
+    EXPECT_EQ(outcome->aircraft, 3);
+    const auto again = import(database, header + "Su-22,S P-A,standby,2023-05-01,as_found,1,2,-1,-2,\n"); // one of the database
+    EXPECT_THAT(inEnglish(again->warnings), Contains(HasSubstr("SP-A and S P-A are perhaps one aircraft")));
+}
+
 TEST(Years, comeInWholeAndCount)
 {
     auto database = inMemory();

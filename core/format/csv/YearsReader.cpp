@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <unordered_set>
@@ -20,7 +21,14 @@ namespace {
 
 constexpr Pattern kExpectedYears = MARKED("core", "a table of swings: a header of named columns, and a row a swing or a row a reading");
 constexpr double kTooLarge_deg = 45.0; ///< of a deviation: then the cells are likely something else than was said
-constexpr std::size_t kMostNamed = 20; ///< columns that mean nothing, in a warning
+constexpr std::size_t kMostNamed = 20; ///< columns that mean nothing, or swings that list a heading twice, in warnings
+
+/// What people write where nothing was read.
+bool standsForNothing(std::string_view cell)
+{
+    constexpr std::array<std::string_view, 6> kNothing{"-", "\u2013", "\u2014", "n/a", "N/A", "n.a."};
+    return cell.empty() || std::ranges::find(kNothing, trimmed(cell)) != kNothing.end();
+}
 
 Result<void> readYearsHeader(FigureCsv& csv, const YearsTable& table)
 {
@@ -104,7 +112,7 @@ private:
         auto& readings = swing->file.swing.readings;
         for (const auto& column : m_columns.headings) {
             const auto cell = m_csv.cell(column.place);
-            if (cell.empty())
+            if (standsForNothing(cell))
                 continue; // not read on this heading
             m_cells = {column.text, std::string(cell)};
             auto row = rows.read(m_cells);
@@ -117,7 +125,8 @@ private:
             readings.push_back(std::move(row->reading));
         }
         if (zero && fullTurn)
-            settleNorthTwice(readings[std::min(*zero, *fullTurn)], readings[std::max(*zero, *fullTurn)], m_table.byCompass);
+            tellNorthTwice(swing->line,
+                settleNorthTwice(readings[std::min(*zero, *fullTurn)], readings[std::max(*zero, *fullTurn)], m_table.byCompass));
         if (readings.empty())
             return m_csv.here(MARKED("core", "no heading of this swing has a reading; expected at least one"));
         return finish(std::move(swing.value()));
@@ -168,8 +177,21 @@ private:
             break;
         }
         if (zero && fullTurn)
-            settleNorthTwice(readings[std::min(*zero, *fullTurn)], readings[std::max(*zero, *fullTurn)], rows.listed() == Column::Compass);
+            tellNorthTwice(swing->line,
+                settleNorthTwice(
+                    readings[std::min(*zero, *fullTurn)], readings[std::max(*zero, *fullTurn)], rows.listed() == Column::Compass));
         return finish(std::move(swing.value()));
+    }
+
+    void tellNorthTwice(std::int64_t line, NorthTwice north)
+    {
+        if (north == NorthTwice::Settled || m_northTwice++ >= kMostNamed)
+            return;
+        m_warnings.push_back(north == NorthTwice::CountsOnce
+                ? Message{MARKED("core", "line %1 lists one heading, 000 and 360, with the same reading: it counts once"), line}
+                : Message{
+                    MARKED("core", "line %1 lists one heading, 000 and 360, with different readings: both count, so look which is right"),
+                    line});
     }
 
     [[nodiscard]] std::string particularsOfRow() const
@@ -281,6 +303,7 @@ private:
     std::unordered_set<std::size_t> m_seen; ///< of rows that are readings: the swings so far
     std::string m_nothing;                  ///< the particulars of a row that has none
     std::int64_t m_swings = 0, m_readings = 0, m_tooLarge = 0;
+    std::size_t m_northTwice = 0; ///< swings that list one heading as 000 and as 360
     bool m_begun = false, m_ahead = false, m_told = false;
 };
 

@@ -55,7 +55,7 @@ TEST(NmeaAgreement, aHeadingMadeOfTheCompassIsNoReference)
         EXPECT_TRUE(answerOf(repeated(flight, 180.0, "IIHDM,%.1f,M"), ofMagnetic).says("no card may be made of it"));
     }
     // Its own track says otherwise, by the compass's 3° of B.
-    EXPECT_TRUE(answerOf(repeated({.legs = kBothWays}, 15.2, "IIHDT,%.1f,T"), ofTrue).says("GPRMC and IIHDT disagree by up to"));
+    EXPECT_TRUE(answerOf(repeated({.legs = kBothWays}, 15.2, "IIHDT,%.1f,T"), ofTrue).says("GPRMC and IIHDT disagree by ±3."));
 }
 
 TEST(NmeaAgreement, aSecondReceiverThatTellsOtherwiseIsTold)
@@ -77,6 +77,35 @@ TEST(NmeaAgreement, aSecondReceiverThatTellsOtherwiseIsTold)
     }
     for (const double off : {0.0, 0.4})
         EXPECT_FALSE(answerOf(second(off)).says("one of the two is wrong")) << off;
+}
+
+TEST(NmeaAgreement, tracksThatJumpOrGoBackwardsAreNoTurnsTheOtherWay)
+{
+    const auto bent = [](int every, int from, int to, double by_deg) {
+        std::stringstream lines(logOf({.legs = {{1.0, 400.0}}, .noise_deg = 0.3}));
+        std::string all;
+        int tracks = 0;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.substr(3, 3) == "RMC" && ++tracks >= from && tracks < to && tracks % every == 0) {
+                auto body = line.substr(1, line.find('*') - 1);
+                const auto track = fieldOf(line, 8);
+                const auto at = body.find("," + track + ",201125");
+                line = makeNmea(body.replace(at, track.size() + 1, "," + formatted("%.1f", wrap360(std::stod(track) + by_deg)))) + "\r";
+            }
+            all += line + "\n";
+        }
+        return answerOf(all);
+    };
+    const auto right = bent(1000, 0, 0, 0.0);
+    for (const auto& wrong : {bent(10, 0, 400, 30.0), bent(50, 0, 400, 90.0), bent(1, 100, 140, 180.0)}) {
+        EXPECT_TRUE(wrong.says("left out that"));
+        EXPECT_TRUE(wrong.says("the turn goes one way")); // what they seemed to tell of a delay was not there
+        EXPECT_NEAR(wrong.of(Coefficient::A), right.of(Coefficient::A), 0.1);
+        EXPECT_NEAR(wrong.of(Coefficient::B), -3.0, 0.15);
+        EXPECT_NEAR(wrong.of(Coefficient::C), 2.0, 0.15);
+        EXPECT_NEAR(wrong.errorOf(Coefficient::A), right.errorOf(Coefficient::A), 0.05);
+    }
+    EXPECT_FALSE(right.says("left out that"));
 }
 
 TEST(NmeaAgreement, instrumentsThatAgreeAreLeftInPeace)
