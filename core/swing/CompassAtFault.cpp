@@ -39,6 +39,47 @@ constexpr double kOutOfPlace_deg = 15.0;
 /// As much as no compass deviates by, and a scatter that is none of a reading.
 constexpr double kNoOneCycle_deg = 90.0, kNoTwoCycles_deg = 60.0, kNoScatter_deg = 30.0, kTellsWithin_deg = 10.0;
 
+/// Of headings that step evenly round the circle in the order in which they are listed: the step, either way round. None of others.
+std::optional<double> stepOf_deg(std::span<const Observation> readings)
+{
+    constexpr std::size_t kFewest = 6;
+    if (readings.size() < kFewest)
+        return std::nullopt;
+    const auto stepAfter
+        = [&](std::size_t i) { return wrap180(readings[(i + 1) % readings.size()].magnetic.degrees() - readings[i].magnetic.degrees()); };
+    const double step_deg = std::copysign(360.0 / static_cast<double>(readings.size()), stepAfter(0));
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        if (std::abs(stepAfter(i) - step_deg) > 0.3 * std::abs(step_deg))
+            return std::nullopt;
+    return step_deg;
+}
+
+/// Readings that stand beside the next heading, or the one before, make A of one step of the headings, and leave all else nearly as it was.
+std::optional<Message> rowWords(std::span<const Observation> readings, double A_deg)
+{
+    constexpr double kUsualA_deg = 8.0;
+    const auto step_deg = stepOf_deg(readings);
+    if (!step_deg || std::abs(std::abs(A_deg) - std::abs(*step_deg)) > std::min(kUsualA_deg, 0.3 * std::abs(*step_deg)))
+        return std::nullopt;
+    const bool down = (A_deg < 0.0) == (*step_deg > 0.0); // each was read on the heading below it
+    const std::size_t by = down ? readings.size() - 1 : 1;
+    std::vector<Observation> moved;
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        moved.push_back({readings[i].magnetic, readings[(i + by) % readings.size()].compass});
+    const auto right = fitApproximate(moved, {.uncertainty = false});
+    if (!right || !right->of(Coefficient::A) || std::abs(toDegrees(*right->of(Coefficient::A))) > kUsualA_deg)
+        return std::nullopt;
+    const auto figure = [&](Coefficient which) { return signedFigureText(toDegrees(right->of(which).value_or(0.0)), 1); };
+    return Message{down ? MARKED("core",
+                       "A is %1°, near one step of the headings (%2°): the readings may stand one row off. Moved down by one row they "
+                       "make A %3°, B %4° and C %5°: look at the list before anybody touches the mount")
+                        : MARKED("core",
+                            "A is %1°, near one step of the headings (%2°): the readings may stand one row off. Moved up by one row they "
+                            "make A %3°, B %4° and C %5°: look at the list before anybody touches the mount"),
+        signedFigureText(A_deg, 1), figureText(std::abs(*step_deg), 0), figure(Coefficient::A), figure(Coefficient::B),
+        figure(Coefficient::C)};
+}
+
 } // namespace
 
 std::optional<Error> faultOf(std::span<const Observation> readings)
@@ -128,7 +169,11 @@ std::optional<Message> indexMeaning(double index_deg)
 std::optional<Message> mountWords(std::span<const Observation> readings, const ApproximateFit& fit)
 {
     const auto A_rad = fit.of(Coefficient::A);
-    if (!A_rad || fit.index_rad != 0.0 || std::abs(toDegrees(*A_rad)) < kOutOfPlace_deg)
+    if (!A_rad)
+        return std::nullopt;
+    if (auto row = rowWords(readings, wrap180(toDegrees(*A_rad))))
+        return row;
+    if (fit.index_rad != 0.0 || std::abs(toDegrees(*A_rad)) < kOutOfPlace_deg)
         return std::nullopt;
     std::vector<Observation> turned;
     for (const auto& reading : readings)

@@ -20,7 +20,8 @@ namespace lubberline {
 [[nodiscard]] std::optional<Message> indexWords(double index_deg);
 /// What the coefficients mean beside such an index; none for 0.
 [[nodiscard]] std::optional<Message> indexMeaning(double index_deg);
-/// The words for an A of 15° and more that is no such index yet: what B and C will be when the mount has been set right. None below.
+/// The words for an A that is one step of evenly listed headings, as readings that stand one row off make it: what A, B and C would be. Else
+/// for an A of 15° and more that is no such index yet: what B and C will be when the mount has been set right. None below.
 [[nodiscard]] std::optional<Message> mountWords(std::span<const Observation> readings, const ApproximateFit& fit);
 
 } // namespace lubberline

@@ -123,9 +123,9 @@ TEST(SwingCsv, otherKeysAreKeptInTheNote)
     EXPECT_THAT(
         file->otherKeys, ElementsAre(testing::Pair("weather", "rain"), testing::Pair("wind_kt", "4"), testing::Pair("gust", "late")));
     EXPECT_EQ(file->swing.note, "calm\nweather: rain\nwind_kt: 4\ngust: late");
-    EXPECT_THAT(inEnglish(file->warnings), Contains(HasSubstr("the key \"wind_kt\" means nothing here")));
+    EXPECT_THAT(inEnglish(file->warnings), testing::Contains(testing::AllOf(HasSubstr("wind_kt"), HasSubstr("means nothing here"))));
     const auto slip = readCsv("# raido: on\n" + kHeader + "1,2\n");
-    EXPECT_THAT(inEnglish(slip->warnings), Contains(HasSubstr("\"raido\" means nothing here; it is kept in the swing's note (did you mean radio?)")));
+    EXPECT_THAT(inEnglish(slip->warnings), testing::Contains(testing::AllOf(HasSubstr("raido"), HasSubstr("did you mean radio?"))));
 }
 
 TEST(SwingCsv, optionalColumnsMayBeEmpty)

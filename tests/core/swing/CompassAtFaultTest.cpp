@@ -226,5 +226,38 @@ TEST(LackOfFit, aLargeButPlainDeviationBlamesNobody)
     EXPECT_TRUE(plain->slips.slips.empty());
 }
 
+/// Each reading beside the next heading, or the one before: the commonest accident of a spreadsheet.
+TEST(CompassAtFault, readingsOneRowOffAreNoMount)
+{
+    constexpr ApproximateSmith truth{toRadians(1.0), toRadians(4.0), toRadians(-3.0), toRadians(1.0), 0.0};
+    for (const std::size_t count : {8u, 12u, 24u})
+        for (const bool clockwise : {true, false})
+            for (const std::size_t off : {std::size_t{1}, count - 1, std::size_t{0}}) {
+                std::vector<double> magnetic_deg, compass_deg;
+                for (std::size_t i = 0; i < count; ++i) {
+                    const double at = wrap360((clockwise ? 1.0 : -1.0) * 360.0 * static_cast<double>(i) / static_cast<double>(count));
+                    double reads = at;
+                    for (int step = 0; step < 20; ++step)
+                        reads = at - deviationAt(truth, CompassHeading::fromDegrees(reads)).degrees();
+                    magnetic_deg.push_back(at);
+                    compass_deg.push_back(std::round(wrap360(reads)));
+                }
+                std::vector<Observation> readings;
+                for (std::size_t i = 0; i < count; ++i)
+                    readings.push_back(
+                        {MagneticHeading::fromDegrees(magnetic_deg[i]), CompassHeading::fromDegrees(compass_deg[(i + off) % count])});
+                const auto told = inEnglish(analyse(readings, {})->warnings);
+                const auto row
+                    = std::find_if(told.begin(), told.end(), [](const auto& one) { return one.find("one row off") != std::string::npos; });
+                ASSERT_EQ(row != told.end(), off != 0) << count << ' ' << off;
+                if (off == 0)
+                    continue;
+                EXPECT_NE(row->find(off == 1 ? "Moved down" : "Moved up"), std::string::npos) << *row;
+                EXPECT_NE(row->find("B +"), std::string::npos) << *row;
+                EXPECT_TRUE(std::none_of(
+                    told.begin(), told.end(), [](const auto& one) { return one.find("right in its mount") != std::string::npos; }));
+            }
+}
+
 } // namespace
 } // namespace lubberline
