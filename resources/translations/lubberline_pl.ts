@@ -394,6 +394,10 @@
         <source>makes nothing due: the swing of %1 was signed after it</source>
         <translation>niczego nie czyni wymagalnym: późniejszą dewiację z %1 podpisano</translation>
     </message>
+    <message>
+        <source>E is %1°, more than soft iron makes: one of the readings is likely misread, by some %2°; read them again before a screw is turned</source>
+        <translation>E wynosi %1°, więcej niż daje miękkie żelazo: jeden z odczytów jest zapewne błędny, o około %2°; odczytaj je ponownie, zanim ktokolwiek obróci śrubę</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4902,10 +4906,6 @@
         <translation>obok %2 stoi %1 i podaje średnio o %3° więcej (wschód +): jedno z dwojga jest błędne, a dziennik nie mówi które; przyjęto %2, a A nie jest pewniejsze niż to</translation>
     </message>
     <message>
-        <source>%1 and %2 disagree by up to %3° on some headings: on wheels a track is the heading, so one of the two is wrong, or a heading that is made of the compass</source>
-        <translation>%1 i %2 różnią się na niektórych kursach nawet o %3°: na kołach kąt drogi jest kursem, więc jedno z dwojga jest błędne albo jest kursem utworzonym z busoli</translation>
-    </message>
-    <message>
         <source>%1 differs from the compass by %2° at all headings, within %3°: no second instrument agrees so well. If it is made of this compass (by a multiplexer, a plotter, an autopilot), it shows no deviation, and no card may be made of it</source>
         <translation>%1 różni się od busoli o %2° na wszystkich kursach, z dokładnością do %3°: żaden drugi przyrząd nie zgadza się tak dobrze. Jeśli powstaje z tej busoli (w multiplekserze, ploterze, autopilocie), nie pokazuje dewiacji i nie wolno z niego robić tabeli</translation>
     </message>
@@ -4916,6 +4916,50 @@
     <message>
         <source>c apart from P, f apart from Q: the places are too alike, c/λ would be known within a standard error of %1</source>
         <translation>c osobno od P, f osobno od Q: miejsca są zbyt podobne, c/λ byłoby znane z błędem standardowym %1</translation>
+    </message>
+    <message>
+        <source>the key %1 means nothing here; it is kept in the swing&apos;s note</source>
+        <translation>klucz %1 nic tu nie znaczy; zachowano go w uwadze do dewiacji</translation>
+    </message>
+    <message>
+        <source>the key %1 means nothing here; it is kept in the swing&apos;s note (did you mean %2?)</source>
+        <translation>klucz %1 nic tu nie znaczy; zachowano go w uwadze do dewiacji (czy chodziło o %2?)</translation>
+    </message>
+    <message>
+        <source>line %1 lists one heading, 000 and 360, with the same reading: it counts once</source>
+        <translation>wiersz %1 podaje jeden kurs, 000 i 360, z tym samym odczytem: liczy się raz</translation>
+    </message>
+    <message>
+        <source>line %1 lists one heading, 000 and 360, with different readings: both count, so look which is right</source>
+        <translation>wiersz %1 podaje jeden kurs, 000 i 360, z różnymi odczytami: liczą się oba, więc sprawdź, który jest właściwy</translation>
+    </message>
+    <message>
+        <source>%1 and %2 disagree by ±%3° over the headings: on wheels a track is the heading, so one of the two is wrong, or a heading that is made of the compass</source>
+        <translation>%1 i %2 różnią się o ±%3° zależnie od kursu: na kołach kąt drogi jest kursem, więc jedno z dwojga jest błędne albo jest kursem utworzonym z busoli</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s) left out that jump away from the compass for a moment, as a receiver&apos;s do near walls</source>
+        <translation>
+            <numerusform>pominięto %n kąt drogi, który na chwilę odskakuje od busoli, jak w odbiorniku blisko ścian</numerusform>
+            <numerusform>pominięto %n kąty drogi, które na chwilę odskakują od busoli, jak w odbiorniku blisko ścian</numerusform>
+            <numerusform>pominięto %n kątów drogi, które na chwilę odskakują od busoli, jak w odbiorniku blisko ścian</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s) left out that go backwards: the aircraft was pushed, and its track is not its heading</source>
+        <translation>
+            <numerusform>pominięto %n kąt drogi wstecz: statek powietrzny wypychano i kąt drogi nie jest jego kursem</numerusform>
+            <numerusform>pominięto %n kąty drogi wstecz: statek powietrzny wypychano i kąt drogi nie jest jego kursem</numerusform>
+            <numerusform>pominięto %n kątów drogi wstecz: statek powietrzny wypychano i kąt drogi nie jest jego kursem</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A is %1°, near one step of the headings (%2°): the readings may stand one row off. Moved down by one row they make A %3°, B %4° and C %5°: look at the list before anybody touches the mount</source>
+        <translation>A wynosi %1°, blisko jednego kroku kursów (%2°): odczyty mogą stać o wiersz obok. Przesunięte o wiersz w dół dają A %3°, B %4° i C %5°: sprawdź listę, zanim ktokolwiek ruszy mocowanie</translation>
+    </message>
+    <message>
+        <source>A is %1°, near one step of the headings (%2°): the readings may stand one row off. Moved up by one row they make A %3°, B %4° and C %5°: look at the list before anybody touches the mount</source>
+        <translation>A wynosi %1°, blisko jednego kroku kursów (%2°): odczyty mogą stać o wiersz obok. Przesunięte o wiersz w górę dają A %3°, B %4° i C %5°: sprawdź listę, zanim ktokolwiek ruszy mocowanie</translation>
     </message>
 </context>
 <context>
@@ -5759,6 +5803,18 @@
     <message>
         <source>the file has it as signed and does not say by whom; it is printed as not signed</source>
         <translation>plik podaje ją jako podpisaną i nie mówi przez kogo; drukuje się jako niepodpisana</translation>
+    </message>
+    <message>
+        <source>the swing is frozen as a signed one, and nobody&apos;s signature is there; expected an amendment, which can be signed</source>
+        <translation>dewiacja jest zamrożona jako podpisana, a niczyjego podpisu nie ma; oczekiwano jej zmiany, którą można podpisać</translation>
+    </message>
+    <message>
+        <source>line %1: %2 and %3 are perhaps one aircraft, written in two ways; they are taken as two</source>
+        <translation>wiersz %1: %2 i %3 to być może jeden statek powietrzny zapisany na dwa sposoby; przyjęto dwa</translation>
+    </message>
+    <message>
+        <source>line %1: %2 is a %3 here, and a %4 above; it is taken as the first</source>
+        <translation>wiersz %1: %2 to tutaj %3, a wyżej %4; przyjęto to, co wyżej</translation>
     </message>
 </context>
 <context>
