@@ -2,6 +2,7 @@
 // CompassAtFaultTest; here every figure is held against that of the compass mounted right.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -186,9 +187,9 @@ TEST_P(FarOut, isPredictedAndCardedWithItsIndex)
     }
     EXPECT_EQ(std::abs(out.summary.largestDeviation_rad),
         out.summary.maxAbsDeviation_rad); // the figure, its sign and its heading are one reading's
-    for (const auto& reading : out.readings)
-        if (reading.magnetic == out.summary.maxAbsDeviationAt)
-            EXPECT_EQ(reading.deviation.radians(), out.summary.largestDeviation_rad);
+    const auto at = std::ranges::find(out.readings, out.summary.maxAbsDeviationAt, &AnalysedReading::magnetic);
+    ASSERT_NE(at, out.readings.end());
+    EXPECT_EQ(at->deviation.radians(), out.summary.largestDeviation_rad);
     EXPECT_GT(toDegrees(turned.maxAbs_rad), std::abs(GetParam()) - 5.0);
     EXPECT_THAT(inEnglish(turned.warnings), testing::Contains(testing::HasSubstr("index")));
     EXPECT_THAT(inEnglish(straight.warnings), testing::Not(testing::Contains(testing::HasSubstr("index"))));
