@@ -31,9 +31,10 @@ struct SlipSearch {
 };
 
 /// @param resolution_deg smallest division of the compass. @param history how this compass is expected to deviate by its last swing;
-/// its index is no matter, as the middle of the readings' deviations is taken out. Fewer than three readings check nothing. @param progress told false, the search
-/// ends with what it has found by then: ask it again.
+/// its index is no matter, as the middle of the readings' deviations is taken out. @param beyond_rad by reading, what is known of the curve
+/// beyond five coefficients (a third harmonic, a bump): none is held for a slip. Fewer than three readings check nothing.
+/// @param progress told false, the search ends with what it has found by then: ask it again.
 [[nodiscard]] SlipSearch findSlips(std::span<const Observation> readings, double resolution_deg,
-    const std::optional<ExpectedCurve>& history = {}, const Progress& progress = {});
+    const std::optional<ExpectedCurve>& history = {}, std::span<const double> beyond_rad = {}, const Progress& progress = {});
 
 } // namespace lubberline

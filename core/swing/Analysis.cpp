@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/angle/AngleText.h"
 #include "core/angle/Circle.h"
@@ -203,7 +204,60 @@ bool largeButPlain(const Analysis& analysis)
 bool isVague(const SlipSearch& search, std::size_t readings, const LackOfFit& unfit)
 {
     const std::size_t named = search.slips.size();
-    return named > 2 && search.slips.front().probability < 0.5 && (unfit.anotherShape || 2 * named > readings);
+    return named > 2 && search.slips.front().probability < 0.5 && (unfit.anotherShape() || 2 * named > readings);
+}
+
+std::vector<std::size_t> namedIn(const SlipSearch& search)
+{
+    std::vector<std::size_t> named;
+    for (const auto& slip : search.slips)
+        named.push_back(slip.reading);
+    std::sort(named.begin(), named.end());
+    return named;
+}
+
+/// The peak of a shape may stand out of what its neighbours tell of it: one in ten does, and no slip is surer than that.
+void limitBesideShape(SlipSearch& search)
+{
+    constexpr double kSurest = 0.9;
+    for (auto& slip : search.slips) {
+        const double limit = std::min(1.0, kSurest / slip.probability);
+        slip.probability *= limit;
+        for (auto& candidate : slip.candidates)
+            candidate.probability *= limit;
+    }
+}
+
+/// Slips, and what is left beside them that five coefficients do not describe. Readings that go astray together are no slip of one of
+/// them: they are held against the curve with the shape that the others have.
+std::optional<LackOfFit> findSlipsAndShape(
+    Analysis& analysis, std::span<const Observation> readings, const AnalysisOptions& options, const Progress& progress)
+{
+    constexpr int kRounds = 4;
+    const auto unfitBesides = [&](const std::vector<std::size_t>& slipped) {
+        return lackOfFit(readings, analysis.approximate, analysis.exact, options.readingError_rad, slipped);
+    };
+    auto unfit = unfitBesides({});
+    if (!options.findSlips || !analysis.approximate.fitted() || largeButPlain(analysis))
+        return unfit;
+    const auto ofAll = unfit;
+    std::vector<std::size_t> named;
+    for (int round = 0; round < kRounds; ++round) {
+        const auto beyond = unfit ? std::span<const double>(unfit->beyond_rad) : std::span<const double>();
+        analysis.slips = findSlips(readings, options.resolution_deg, options.history, beyond, progress);
+        const auto before = std::exchange(named, namedIn(analysis.slips));
+        const bool shaped = unfit && unfit->anotherShape();
+        unfit = unfitBesides(named);
+        if ((round > 0 && before == named) || (!shaped && !(unfit && unfit->anotherShape())))
+            break;
+    }
+    if (ofAll && isVague(analysis.slips, readings.size(), *ofAll)) {
+        analysis.slips.slips.clear();
+        return ofAll;
+    }
+    if (unfit && unfit->anotherShape())
+        limitBesideShape(analysis.slips);
+    return unfit;
 }
 
 void takeShared(Analysis& analysis, const SharedErrors& shared)
@@ -253,11 +307,13 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     if (!goesOn(kExact))
         return cancelled;
     Analysis analysis;
+    bool astray = false;
     if (auto fault = faultOf(*approximate, *exact)) {
-        const auto astray = options.findSlips ? astrayReadings(readings, options) : std::vector<std::size_t>();
-        if (astray.empty())
+        const auto found = options.findSlips ? astrayReadings(readings, options) : std::vector<std::size_t>();
+        if (found.empty())
             return *std::move(fault);
-        for (const auto reading : astray)
+        astray = true;
+        for (const auto reading : found)
             analysis.warnings.push_back(
                 {MARKED("core",
                      "the reading on %1 magnetic goes with none of the others: the coefficients mean nothing and there is no card "
@@ -286,21 +342,21 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     widenTo(analysis.exact, options.readingError_rad);
     takeShared(analysis, options.shared);
     const double index_deg = toDegrees(analysis.approximate.index_rad);
-    for (const auto& words : {indexWords(index_deg), indexMeaning(index_deg), mountWords(readings, analysis.approximate)})
+    for (const auto& words : {indexWords(index_deg), indexMeaning(index_deg)})
         if (words)
             analysis.warnings.push_back(*words);
-    const auto unfit = lackOfFit(readings, analysis.approximate, analysis.exact, options.readingError_rad);
-    if (options.findSlips && analysis.approximate.fitted() && !largeButPlain(analysis)) {
-        analysis.slips = findSlips(readings, options.resolution_deg, options.history, within(kSpectrum, 1.0));
-        if (!goesOn(1.0))
-            return cancelled;
-        if (unfit && isVague(analysis.slips, readings.size(), *unfit))
-            analysis.slips.slips.clear();
-        for (const auto& slip : analysis.slips.slips)
-            analysis.readings[slip.reading].suspect = true;
+    const auto unfit = findSlipsAndShape(analysis, readings, options, within(kSpectrum, 1.0));
+    if (!goesOn(1.0))
+        return cancelled;
+    for (const auto& slip : analysis.slips.slips)
+        analysis.readings[slip.reading].suspect = true;
+    if (options.findSlips && analysis.approximate.fitted() && !largeButPlain(analysis))
         warnOfSlips(analysis.warnings, analysis.slips, readings.size());
-    }
-    if (unfit && analysis.slips.slips.empty())
+    // A reading that is wrong makes an A of its own: the mount is no matter before it was read again.
+    if (analysis.slips.slips.empty() && !astray)
+        if (const auto words = mountWords(readings, analysis.approximate))
+            analysis.warnings.push_back(*words);
+    if (unfit && (analysis.slips.slips.empty() || unfit->anotherShape()))
         analysis.warnings.push_back(unfit->words);
     warnOfFit(analysis.warnings, analysis.approximate, MARKED("core", "approximate"), readings);
     warnOfFit(analysis.warnings, analysis.exact, MARKED("core", "exact"), readings);

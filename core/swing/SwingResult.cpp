@@ -24,6 +24,15 @@ double datumDivision_deg(const SwingJob& job)
 
 } // namespace
 
+std::optional<ApproximateSmith> smithOfKept(std::span<const std::optional<double>, kCoefficientCount> coefficient_deg)
+{
+    const auto& c = coefficient_deg;
+    if (!std::all_of(c.begin(), c.end(), [](const auto& one) { return one.has_value(); }))
+        return std::nullopt;
+    const double index_deg = std::abs(*c[0]) > kLargeIndex_deg ? std::round(*c[0]) : 0.0;
+    return ApproximateSmith{toRadians(*c[0]), toRadians(*c[1]), toRadians(*c[2]), toRadians(*c[3]), toRadians(*c[4]), toRadians(index_deg)};
+}
+
 ExpectedCurve expectedAfter(const ApproximateSmith& last, SwingKind kindOfLast, SwingStage stageOfLast, const Swing& swing)
 {
     ExpectedCurve expected = curveAfter(last);

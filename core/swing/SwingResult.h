@@ -8,6 +8,11 @@
 
 namespace lubberline {
 
+/// The curve of coefficients that were kept as figures, as fitApproximate() gives them [deg]. An A beyond kLargeIndex_deg is that of a compass
+/// that is far out as a whole: B to E are those of the compass turned right by its index, which is A to a degree or so. None: fewer than
+/// five are known.
+[[nodiscard]] std::optional<ApproximateSmith> smithOfKept(std::span<const std::optional<double>, kCoefficientCount> coefficient_deg);
+
 /// How a compass is expected to deviate at a swing after another whose coefficients are known: as in curveAfter(); where it was compensated
 /// in between (a correction swing, or one as found before one as left), A, B and C may be any.
 [[nodiscard]] ExpectedCurve expectedAfter(const ApproximateSmith& last, SwingKind kindOfLast, SwingStage stageOfLast, const Swing& swing);

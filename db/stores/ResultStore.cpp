@@ -1,7 +1,6 @@
 #include "db/stores/ResultStore.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/deviation/SmithFit.h"
@@ -68,13 +67,8 @@ Result<std::optional<TypeSoftIron>> softIronOfType(Database& database, const Swi
 /// None where the swing before told less than five coefficients.
 std::optional<ExpectedCurve> historyOf(const SwingRow& before, const Swing& swing)
 {
-    const auto& c = before.coefficient_deg;
-    if (!std::all_of(c.begin(), c.end(), [](const auto& one) { return one.has_value(); }))
-        return std::nullopt;
-    // B to E of a compass that is far out are kept as those of the compass turned right; its index is its A to a degree or so.
-    const double index_deg = std::abs(*c[0]) > kLargeIndex_deg ? std::round(*c[0]) : 0.0;
-    return expectedAfter({toRadians(*c[0]), toRadians(*c[1]), toRadians(*c[2]), toRadians(*c[3]), toRadians(*c[4]), toRadians(index_deg)},
-        before.kind, before.stage, swing);
+    const auto last = smithOfKept(before.coefficient_deg);
+    return last ? std::optional(expectedAfter(*last, before.kind, before.stage, swing)) : std::nullopt;
 }
 
 CachedResult cachedOf(const SwingRecord& record, const Analysis& analysis)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 #include "core/swing/Analysis.h"
 #include "core/swing/Card.h"
@@ -83,6 +84,7 @@ TEST(CompassAtFault, oneReadingFarAstrayIsNamedAmongOthersThatFollow)
             const auto& meant = analysis->slips.slips[0].candidates; // 317 and 137 are also swapped digits
             EXPECT_EQ(off == 180.0, std::ranges::any_of(meant, [](const auto& one) { return one.slip == Slip::Reciprocal; })) << row;
             EXPECT_THAT(inEnglish(analysis->warnings), Contains(HasSubstr("goes with none of the others"))) << off << ' ' << row;
+            EXPECT_THAT(inEnglish(analysis->warnings), Not(Contains(HasSubstr("in its mount")))) << off << ' ' << row;
             EXPECT_FALSE(makeCard(*analysis, {30, CardSource::Fit, {}}));
         }
     auto two = around(8, reads);
@@ -96,6 +98,93 @@ TEST(CompassAtFault, oneReadingFarAstrayIsNamedAmongOthersThatFollow)
     ASSERT_TRUE(both) << both.error().message.english();
     EXPECT_THAT(inEnglish(both->warnings), Contains(HasSubstr("the reading on 240° magnetic goes with none of the others")));
     EXPECT_FALSE(makeCard(*both, {30, CardSource::Fit, {}}));
+}
+
+std::vector<Observation> readWith(int count, const std::function<double(double psi_deg)>& beyond_deg)
+{
+    std::mt19937_64 engine(3);
+    return around(count, [&](double psi) {
+        const double scatter = (static_cast<double>(engine() >> 11) * 0x1p-53 - 0.5) * 1.2; // of 0.35°
+        return std::round(psi + 1.0 - 4.0 * std::sin(toRadians(psi)) + 2.0 * std::cos(toRadians(psi)) - beyond_deg(psi) + scatter);
+    });
+}
+
+/// @param width_deg  of the whole bump, about 200
+std::function<double(double)> bump(double height_deg, double width_deg)
+{
+    return [=](double psi) {
+        const double off = wrap180(psi - 200.0);
+        return std::abs(off) < width_deg / 2 ? height_deg * std::pow(std::cos(kPi * off / width_deg), 2) : 0.0;
+    };
+}
+
+AnalysisOptions toWholeDegrees()
+{
+    AnalysisOptions options;
+    options.readingError_rad = toRadians(1.0 / std::sqrt(12.0));
+    return options;
+}
+
+TEST(CompassAtFault, readingsThatGoAstrayTogetherAreNoSlipOfOne)
+{
+    for (const int count : {24, 36, 72})
+        for (const double height : {-12.0, 6.0, 10.0})
+            for (const double width : {90.0, 120.0, 150.0}) {
+                const auto analysis = analyse(readWith(count, bump(height, width)), toWholeDegrees());
+                ASSERT_TRUE(analysis);
+                EXPECT_TRUE(analysis->slips.slips.empty()) << count << ' ' << height << ' ' << width;
+                EXPECT_THAT(inEnglish(analysis->warnings), Contains(HasSubstr("five coefficients do not describe this curve")))
+                    << count << ' ' << height << ' ' << width;
+            }
+}
+
+/// Beside the bump one reading slipped all the same: both are told, and none of it as certain.
+TEST(CompassAtFault, aSlipBesideABumpIsNamedWithTheBump)
+{
+    for (const int count : {24, 36})
+        for (const std::size_t row : {2u, 7u, 19u}) {
+            auto readings = readWith(count, bump(8.0, 120.0));
+            readings[row].compass = CompassHeading::fromDegrees(readings[row].compass.degrees() + 20.0);
+            const auto analysis = analyse(readings, toWholeDegrees());
+            ASSERT_TRUE(analysis);
+            ASSERT_EQ(analysis->slips.slips.size(), 1u) << count << ' ' << row;
+            EXPECT_EQ(analysis->slips.slips[0].reading, row);
+            EXPECT_LE(analysis->slips.slips[0].probability, 0.9);
+            EXPECT_THAT(inEnglish(analysis->warnings), Contains(HasSubstr("five coefficients do not describe this curve")));
+        }
+}
+
+TEST(CompassAtFault, aSquareWaveOfADegreeAndAHalfIsLackOfFit)
+{
+    for (const int count : {36, 72})
+        for (const int times : {1, 2, 3}) {
+            const auto square = [times](double psi) { return std::sin(toRadians(times * psi + 5.0)) >= 0 ? 1.5 : -1.5; };
+            const auto analysis = analyse(readWith(count, square), toWholeDegrees());
+            ASSERT_TRUE(analysis);
+            EXPECT_TRUE(analysis->slips.slips.empty()) << count << ' ' << times;
+            EXPECT_THAT(inEnglish(analysis->warnings), Contains(HasSubstr("five coefficients"))) << count << ' ' << times;
+        }
+    for (const int count : {8, 12, 16, 24, 36, 72})
+        EXPECT_THAT(inEnglish(analyse(readWith(count, [](double) { return 0.0; }), toWholeDegrees())->warnings),
+            Not(Contains(HasSubstr("five coefficients"))))
+            << count;
+}
+
+/// One of eight that is 100° off makes an A of twelve degrees and more of nothing: its reading is to be looked at, not the mount.
+TEST(CompassAtFault, noMountIsBlamedForAReadingThatSlipped)
+{
+    const auto reads = [](double psi) { return std::round(psi - 5.0 - 3.0 * std::sin(toRadians(psi)) + 2.0 * std::cos(toRadians(psi))); };
+    int outOfPlace = 0;
+    for (std::size_t row = 0; row < 8; ++row) {
+        auto readings = around(8, reads);
+        readings[row].compass = CompassHeading::fromDegrees(readings[row].compass.degrees() - 100.0);
+        const auto analysis = analyse(readings);
+        ASSERT_TRUE(analysis) << analysis.error().message.english();
+        EXPECT_FALSE(analysis->slips.slips.empty()) << row;
+        outOfPlace += toDegrees(*analysis->approximate.of(Coefficient::A)) > 15.0 ? 1 : 0;
+        EXPECT_THAT(inEnglish(analysis->warnings), Not(Contains(HasSubstr("in its mount")))) << row;
+    }
+    EXPECT_GT(outOfPlace, 0);
 }
 
 TEST(CompassAtFault, figuresInRadiansAreDoubted)

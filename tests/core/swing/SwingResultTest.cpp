@@ -36,6 +36,33 @@ TEST(SwingResult, noScatterAtAllIsNoCertainty)
     EXPECT_GT(*result->exact.standardError[0], 0);
 }
 
+/// As they are kept: the curve of a compass that is far out is told again from its coefficients alone, to the degree that its index is told to.
+TEST(SwingResult, keptCoefficientsGiveTheCurveBack)
+{
+    for (const double out_deg : {0.0, -3.2, 44.0, 90.0, -137.0, 179.6}) {
+        SwingRecord record;
+        auto pairs = kWithoutDeviation;
+        for (auto& [magnetic, compass] : pairs)
+            compass = wrap360(magnetic - out_deg - 6.0 * std::sin(toRadians(magnetic)) - 2.0 * std::cos(toRadians(2.0 * magnetic)));
+        record.swing = swingReading(pairs);
+        const auto fit = fitApproximate(observationsOf(record.swing));
+        ASSERT_TRUE(fit);
+        std::array<std::optional<double>, kCoefficientCount> kept;
+        for (std::size_t i = 0; i < kept.size(); ++i)
+            kept[i] = toDegrees(*fit->value[i]);
+        const auto told = smithOfKept(kept);
+        ASSERT_TRUE(told);
+        EXPECT_NEAR(toDegrees(told->index_rad), toDegrees(fit->index_rad), 2.0) << out_deg; // A of these eight is not their middle
+        for (const auto& [magnetic, compass] : pairs) {
+            const auto heading = CompassHeading::fromDegrees(compass);
+            const double off_deg = deviationAt(*told, heading).degrees() - deviationAt(fit->smith(), heading).degrees();
+            EXPECT_NEAR(wrap180(off_deg), 0.0, 0.5) << out_deg << ' ' << magnetic;
+        }
+        kept[3].reset();
+        EXPECT_FALSE(smithOfKept(kept)) << out_deg;
+    }
+}
+
 TEST(SwingResult, theDatumOfAGuidedSwingAddsItsDivision)
 {
     SwingRecord record;
