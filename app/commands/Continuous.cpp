@@ -33,6 +33,8 @@ void printContinuous(const ContinuousResult& result)
     put("%s", counted(result.updates, "update").c_str());
     if (result.nisMean)
         put(", innovations %.2f of what the errors allow", *result.nisMean);
+    if (result.noise_deg)
+        put(", a pair of headings scatters by %.2f deg", *result.noise_deg);
     put("\n");
     for (std::size_t i = 0; i < result.names.size(); ++i)
         if (result.state_deg[i])
@@ -150,9 +152,10 @@ void addContinuous(CLI::App& app, Invocation& invocation)
     addInputOption(*command, invocation, "LOG.csv", options->file,
         "time_s, compass_heading_deg, reference_heading_deg (magnetic) or deviation_deg; reference_error_deg, leg, current_A:NAME")
         ->required();
-    command->add_option("--noise", options->filter.noise_deg, "of a pair of headings where the log states none [deg]")
-        ->check(CLI::Range(0.001, 90.0))
-        ->capture_default_str();
+    command
+        ->add_option(
+            "--noise", options->filter.noise_deg, "of a pair of headings where the log states none [deg]; without it, as they scatter")
+        ->check(CLI::Range(0.001, 90.0));
     command->add_option("--drift", options->filter.drift_deg, "random walk of each coefficient over the square root of a day [deg]")
         ->check(CLI::Range(0.0, 90.0))
         ->capture_default_str();

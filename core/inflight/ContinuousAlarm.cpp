@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/algebra/Products.h"
+#include "core/algebra/Spectra.h"
+
 namespace lubberline {
 
 namespace {
@@ -13,6 +16,43 @@ constexpr double kMostCorrelation = 0.995, kErrorsOfCorrelation = 2.0;
 constexpr double kClearlyLess = 9.0; ///< of χ²: what explains less than the best by more than this is not what changed
 
 } // namespace
+
+/// Of the first updates, before any of them is taken: an error that is found later would have raised false alarms by then.
+void ContinuousSwing::learnNoise()
+{
+    if (m_learnt)
+        return;
+    m_learnt = true;
+    std::vector<HeadingRow> rows;
+    for (const auto& [sample, variance] : m_waiting) {
+        HeadingRow row{rowOf(sample), 0, variance.value_or(m_noiseFound)};
+        row.z = measured(sample, row.h);
+        rows.push_back(row);
+    }
+    constexpr double kExact_deg = 0.01; // no log is surer
+    const HeadingScatter scatter = scatterOf(rows);
+    m_noiseFound = std::max(m_noiseFound * scatter.blended(), kExact_deg * kExact_deg);
+    if (!m_unstated && scatter.contradicts())
+        m_scale = NoiseScale(scatter);
+    const auto waiting = std::move(m_waiting);
+    for (const auto& [sample, variance] : waiting)
+        take(sample, variance.value_or(m_noiseFound));
+}
+
+/// What nobody stated may have been found too large as well as too small.
+double ContinuousSwing::noiseRatio() const { return m_unstated ? m_scale.ratio() : std::max(1.0, m_scale.ratio()); }
+
+/// As sure as the innovations show this flight to be; what was known before it stays as sure as it was.
+StateFilter::Covariance ContinuousSwing::keptCovariance(double ratio) const
+{
+    if (!m_options.start || m_options.drift_deg > 0)
+        return m_filter.covariance() * ratio;
+    if (ratio <= 1)
+        return m_filter.covariance();
+    const StateFilter before(m_options.start->state_deg, m_options.start->covariance);
+    const SymmetricParts parts = symmetricParts(m_filter.information() / ratio + before.information() * (1.0 - 1.0 / ratio));
+    return composed(parts.vectors, parts.values.cwiseMax(1e-30).cwiseInverse());
+}
 
 double ContinuousSwing::correlation() const
 {

@@ -92,20 +92,20 @@ ContinuousSwing::ContinuousSwing(const ContinuousOptions& options)
 
 void ContinuousSwing::add(const ContinuousSample& sample)
 {
-    const double error_deg = sample.referenceError_deg.value_or(m_options.noise_deg);
+    const auto stated_deg = sample.referenceError_deg ? sample.referenceError_deg : m_options.noise_deg;
     if (!sample.leg) {
         endLeg();
-        update(sample, error_deg * error_deg);
-        auto& sector = m_sectors[static_cast<std::size_t>(wrap360(sample.compassHeading_deg) / 10.0) % 36];
+        update(sample, stated_deg ? std::optional(*stated_deg * *stated_deg) : std::nullopt);
+        const std::size_t place = static_cast<std::size_t>(wrap360(sample.compassHeading_deg) / 10.0) % 36;
+        auto& sector = m_sectors[place];
         if (sector.samples == 0) {
             sector.time_s = sample.time_s;
             sector.compassHeading_deg = sample.compassHeading_deg;
+            sector.deviation_deg = sample.deviation_deg;
         }
-        // Heading from the first of the sector, so that 359 and 1 are together.
-        const double off = wrap180(sample.compassHeading_deg - sector.compassHeading_deg);
-        auto& sum = m_sectorOff[static_cast<std::size_t>(wrap360(sample.compassHeading_deg) / 10.0) % 36];
-        sum += off;
-        sector.deviation_deg += sample.deviation_deg;
+        // From the first of the sector, so that 359 and 1 are together, and +179 and −179 of a compass that reads the reciprocal.
+        m_sectorOff[place] += wrap180(sample.compassHeading_deg - sector.compassHeading_deg);
+        m_sectorDeviation[place] += wrap180(sample.deviation_deg - sector.deviation_deg);
         ++sector.samples;
         return;
     }
@@ -121,7 +121,8 @@ void ContinuousSwing::add(const ContinuousSample& sample)
     m_legSine += std::sin(toRadians(sample.compassHeading_deg));
     m_legCosine += std::cos(toRadians(sample.compassHeading_deg));
     m_legDeviation += wrap180(sample.deviation_deg - m_legFirst);
-    m_legVariance += error_deg * error_deg;
+    m_legStated = (m_legStated || m_legSamples == 1) && stated_deg.has_value();
+    m_legVariance += stated_deg ? *stated_deg * *stated_deg : 0.0;
     m_legTime += sample.time_s;
     m_legAt.pitch_deg += sample.at.pitch_deg;
     m_legAt.roll_deg += sample.at.roll_deg;
@@ -143,7 +144,7 @@ void ContinuousSwing::endLeg()
         {m_legAt.pitch_deg / n, m_legAt.roll_deg / n, {m_legAt.field.horizontal_nT / n, m_legAt.field.down_nT / n}}};
     for (double& current : whole.current_A)
         current /= n;
-    const double variance = m_legVariance / n;
+    const auto variance = m_legStated ? std::optional(m_legVariance / n) : std::nullopt;
     m_legSamples = 0;
     m_legSine = m_legCosine = m_legDeviation = m_legVariance = m_legTime = 0;
     m_legs.push_back(mean);
@@ -165,10 +166,37 @@ StateFilter::State ContinuousSwing::rowOf(const ContinuousSample& sample) const
     const StateFilter::State read = at(sample.deviation_deg);
     if (!m_filter.told())
         return read;
-    return at(toDegrees(std::asin(std::clamp(toRadians(read.dot(m_filter.state())), -1.0, 1.0))));
+    const double expected_deg = toDegrees(std::asin(std::clamp(toRadians(read.dot(m_filter.state())), -1.0, 1.0)));
+    return at(std::abs(sample.deviation_deg) > 90 ? 180.0 - expected_deg : expected_deg); // of the two with one sine
 }
 
-void ContinuousSwing::update(const ContinuousSample& sample, double variance)
+/// A deviation lies round a circle: the nearest turn to what is expected, or to the first while nothing is. Of a whole model it is a sine.
+double ContinuousSwing::measured(const ContinuousSample& sample, const StateFilter::State& row) const
+{
+    if (m_options.wholeModelOver_nT)
+        return toDegrees(std::sin(toRadians(sample.deviation_deg)));
+    const double about_deg = m_filter.told() ? row.dot(m_filter.state()) : m_firstDeviation_deg.value_or(sample.deviation_deg);
+    return about_deg + wrap180(sample.deviation_deg - about_deg);
+}
+
+void ContinuousSwing::update(const ContinuousSample& sample, std::optional<double> variance)
+{
+    constexpr std::size_t kToLearn = 100;
+    m_unstated = m_unstated || !variance;
+    m_turnSine += std::sin(toRadians(sample.deviation_deg));
+    m_turnCosine += std::cos(toRadians(sample.deviation_deg));
+    if (!m_firstDeviation_deg)
+        m_firstDeviation_deg = sample.deviation_deg;
+    if (m_learnt) {
+        take(sample, variance.value_or(m_noiseFound));
+        return;
+    }
+    m_waiting.push_back({sample, variance});
+    if (m_waiting.size() == kToLearn)
+        learnNoise();
+}
+
+void ContinuousSwing::take(const ContinuousSample& sample, double variance)
 {
     const double time_s = sample.time_s;
     if (m_options.drift_deg > 0 && m_last_s)
@@ -180,20 +208,18 @@ void ContinuousSwing::update(const ContinuousSample& sample, double variance)
     m_lastAt = sample.at;
     kept.h = rowOf(sample);
     kept.before = m_filter.state();
-    if (m_options.wholeModelOver_nT)
-        kept.z = toDegrees(std::sin(toRadians(sample.deviation_deg)));
-    else if (m_filter.told()) // a deviation lies round a circle: the nearest turn to what is expected
-        kept.z = kept.h.dot(m_filter.state()) + wrap180(sample.deviation_deg - kept.h.dot(m_filter.state()));
-    else
-        kept.z = sample.deviation_deg;
+    kept.z = measured(sample, kept.h);
     kept.time_s = time_s;
-    const auto innovation = m_filter.update(kept.h, kept.z, variance, kGate);
+    const double ratio = noiseRatio();
+    const auto innovation = m_filter.update(kept.h, kept.z, variance, kGate * std::sqrt(ratio));
     if (innovation.told) {
         m_gated += innovation.taken ? 0 : 1;
-        kept.variance = innovation.variance;
-        kept.noise = variance;
-        m_nis += innovation.value * innovation.value / innovation.variance;
-        watch(kept, std::clamp(innovation.value / std::sqrt(innovation.variance), -kGate, kGate)); // one update alone names nothing
+        kept.variance = innovation.variance * ratio;
+        kept.noise = variance * ratio;
+        const double square = innovation.value * innovation.value / innovation.variance;
+        m_nis += square;
+        m_scale.take(square);
+        watch(kept, std::clamp(innovation.value / std::sqrt(kept.variance), -kGate, kGate)); // one update alone names nothing
     }
     keepPoint(time_s);
 }
@@ -209,11 +235,13 @@ void ContinuousSwing::keepPoint(double time_s)
         for (std::size_t c = 0; c < rows.size(); ++c) {
             const auto place = static_cast<Eigen::Index>(c);
             point.state_deg(place) = rows[c].dot(m_filter.state().head<kModelStates>());
-            point.standardError_deg(place) = std::sqrt(std::max(0.0, rows[c].dot(core * rows[c])));
+            point.standardError_deg(place) = std::sqrt(noiseRatio() * std::max(0.0, rows[c].dot(core * rows[c])));
         }
         m_history.push_back(point);
     } else {
-        m_history.push_back({time_s, m_filter.state(), m_filter.covariance().diagonal().cwiseMax(0.0).cwiseSqrt()});
+        m_history.push_back(
+            {time_s, m_filter.state(), std::sqrt(noiseRatio()) * m_filter.covariance().diagonal().cwiseMax(0.0).cwiseSqrt()});
+        m_history.back().state_deg(0) = wrap180(m_history.back().state_deg(0));
     }
     if (m_history.size() < kMostPoints)
         return;
@@ -226,6 +254,7 @@ void ContinuousSwing::keepPoint(double time_s)
 ContinuousResult ContinuousSwing::finish()
 {
     endLeg();
+    learnNoise();
     nameChange();
     ContinuousResult result;
     result.names = m_names;
@@ -246,6 +275,16 @@ ContinuousResult ContinuousSwing::finish()
             result.correlation = m_product / m_square;
         }
     }
+    if (m_unstated || m_scale.scatter().contradicts())
+        result.noiseRatio = m_scale.scatter().ratio;
+    if (m_unstated) {
+        result.noise_deg = std::sqrt(m_noiseFound * result.noiseRatio);
+        result.warnings.push_back({MARKED("core", "no error of a pair of headings is stated: %1\u00B0 is taken, as they scatter"),
+            figureText(*result.noise_deg, 2)});
+    }
+    if (m_turnCosine < -std::abs(m_turnSine))
+        result.warnings.push_back(
+            MARKED("core", "the compass reads the reciprocal: look whether it was read from the other side, or is mounted back to front"));
     if (const double rho = correlation(); rho > 0) {
         result.widened = widening();
         result.warnings.push_back(
@@ -275,10 +314,12 @@ ContinuousResult ContinuousSwing::finish()
             if (parts.values(j) >= 1.0 / (kUntold_deg * kUntold_deg))
                 variance += std::pow(parts.vectors.col(j).dot(row), 2) / parts.values(j);
         value = row.dot(partial);
-        error = std::sqrt(variance * result.widened);
+        error = std::sqrt(variance * result.widened * result.noiseRatio);
     };
     for (int i = 0; i < m_filter.states(); ++i)
         tell(StateFilter::State::Unit(m_filter.states(), i), result.state_deg.emplace_back(), result.standardError_deg.emplace_back());
+    if (!m_options.wholeModelOver_nT && result.state_deg.front())
+        result.state_deg.front() = wrap180(*result.state_deg.front()); // A, of one that reads the reciprocal
     if (const auto over_nT = m_options.wholeModelOver_nT; over_nT && m_last_s) {
         result.whole.emplace().field = m_lastAt.field;
         if (std::all_of(result.state_deg.begin(), result.state_deg.begin() + kModelStates, [](const auto& one) { return one.has_value(); }))
@@ -291,8 +332,8 @@ ContinuousResult ContinuousSwing::finish()
         }
     }
     if (result.told && m_last_s)
-        result.state
-            = {*m_last_s, m_before + m_updates, m_options.loads, m_options.wholeModelOver_nT, m_filter.state(), m_filter.covariance()};
+        result.state = {*m_last_s, m_before + m_updates, m_options.loads, m_options.wholeModelOver_nT, m_filter.state(),
+            keptCovariance(result.noiseRatio)};
     for (const auto& alarm : m_alarms) {
         Message words{MARKED("core", "the iron changed: %1 by %2\u00B0 \u00B1 %3\u00B0, between %4 s and %5 s"), alarm.coefficient,
             signedFigureText(alarm.change_deg, 2), figureText(alarm.standardError_deg, 2), figureText(alarm.since_s, 0),
@@ -306,10 +347,14 @@ ContinuousResult ContinuousSwing::finish()
         result.warnings.push_back(words);
     }
     if (result.nisMean && m_whitened > 40 && (*result.nisMean > 1.5 || *result.nisMean < 0.6))
-        result.warnings.push_back(
-            {MARKED("core",
-                 "the innovations are %1 times what the stated errors allow: the error of the reference is stated wrongly, or it changed"),
-                figureText(std::sqrt(*result.nisMean), 1)});
+        result.warnings.push_back(m_unstated
+                ? Message{MARKED("core",
+                              "the error of the headings changed on the way: in all they scatter %1 times as much as the first of them"),
+                    figureText(std::sqrt(*result.nisMean), 1)}
+                : Message{
+                    MARKED("core",
+                        "the innovations are %1 times what the stated errors allow: the error of the reference is stated wrongly, or it changed; alarms and standard errors are by the innovations where they are the larger"),
+                    figureText(std::sqrt(*result.nisMean), 1)});
     if (m_gated > 0)
         result.warnings.push_back({MARKED_N("core", "%n reading(s) not taken, too far from what was expected"), m_gated});
     result.legs = m_legs;
@@ -317,7 +362,7 @@ ContinuousResult ContinuousSwing::finish()
         for (std::size_t i = 0; i < m_sectors.size(); ++i)
             if (LegMean mean = m_sectors[i]; mean.samples > 0) {
                 mean.compassHeading_deg = wrap360(mean.compassHeading_deg + m_sectorOff[i] / mean.samples);
-                mean.deviation_deg /= mean.samples;
+                mean.deviation_deg = wrap180(mean.deviation_deg + m_sectorDeviation[i] / mean.samples);
                 result.legs.push_back(mean);
             }
     return result;

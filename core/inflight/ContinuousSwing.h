@@ -6,6 +6,8 @@
 /// their neighbours are whitened by their own correlation first, with room for what that correlation is not known by, and the errors that
 /// are told widened by (1 + ρ)/(1 − ρ): with correlations of 0.5 to 0.99 no more than 12 % of series have a false alarm (simulated on legs
 /// of 20 updates), and 1° in B is found after 40 to 180 updates instead of 10. A leg that is named counts as one update.
+/// The error of a pair of headings that nobody states is found from how the first 100 updates scatter, and followed; a stated one that the
+/// innovations contradict is not trusted by the alarm (HeadingNoise.h).
 
 #include <array>
 #include <cstdint>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "core/base/Result.h"
+#include "core/inflight/HeadingNoise.h"
 #include "core/inflight/InnovationWatch.h"
 #include "core/inflight/ModelRow.h"
 #include "core/inflight/StateFilter.h"
@@ -42,8 +45,8 @@ struct ContinuousState {
 };
 
 struct ContinuousOptions {
-    double noise_deg = 0.5; ///< of a heading pair where the log states none
-    double drift_deg = 0;   ///< random walk of each coefficient over √day
+    std::optional<double> noise_deg; ///< of a heading pair where the log states none; none: it is found from the log
+    double drift_deg = 0;            ///< random walk of each coefficient over √day
     std::vector<std::string> loads;
     /// The whole sensor model is followed in place of A to E; P, Q and R are counted over this H.
     std::optional<double> wholeModelOver_nT;
@@ -75,7 +78,9 @@ struct ContinuousResult {
     std::int64_t updates = 0, gated = 0;
     std::vector<std::optional<double>> state_deg, standardError_deg; ///< none where the headings do not tell it
     std::optional<double> nisMean, whitenessP, correlation;
-    double widened = 1; ///< (1 + ρ)/(1 − ρ) in the variances above, where neighbours resemble each other
+    std::optional<double> noise_deg; ///< of a heading pair whose error was stated nowhere, as it was found
+    double noiseRatio = 1; ///< of the variance that the innovations show to the one that is stated, where they contradict it; in the above
+    double widened = 1;    ///< (1 + ρ)/(1 − ρ) in the variances above, where neighbours resemble each other
     std::vector<Message> nullDirections;
     std::vector<ContinuousAlarm> alarms;
     std::vector<ContinuousPoint> history;  ///< at most some 500
@@ -116,8 +121,13 @@ private:
         double z = 0, variance = 1, noise = 1, time_s = 0; ///< variance: of the innovation; noise: of z
     };
     void endLeg();
-    void update(const ContinuousSample& sample, double variance);
+    void update(const ContinuousSample& sample, std::optional<double> variance);
+    void learnNoise();
+    void take(const ContinuousSample& sample, double variance);
     [[nodiscard]] StateFilter::State rowOf(const ContinuousSample& sample) const;
+    [[nodiscard]] double measured(const ContinuousSample& sample, const StateFilter::State& row) const;
+    [[nodiscard]] double noiseRatio() const; ///< of variances
+    [[nodiscard]] StateFilter::Covariance keptCovariance(double ratio) const;
     void watch(const Kept& kept, double white);
     void raise(int window, double p);
     void nameChange();
@@ -130,7 +140,17 @@ private:
     ContinuousOptions m_options;
     StateFilter m_filter;
     std::vector<std::string> m_names;
-    std::optional<double> m_last_s;
+    std::optional<double> m_last_s, m_firstDeviation_deg;
+    // The first updates, until they have shown how they scatter.
+    struct Waiting {
+        ContinuousSample sample;
+        std::optional<double> variance; ///< that is stated
+    };
+    std::vector<Waiting> m_waiting;
+    bool m_learnt = false, m_unstated = false;
+    double m_noiseFound = kUsualNoise_deg * kUsualNoise_deg; ///< variance of updates that state none
+    NoiseScale m_scale;
+    double m_turnSine = 0, m_turnCosine = 0; ///< sums, of the deviations
     std::int64_t m_updates = 0, m_gated = 0, m_whitened = 0, m_before = 0;
     std::deque<Kept> m_kept;
     InnovationWatch m_watch;
@@ -149,12 +169,13 @@ private:
     // The leg that is being flown.
     std::string m_leg;
     double m_legSine = 0, m_legCosine = 0, m_legDeviation = 0, m_legVariance = 0, m_legTime = 0, m_legFirst = 0;
+    bool m_legStated = true;
     std::vector<double> m_legCurrent;
     FlownAt m_legAt; ///< sums
     FlownAt m_lastAt;
     int m_legSamples = 0;
     std::array<LegMean, 36> m_sectors{};
-    std::array<double, 36> m_sectorOff{};
+    std::array<double, 36> m_sectorOff{}, m_sectorDeviation{}; ///< sums, from the first of the sector
 };
 
 } // namespace lubberline

@@ -1,6 +1,11 @@
 #include "core/inflight/InflightSwing.h"
 
+#include <algorithm>
+#include <vector>
+
+#include "core/angle/Angle.h"
 #include "core/base/Number.h"
+#include "core/inflight/HeadingNoise.h"
 #include "core/swing/Observations.h"
 #include "core/swing/SharedDoubts.h"
 
@@ -55,19 +60,23 @@ Swing swingOf(std::span<const LegMean> legs)
     return swing;
 }
 
-std::optional<ContinuousState> stateAfter(std::span<const Swing> swings, double noise_deg)
+std::optional<ContinuousState> stateAfter(std::span<const Swing> swings, std::optional<double> noise_deg)
 {
-    StateFilter filter(5);
-    std::int64_t updates = 0;
+    constexpr double kUsual = kUsualNoise_deg * kUsualNoise_deg;
+    std::vector<HeadingRow> rows;
     for (const Swing& swing : swings)
         for (const Observation& read : observationsOf(swing)) {
-            filter.update(
-                continuousRow(read.compass.degrees(), {}, 0), deviationOf(read.magnetic, read.compass).degrees(), noise_deg * noise_deg);
-            ++updates;
+            const double deviation_deg = deviationOf(read.magnetic, read.compass).degrees();
+            const double first_deg = rows.empty() ? deviation_deg : rows.front().z; // of a reciprocal +179 and −179 are neighbours
+            rows.push_back({continuousRow(read.compass.degrees(), {}, 0), first_deg + wrap180(deviation_deg - first_deg), kUsual});
         }
+    const double variance = noise_deg ? *noise_deg * *noise_deg : kUsual * std::max(1.0, scatterOf(rows).blended());
+    StateFilter filter(5);
+    for (const HeadingRow& row : rows)
+        filter.update(row.h, row.z, variance);
     if (!filter.told())
         return {};
-    return ContinuousState{0, updates, {}, {}, filter.state(), filter.covariance()};
+    return ContinuousState{0, static_cast<std::int64_t>(rows.size()), {}, {}, filter.state(), filter.covariance()};
 }
 
 } // namespace lubberline

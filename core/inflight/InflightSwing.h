@@ -17,7 +17,7 @@ namespace lubberline {
 
 /// What swings in flight tell so far, the earliest first, recomputed from their readings: where the next continuous swing begins. Each
 /// reading that counts is one update. None: they do not tell all of A to E.
-/// @param noise_deg standard deviation of a reading
-[[nodiscard]] std::optional<ContinuousState> stateAfter(std::span<const Swing> swings, double noise_deg);
+/// @param noise_deg standard deviation of a reading; none: the usual one, or how they scatter where that is more
+[[nodiscard]] std::optional<ContinuousState> stateAfter(std::span<const Swing> swings, std::optional<double> noise_deg = {});
 
 } // namespace lubberline

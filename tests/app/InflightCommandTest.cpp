@@ -79,6 +79,8 @@ TEST(ContinuousCommand, json)
     EXPECT_LT(json.at("alarms")[0].at("change_deg").get<double>(), -1.0);
     EXPECT_TRUE(json.at("null_directions").empty());
     EXPECT_FALSE(json.at("history").empty());
+    EXPECT_NEAR(json.at("noise_found_deg").get<double>(), 0.5, 0.1); // that nobody stated
+    EXPECT_NEAR(json.at("noise_variance_ratio").get<double>(), 1.0, 0.4);
 }
 
 TEST(ContinuousCommand, theStateGoesFromFlightToFlight)
@@ -88,10 +90,10 @@ TEST(ContinuousCommand, theStateGoesFromFlightToFlight)
                second = sandbox.write("2.csv", continuousLog(150, 300, false)),
                all = sandbox.write("all.csv", continuousLog(0, 300, false));
     const auto state = sandbox.path("state.json");
-    ASSERT_EQ(sandbox.run({"continuous", first, "--state", state}).status, 0);
-    const auto after = sandbox.run({"continuous", second, "--state", state, "--json"});
+    ASSERT_EQ(sandbox.run({"continuous", first, "--noise", "0.5", "--state", state}).status, 0);
+    const auto after = sandbox.run({"continuous", second, "--noise", "0.5", "--state", state, "--json"});
     ASSERT_EQ(after.status, 0) << after.err;
-    const auto whole = sandbox.run({"continuous", all, "--json"});
+    const auto whole = sandbox.run({"continuous", all, "--noise", "0.5", "--json"});
     for (const char* key : {"A_deg", "B_deg", "C_deg", "D_deg", "E_deg"})
         EXPECT_NEAR(after.json().at("state").at(key).get<double>(), whole.json().at("state").at(key).get<double>(), 1e-9);
     // Its means are a swing that can be analysed.
@@ -126,7 +128,7 @@ TEST(ContinuousCommand, theWholeSensorModel)
 {
     const Sandbox sandbox;
     const auto all = sandbox.write("all.csv", attitudeLog(0, 1200)), state = sandbox.path("state.json");
-    const auto whole = sandbox.run({"continuous", all, "--whole-model", "--json"});
+    const auto whole = sandbox.run({"continuous", all, "--whole-model", "--noise", "0.5", "--json"});
     ASSERT_EQ(whole.status, 0) << whole.err;
     const auto json = whole.json();
     EXPECT_NEAR(json.at("sensor_model").at("hard_iron_nT")[0].get<double>(), 700, 60);
@@ -137,8 +139,10 @@ TEST(ContinuousCommand, theWholeSensorModel)
     EXPECT_TRUE(json.at("history")[0].at("state").contains("B_deg"));
     // From flight to flight, as A to E; the two kinds do not mix.
     const auto second = sandbox.write("2.csv", attitudeLog(600, 1200));
-    ASSERT_EQ(sandbox.run({"continuous", sandbox.write("1.csv", attitudeLog(0, 600)), "--whole-model", "--state", state}).status, 0);
-    const auto after = sandbox.run({"continuous", second, "--whole-model", "--state", state, "--json"});
+    ASSERT_EQ(sandbox.run({"continuous", sandbox.write("1.csv", attitudeLog(0, 600)), "--whole-model", "--noise", "0.5", "--state", state})
+                  .status,
+        0);
+    const auto after = sandbox.run({"continuous", second, "--whole-model", "--noise", "0.5", "--state", state, "--json"});
     ASSERT_EQ(after.status, 0) << after.err;
     for (const char* key : {"a_deg", "h_deg", "P_deg", "R_deg"})
         EXPECT_NEAR(after.json().at("state").at(key).get<double>(), json.at("state").at(key).get<double>(), 1e-7) << key;

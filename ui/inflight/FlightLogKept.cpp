@@ -41,7 +41,7 @@ void FlightLogPage::takeFlown()
             flown.push_back(std::move(swing.value()));
     }
     std::reverse(flown.begin(), flown.end());
-    m_before = stateAfter(flown, ContinuousOptions{}.noise_deg);
+    m_before = stateAfter(flown);
     m_flown = m_before ? static_cast<int>(flown.size()) : 0;
 }
 

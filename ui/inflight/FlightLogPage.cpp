@@ -119,7 +119,7 @@ void FlightLogPage::build()
     m_variation->setObjectName(QStringLiteral("flightVariation"));
     m_variation->setPlaceholderText(tr("variation of the legs, E +"));
     m_noise->setObjectName(QStringLiteral("flightNoise"));
-    m_noise->setPlaceholderText(tr("error of a heading pair, 0.5°"));
+    m_noise->setPlaceholderText(tr("error of a heading pair; as they scatter"));
     m_whole->setObjectName(QStringLiteral("flightWhole"));
     m_whole->setToolTip(tr("Soft and hard iron in place of A to E: the log has pitch_deg, roll_deg, horizontal_nT and dip_deg, too."));
     m_from->setObjectName(QStringLiteral("flightFrom"));

@@ -55,6 +55,7 @@ std::string toJson(const ContinuousResult& result)
     InflightTree json{{"updates", result.updates}, {"not_taken", result.gated}, {"state", statesJson(result.names, result.state_deg)},
         {"standard_error_deg", statesJson(result.names, result.standardError_deg)}, {"nis_mean", orNothing(result.nisMean)},
         {"whiteness_p", orNothing(result.whitenessP)}, {"correlation", orNothing(result.correlation)}, {"variance_widened", result.widened},
+        {"noise_found_deg", orNothing(result.noise_deg)}, {"noise_variance_ratio", result.noiseRatio},
         {"null_directions", inEnglish(result.nullDirections)}, {"alarms", InflightTree::array()}, {"history", InflightTree::array()},
         {"legs", InflightTree::array()}};
     for (const auto& alarm : result.alarms)

@@ -26,6 +26,14 @@ Five rowAt(double compass_deg)
     return (Five() << 1, std::sin(heading), std::cos(heading), std::sin(2 * heading), std::cos(2 * heading)).finished();
 }
 
+/// 0.5° a pair, as the figures that are published here suppose.
+ContinuousOptions stated()
+{
+    ContinuousOptions options;
+    options.noise_deg = 0.5;
+    return options;
+}
+
 struct Log {
     std::mt19937_64 engine;
     std::normal_distribution<double> normal;
@@ -149,7 +157,7 @@ TEST(ContinuousSwing, falseAlarmsAndDelayAreThoseStated)
     constexpr int kSeries = 40;
     for (int series = 0; series < kSeries; ++series) {
         Log log(static_cast<std::uint64_t>(100 + series));
-        ContinuousSwing swing({});
+        ContinuousSwing swing(stated());
         bool early = false;
         for (int i = 0; i < 560; ++i) {
             ContinuousSample sample;
@@ -236,13 +244,13 @@ TEST(ContinuousSwing, twoFlightsAreOneWhenTheStateIsKept)
         sample.deviation_deg = rowAt(sample.compassHeading_deg).dot(kTrue) + 0.5 * log.noise();
         samples.push_back(sample);
     }
-    ContinuousSwing whole({}), first({});
+    ContinuousSwing whole(stated()), first(stated());
     for (std::size_t i = 0; i < samples.size(); ++i) {
         whole.add(samples[i]);
         if (i < 300)
             first.add(samples[i]);
     }
-    ContinuousOptions options;
+    ContinuousOptions options = stated();
     options.start = first.finish().state;
     ContinuousSwing second(options);
     for (std::size_t i = 300; i < samples.size(); ++i)
