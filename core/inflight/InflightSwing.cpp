@@ -43,7 +43,12 @@ Swing swingOf(const LegsSolution& solution)
             east.push_back(turned.x());
             north.push_back(turned.y());
         }
-    swing.sharedErrors = sharedErrorsOf(compass, std::vector{east, north, SharedDoubt(compass.size(), solution.variationError_deg)});
+    std::vector<SharedDoubt> doubts{east, north, SharedDoubt(compass.size(), solution.variationError_deg)};
+    for (std::size_t leg = 0; leg < compass.size(); ++leg) { // of so few readings no scatter shows what each has by itself
+        doubts.emplace_back(compass.size(), 0.0);
+        doubts.back()[leg] = solution.legError_deg;
+    }
+    swing.sharedErrors = sharedErrorsOf(compass, doubts);
     return swing;
 }
 

@@ -31,13 +31,14 @@ Result<LegsSolution> solveLegs(std::span<const Leg> legs, const LegsOptions& opt
     LegsSolution solution;
     solution.air = *air;
     solution.variationError_deg = options.variationError_deg;
+    const double own_deg = toDegrees(options.speedError_kt / std::max(air->airspeed_kt, 1e-9));
+    solution.legError_deg = own_deg;
     bool anyVariation = true;
     for (const auto& leg : legs) {
         SolvedLeg solved;
         solved.leg = leg;
         solved.trueHeading_deg = headingInWind_deg(*air, leg.track_deg, leg.groundSpeed_kt);
         const Eigen::Vector2d turned = turnedByWind_deg(*air, leg.track_deg, leg.groundSpeed_kt);
-        const double own_deg = toDegrees(options.speedError_kt / std::max(air->airspeed_kt, 1e-9));
         solved.standardError_deg = std::sqrt(turned.dot(air->covariance * turned) + own_deg * own_deg);
         if (solved.standardError_deg > kNoHeading_deg) // any three points lie on some circle
             return untold;

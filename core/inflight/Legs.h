@@ -32,6 +32,7 @@ struct SolvedLeg {
 struct LegsSolution {
     AirMass air;
     double variationError_deg = 0; ///< as stated
+    double legError_deg = 0;       ///< of each heading by itself, across the leg: no part of the wind's
     std::vector<SolvedLeg> legs;
     std::vector<Message> warnings;
 };

@@ -100,7 +100,7 @@ TEST(Legs, windZeroAndWindAboveTheAirspeed)
     }
 }
 
-/// What the wind is uncertain by is in every leg, so it is in the swing's coefficients however many legs there are.
+/// What the wind is uncertain by is in every leg, and of four legs no scatter shows what each has by itself.
 TEST(Legs, theSwingKeepsWhatTheWindLeavesOpen)
 {
     std::vector<Leg> legs;
@@ -111,13 +111,13 @@ TEST(Legs, theSwingKeepsWhatTheWindLeavesOpen)
     }
     const auto solution = solveLegs(legs, {1.0, {}, 0.4});
     ASSERT_TRUE(solution);
-    const Swing swing = swingOf(*solution);
-    EXPECT_NEAR(swing.sharedErrors.of_deg[0], 0.4, 1e-3); // the variation's; the wind turns no mean of four cardinals
-    // A knot of wind across is a degree of heading at 57 kt: B by the northerly part, C by the easterly.
+    // A knot across is 1/100 of a radian at this airspeed: of each leg by itself half of it in A, 1/√2 in B and C.
     const double knot_deg = toDegrees(1.0 / solution->air.airspeed_kt);
-    EXPECT_NEAR(swing.sharedErrors.of_deg[1], std::sqrt(solution->air.covariance(1, 1)) * knot_deg, 0.02);
-    EXPECT_NEAR(swing.sharedErrors.of_deg[2], std::sqrt(solution->air.covariance(0, 0)) * knot_deg, 0.02);
-    EXPECT_GT(swing.sharedErrors.of_deg[1], 0.2);
+    const Swing swing = swingOf(*solution);
+    EXPECT_NEAR(swing.sharedErrors.of_deg[0], std::hypot(0.4, knot_deg / 2), 1e-3); // with the variation's
+    const auto ofWind = [&](Eigen::Index axis) { return std::sqrt(solution->air.covariance(axis, axis)) * knot_deg; };
+    EXPECT_NEAR(swing.sharedErrors.of_deg[1], std::hypot(ofWind(1), knot_deg / std::sqrt(2.0)), 0.02);
+    EXPECT_NEAR(swing.sharedErrors.of_deg[2], std::hypot(ofWind(0), knot_deg / std::sqrt(2.0)), 0.02);
     ASSERT_EQ(swing.readings.front().extra.size(), 1u);
     EXPECT_EQ(swing.readings.front().extra.front().first, "datum_error_deg");
 }
