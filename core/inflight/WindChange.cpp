@@ -17,21 +17,20 @@ namespace lubberline {
 namespace {
 
 using Told = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
-using ToldVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
 constexpr int kSimulated = 999, kEnough = 20;
 
 /// L with L Lᵀ = A, of A that tells not all directions, too: what it does not tell comes out as a column of zeros.
-Told rootOf(const Told& a)
+Eigen::Matrix3d rootOf(const Eigen::Matrix3d& a)
 {
-    Told root = Told::Zero(a.rows(), a.rows());
-    for (Eigen::Index j = 0; j < a.rows(); ++j) {
+    Eigen::Matrix3d root = Eigen::Matrix3d::Zero();
+    for (Eigen::Index j = 0; j < 3; ++j) {
         double pivot = a(j, j);
         for (Eigen::Index k = 0; k < j; ++k)
             pivot -= root(j, k) * root(j, k);
         if (!(pivot > 1e-12 * a(j, j)))
             continue;
         root(j, j) = std::sqrt(pivot);
-        for (Eigen::Index i = j + 1; i < a.rows(); ++i) {
+        for (Eigen::Index i = j + 1; i < 3; ++i) {
             double rest = a(i, j);
             for (Eigen::Index k = 0; k < j; ++k)
                 rest -= root(i, k) * root(j, k);
@@ -41,20 +40,19 @@ Told rootOf(const Told& a)
     return root;
 }
 
-/// Flights in the directions that are told.
+/// Flights in the directions that are told; what others there are is zero: three always, for which products are written out.
 struct ChangeSeries {
     int rank = 0;
-    std::vector<Told> information;
-    std::vector<ToldVector> score;
-    std::vector<Told> within; ///< of each place: (W)⁻¹, W = M₁ − M₁ M⁻¹ M₁
-    std::vector<Told> before; ///< M₁ M⁻¹
+    std::vector<Eigen::Matrix3d> information;
+    std::vector<Eigen::Vector3d> score;
+    std::vector<Eigen::Matrix3d> within; ///< of each place: (W)⁻¹, W = M₁ − M₁ M⁻¹ M₁
+    std::vector<Eigen::Matrix3d> before; ///< M₁ M⁻¹
     std::vector<bool> possible;
 
     /// The largest statistic, and its place.
-    template <class Scores>
-    [[nodiscard]] std::pair<double, std::size_t> largest(const Scores& scores) const
+    [[nodiscard]] std::pair<double, std::size_t> largest(const std::vector<Eigen::Vector3d>& scores) const
     {
-        ToldVector all = ToldVector::Zero(rank), sum = all;
+        Eigen::Vector3d all = Eigen::Vector3d::Zero(), sum = all;
         for (const auto& one : scores)
             all += one;
         std::pair<double, std::size_t> best{-1.0, 0};
@@ -62,7 +60,7 @@ struct ChangeSeries {
             sum += scores[k];
             if (!possible[k])
                 continue;
-            const ToldVector away = sum - before[k] * all;
+            const Eigen::Vector3d away = sum - before[k] * all;
             if (const double statistic = away.dot(within[k] * away); statistic > best.first)
                 best = {statistic, k};
         }
@@ -70,29 +68,39 @@ struct ChangeSeries {
     }
 };
 
+Eigen::Matrix3d padded(const Told& told)
+{
+    Eigen::Matrix3d whole = Eigen::Matrix3d::Zero();
+    whole.topLeftCorner(told.rows(), told.cols()) = told;
+    return whole;
+}
+
 ChangeSeries changeSeriesOf(std::span<const FlightTold> flights, const ClusteredFit& fit)
 {
     ChangeSeries series;
     series.rank = fit.rank;
     const Told u = fit.directions.topLeftCorner(3, fit.rank);
+    std::vector<Told> information;
     Told all = Told::Zero(fit.rank, fit.rank);
     for (const auto& flight : flights) {
-        const Told information = carried(u.transpose(), flight.information.topLeftCorner<3, 3>());
-        series.information.push_back(information);
-        series.score.push_back(u.transpose() * flight.score.head<3>());
-        all += information;
+        information.push_back(carried(u.transpose(), flight.information.topLeftCorner<3, 3>()));
+        series.information.push_back(padded(information.back()));
+        series.score.push_back(Eigen::Vector3d::Zero());
+        series.score.back().head(fit.rank) = u.transpose() * flight.score.head<3>();
+        all += information.back();
     }
     Told sum = Told::Zero(fit.rank, fit.rank);
     for (std::size_t k = 0; k + 1 < flights.size(); ++k) {
-        sum += series.information[k];
+        sum += information[k];
         const Told share = solvePositive(all, sum).transpose(); // M₁ M⁻¹
         const Told w = sum - share * sum;
         const SymmetricParts own = symmetricParts(w);
         // Both sides have to tell all directions, if badly.
         const bool possible = own.values(0) > 1e-6 * own.values(fit.rank - 1);
         series.possible.push_back(possible);
-        series.before.push_back(share);
-        series.within.push_back(possible ? Told(composed(own.vectors, own.values.cwiseInverse())) : Told(Told::Zero(fit.rank, fit.rank)));
+        series.before.push_back(padded(share));
+        series.within.push_back(
+            possible ? padded(composed(own.vectors, own.values.cwiseInverse())) : Eigen::Matrix3d(Eigen::Matrix3d::Zero()));
     }
     return series;
 }
@@ -112,16 +120,16 @@ double simulatedChance(const ChangeSeries& series, double statistic, double free
     for (const auto& information : series.information)
         seed.add(information(0, 0));
     FleetRandom random(seed.value());
-    std::vector<ToldVector> scores(series.score.size());
-    std::vector<Told> root(scores.size());
+    std::vector<Eigen::Vector3d> scores(series.score.size());
+    std::vector<Eigen::Matrix3d> root(scores.size());
     std::transform(series.information.begin(), series.information.end(), root.begin(), rootOf);
     int beyond = 0;
     for (int draw = 0; draw < kSimulated; ++draw) {
         for (std::size_t f = 0; f < scores.size(); ++f) {
-            ToldVector normal(series.rank);
+            Eigen::Vector3d normal = Eigen::Vector3d::Zero();
             for (int i = 0; i < series.rank; ++i)
                 normal(i) = random.normal();
-            scores[f] = root[f].triangularView<Eigen::Lower>() * normal;
+            scores[f] = root[f] * normal;
         }
         const double scale = freedom > 0 ? random.chiSquare(std::max(1, static_cast<int>(freedom))) / freedom : 1.0;
         if (series.largest(scores).first >= statistic * scale)
@@ -148,15 +156,15 @@ std::optional<WindChange> largestChange(std::span<const FlightTold> flights, con
     change.p = std::min(1.0, static_cast<double>(places) * tailOf(statistic, series.rank, freedom));
     if (places > 1 && change.p < 0.7)
         change.p = std::min(change.p, simulatedChance(series, statistic, freedom));
-    ToldVector sum = ToldVector::Zero(series.rank), all = sum;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero(), all = sum;
     for (std::size_t f = 0; f < flights.size(); ++f) {
         all += series.score[f];
         if (f <= after)
             sum += series.score[f];
     }
     // S − M₁M⁻¹S_all = −W Δ
-    const ToldVector step = -(series.within[after] * (sum - series.before[after] * all));
-    change.step_deg.head<3>() = fit.directions.topLeftCorner(3, series.rank) * step;
+    const Eigen::Vector3d step = -(series.within[after] * (sum - series.before[after] * all));
+    change.step_deg.head<3>() = fit.directions.topLeftCorner(3, series.rank) * step.head(series.rank);
     for (int i = 0; i < 3; ++i)
         if (!fit.told[i])
             change.step_deg(i) = 0;

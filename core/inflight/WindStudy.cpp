@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "core/angle/Angle.h"
+#include "core/base/VectorClones.h"
 #include "core/inflight/WindStudyParts.h"
 #include "core/inflight/WindVector.h"
 
@@ -32,6 +33,14 @@ std::uint64_t fingerprintOf(const WindReport& r)
     for (const char c : r.source)
         hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
     return hash | 1; // 0: none
+}
+
+LUBBERLINE_VECTOR_CLONES bool isAmong(const std::uint64_t* prints, std::size_t count, std::uint64_t print)
+{
+    std::uint64_t found = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        found += prints[i] == print ? 1 : 0;
+    return found > 0;
 }
 
 double yearAt(double time_s)
@@ -161,7 +170,7 @@ std::optional<LeftOut> WindStudy::filter(Flight& flight, const WindReport& repor
         why = flight.lastLeftOut; // the same report against another source
     else if (apart_s <= kNear_s && std::abs(report.altitude_m - flight.lastAltitude_m) > m_options.mostClimb_m_s * apart_s)
         why = LeftOut::Climbing;
-    else if (apart_s <= kNear_s && std::abs(wrap180(track_deg - flight.lastTrack_deg)) > m_options.mostTurn_deg_s * apart_s + 1.0)
+    else if (apart_s <= kNear_s && std::abs(quickWrap180(track_deg - flight.lastTrack_deg)) > m_options.mostTurn_deg_s * apart_s + 1.0)
         why = LeftOut::Turning;
     flight.last_s = report.time_s;
     flight.lastAltitude_m = report.altitude_m;
@@ -308,7 +317,7 @@ void WindStudy::add(const WindReport& report)
         aircraft.group = report.group;
     if (known(report.time_s) || known(report.latitude_deg)) {
         const std::uint64_t print = fingerprintOf(report);
-        if (std::find(flight.recent.begin(), flight.recent.end(), print) != flight.recent.end())
+        if (isAmong(flight.recent.data(), flight.recent.size(), print))
             return leave(LeftOut::Duplicate);
         flight.recent[flight.recentNext++ % flight.recent.size()] = print;
     }
