@@ -64,94 +64,26 @@ Likelihood likelihoodOf(const FilterRows& rows, Eigen::Index p, double rho, doub
     return {-(freedom * std::log(squares) + logDeterminant + normalDeterminant), squares / freedom};
 }
 
-/// The slow part's memory in readings, −1/ln ρ, as its logarithm.
-double rhoOf(double step) { return std::exp(-std::exp(-step)); }
-
-/// A point of the grid.
-struct SerialPlace {
-    int memory = 0; ///< steps of the slow part's memory
-    int white = 0;  ///< steps of the white share
-};
-
-/// Looks for the likeliest memory and white share: over a grid, then in halved steps about the best.
-class SerialSearch {
+/// The errors that may be: memories of the slow part, and how much is white.
+class PossibleErrors {
 public:
-    SerialSearch(const FilterRows& rows, Eigen::Index columns, const Progress& progress)
-        : m_rows(rows)
-        , m_columns(columns)
-        , m_progress(progress)
-        , m_longest(std::log(static_cast<double>(rows.size()) / 6.0)) // a longer memory is a drift, and cannot be told from A
-        , m_memories(static_cast<int>((m_longest - kFirst) / kByStep) + 1)
-        , m_grid(static_cast<std::size_t>(m_memories) * kWhite.size())
+    explicit PossibleErrors(Eigen::Index readings)
+        : m_memories(static_cast<int>((std::log(kLongest * static_cast<double>(readings)) - kFirst) / kByStep) + 1)
     {
     }
-
-    [[nodiscard]] bool stopped() const { return m_stopped; }
-
-    [[nodiscard]] SerialPlace likeliestOfAll()
-    {
-        SerialPlace best;
-        for (SerialPlace at; at.memory < m_memories; ++at.memory)
-            for (at.white = 0; at.white < static_cast<int>(kWhite.size()); ++at.white)
-                if (on(at).twiceLog > on(best).twiceLog)
-                    best = at;
-        return best;
-    }
-
-    /// @return twice the logarithm of the likelihood there, and the errors.
-    [[nodiscard]] std::pair<double, SerialCorrelation> refined(SerialPlace place)
-    {
-        Likelihood best = on(place);
-        double bestStep = stepOf(place.memory), bestWhite = kWhite[static_cast<std::size_t>(place.white)];
-        double byStep = kByStep / 2, byWhite = 0.1;
-        for (int halving = 0; halving < 3; ++halving, byStep /= 2, byWhite /= 2) {
-            const double step = bestStep, white = bestWhite;
-            for (const double s : {step - byStep, step, step + byStep})
-                for (const double w : {white - byWhite, white, white + byWhite}) {
-                    if (s == step && w == white)
-                        continue;
-                    const double memory = std::min(s, m_longest), share = std::clamp(w, 0.0, 0.99);
-                    const Likelihood here = likelihoodAt(memory, share);
-                    if (here.twiceLog > best.twiceLog) {
-                        best = here;
-                        bestStep = memory;
-                        bestWhite = share;
-                    }
-                }
-        }
-        return {best.twiceLog, SerialCorrelation{rhoOf(bestStep), bestWhite, best.variance}};
-    }
+    [[nodiscard]] int count() const { return m_memories * kWhites; }
+    [[nodiscard]] double logMemory(int place) const { return kFirst + kByStep * (place / kWhites); } ///< of −1/ln ρ, in readings
+    [[nodiscard]] double white(int place) const { return kWhite[static_cast<std::size_t>(place % kWhites)]; }
 
 private:
-    static constexpr double kFirst = -0.5, kByStep = 0.75;
-    static constexpr std::array kWhite{0.0, 0.2, 0.5, 0.8};
-    static double stepOf(int memory) { return kFirst + kByStep * memory; }
-
-    const Likelihood& on(SerialPlace place)
-    {
-        auto& known = m_grid[static_cast<std::size_t>(place.memory) * kWhite.size() + static_cast<std::size_t>(place.white)];
-        if (!known)
-            known = likelihoodAt(stepOf(place.memory), kWhite[static_cast<std::size_t>(place.white)]);
-        return *known;
-    }
-
-    /// Each takes its time of a log: progress is told, and asked, here.
-    Likelihood likelihoodAt(double step, double white)
-    {
-        const double most = static_cast<double>(m_grid.size()) + 3 * 8;
-        m_stopped = m_stopped || (m_progress && !m_progress(std::min(1.0, ++m_asked / most)));
-        return m_stopped ? Likelihood{} : likelihoodOf(m_rows, m_columns, rhoOf(step), white);
-    }
-
-    const FilterRows& m_rows;
-    Eigen::Index m_columns;
-    const Progress& m_progress;
-    int m_asked = 0;
-    bool m_stopped = false;
-    double m_longest;
+    static constexpr double kFirst = -0.5, kByStep = 0.6;
+    static constexpr double kLongest = 0.5; ///< of the log; a longer memory is a drift, and cannot be told from A
+    static constexpr std::array kWhite{0.0, 0.005, 0.015, 0.04, 0.1, 0.3, 0.6, 0.85};
+    static constexpr int kWhites = static_cast<int>(kWhite.size());
     int m_memories;
-    std::vector<std::optional<Likelihood>> m_grid;
 };
+
+double rhoOf(double logMemory) { return std::exp(-std::exp(-logMemory)); }
 
 } // namespace
 
@@ -162,9 +94,31 @@ std::optional<SerialCorrelation> serialCorrelation(const Eigen::MatrixXd& design
     constexpr double kTwiceLogRatio = 10.6; // 0.5 % point of χ² with two degrees of freedom
     const FilterRows rows = filterRowsOf(design, observed);
     const Likelihood independent = likelihoodOf(rows, design.cols(), 0.0, 1.0);
-    SerialSearch search(rows, design.cols(), progress);
-    const auto [twiceLog, errors] = search.refined(search.likeliestOfAll());
-    return search.stopped() || twiceLog - independent.twiceLog < kTwiceLogRatio ? std::nullopt : std::optional(errors);
+    const PossibleErrors possible(design.rows());
+    std::vector<Likelihood> likelihoods;
+    double highest = independent.twiceLog;
+    for (int place = 0; place < possible.count(); ++place) {
+        if (progress && !progress(static_cast<double>(place) / possible.count()))
+            return std::nullopt;
+        likelihoods.push_back(likelihoodOf(rows, design.cols(), rhoOf(possible.logMemory(place)), possible.white(place)));
+        highest = std::max(highest, likelihoods.back().twiceLog);
+    }
+    if (highest - independent.twiceLog < kTwiceLogRatio)
+        return std::nullopt;
+    // Found by simulation: memories are a little less likely beforehand the longer they are.
+    constexpr double kSlower = 0.4;
+    // The likeliest memory of a log of a few memories' length is too short, most of the time, and so would be its errors: the middle of
+    // those that may be is not.
+    double weights = 0, logMemory = 0, white = 0, logVariance = 0;
+    for (int place = 0; place < possible.count(); ++place) {
+        const Likelihood& one = likelihoods[static_cast<std::size_t>(place)];
+        const double weight = std::exp(0.5 * (one.twiceLog - highest) - kSlower * possible.logMemory(place));
+        weights += weight;
+        logMemory += weight * possible.logMemory(place);
+        white += weight * possible.white(place);
+        logVariance += weight * std::log(one.variance);
+    }
+    return SerialCorrelation{rhoOf(logMemory / weights), white / weights, std::exp(logVariance / weights)};
 }
 
 Eigen::MatrixXd covarianceUnder(const SerialCorrelation& errors, const Eigen::MatrixXd& design, const Eigen::MatrixXd& inverseNormal)
