@@ -1,5 +1,7 @@
 #include "core/inflight/InflightSwing.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <vector>
 
