@@ -2,12 +2,14 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "core/algebra/Products.h"
 #include "core/algebra/Spectra.h"
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
 #include "core/calibration/AttitudeParts.h"
+#include "core/calibration/ChangeInTime.h"
 #include "core/calibration/LogQuality.h"
 #include "core/calibration/ModelHeader.h"
 #include "core/calibration/ReferenceHeading.h"
@@ -208,6 +210,62 @@ void judgeAttitude(AttitudeResult& result, const AttitudeOptions& options)
                 figureText(100 * kFieldContradiction, 0)});
 }
 
+/// What the regression leaves over, before and after any moment. @param residuals of x, of the rows in use
+std::optional<ChangeInTime> changeOf(const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options,
+    const Regression& fit, const Eigen::Matrix3d& inverse, std::vector<double> residuals)
+{
+    std::array<RegressionMoments, kTimeBlocks> moments;
+    const auto regressors = fit.solution.rows();
+    const auto scales = currentScales(log);
+    for (auto& one : moments) {
+        one.design = Eigen::MatrixXd::Zero(regressors, regressors);
+        one.across = Eigen::MatrixXd::Zero(regressors, 3);
+    }
+    for (std::size_t row = 0; row < log.size(); ++row)
+        if (used[row] != 0)
+            addRow(moments[timeBlockOf(row, log.size())], log, row, options.field, scales);
+    TimeBlocks blocks;
+    for (std::size_t i = 0; i < kTimeBlocks; ++i)
+        blocks[i] = {moments[i].design, moments[i].across - product(moments[i].design, fit.solution)};
+    const auto told = std::count(fit.told.begin(), fit.told.end(), true);
+    Eigen::MatrixXd free = Eigen::MatrixXd::Zero(regressors, told);
+    for (Eigen::Index i = 0, column = 0; i < regressors; ++i)
+        if (fit.told[static_cast<std::size_t>(i)])
+            free(i, column++) = 1;
+    std::vector<Eigen::MatrixXd> steps(3, Eigen::MatrixXd::Zero(regressors, 2));
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        auto& step = steps[static_cast<std::size_t>(axis)];
+        step(3, 0) = 1;
+        step.col(1).head<3>() = fit.solution.col(axis).head<3>();
+    }
+    auto change = changeInTime(blocks, free, steps, fit.variance);
+    if (!change)
+        return {};
+    const double total_nT = options.field.total_nT();
+    change->hardIron *= total_nT;
+    change->error *= total_nT;
+    const double step_nT = (inverse * change->hardIron).x();
+    for (std::size_t row = 0, at = 0; row < log.size(); ++row)
+        if (used[row] != 0)
+            residuals[at++] -= change->isAfter(row, log.size()) ? step_nT : 0.0;
+    change->widen(std::sqrt(slowResidualFactor(residuals)));
+    return change;
+}
+
+/// Hard iron that was another for a part of the log: the mean is wrong by that for each.
+void tellChange(AttitudeResult& result, const ChangeInTime& change)
+{
+    const Eigen::Vector3d wrong = change.hardIron * change.worse();
+    for (auto& parameter : result.parameters)
+        if (const auto axis = std::string_view("PQR").find(parameter.name);
+            parameter.name.size() == 1 && axis != std::string_view::npos && parameter.standard_error)
+            parameter.standard_error = std::hypot(*parameter.standard_error, wrong(static_cast<Eigen::Index>(axis)));
+    if (result.uncertainty)
+        for (Eigen::Index i = 0; i < 3; ++i)
+            for (Eigen::Index j = 0; j < 3; ++j)
+                result.uncertainty->covariance(9 + i, 9 + j) += wrong(i) * wrong(j);
+}
+
 } // namespace
 
 Result<AttitudeResult> fitAttitude(const SensorLog& log, const AttitudeOptions& options)
@@ -267,6 +325,10 @@ Result<AttitudeResult> fitAttitude(const SensorLog& log, const AttitudeOptions& 
     const double variance = fit.variance * slowResidualFactor(residuals);
     describeAttitudeParameters(result, log, fit, total_nT, variance);
     result.uncertainty = uncertaintyOf(fit, total_nT, variance);
+    const auto change = changeOf(log, used, options, fit, inverse, residuals);
+    const Message changed = change ? wordsOf(*change, log, total_nT) : Message();
+    if (!changed.empty())
+        tellChange(result, *change);
     for (const auto& direction : fit.null)
         result.notSeparable.push_back(inWords(log, direction, total_nT));
     result.notSeparable.push_back({MARKED("core",
@@ -279,6 +341,10 @@ Result<AttitudeResult> fitAttitude(const SensorLog& log, const AttitudeOptions& 
     checkAxes(result, moments);
     checkNorth(result, log, used, options, fit.variance);
     judgeAttitude(result, options);
+    if (!changed.empty()) {
+        result.verdict = std::max(result.verdict, CalibrationVerdict::Doubtful);
+        result.reasons.push_back(changed);
+    }
     if (options.attitudeError_deg == 0)
         result.warnings.push_back({MARKED("core",
             "attitude is taken for exact; an error of 1° makes some 420 nT in R: state it (standard deviation), and it is taken out")});

@@ -10,6 +10,7 @@
 #include "core/base/Middle.h"
 #include "core/base/Number.h"
 #include "core/base/VectorClones.h"
+#include "core/calibration/ChangeInTime.h"
 #include "core/calibration/EllipsoidParts.h"
 #include "core/calibration/LogQuality.h"
 #include "core/calibration/QuadricFit.h"
@@ -243,10 +244,15 @@ EllipsoidResult fitEllipsoid(const SensorLog& log, EllipsoidShape shape, std::op
         result.nextSteps.push_back({MARKED("core", "turn the sensor through all attitudes, each side up once, with a full turn in each")});
         return result;
     }
+    Message together = leftOutTogether(offered, best.used);
     result.usedRows = std::move(best.used);
     result.used = static_cast<std::size_t>(std::count(result.usedRows.begin(), result.usedRows.end(), std::uint8_t{1}));
     result.fit = fitOf(log, *best.quadric, result.usedRows, shape, field_nT);
     judge(result, log, field_nT);
+    if (!together.empty()) {
+        result.verdict = std::max(result.verdict, CalibrationVerdict::Doubtful);
+        result.reasons.push_back(std::move(together));
+    }
     return result;
 }
 

@@ -52,6 +52,7 @@ struct EllipsoidFit {
     std::vector<FittedParameter> parameters;
     ModelUncertainty uncertainty; ///< of the model that is made of it; of a log in counts R, P and Q are in counts
     Coverage coverage;
+    Message changed; ///< with time, in words; empty where nothing did. What it is wrong by is in the covariance.
 };
 
 struct EllipsoidResult {

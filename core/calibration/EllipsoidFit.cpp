@@ -4,6 +4,7 @@
 #include "core/algebra/Products.h"
 #include "core/algebra/Spectra.h"
 #include "core/base/Number.h"
+#include "core/calibration/ChangeInTime.h"
 #include "core/calibration/EllipsoidParts.h"
 #include "core/calibration/SlowResidual.h"
 
@@ -83,6 +84,28 @@ void describeParameters(EllipsoidFit& fit, const Eigen::Matrix<double, 10, 10>& 
         fit.parameters.push_back({"F", fit.field, std::sqrt(std::max(0.0, covariance(9, 9))), std::string(unit)});
 }
 
+/// P, Q, R and the gain along the nine of W and p: m = (1 + gain) W⁻¹ B + p.
+Eigen::MatrixXd ironAndGain(const Eigen::Matrix3d& w)
+{
+    Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(9, 4);
+    steps.block<3, 3>(6, 0).setIdentity();
+    steps.col(3).head<6>() << -w(0, 0), -w(0, 1), -w(0, 2), -w(1, 1), -w(1, 2), -w(2, 2);
+    return steps;
+}
+
+/// Of a … R and F in the ten: what a change of iron and gain is of them.
+Eigen::Matrix<double, 10, 1> alongReported(const ChangeInTime& change, const EllipsoidFit& fit, bool fieldKnown)
+{
+    Eigen::Matrix<double, 10, 1> along = Eigen::Matrix<double, 10, 1>::Zero();
+    along.segment<3>(6) = change.hardIron;
+    const Eigen::Matrix3d soft = (Eigen::Matrix3d::Identity() + fit.softIron) * change.gain;
+    if (fieldKnown)
+        along.head<6>() << soft(0, 0), soft(0, 1), soft(0, 2), soft(1, 1), soft(1, 2), soft(2, 2);
+    else
+        along(9) = fit.field * change.gain;
+    return along * change.worse();
+}
+
 } // namespace
 
 std::size_t freeOf(EllipsoidShape shape) { return shape == EllipsoidShape::Sphere ? 4 : shape == EllipsoidShape::Axes ? 6 : 9; }
@@ -148,7 +171,10 @@ EllipsoidFit fitOf(
     const auto rows = someRows(used);
     const auto count = static_cast<double>(std::count(used.begin(), used.end(), std::uint8_t{1}));
     const Eigen::MatrixXd free = freeParameters(shape);
-    Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
+    std::array<Eigen::Matrix<double, 9, 9>, kTimeBlocks> normals;
+    std::array<Eigen::Matrix<double, 9, 1>, kTimeBlocks> scores;
+    normals.fill(Eigen::Matrix<double, 9, 9>::Zero());
+    scores.fill(Eigen::Matrix<double, 9, 1>::Zero());
     std::vector<Eigen::Vector3d> directions;
     std::vector<double> residuals;
     directions.reserve(rows.size());
@@ -157,13 +183,21 @@ EllipsoidFit fitOf(
     for (const auto row : rows) {
         const Eigen::Vector3d d = log.at(row) - fit.hardIron, field_ = w * d;
         const auto jacobian = jacobianRow(w, d);
-        normal += jacobian.transpose() * jacobian;
+        const std::size_t block = timeBlockOf(row, log.size());
+        normals[block] += jacobian.transpose() * jacobian;
         directions.push_back(field_.normalized());
         const double residual = field_.norm() - fit.field;
         residuals.push_back(residual);
         plain += residual * residual;
         const double size = residual / (w * directions.back()).norm();
         weighted += size * size;
+        scores[block] -= jacobian.transpose() * size; // what the parameters should have been more there
+    }
+    Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
+    TimeBlocks blocks;
+    for (std::size_t i = 0; i < kTimeBlocks; ++i) {
+        normal += normals[i];
+        blocks[i] = {normals[i], scores[i]};
     }
     const auto some = static_cast<double>(rows.size());
     fit.rms = std::sqrt(plain / some);
@@ -179,9 +213,22 @@ EllipsoidFit fitOf(
     fit.rank = static_cast<int>((parts.values.array() > 1e-12 * largest).count());
     fit.gate = fit.condition * fit.sigma / fit.field;
     const Eigen::MatrixXd inverse = composed(scale.asDiagonal().inverse() * parts.vectors, parts.values.cwiseMax(smallest).cwiseInverse());
-    const double slow = rows.size() == static_cast<std::size_t>(count) ? slowResidualFactor(residuals) : 1.0;
+    const bool whole = rows.size() == static_cast<std::size_t>(count);
+    const double slow = whole ? slowResidualFactor(residuals) : 1.0;
     const auto by = reportedBy(w, fit.field, field.has_value());
-    const Eigen::Matrix<double, 10, 10> covariance = fit.sigma * fit.sigma * slow * (some / count) * carried(by, carried(free, inverse));
+    Eigen::Matrix<double, 10, 10> covariance = fit.sigma * fit.sigma * slow * (some / count) * carried(by, carried(free, inverse));
+    if (auto change = changeInTime(blocks, free, {ironAndGain(w)}, fit.sigma * fit.sigma)) {
+        // Neighbours that resemble each other without it too make it less sure.
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (change->isAfter(rows[i], log.size()))
+                residuals[i] -= directions[i].dot(w * change->hardIron) + fit.field * change->gain;
+        change->widen(std::sqrt(whole ? slowResidualFactor(residuals) : 1.0));
+        fit.changed = wordsOf(*change, log, fit.field);
+        if (!fit.changed.empty()) {
+            const auto along = alongReported(*change, fit, field.has_value());
+            covariance += along * along.transpose();
+        }
+    }
     describeParameters(fit, covariance, field.has_value(), log.figureUnit());
     constexpr std::array<int, kUncertainParameters> kFrom{0, 1, 2, 1, 3, 4, 2, 4, 5, 6, 7, 8}; // of a … R in the ten
     for (int i = 0; i < kUncertainParameters; ++i)

@@ -14,7 +14,8 @@ constexpr double kOtherAxisUnit = 80; ///< one axis beside the two others: units
 constexpr double kOtherScale = 2;     ///< of one axis beside another: soft iron and makers' tolerances stay far below
 constexpr double kUnturned = 0.02;    ///< spread of the cloud as a part of its distance from zero: below, the sensor stood still
 constexpr double kFlat = 0.02;        ///< thickness of the cloud as a part of its length: below, it is a plane or a line
-constexpr double kMereNoise = 3;      ///< thickness in standard deviations of the noise: below, it is that of the noise
+constexpr double kLeastEarth_nT = 22'000, kMostEarth_nT = 67'000; ///< at the ground
+constexpr double kMereNoise = 3; ///< thickness in standard deviations of the noise: below, it is that of the noise
 
 std::string figure(double value) { return figureText(value, std::abs(value) < 10 ? 2 : 0); }
 
@@ -137,6 +138,11 @@ void judge(EllipsoidResult& result, const SensorLog& log, std::optional<double> 
                 figureText(100 * fit.rms / fit.field, 1), figureText(100 * kResidualLimit, 0)});
         result.nextSteps.push_back({MARKED("core", "log again away from iron, cars and cables")});
     }
+    if (!fit.changed.empty()) {
+        doubt(fit.changed);
+        result.nextSteps.push_back(
+            {MARKED("core", "log again with nothing moved on the way, or take the part of the log that is as the aircraft flies")});
+    }
     const Eigen::Vector3d gain = (Eigen::Matrix3d::Identity() + fit.softIron).diagonal();
     Eigen::Index most = 0, least = 0;
     if (const double ratio = gain.maxCoeff(&most) / std::max(gain.minCoeff(&least), 1e-9); ratio > kOtherScale)
@@ -158,6 +164,10 @@ void judge(EllipsoidResult& result, const SensorLog& log, std::optional<double> 
         else if (std::abs(off) > 0.1)
             result.warnings.push_back({MARKED("core", "the log's field is %1 nT, %2 % off the %3 nT that were given"), figureText(mean, 0),
                 signedFigureText(100 * off, 0), figureText(*field_nT, 0)});
+    } else if (log.unit != FieldUnit::Counts
+        && (fit.field < kLeastEarth_nT * (1 - kFieldContradiction) || fit.field > kMostEarth_nT * (1 + kFieldContradiction))) {
+        doubt({MARKED("core", "the log's field is %1 nT, and that of the Earth is %2 to %3 nT: another unit, or a sensor of another scale"),
+            figureText(fit.field, fit.field < 1000 ? 1 : 0), figureText(kLeastEarth_nT, 0), figureText(kMostEarth_nT, 0)});
     }
 }
 

@@ -250,5 +250,18 @@ TEST(Ellipsoid, missingCellsAreLeftOut)
     EXPECT_THAT(said(result.warnings), HasSubstr("80 rows left out without a whole field"));
 }
 
+TEST(Ellipsoid, aFieldThatIsNoneOfTheEarthIsDoubtfulWithoutOneThatIsGiven)
+{
+    SensorLog log = makeLog({.model = exampleModel()});
+    for (auto& axis : log.field)
+        for (double& value : axis)
+            value /= 1000; // µT in columns that say nT
+    const auto result = fitEllipsoid(log, EllipsoidShape::General, {});
+    EXPECT_EQ(result.verdict, CalibrationVerdict::Doubtful);
+    EXPECT_THAT(said(result.reasons), HasSubstr("nT, and that of the Earth is"));
+    log.unit = FieldUnit::Counts; // of which nothing tells what one is worth
+    EXPECT_EQ(fitEllipsoid(log, EllipsoidShape::General, {}).verdict, CalibrationVerdict::Good);
+}
+
 } // namespace
 } // namespace lubberline::test
