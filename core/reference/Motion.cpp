@@ -140,7 +140,9 @@ void MotionParts::fly(std::vector<MotionPoint>& points)
     const double latitude = toRadians(m_scenario.latitude_deg), step_s = m_scenario.step_s;
     const double vertical = 2 * kEarthRate_rad_s * std::sin(latitude);
     const double meridians = std::abs(m_scenario.latitude_deg) <= kPoleward_deg ? std::tan(latitude) / kEarthRadius_m : 0;
+    // A turn is one rotation after another, exact again with each part of the flight.
     double heading = m_heading_rad, speed = m_speed_m_s, sine = std::sin(heading), cosine = std::cos(heading);
+    double turned = 0, sineTurned = 0, cosineTurned = 1;
     for (MotionPoint& point : points) {
         if (speed + point.forward_m_s2 * step_s < 0) {
             point.forward_m_s2 = -speed / step_s;
@@ -161,9 +163,16 @@ void MotionParts::fly(std::vector<MotionPoint>& points)
             point.forward_m_s2 * point.forward_m_s2 + point.starboard_m_s2 * point.starboard_m_s2 + point.up_m_s2 * point.up_m_s2);
         speed = after;
         if (point.turnRate_rad_s != 0) {
-            heading += point.turnRate_rad_s * step_s;
-            sine = std::sin(heading);
-            cosine = std::cos(heading);
+            const double turn = point.turnRate_rad_s * step_s;
+            if (turn != turned) {
+                turned = turn;
+                sineTurned = std::sin(turn);
+                cosineTurned = std::cos(turn);
+            }
+            heading += turn;
+            const double before = sine;
+            sine = before * cosineTurned + cosine * sineTurned;
+            cosine = cosine * cosineTurned - before * sineTurned;
         }
     }
     m_heading_rad = heading;
