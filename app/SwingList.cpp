@@ -26,7 +26,10 @@ Result<std::vector<ListedSwing>> listSwings(db::Stores& stores, const std::strin
                     const auto record = stores.swings.recordOf(swing.id);
                     if (!record)
                         return record.error();
-                    listed.push_back({type.name, one.registration, compass.name, *record, swing});
+                    const auto marks = db::marksOf(stores.database(), swing.id);
+                    if (!marks)
+                        return marks.error();
+                    listed.push_back({type.name, one.registration, compass.name, *record, swing, *marks});
                 }
             }
         }

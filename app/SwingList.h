@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/OpenStores.h"
+#include "db/stores/SwingMarks.h"
 
 namespace lubberline::app {
 
@@ -12,6 +13,7 @@ struct ListedSwing {
     std::string type, aircraft, compass;
     RecordId record;
     SwingRow row;
+    db::SwingMarks marks;
 };
 
 /// In order of type, aircraft and compass, the newest first. @param aircraft of this registration only; empty: all.

@@ -26,6 +26,12 @@ const char* nameOf(Status status)
     return "";
 }
 
+/// With a question mark where the record says signed and nobody's signature is there.
+std::string stateOf(const ListedSwing& swing)
+{
+    return std::string(fileWord(swing.row.state)) + (swing.row.state == SwingState::Signed && !swing.marks.somebodySigned ? "?" : "");
+}
+
 std::string jsonOf(const std::vector<ListedSwing>& swings)
 {
     nlohmann::ordered_json array = nlohmann::ordered_json::array();
@@ -35,7 +41,8 @@ std::string jsonOf(const std::vector<ListedSwing>& swings)
             largest = *swing.row.maxAbsDeviation_deg;
         array.push_back({{"record", swing.record}, {"type", swing.type}, {"aircraft", swing.aircraft}, {"compass", swing.compass},
             {"date", swing.row.date.text()}, {"state", std::string(fileWord(swing.row.state))}, {"readings", swing.row.readings},
-            {"max_abs_deviation_deg", largest}, {"status", nameOf(swing.row.status)}});
+            {"max_abs_deviation_deg", largest}, {"status", nameOf(swing.row.status)}, {"radio", std::string(fileWord(swing.marks.radio))},
+            {"signed", swing.marks.somebodySigned}});
     }
     return nlohmann::ordered_json{{"swings", array}}.dump(2);
 }
@@ -63,13 +70,13 @@ int swingsCommand(db::Stores& stores, const SwingsArguments& options)
         put("%s\n", jsonOf(*swings).c_str());
         return sayDamages(stores);
     }
-    put("%-36s  %-10s %-10s %-18s %-10s %-8s %8s  %9s  %s\n", "record", "type", "aircraft", "compass", "date", "state", "readings",
-        "max (deg)", "status");
+    put("%-36s  %-10s %-10s %-18s %-10s %-8s %8s  %9s  %-13s  %s\n", "record", "type", "aircraft", "compass", "date", "state", "readings",
+        "max (deg)", "status", "radio");
     for (const auto& swing : *swings)
-        put("%-36s  %-10s %-10s %-18s %-10s %-8s %8d  %9s  %s\n", swing.record.c_str(), inOneLine(swing.type).c_str(),
-            inOneLine(swing.aircraft).c_str(), inOneLine(swing.compass).c_str(), swing.row.date.text().c_str(),
-            std::string(fileWord(swing.row.state)).c_str(), swing.row.readings,
-            swing.row.maxAbsDeviation_deg ? text("%.1f", *swing.row.maxAbsDeviation_deg).c_str() : "-", nameOf(swing.row.status));
+        put("%-36s  %-10s %-10s %-18s %-10s %-8s %8d  %9s  %-13s  %s\n", swing.record.c_str(), inOneLine(swing.type).c_str(),
+            inOneLine(swing.aircraft).c_str(), inOneLine(swing.compass).c_str(), swing.row.date.text().c_str(), stateOf(swing).c_str(),
+            swing.row.readings, swing.row.maxAbsDeviation_deg ? text("%.1f", *swing.row.maxAbsDeviation_deg).c_str() : "-",
+            nameOf(swing.row.status), std::string(fileWord(swing.marks.radio)).c_str());
     return sayDamages(stores);
 }
 

@@ -5,6 +5,7 @@
 #include "core/record/Completeness.h"
 #include "core/record/Ranges.h"
 #include "db/saving/Saving.h"
+#include "db/stores/Signatures.h"
 #include "db/stores/Tables.h"
 
 namespace lubberline::db {
@@ -45,12 +46,6 @@ void bindRule(Statement& statement, const DueRule& rule)
 {
     statement << rule.name << rule.months << rule.graceDays << rule.warnDays << rule.document << rule.issue << rule.type;
 }
-
-/// Of swing s: that it is signed, and by somebody, or was so before signatures were kept (SignatureChecks.h).
-const QString kSomebodySigned
-    = "(s.state = 2 AND (EXISTS (SELECT 1 FROM signature g WHERE g.swing_id = s.id)"
-      " OR EXISTS (SELECT 1 FROM audit_entry a, audit_head h WHERE a.record = s.record AND a.id <= h.entries_before"
-      " AND (a.what = 'froze swing' OR a.detail LIKE '%state: 1 -> 2%' OR (a.what = 'added swing' AND a.detail LIKE '%; state: 2;%')))))";
 
 } // namespace
 
@@ -160,14 +155,15 @@ Result<std::vector<DueCompass>> DueStore::compasses()
     if (!waiversOf)
         return waiversOf.error();
     Statement dates(m_database, // A two-minute check says that the card holds; it is no swing.
-        "SELECT compass_id, date, id FROM swing s WHERE " + kSomebodySigned + " AND date <> '' AND procedure_name <> ? ORDER BY date DESC");
+        "SELECT compass_id, date, id FROM swing s WHERE " + somebodySigned()
+            + " AND date <> '' AND procedure_name <> ? ORDER BY date DESC");
     dates << std::string(kCheckProcedure);
     const auto signedOf = groups<CompassId, Date>(
         dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.day(1); });
     if (!signedOf)
         return signedOf.error();
     Statement findings(m_database,
-        "SELECT s.compass_id, s.date, s.stage, " + kSomebodySigned
+        "SELECT s.compass_id, s.date, s.stage, " + somebodySigned()
             + ", s.status, s.max_abs_deviation_deg, s.id FROM swing s"
               " WHERE s.state >= 1 AND s.date <> '' AND s.max_abs_deviation_deg IS NOT NULL AND s.procedure_name <> ?"
               " AND NOT EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = s.record AND n.state = 2) ORDER BY s.date DESC, s.id DESC");

@@ -59,6 +59,13 @@ std::vector<Message> damagedSignatures(Database& database)
     });
 }
 
+QString somebodySigned()
+{
+    return "(s.state = 2 AND (EXISTS (SELECT 1 FROM signature g WHERE g.swing_id = s.id)"
+           " OR EXISTS (SELECT 1 FROM audit_entry a, audit_head h WHERE a.record = s.record AND a.id <= h.entries_before"
+           " AND (a.what = 'froze swing' OR a.detail LIKE '%state: 1 -> 2%' OR (a.what = 'added swing' AND a.detail LIKE '%; state: 2;%')))))";
+}
+
 std::string auditText(const Signature& signature)
 {
     return std::string(fileWord(signature.role)) + ": " + signature.name + " " + signature.licence + ", hash " + signature.hash;

@@ -127,6 +127,10 @@ TEST(DatabaseCommands, whatWasSignedWithoutAFieldStaysSo)
         const std::string database = std::string(state) + ".db",
                           file = sandbox.write(std::string(state) + ".lubberline.json", fleet.dump());
         ASSERT_EQ(sandbox.run({"import", file, "--db", database}).status, 0);
+        const auto listed = sandbox.run({"swings", "--db", database, "--json"}).json()["swings"][0];
+        EXPECT_EQ(listed["state"], state);
+        EXPECT_EQ(listed["signed"], false); // the file does not say by whom
+        EXPECT_EQ(listed["radio"], "not_stated");
         ASSERT_EQ(sandbox.run({"export", "--db", database, "-o", "out.lubberline.json"}).status, 0);
         EXPECT_EQ(nlohmann::json::parse(sandbox.read("out.lubberline.json"))["version"], std::string(state) == "signed" ? 1 : 2);
     }
