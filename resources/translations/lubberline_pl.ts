@@ -398,6 +398,22 @@
         <source>E is %1°, more than soft iron makes: one of the readings is likely misread, by some %2°; read them again before a screw is turned</source>
         <translation>E wynosi %1°, więcej niż daje miękkie żelazo: jeden z odczytów jest zapewne błędny, o około %2°; odczytaj je ponownie, zanim ktokolwiek obróci śrubę</translation>
     </message>
+    <message>
+        <source>the dip is not known: smith, simulate and map refuse this model until it or a place is stated</source>
+        <translation>inklinacja nie jest znana: smith, simulate i map odmówią tego modelu, dopóki nie poda się jej albo miejsca</translation>
+    </message>
+    <message>
+        <source>these readings are on record already: they are no part of the history here</source>
+        <translation>te odczyty są już zapisane: tutaj nie należą do historii</translation>
+    </message>
+    <message>
+        <source>what changes from here is not told: %1</source>
+        <translation>co się zmienia względem tego miejsca, nie jest podane: %1</translation>
+    </message>
+    <message>
+        <source>swing %1 is named once more; expected each swing once</source>
+        <translation>dewiację %1 podano ponownie; oczekiwano każdej dewiacji raz</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4018,10 +4034,6 @@
         <translation>żelazo się zmieniło: %1 o %2° ± %3°, między %4 s a %5 s</translation>
     </message>
     <message>
-        <source>the innovations are %1 times what the stated errors allow: the error of the reference is stated wrongly, or it changed</source>
-        <translation>innowacje są %1 razy większe, niż pozwalają podane błędy: błąd wzorca podano źle albo się zmienił</translation>
-    </message>
-    <message>
         <source>there are %1 legs; expected three at least, on headings all round</source>
         <translation>odcinków jest %1; oczekiwano co najmniej trzech, na kursach dookoła</translation>
     </message>
@@ -4960,6 +4972,98 @@
     <message>
         <source>A is %1°, near one step of the headings (%2°): the readings may stand one row off. Moved up by one row they make A %3°, B %4° and C %5°: look at the list before anybody touches the mount</source>
         <translation>A wynosi %1°, blisko jednego kroku kursów (%2°): odczyty mogą stać o wiersz obok. Przesunięte o wiersz w górę dają A %3°, B %4° i C %5°: sprawdź listę, zanim ktokolwiek ruszy mocowanie</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation>około %1 s</translation>
+    </message>
+    <message>
+        <source>about sample %1</source>
+        <translation>około próbki %1</translation>
+    </message>
+    <message>
+        <source>what the fit leaves over changes with time: along %1 it is %2 %3 more after %4 than before; expected less than %5 %3: iron that was put down or magnetised on the way, or a sensor that drifts</source>
+        <translation>to, co zostaje po dopasowaniu, zmienia się w czasie: wzdłuż %1 jest po %4 o %2 %3 większe niż przedtem; oczekiwano mniej niż %5 %3: żelazo położone lub namagnesowane po drodze albo czujnik, który dryfuje</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s gain changes with time: it is %1 % more after %2 than before; expected less than %3 %: a sensor that warms up, or another place</source>
+        <translation>czułość czujnika zmienia się w czasie: po %2 jest o %1 % większa niż przedtem; oczekiwano mniej niż %3 %: czujnik, który się nagrzewa, albo inne miejsce</translation>
+    </message>
+    <message>
+        <source>of the samples %1 to %2 most do not lie on what the others lie on: no spikes, but another field or other iron for that time</source>
+        <translation>większość próbek od %1 do %2 nie leży na tym, na czym leżą pozostałe: to nie szpilki, lecz inne pole albo inne żelazo w tym czasie</translation>
+    </message>
+    <message>
+        <source>log again with nothing moved on the way, or take the part of the log that is as the aircraft flies</source>
+        <translation>zarejestruj ponownie, niczego po drodze nie ruszając, albo weź tę część dziennika, która odpowiada stanowi w locie</translation>
+    </message>
+    <message>
+        <source>the log&apos;s field is %1 nT, and that of the Earth is %2 to %3 nT: another unit, or a sensor of another scale</source>
+        <translation>pole w dzienniku wynosi %1 nT, a pole Ziemi od %2 do %3 nT: inna jednostka albo czujnik o innej skali</translation>
+    </message>
+    <message>
+        <source>perhaps aircraft supply 400 Hz at %1 Hz</source>
+        <translation>być może sieć pokładowa 400 Hz o %1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 lub %2</translation>
+    </message>
+    <message>
+        <source>this is the swing of %1 once more; expected each swing once</source>
+        <translation>to jest ponownie dewiacja z %1; oczekiwano każdej dewiacji raz</translation>
+    </message>
+    <message>
+        <source>this swing is of %1, %2; expected the aircraft and compass of %3 (%4, %5)</source>
+        <translation>ta dewiacja jest z %1, %2; oczekiwano statku powietrznego i busoli z %3 (%4, %5)</translation>
+    </message>
+    <message>
+        <source>this is the swing of %1 once more, which is the first compass&apos;s; expected one of the second</source>
+        <translation>to jest ponownie dewiacja z %1, która jest z pierwszej busoli; oczekiwano dewiacji drugiej</translation>
+    </message>
+    <message>
+        <source>this swing is of %1, that of %2 of %3; expected two compasses of one aircraft</source>
+        <translation>ta dewiacja jest z %1, a ta z %2 z %3; oczekiwano dwóch busol jednego statku powietrznego</translation>
+    </message>
+    <message>
+        <source>this swing is of %1, %2, as that of %3 is; expected another compass of the aircraft</source>
+        <translation>ta dewiacja jest z %1, %2, tak jak ta z %3; oczekiwano innej busoli tego statku powietrznego</translation>
+    </message>
+    <message>
+        <source>%1 does not say of which aircraft and compass it is: whether it is of the same one is not known</source>
+        <translation>%1 nie mówi, z jakiego jest statku powietrznego i busoli: nie wiadomo, czy z tej samej</translation>
+    </message>
+    <message>
+        <source>both compasses differ from the datum by %1° alike: the datum (variation, clock, line) may be out, or both moved; hold it against another</source>
+        <translation>obie busole różnią się od wzorca tak samo, o %1°: może być zły wzorzec (deklinacja, zegar, linia) albo zmieniły się obie; porównaj z innym wzorcem</translation>
+    </message>
+    <message>
+        <source>read together, %1 and %2 differ from the datum by %3° alike: the datum may have been out, or both moved</source>
+        <translation>odczytane razem %1 i %2 różnią się od wzorca tak samo, o %3°: mógł być zły wzorzec albo zmieniły się obie</translation>
+    </message>
+    <message>
+        <source>no error of a pair of headings is stated: %1° is taken, as they scatter</source>
+        <translation>nie podano błędu pary kursów: przyjęto %1°, według ich rozrzutu</translation>
+    </message>
+    <message>
+        <source>the compass reads the reciprocal: look whether it was read from the other side, or is mounted back to front</source>
+        <translation>busola wskazuje kurs odwrotny: sprawdź, czy nie odczytano jej z drugiej strony albo nie zamontowano tyłem</translation>
+    </message>
+    <message>
+        <source>the error of the headings changed on the way: in all they scatter %1 times as much as the first of them</source>
+        <translation>błąd kursów zmienił się po drodze: wszystkie razem mają rozrzut %1 razy większy niż pierwsze</translation>
+    </message>
+    <message>
+        <source>the innovations are %1 times what the stated errors allow: the error of the reference is stated wrongly, or it changed; alarms and standard errors are by the innovations where they are the larger</source>
+        <translation>innowacje są %1 razy większe, niż pozwalają podane błędy: błąd odniesienia podano źle albo się zmienił; alarmy i błędy standardowe liczy się według innowacji, gdzie są większe</translation>
+    </message>
+    <message>
+        <source>of the field only its size is known (%1), not its dip: no deviation can be computed with it; expected H_nT with dip_deg, or a place and date, in &quot;field&quot;</source>
+        <translation>o polu wiadomo tylko, jak jest duże (%1), a nie jego inklinację: nie da się z nim obliczyć dewiacji; oczekiwano w &quot;field&quot; H_nT z dip_deg albo miejsca i daty</translation>
+    </message>
+    <message>
+        <source>five coefficients do not describe this curve: neighbouring readings go astray together by some %1°, more than chance, and the card leaves it out (largest residual %2°)</source>
+        <translation>pięć współczynników nie opisuje tej krzywej: sąsiednie odczyty odbiegają razem o około %1°, więcej niż przypadkiem, a tabela to pomija (największe residuum %2°)</translation>
     </message>
 </context>
 <context>
@@ -10978,6 +11082,14 @@ soft iron S:</source>
         <source>signed by its state alone: NO SIGNATURE STANDS</source>
         <translation>podpisana tylko według stanu: ŻADEN PODPIS NIE STOI</translation>
     </message>
+    <message>
+        <source>bias at %1 °C (nT)</source>
+        <translation>przesunięcie przy %1 °C (nT)</translation>
+    </message>
+    <message>
+        <source>Both biases are taken at %1 °C.</source>
+        <translation>Oba przesunięcia przyjęto przy %1 °C.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::DueBadge</name>
@@ -11043,10 +11155,6 @@ soft iron S:</source>
     <message>
         <source>Type</source>
         <translation>Typ</translation>
-    </message>
-    <message>
-        <source>Aircraft</source>
-        <translation>Statek powietrzny</translation>
     </message>
     <message>
         <source>Compass</source>
@@ -11964,10 +12072,6 @@ soft iron S:</source>
         <translation>deklinacja odcinków, E +</translation>
     </message>
     <message>
-        <source>error of a heading pair, 0.5°</source>
-        <translation>błąd pary kursów, 0.5°</translation>
-    </message>
-    <message>
         <source>Deviation</source>
         <translation>Dewiacja</translation>
     </message>
@@ -12060,8 +12164,56 @@ soft iron S:</source>
         <translation>Żelazo miękkie i twarde zamiast od A do E: zapis ma też pitch_deg, roll_deg, horizontal_nT i dip_deg.</translation>
     </message>
     <message>
-        <source>Whole sensor model: sin δ = Σ g (S b + p/H) with b the Earth&apos;s field in the aircraft over H and g what a field along each axis does across the heading read, exact at every attitude (after Poisson; Kayton and Fried 1997, 9.13); level flight tells A to E of it.</source>
-        <translation>Cały model czujnika: sin δ = Σ g (S b + p/H), gdzie b to pole Ziemi w samolocie przez H, a g to wpływ pola wzdłuż każdej osi w poprzek odczytanego kursu, dokładnie w każdym położeniu (według Poissona; Kayton i Fried 1997, 9.13); lot poziomy mówi z tego od A do E.</translation>
+        <source>begins anew</source>
+        <translation>zaczyna od nowa</translation>
+    </message>
+    <message>
+        <source>goes on from %1</source>
+        <translation>kontynuuje od %1</translation>
+    </message>
+    <message>
+        <source>The sensor model %1 was kept from a log of this name: if it is the same, it counts twice. Begin anew.</source>
+        <translation>Model czujnika %1 zachowano z dziennika o tej nazwie: jeśli to ten sam, policzy się dwa razy. Zacznij od nowa.</translation>
+    </message>
+    <message>
+        <source>It goes on from the sensor model %1.</source>
+        <translation>Kontynuuje od modelu czujnika %1.</translation>
+    </message>
+    <message>
+        <source>Nothing to keep yet; open a log first</source>
+        <translation>Nie ma jeszcze czego zachować; najpierw otwórz dziennik</translation>
+    </message>
+    <message>
+        <source>It is kept with the compass as %1.</source>
+        <translation>Zachowano przy busoli jako %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the sensor model</source>
+        <translation>&amp;Zachowaj model czujnika</translation>
+    </message>
+    <message>
+        <source>error of a heading pair; as they scatter</source>
+        <translation>błąd pary kursów; według rozrzutu</translation>
+    </message>
+    <message>
+        <source>The whole sensor model begins</source>
+        <translation>Cały model czujnika zaczyna się</translation>
+    </message>
+    <message>
+        <source>A sensor model of this compass whose errors are known: the flight adds to it. Begin anew after the iron was changed.</source>
+        <translation>Model czujnika tej busoli o znanych błędach: lot go uzupełnia. Po zmianie żelaza zacznij od nowa.</translation>
+    </message>
+    <message>
+        <source>Among the sensor models of the compass, with its errors: the next flight goes on from it.</source>
+        <translation>Wśród modeli czujnika tej busoli, z jego błędami: następny lot kontynuuje od niego.</translation>
+    </message>
+    <message>
+        <source>keep the sensor model %1</source>
+        <translation>zachowanie modelu czujnika %1</translation>
+    </message>
+    <message>
+        <source>Whole sensor model: sin δ = Σ g (S b + p/H) with b the Earth&apos;s field in the aircraft over H and g what a field along each axis does across the heading read, exact at every attitude (after Poisson; Kayton and Fried 1997, 9.13); level flight tells A to E of it. Kept with the compass, with its errors, it is where the next flight goes on; a circuit that is on is part of it, as the heading is read with it.</source>
+        <translation>Cały model czujnika: sin δ = Σ g (S b + p/H), gdzie b jest polem Ziemi w układzie statku powietrznego przez H, a g tym, co pole wzdłuż każdej osi robi w poprzek odczytanego kursu, dokładnie w każdym położeniu (według Poissona; Kayton i Fried 1997, 9.13); lot poziomy mówi z niego A do E. Zachowany przy busoli, z jego błędami, jest tym, od czego następny lot kontynuuje; włączony obwód jest jego częścią, bo z nim odczytuje się kurs.</translation>
     </message>
 </context>
 <context>
