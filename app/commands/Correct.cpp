@@ -28,11 +28,16 @@ std::vector<Message> doubtsOf(const Analysis& analysis, const Correction& correc
             figureText(printedHeading_deg(analysis.readings[slip.reading].magnetic.degrees(), 0), 0)});
     // A slip on one of N, E, S and W alone makes a quarter of itself E, and soft iron makes no such E.
     constexpr double kMostE_deg = 3.5;
-    if (const auto E_rad = analysis.approximate.of(Coefficient::E); E_rad && std::abs(toDegrees(*E_rad)) > kMostE_deg)
+    double E_deg = 0.0;
+    const double first_deg = correction.steps[0].magnetic.degrees() - correction.steps[0].compassReads.degrees();
+    for (const auto& step : correction.steps) // δ on N and S less δ on E and W, about the first of them
+        E_deg += (step.coefficient == Coefficient::C ? 0.25 : -0.25)
+            * wrap180(step.magnetic.degrees() - step.compassReads.degrees() - first_deg);
+    if (std::abs(E_deg) > kMostE_deg)
         doubts.push_back(
             {MARKED("app",
                  "E is %1°, more than soft iron makes: one of the readings is likely misread, by some %2°; read them again before a screw is turned"),
-                signedFigureText(toDegrees(*E_rad), 1), figureText(4.0 * std::abs(toDegrees(*E_rad)), 0)});
+                signedFigureText(E_deg, 1), figureText(4.0 * std::abs(E_deg), 0)});
     constexpr double kMostOfACorrector_deg = 25.0;
     for (const auto& [letter, term_rad] : {std::pair('B', correction.B_rad), std::pair('C', correction.C_rad)})
         if (const double term_deg = toDegrees(term_rad); std::abs(term_deg) > kMostOfACorrector_deg)

@@ -13,7 +13,6 @@
 #include "core/calibration/LogQuality.h"
 #include "core/calibration/ModelHeader.h"
 #include "core/calibration/ReferenceHeading.h"
-#include "core/calibration/SlowResidual.h"
 
 namespace lubberline {
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/algebra/Matrices.h"
@@ -50,5 +51,10 @@ struct ChangeInTime {
 
 /// A part of a log that is left out nearly whole: no spikes, but another field. Empty: there is none.
 [[nodiscard]] Message leftOutTogether(const std::vector<std::uint8_t>& offered, const std::vector<std::uint8_t>& used);
+
+/// Residuals of a log that follow each other are no independent witnesses: the variance of the mean of whole stretches of them over what
+/// independent ones would have, 1 and more; 1 where chance explains it, or where there are fewer than 100. @param residuals in the order of
+/// the log
+[[nodiscard]] double slowResidualFactor(std::span<const double> residuals);
 
 } // namespace lubberline

@@ -6,7 +6,6 @@
 #include "core/base/Number.h"
 #include "core/calibration/ChangeInTime.h"
 #include "core/calibration/EllipsoidParts.h"
-#include "core/calibration/SlowResidual.h"
 
 namespace lubberline {
 

@@ -53,14 +53,14 @@ std::optional<DueFlag> forecastFlag(const DueInput& input, Date lastSigned)
 /// No aircraft had a compass before.
 constexpr Date kFirstFlights = "1903-01-01";
 
-/// An engine's change can be planned; nobody plans to be struck by lightning.
-bool isPlanned(const DueEvent& event, Date today)
+/// An engine's change can be planned; nobody plans to be struck by lightning. What is of tomorrow happened where the day has begun already.
+bool isToCome(const DueEvent& event, Date today)
 {
     switch (event.cause) {
     case DueCause::Lightning:
     case DueCause::ElectricalStorm:
     case DueCause::HardLanding:
-    case DueCause::AccuracySuspected: return false;
+    case DueCause::AccuracySuspected: return event.date > today && doubtOfDate(event.date, today).empty();
     default: return event.date > today;
     }
 }
@@ -101,7 +101,7 @@ DueAnswer dueOf(const DueInput& input)
     if (auto flag = installationFlag(input, answer.lastSigned))
         answer.flags.push_back(std::move(*flag));
     for (const auto& event : input.events) {
-        if (event.cause == DueCause::Other || isPlanned(event, input.today) || answered(event, input, answer.lastSigned))
+        if (event.cause == DueCause::Other || isToCome(event, input.today) || answered(event, input, answer.lastSigned))
             continue;
         const bool known = dayIsKnown(event, input.today);
         if (known && !input.installed.empty() && input.installed <= input.today && event.date < input.installed)

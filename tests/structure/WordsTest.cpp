@@ -95,7 +95,7 @@ bool isNoSentence(const std::string& file, const std::string& text)
     static const std::vector<std::pair<std::string, std::string>> kStored{{"ui/guided/", "read again"}, {"ui/guided/", "read after all"},
         {"ui/report/page/", "it holds more than it may"}, {"ui/guided/", "read again after the review"},
         {"ui/guided/", "after the check swing"}, {"ui/guided/", "magnetic heading, as read"}, {"ui/fleet/", "completion undone"},
-        {"ui/", "from the log "}, {"ui/calibration/", "calibrated from "},
+        {"ui/", "from the log "}, {"ui/inflight/", "in flight, "}, {"ui/calibration/", "calibrated from "},
         {"ui/calibration/", "; the dip is not known: what rests on it needs it entered"}, {"ui/swing/", " job card.pdf"},
         {"ui/report/forms/", "compensator at zero"}, {"ui/report/forms/", "variation setter"}, {"ui/sensor/", "soft iron "},
         {"ui/sensor/", "hard iron "}, {"ui/sensor/", "soft constant "}, {"ui/report/swing/", "(d − b) / 2λ, with the turn of the mount"}};

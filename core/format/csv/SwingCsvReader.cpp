@@ -363,16 +363,11 @@ Result<SwingFile> SwingReader::finish()
     if (m_file.swing.readings.empty())
         return wholeFile(ErrorCode::Format, MARKED("core", "has a header but no readings; expected one reading a row below it"));
     tellNorthTwice();
-    constexpr std::size_t kMostTold = 20;
+    const auto known = keyNames();
     for (const auto& [key, value] : m_file.otherKeys) // a slip in a key loses what it says
-        if (key != "title" && m_file.warnings.size() < kMostTold) {
-            const auto names = keyNames();
-            const auto near = nearWord(inSmallLetters(key), names);
-            m_file.warnings.push_back(near.empty()
-                    ? Message{MARKED("core", "the key %1 means nothing here; it is kept in the swing's note"), inQuotes(key)}
-                    : Message{MARKED("core", "the key %1 means nothing here; it is kept in the swing's note (did you mean %2?)"),
-                        inQuotes(key), std::string(near)});
-        }
+        if (const auto near = nearWord(inSmallLetters(key), known); key != "title" && !near.empty())
+            m_file.warnings.push_back({MARKED("core", "the key %1 means nothing here; it is kept in the swing's note (did you mean %2?)"),
+                inQuotes(key), std::string(near)});
     for (const auto& [key, value] : m_file.otherKeys)
         m_file.swing.note += (m_file.swing.note.empty() ? "" : "\n") + key + ": " + value;
     if (m_file.swing.note.size() > kLongestText)

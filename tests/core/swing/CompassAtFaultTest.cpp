@@ -344,7 +344,7 @@ TEST(CompassAtFault, readingsOneRowOffAreNoMount)
                 EXPECT_NE(row->find(off == 1 ? "Moved down" : "Moved up"), std::string::npos) << *row;
                 EXPECT_NE(row->find("B +"), std::string::npos) << *row;
                 EXPECT_TRUE(std::none_of(
-                    told.begin(), told.end(), [](const auto& one) { return one.find("right in its mount") != std::string::npos; }));
+                    told.begin(), told.end(), [](const auto& one) { return one.find("Turn it right in its mount") != std::string::npos; }));
             }
 }
 

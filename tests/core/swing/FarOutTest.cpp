@@ -205,7 +205,7 @@ TEST(OutOfPlace, saysWhatBAndCWillBeInTheMountSetRight)
     const Analysis right = *analyse(readOnTheRound(0, 15));
     const auto figure = [&](Coefficient c) { return signedFigureText(toDegrees(*right.approximate.of(c)), 1); };
     const std::string words = "B will be about " + figure(Coefficient::B) + "° and C " + figure(Coefficient::C) + "°";
-    for (const double off_deg : {-41.0, 16.0, 30.0}) {
+    for (const double off_deg : {-41.0, 20.0, 30.0}) {
         const Analysis out = *analyse(readOnTheRound(off_deg, 15));
         EXPECT_EQ(out.approximate.index_rad, 0);
         EXPECT_THAT(inEnglish(out.warnings), testing::Contains(testing::HasSubstr(words))) << off_deg;

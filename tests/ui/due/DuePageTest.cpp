@@ -61,6 +61,7 @@ struct OpenDue {
         swing.compass = *stores.save(compass);
         swing.date = swung;
         swing.state = SwingState::Signed;
+        swing.signatures = {{SignatureRole::Performer, "Ada", "", swung.text() + "T12:00:00.000Z", std::string(64, 'a')}};
         static_cast<void>(*stores.swings.add(swing));
         return compass.aircraft;
     }
