@@ -186,9 +186,9 @@ TEST(CheckCommand, headingsVerdictAndASwingToSign)
     // A history is of this compass, and has each swing once; what is checked is no part of it.
     const auto other = sandbox.path("other.csv");
     write(other,
-        "# aircraft: SP-XXX\n# compass: no 2\n# date: 2024-01-01\nmagnetic_heading_deg,compass_heading_deg\n0,0\n120,120\n240,240\n");
+        "# aircraft: SP-OTH\n# compass: no 2\n# date: 2024-01-01\nmagnetic_heading_deg,compass_heading_deg\n0,0\n120,120\n240,240\n");
     for (const auto& [file, said] :
-        {std::pair{other, "this swing is of SP-XXX, no 2"}, std::pair{history[1], "once more"}, std::pair{readings, "once more"}}) {
+        {std::pair{other, "this swing is of SP-OTH, no 2"}, std::pair{history[1], "once more"}, std::pair{readings, "once more"}}) {
         auto wrong = call;
         wrong.insert(wrong.end(), {"--history", file, readings});
         const auto run = sandbox.run(wrong);

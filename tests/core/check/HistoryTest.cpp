@@ -32,8 +32,8 @@ TEST(History, ofOneCompass)
         const auto checked = checkHistory(std::vector{kFirst, kSecond, third});
         return checked ? std::string() : describe(checked.error());
     };
-    EXPECT_EQ(refused(swingOf("hx.csv", "SP-XXX", "no 2", Date("2026-05-01"), 0)),
-        "hx.csv: this swing is of SP-XXX, no 2; expected the aircraft and compass of h0.csv (SP-CHK, standby)");
+    EXPECT_EQ(refused(swingOf("hx.csv", "SP-OTH", "no 2", Date("2026-05-01"), 0)),
+        "hx.csv: this swing is of SP-OTH, no 2; expected the aircraft and compass of h0.csv (SP-CHK, standby)");
     EXPECT_NE(refused(swingOf("hy.csv", "SP-CHK", "main", Date("2026-05-01"), 0)), "");
     EXPECT_EQ(refused(swingOf("h1.csv", "SP-CHK", "standby", Date("2025-05-01"), 1)),
         "h1.csv: this is the swing of h1.csv once more; expected each swing once");
@@ -61,7 +61,7 @@ TEST(History, twoAreOfTwoCompassesOfOneAircraft)
     EXPECT_EQ(refused(swingOf("g0.csv", "SP-CHK", "main", Date("2025-05-01"), 2)), "");
     EXPECT_NE(refused(kFirst).find("which is the first compass's"), std::string::npos);
     EXPECT_NE(refused(swingOf("g0.csv", "SP-CHK", "standby", Date("2023-05-01"), 2)).find("expected another compass"), std::string::npos);
-    EXPECT_NE(refused(swingOf("g0.csv", "SP-XXX", "main", Date("2023-05-01"), 2)).find("two compasses of one aircraft"), std::string::npos);
+    EXPECT_NE(refused(swingOf("g0.csv", "SP-OTH", "main", Date("2023-05-01"), 2)).find("two compasses of one aircraft"), std::string::npos);
 }
 
 } // namespace
