@@ -92,7 +92,7 @@
     <name>app</name>
     <message>
         <source>this swing is of %1, %2; expected the aircraft and compass of %3 (%4, %5)</source>
-        <translation>ten pomiar dotyczy %1, %2; oczekiwano statku powietrznego i busoli z %3 (%4, %5)</translation>
+        <translation>ten pomiar jest z %1, %2; oczekiwano statku powietrznego i busoli z %3 (%4, %5)</translation>
     </message>
     <message>
         <source>the demonstration database has no swing with a result</source>
@@ -376,23 +376,23 @@
     </message>
     <message>
         <source>opens no due flag</source>
-        <translation>niczego nie czyni wymagalnym</translation>
+        <translation>nie czyni pomiaru wymaganym</translation>
     </message>
     <message>
         <source>a swing is due until a later one is signed, or a waiver answers (%1)</source>
-        <translation>dewiacja jest wymagalna, dopóki nie podpisze się późniejszej albo nie odpowie odstąpienie (%1)</translation>
+        <translation>pomiar jest wymagany, dopóki nie podpisze się późniejszego albo nie odpowie odstąpienie (%1)</translation>
     </message>
     <message>
         <source>is still to come: a swing is due from %1 on</source>
-        <translation>dopiero nastąpi: dewiacja jest wymagalna od %1</translation>
+        <translation>dopiero nastąpi: pomiar jest wymagany od %1</translation>
     </message>
     <message>
         <source>the aircraft has no compass that it makes due</source>
-        <translation>statek powietrzny nie ma busoli, którą to czyni wymagalną</translation>
+        <translation>statek powietrzny nie ma busoli, dla której czyni to pomiar wymaganym</translation>
     </message>
     <message>
         <source>makes nothing due: the swing of %1 was signed after it</source>
-        <translation>niczego nie czyni wymagalnym: późniejszą dewiację z %1 podpisano</translation>
+        <translation>nie czyni pomiaru wymaganym: późniejszy pomiar z %1 podpisano</translation>
     </message>
     <message>
         <source>E is %1°, more than soft iron makes: one of the readings is likely misread, by some %2°; read them again before a screw is turned</source>
@@ -412,7 +412,7 @@
     </message>
     <message>
         <source>swing %1 is named once more; expected each swing once</source>
-        <translation>dewiację %1 podano ponownie; oczekiwano każdej dewiacji raz</translation>
+        <translation>pomiar %1 podano ponownie; oczekiwano każdego pomiaru raz</translation>
     </message>
 </context>
 <context>
@@ -4907,11 +4907,11 @@
     </message>
     <message>
         <source>%1, on a day that is not recorded: it may have been after the last swing</source>
-        <translation>%1, dnia nie zapisano: mogło to być po ostatniej dewiacji</translation>
+        <translation>%1, dnia nie zapisano: mogło to być po ostatnim pomiarze</translation>
     </message>
     <message>
         <source>%1, dated %2, which cannot be right: it may have been after the last swing</source>
-        <translation>%1, z datą %2, która nie może być prawdziwa: mogło to być po ostatniej dewiacji</translation>
+        <translation>%1, z datą %2, która nie może być prawdziwa: mogło to być po ostatnim pomiarze</translation>
     </message>
     <message>
         <source>%1 stands beside %2 and tells %3° more on average (east +): one of the two is wrong, and the log does not say which; %2 is taken, and A is no surer than that</source>
@@ -4919,7 +4919,7 @@
     </message>
     <message>
         <source>%1 differs from the compass by %2° at all headings, within %3°: no second instrument agrees so well. If it is made of this compass (by a multiplexer, a plotter, an autopilot), it shows no deviation, and no card may be made of it</source>
-        <translation>%1 różni się od busoli o %2° na wszystkich kursach, z dokładnością do %3°: żaden drugi przyrząd nie zgadza się tak dobrze. Jeśli powstaje z tej busoli (w multiplekserze, ploterze, autopilocie), nie pokazuje dewiacji i nie wolno z niego robić tabeli</translation>
+        <translation>%1 różni się od busoli o %2° na wszystkich kursach, z dokładnością do %3°: żaden drugi przyrząd nie zgadza się tak dobrze. Jeśli powstaje z tej busoli (w multiplekserze, ploterze, autopilocie), nie pokazuje dewiacji i nie wolno z niego robić tablicy dewiacji</translation>
     </message>
     <message>
         <source>THE COMPASS IS %1°%2 OUT AS A WHOLE: its mount, its lubber line, or from which side it was read, is to be looked at before anybody steers by it</source>
@@ -4930,12 +4930,8 @@
         <translation>c osobno od P, f osobno od Q: miejsca są zbyt podobne, c/λ byłoby znane z błędem standardowym %1</translation>
     </message>
     <message>
-        <source>the key %1 means nothing here; it is kept in the swing&apos;s note</source>
-        <translation>klucz %1 nic tu nie znaczy; zachowano go w uwadze do dewiacji</translation>
-    </message>
-    <message>
         <source>the key %1 means nothing here; it is kept in the swing&apos;s note (did you mean %2?)</source>
-        <translation>klucz %1 nic tu nie znaczy; zachowano go w uwadze do dewiacji (czy chodziło o %2?)</translation>
+        <translation>klucz %1 nic tu nie znaczy; zachowano go w uwadze do pomiaru (czy chodziło o %2?)</translation>
     </message>
     <message>
         <source>line %1 lists one heading, 000 and 360, with the same reading: it counts once</source>
@@ -5011,7 +5007,7 @@
     </message>
     <message>
         <source>this is the swing of %1 once more; expected each swing once</source>
-        <translation>to jest ponownie dewiacja z %1; oczekiwano każdej dewiacji raz</translation>
+        <translation>to jest ponownie pomiar z %1; oczekiwano każdego pomiaru raz</translation>
     </message>
     <message>
         <source>this swing is of %1, %2; expected the aircraft and compass of %3 (%4, %5)</source>
@@ -5019,15 +5015,15 @@
     </message>
     <message>
         <source>this is the swing of %1 once more, which is the first compass&apos;s; expected one of the second</source>
-        <translation>to jest ponownie dewiacja z %1, która jest z pierwszej busoli; oczekiwano dewiacji drugiej</translation>
+        <translation>to jest ponownie pomiar z %1, który należy do pierwszej busoli; oczekiwano pomiaru drugiej</translation>
     </message>
     <message>
         <source>this swing is of %1, that of %2 of %3; expected two compasses of one aircraft</source>
-        <translation>ta dewiacja jest z %1, a ta z %2 z %3; oczekiwano dwóch busol jednego statku powietrznego</translation>
+        <translation>ten pomiar jest z %1, a ten z %2 z %3; oczekiwano dwóch busol jednego statku powietrznego</translation>
     </message>
     <message>
         <source>this swing is of %1, %2, as that of %3 is; expected another compass of the aircraft</source>
-        <translation>ta dewiacja jest z %1, %2, tak jak ta z %3; oczekiwano innej busoli tego statku powietrznego</translation>
+        <translation>ten pomiar jest z %1, %2, tak jak ten z %3; oczekiwano innej busoli tego statku powietrznego</translation>
     </message>
     <message>
         <source>%1 does not say of which aircraft and compass it is: whether it is of the same one is not known</source>
@@ -5063,7 +5059,7 @@
     </message>
     <message>
         <source>five coefficients do not describe this curve: neighbouring readings go astray together by some %1°, more than chance, and the card leaves it out (largest residual %2°)</source>
-        <translation>pięć współczynników nie opisuje tej krzywej: sąsiednie odczyty odbiegają razem o około %1°, więcej niż przypadkiem, a tabela to pomija (największe residuum %2°)</translation>
+        <translation>pięć współczynników nie opisuje tej krzywej: sąsiednie odczyty odbiegają razem o około %1°, więcej niż przypadkiem, a tablica dewiacji to pomija (największe residuum %2°)</translation>
     </message>
 </context>
 <context>
@@ -5902,15 +5898,15 @@
     </message>
     <message>
         <source>the swing of %1 (record %2) came with an import as a signed one, and the file does not say by whom: it is printed as not signed</source>
-        <translation>dewiacja z %1 (zapis %2) przyszła z importem jako podpisana, a plik nie mówi przez kogo: drukuje się jako niepodpisana</translation>
+        <translation>pomiar z %1 (zapis %2) przyszedł z importem jako podpisany, a plik nie mówi przez kogo: drukuje się jako niepodpisany</translation>
     </message>
     <message>
         <source>the file has it as signed and does not say by whom; it is printed as not signed</source>
-        <translation>plik podaje ją jako podpisaną i nie mówi przez kogo; drukuje się jako niepodpisana</translation>
+        <translation>plik podaje go jako podpisany i nie mówi przez kogo; drukuje się jako niepodpisany</translation>
     </message>
     <message>
         <source>the swing is frozen as a signed one, and nobody&apos;s signature is there; expected an amendment, which can be signed</source>
-        <translation>dewiacja jest zamrożona jako podpisana, a niczyjego podpisu nie ma; oczekiwano jej zmiany, którą można podpisać</translation>
+        <translation>pomiar jest zamrożony jako podpisany, a niczyjego podpisu nie ma; oczekiwano poprawki, którą można podpisać</translation>
     </message>
     <message>
         <source>line %1: %2 and %3 are perhaps one aircraft, written in two ways; they are taken as two</source>
@@ -11076,11 +11072,11 @@ soft iron S:</source>
     </message>
     <message>
         <source>this PDF is damaged: its data do not fit their check sum; expected the report as it was written</source>
-        <translation>ten plik PDF jest uszkodzony: dane nie zgadzają się z sumą kontrolną; oczekiwano protokołu w postaci, w jakiej go zapisano</translation>
+        <translation>ten plik PDF jest uszkodzony: dane nie zgadzają się z sumą kontrolną; oczekiwano sprawozdania w postaci, w jakiej je zapisano</translation>
     </message>
     <message>
         <source>signed by its state alone: NO SIGNATURE STANDS</source>
-        <translation>podpisana tylko według stanu: ŻADEN PODPIS NIE STOI</translation>
+        <translation>podpisany tylko według stanu: ŻADEN PODPIS NIE STOI</translation>
     </message>
     <message>
         <source>bias at %1 °C (nT)</source>
@@ -18073,7 +18069,7 @@ pole całkowite %1 nT</translation>
     </message>
     <message>
         <source>This swing is frozen as a signed one, but nobody&apos;s signature is there: it is printed as not signed. Amend it to sign it.</source>
-        <translation>Ta dewiacja jest zamrożona jako podpisana, ale niczyjego podpisu nie ma: drukuje się jako niepodpisana. Aby ją podpisać, utwórz jej zmianę.</translation>
+        <translation>Ten pomiar jest zamrożony jako podpisany, ale niczyjego podpisu nie ma: drukuje się jako niepodpisany. Aby go podpisać, zmień go w nowym wydaniu.</translation>
     </message>
 </context>
 <context>
