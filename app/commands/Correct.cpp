@@ -28,11 +28,7 @@ std::vector<Message> doubtsOf(const Analysis& analysis, const Correction& correc
             figureText(printedHeading_deg(analysis.readings[slip.reading].magnetic.degrees(), 0), 0)});
     // A slip on one of N, E, S and W alone makes a quarter of itself E, and soft iron makes no such E.
     constexpr double kMostE_deg = 3.5;
-    double E_deg = 0.0;
-    const double first_deg = correction.steps[0].magnetic.degrees() - correction.steps[0].compassReads.degrees();
-    for (const auto& step : correction.steps) // δ on N and S less δ on E and W, about the first of them
-        E_deg += (step.coefficient == Coefficient::C ? 0.25 : -0.25)
-            * wrap180(step.magnetic.degrees() - step.compassReads.degrees() - first_deg);
+    const double E_deg = analysis.pointRules ? toDegrees(analysis.pointRules->E_rad) : 0.0;
     if (std::abs(E_deg) > kMostE_deg)
         doubts.push_back(
             {MARKED("app",

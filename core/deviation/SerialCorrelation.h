@@ -2,7 +2,8 @@
 /// Readings of a log follow each other faster than what disturbs them changes: the error of one is nearly that of the next, and many
 /// readings tell little more than a few. What that costs is measured from the residuals in the order in which they were read.
 ///   model: error = slow part, correlated ρ^k over k readings, share 1 − w of the variance, + white part, share w;
-///   ρ and w by restricted maximum likelihood (Patterson and Thompson 1971, Biometrika 58, 545), the likelihood by a Kalman filter.
+///   ρ and w by their restricted likelihood (Patterson and Thompson 1971, Biometrika 58, 545), which a Kalman filter gives; of the memories
+///   that may be, the middle is taken: the likeliest is too short in a log of a few memories' length.
 
 #include <optional>
 

@@ -28,14 +28,26 @@ struct Sector {
     }
 };
 
+/// What two sources differ by, in all and by the heading. Differences are taken about the first of them, so that instruments half a circle
+/// apart have a mean, too.
 struct Apart {
     Sector all;
     std::array<Sector, kSectors> sectors;
+    std::optional<double> first;
+    void add(double turned_deg, double heading_deg);
 };
 
 std::size_t sectorOf(double heading_deg)
 {
     return static_cast<std::size_t>(wrap360(heading_deg) / 360.0 * static_cast<double>(kSectors)) % kSectors;
+}
+
+void Apart::add(double turned_deg, double heading_deg)
+{
+    first = first.value_or(turned_deg);
+    const double difference = *first + wrap180(turned_deg - *first);
+    all.add(difference);
+    sectors[sectorOf(heading_deg)].add(difference);
 }
 
 bool tells(const TimedHeading& heading, NmeaNorth north, double leastSpeed_kt, double mostSpeed_kt)
@@ -45,23 +57,17 @@ bool tells(const TimedHeading& heading, NmeaNorth north, double leastSpeed_kt, d
     return north != NmeaNorth::Track || (heading.speed_kt && *heading.speed_kt >= leastSpeed_kt && *heading.speed_kt < mostSpeed_kt);
 }
 
-/// How far the other lies from the reference, at each moment at which both tell. What they differ by is taken about their first
-/// difference, so that instruments half a circle apart have a mean, too.
+/// How far the other lies from the reference, at each moment at which both tell.
 Apart apartOf(const NmeaStream& reference, const NmeaStream& other, const NmeaTimes& times, double leastSpeed_kt)
 {
     const double most_kt = reference.north == other.north ? HUGE_VAL : kFlies_kt;
     const HeadingLine line(inTime(reference, times));
     Apart apart;
-    std::optional<double> first;
     for (const auto& heading : inTime(other, times)) {
         const auto beside = line.at(heading.seconds);
         if (!beside || !tells(heading, other.north, leastSpeed_kt, most_kt) || !tells(*beside, reference.north, leastSpeed_kt, most_kt))
             continue;
-        const double turned = wrap180(*heading.heading_deg - *beside->heading_deg);
-        first = first.value_or(turned);
-        const double difference = *first + wrap180(turned - *first);
-        apart.all.add(difference);
-        apart.sectors[sectorOf(*beside->heading_deg)].add(difference);
+        apart.add(wrap180(*heading.heading_deg - *beside->heading_deg), *beside->heading_deg);
     }
     return apart;
 }
@@ -147,15 +153,10 @@ std::vector<NmeaContradiction> contradictionsOf(
 std::optional<Message> doubtOfRepetition(const NmeaStream& reference, const NmeaStream& compass, const std::vector<NmeaPair>& pairs)
 {
     Apart apart;
-    std::optional<double> first;
     for (const auto& pair : pairs) {
         if (!pair.used)
             continue;
-        const double turned = wrap180(pair.magnetic.degrees() - pair.compass.degrees());
-        first = first.value_or(turned);
-        const double difference = *first + wrap180(turned - *first);
-        apart.all.add(difference);
-        apart.sectors[sectorOf(pair.compass.degrees())].add(difference);
+        apart.add(wrap180(pair.magnetic.degrees() - pair.compass.degrees()), pair.compass.degrees());
     }
     const auto seen = std::ranges::count_if(apart.sectors, [](const Sector& sector) { return sector.count >= 3; });
     if (seen < 6)

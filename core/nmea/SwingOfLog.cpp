@@ -353,8 +353,10 @@ void SwingOfLog::addDoubts()
 void SwingOfLog::doubtReference()
 {
     const NmeaStream &reference = *m_sources.reference, &compass = *m_sources.compass;
-    for (const auto& one : contradictionsOf(m_log, reference, compass, *m_times, m_options.minSpeed_kt))
-        tellLimit(one.told), m_swing.doubts.emplace_back(m_swing.used, one.ofA_deg);
+    for (const auto& one : contradictionsOf(m_log, reference, compass, *m_times, m_options.minSpeed_kt)) {
+        tellLimit(one.told);
+        m_swing.doubts.emplace_back(m_swing.used, one.ofA_deg);
+    }
     if (const auto doubt = doubtOfRepetition(reference, compass, m_swing.pairs))
         tellLimit(*doubt);
 }

@@ -22,7 +22,8 @@ inline constexpr const char* kSignedBefore = "kept signature";
 [[nodiscard]] std::string auditText(const Signature& signature);
 
 /// With its entry `what` in the trail of the swing's `record`; inside the caller's transaction.
-/// In a query, of the swing s: that it is signed, and by somebody, or was so before signatures were kept (SignatureChecks.h).
+/// In a query, of the swing s: that it is signed, and by somebody, or was so before signatures were kept. For lists: whether signatures hold,
+/// and whether the trail names some that are gone, only SigningStore::stands() tells.
 [[nodiscard]] QString somebodySigned();
 Result<void> addSignature(Database& database, SwingId swing, const RecordId& record, const Signature& signature, const char* what);
 
