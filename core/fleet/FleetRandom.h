@@ -31,6 +31,7 @@ private:
 class FleetRandom {
 public:
     explicit FleetRandom(std::uint64_t seed) : m_engine(seed) {}
+    std::uint64_t bits() { return m_engine(); }
     /// (0, 1)
     double unit() { return (static_cast<double>(m_engine() >> 12) + 0.5) * 0x1p-52; }
     /// Mean 0, standard deviation 1 (Box and Muller).

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -10,7 +11,9 @@
 #include "core/algebra/Products.h"
 #include "core/algebra/Solve.h"
 #include "core/algebra/Spectra.h"
+#include "core/base/VectorClones.h"
 #include "core/fleet/FleetRandom.h"
+#include "core/inflight/Ziggurat.h"
 
 namespace lubberline {
 
@@ -112,6 +115,50 @@ double tailOf(double statistic, int rank, double freedom)
     return cdf(complement(boost::math::chi_squared(rank), statistic));
 }
 
+constexpr std::size_t kAbreast = 8;
+using Abreast = std::array<double, kAbreast>; ///< a figure of each of some draws
+using AbreastScore = std::array<Abreast, 3>;
+
+/// ChangeSeries::largest() of some draws at once.
+LUBBERLINE_VECTOR_CLONES void largestAbreast(const ChangeSeries& series, const AbreastScore* scores, std::size_t count, Abreast& best)
+{
+    AbreastScore all{}, sum{};
+    for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t d = 0; d < kAbreast; ++d)
+                all[i][d] += scores[k][i][d];
+    best.fill(-1.0);
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t d = 0; d < kAbreast; ++d)
+                sum[i][d] += scores[k][i][d];
+        if (!series.possible[k])
+            continue;
+        const double *const b = series.before[k].data(), *const w = series.within[k].data(); // a column after the other
+        for (std::size_t d = 0; d < kAbreast; ++d) {
+            const double x = sum[0][d] - (b[0] * all[0][d] + b[3] * all[1][d] + b[6] * all[2][d]);
+            const double y = sum[1][d] - (b[1] * all[0][d] + b[4] * all[1][d] + b[7] * all[2][d]);
+            const double z = sum[2][d] - (b[2] * all[0][d] + b[5] * all[1][d] + b[8] * all[2][d]);
+            const double statistic = w[0] * x * x + w[4] * y * y + w[8] * z * z + 2.0 * (w[1] * x * y + w[2] * x * z + w[5] * y * z);
+            best[d] = statistic > best[d] ? statistic : best[d];
+        }
+    }
+}
+
+void drawScores(const std::vector<Eigen::Matrix3d>& roots, int rank, FleetRandom& random, std::vector<AbreastScore>& scores)
+{
+    static const Ziggurat normal;
+    for (std::size_t f = 0; f < roots.size(); ++f) {
+        const Eigen::Matrix3d& root = roots[f];
+        for (std::size_t d = 0; d < kAbreast; ++d) {
+            const double x = normal(random), y = rank > 1 ? normal(random) : 0.0, z = rank > 2 ? normal(random) : 0.0;
+            scores[f][0][d] = root(0, 0) * x;
+            scores[f][1][d] = root(1, 0) * x + root(1, 1) * y;
+            scores[f][2][d] = root(2, 0) * x + root(2, 1) * y + root(2, 2) * z;
+        }
+    }
+}
+
 /// Share of series without a change whose largest statistic is as large. Where that is no rare thing it is told by few of them: drawing
 /// ends with the twentieth (Besag and Clifford 1991).
 double simulatedChance(const ChangeSeries& series, double statistic, double freedom)
@@ -120,19 +167,19 @@ double simulatedChance(const ChangeSeries& series, double statistic, double free
     for (const auto& information : series.information)
         seed.add(information(0, 0));
     FleetRandom random(seed.value());
-    std::vector<Eigen::Vector3d> scores(series.score.size());
-    std::vector<Eigen::Matrix3d> root(scores.size());
-    std::transform(series.information.begin(), series.information.end(), root.begin(), rootOf);
+    std::vector<AbreastScore> scores(series.score.size());
+    std::vector<Eigen::Matrix3d> roots(scores.size());
+    std::transform(series.information.begin(), series.information.end(), roots.begin(), rootOf);
     int beyond = 0;
+    Abreast largest{};
     for (int draw = 0; draw < kSimulated; ++draw) {
-        for (std::size_t f = 0; f < scores.size(); ++f) {
-            Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-            for (int i = 0; i < series.rank; ++i)
-                normal(i) = random.normal();
-            scores[f] = root[f] * normal;
+        const auto place = static_cast<std::size_t>(draw) % kAbreast;
+        if (place == 0) {
+            drawScores(roots, series.rank, random, scores);
+            largestAbreast(series, scores.data(), scores.size(), largest);
         }
         const double scale = freedom > 0 ? random.chiSquare(std::max(1, static_cast<int>(freedom))) / freedom : 1.0;
-        if (series.largest(scores).first >= statistic * scale)
+        if (largest[place] >= statistic * scale)
             ++beyond;
         if (beyond == kEnough)
             return static_cast<double>(kEnough) / (draw + 1.0);

@@ -106,22 +106,29 @@ Result<bool> FigureCsv::nextLine()
     return true;
 }
 
+/// Of a row without quotes.
+void FigureCsv::splitBare()
+{
+    m_cells.resize(m_ends.size());
+    std::size_t begin = 0;
+    const auto isPlain = [](char c) { return static_cast<unsigned char>(c - '!') < 0x80 - '!'; };
+    for (std::size_t i = 0; i < m_ends.size(); ++i) {
+        const std::size_t end = m_ends[i];
+        std::string_view cell(m_text.data() + begin, end - begin);
+        if (!cell.empty() && !(isPlain(cell.front()) && isPlain(cell.back())))
+            cell = trimmed(cell);
+        m_cells[i] = cell;
+        begin = end + 1;
+    }
+}
+
 Result<void> FigureCsv::split()
 {
-    m_cells.clear();
     if (!m_quoted) {
-        std::size_t begin = 0;
-        for (const std::uint32_t end : m_ends) {
-            std::string_view cell(m_text.data() + begin, end - begin);
-            if (!cell.empty()
-                && (static_cast<unsigned char>(cell.front()) <= ' ' || static_cast<unsigned char>(cell.back()) <= ' '
-                    || static_cast<unsigned char>(cell.front()) >= 0x80 || static_cast<unsigned char>(cell.back()) >= 0x80))
-                cell = trimmed(cell);
-            m_cells.push_back(cell);
-            begin = end + std::size_t{1};
-        }
+        splitBare();
         return {};
     }
+    m_cells.clear();
     if (m_splitter.begin(m_text) != RowSplitter::State::Complete)
         return Error{
             ErrorCode::Format, MARKED("core", "a quoted cell does not end in this row; expected figures and short texts"), m_name, m_line};
@@ -210,7 +217,9 @@ Result<bool> FigureCsv::next()
             return more;
         if (m_text.empty() || m_text.front() == '#' || m_text.starts_with("\"#"))
             continue;
-        if (const auto row = split(); !row)
+        if (!m_quoted)
+            splitBare();
+        else if (const auto row = split(); !row)
             return row.error();
         while (m_cells.size() > m_columns.size() && m_cells.back().empty())
             m_cells.pop_back();

@@ -69,6 +69,7 @@ private:
     bool takeOther(std::string_view text, double& value) const;
     Result<bool> nextLine();
     Result<void> split();
+    void splitBare();
 
     LineReader m_lines;
     std::string m_name;

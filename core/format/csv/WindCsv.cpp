@@ -221,13 +221,13 @@ private:
                 return more.error();
             if (!*more)
                 break;
-            if (const auto row = takeRow(hands); !row)
-                return row;
+            if (const auto fault = takeRow(hands))
+                return *fault;
         }
         return {};
     }
 
-    Result<void> takeRow(WindHands& hands)
+    std::optional<Error> takeRow(WindHands& hands)
     {
         WindReport report;
         for (const auto& [field, column] : m_fields) {
