@@ -58,6 +58,13 @@ int electricalCommand(const ElectricalArguments& options)
             if (!options.json)
                 print(name, *errors);
         }
+    if (const auto errors = electricalErrorsOf(*swing)) {
+        object["headings"] = {{"read", errors->read}, {"largest_error_deg", errors->largest_deg},
+            {"at_selected_deg", errors->largestAt_deg}, {"mean_error_deg", errors->mean_deg}};
+        if (!options.json)
+            put("headings: largest error %+.2f deg with %g selected, mean %+.2f, of %d read\n", errors->largest_deg, errors->largestAt_deg,
+                errors->mean_deg, errors->read);
+    }
     if (const auto check = selfCheckOf(*swing)) {
         object["self_check"] = {{"largest_deg", check->largest_deg}, {"mean_deg", check->mean_deg}, {"passed", check->passed}};
         if (!options.json)

@@ -12,6 +12,7 @@
 #include "app/QtSession.h"
 #include "app/commands/Command.h"
 #include "core/base/FileText.h"
+#include "core/base/Normal.h"
 #include "core/base/Number.h"
 #include "core/base/OutputFile.h"
 #include "core/base/WholeFile.h"
@@ -167,7 +168,7 @@ void printTable(const MapAnswer& answer)
         double largest = 0;
         for (const double sigma : answer.model.sigma_rad)
             largest = std::isfinite(sigma) ? std::max(largest, sigma) : largest;
-        put("sure to %.2f deg (95 %%) or better, by the calibration of the model\n\n", 1.96 * toDegrees(largest));
+        put("sure to %.2f deg (95 %%) or better, by the calibration of the model\n\n", kNormal95 * toDegrees(largest));
     }
     put("           %10s %10s  deviation\n", x, y);
     for (const auto& extreme : extremesOf(answer.map))

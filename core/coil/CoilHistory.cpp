@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/FileText.h"
+#include "core/base/Normal.h"
 #include "core/base/Number.h"
 
 namespace lubberline {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr int kLeastDays = 30; // within a month no drift is told from a bench set up anew
 constexpr double kDaysOfYear = 365.25;
-constexpr double kOf95 = 1.96;
 constexpr double kOtherTemperature_c = 5;
 constexpr double kOtherRange = 1.25;
 
@@ -121,9 +121,9 @@ Result<CoilDrift> driftBetween(const CoilBench& earlier, const CoilBench& later)
     drift.bias_nT_per_year = (is.value_nT - was.value_nT) / drift.years;
     drift.scale_per_year = (second->scale - first->scale).cwiseQuotient(first->scale) / drift.years;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        drift.biasInterval_nT_per_year[axis] = kOf95 * std::hypot(was.error_nT[axis], is.error_nT[axis]) / drift.years;
+        drift.biasInterval_nT_per_year[axis] = kNormal95 * std::hypot(was.error_nT[axis], is.error_nT[axis]) / drift.years;
         drift.scaleInterval_per_year[axis]
-            = kOf95 * std::hypot(first->scaleError[axis], second->scaleError[axis]) / first->scale[axis] / drift.years;
+            = kNormal95 * std::hypot(first->scaleError[axis], second->scaleError[axis]) / first->scale[axis] / drift.years;
         drift.noiseRatio[axis] = second->noise_nT[axis] / std::max(first->noise_nT[axis], 1e-12);
     }
     drift.doubts = doubtsOf(earlier, later, *first, *second);

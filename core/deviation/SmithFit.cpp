@@ -12,6 +12,7 @@
 
 #include "core/algebra/LeastSquares.h"
 #include "core/angle/Circle.h"
+#include "core/base/Normal.h"
 #include "core/deviation/SerialCorrelation.h"
 #include "core/deviation/SmithRows.h"
 #include "core/deviation/ToldCoefficients.h"
@@ -110,6 +111,13 @@ void fillUncertainty(SmithFitReport& report, const Eigen::MatrixXd& covariance, 
     report.intervalFactor = studentQuantile(0.975, freedom);
 }
 
+/// Of a variance and its part that all readings share: Student's factor is for what was estimated from the scatter, not for what was stated.
+double half95(const SmithFitReport& fit, double variance, double sharedVariance)
+{
+    const double byScatter = *fit.intervalFactor * *fit.intervalFactor * std::max(0.0, variance - sharedVariance);
+    return std::sqrt(byScatter + kNormal95 * kNormal95 * sharedVariance);
+}
+
 struct SerialErrors {
     SerialCorrelation errors;
     Design design; ///< in the order of reading
@@ -202,7 +210,7 @@ std::optional<double> SmithFitReport::interval95(Coefficient c) const
     const auto& error = standardError[indexOf(c)];
     if (!error || !intervalFactor)
         return std::nullopt;
-    return *error * *intervalFactor;
+    return half95(*this, *error * *error, shared[indexOf(c)] * shared[indexOf(c)]);
 }
 
 Deviation deviationAt(const ExactFit& fit, MagneticHeading magnetic)
@@ -222,7 +230,6 @@ double largeIndex_deg(std::span<const Observation> readings)
 
 void widenTo(SmithFitReport& fit, double error_rad)
 {
-    constexpr double kNormalQuantile = 1.959964; // of 95 %: a reading error is known, not estimated
     if (!fit.fitted() || error_rad <= 0.0 || (fit.sigma_rad && *fit.sigma_rad >= error_rad))
         return;
     if (!fit.sigma_rad) { // as many coefficients as readings: the reading error is all that is known
@@ -230,7 +237,7 @@ void widenTo(SmithFitReport& fit, double error_rad)
     } else {
         const double factor = error_rad / std::max(*fit.sigma_rad, kLeastScatter_rad);
         fit.covariance *= factor * factor;
-        fit.intervalFactor = std::max(*fit.intervalFactor / factor, kNormalQuantile);
+        fit.intervalFactor = std::max(*fit.intervalFactor / factor, kNormal95); // a reading error is known, not estimated
     }
     for (std::size_t i = 0; i < kCoefficientCount; ++i)
         if (fit.value[i])
@@ -244,6 +251,7 @@ void addShared(SmithFitReport& fit, const std::array<double, kCoefficientCount>&
             continue;
         const auto place = static_cast<Eigen::Index>(i);
         fit.covariance(place, place) += errors_rad[i] * errors_rad[i];
+        fit.shared[i] = std::hypot(fit.shared[i], errors_rad[i]);
         fit.standardError[i] = std::sqrt(fit.covariance(place, place));
     }
 }
@@ -267,7 +275,8 @@ std::optional<double> bandHalfWidth_rad(const ApproximateFit& fit, CompassHeadin
     const SmithRow row = approximateRow({MagneticHeading{}, compass}, toDegrees(fit.index_rad));
     const auto x = Eigen::Map<const Eigen::Matrix<double, 5, 1>>(row.x.data());
     const double variance = x.dot(fit.covariance * x); // rows without a value are zero
-    const double width_rad = *fit.intervalFactor * std::sqrt(std::max(0.0, variance));
+    const double shared = (x.array() * Eigen::Map<const Eigen::Array<double, 5, 1>>(fit.shared.data())).square().sum();
+    const double width_rad = half95(fit, std::max(0.0, variance), shared);
     return width_rad < kPi ? std::optional(width_rad) : std::nullopt; // half a turn either way is every heading
 }
 

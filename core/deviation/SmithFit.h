@@ -23,8 +23,10 @@ struct SmithFitReport {
     std::array<std::optional<double>, kCoefficientCount> standardError;               ///< none without degrees of freedom
     Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero();     ///< zero rows where there is no value
     Eigen::Matrix<double, 5, 5> unitCovariance = Eigen::Matrix<double, 5, 5>::Zero(); ///< (XᵀX)⁻¹, of readings with unit variance
-    /// Half width of the 95 % interval in standard errors: Student's quantile of the degrees of freedom (of those that correlated readings
-    /// are worth); none where no scatter could be measured.
+    /// Of the standard errors, what all readings share (addShared()): in covariance and standardError, but stated, not estimated from a scatter.
+    std::array<double, kCoefficientCount> shared{};
+    /// Half width of the 95 % interval in standard errors of the scatter: Student's quantile of the degrees of freedom (of those that
+    /// correlated readings are worth); none where no scatter could be measured.
     std::optional<double> intervalFactor;
     /// Of neighbouring readings, where it is more than chance: the covariance counts it (SerialCorrelation.h).
     std::optional<double> lagOneCorrelation;
@@ -41,7 +43,7 @@ struct SmithFitReport {
     std::vector<double> leverage;     ///< diagonal of the hat matrix
     [[nodiscard]] bool fitted() const { return parameters > 0; }
     [[nodiscard]] std::optional<double> of(Coefficient c) const { return value[indexOf(c)]; }
-    /// Half width of the 95 % interval, in the unit of the value.
+    /// Half width of the 95 % interval, in the unit of the value: √((intervalFactor × standard error by scatter)² + (1.96 × shared)²).
     [[nodiscard]] std::optional<double> interval95(Coefficient c) const;
 };
 
@@ -86,7 +88,7 @@ Result<ApproximateFit> fitApproximate(std::span<const Observation> readings, con
 /// linear in the five. Residuals are δ read − δ by [P 3] at the magnetic heading. Selection and errors as above.
 Result<ExactFit> fitExact(std::span<const Observation> readings, const FitWishes& wishes = {});
 
-/// Half width of the 95 % confidence band of the fitted curve at a compass heading [rad] (covariance and intervalFactor of the fit);
+/// Half width of the 95 % confidence band of the fitted curve at a compass heading [rad], put together as interval95();
 /// none without degrees of freedom, or where it would be half a turn or more.
 [[nodiscard]] std::optional<double> bandHalfWidth_rad(const ApproximateFit& fit, CompassHeading compass);
 

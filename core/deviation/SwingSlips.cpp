@@ -29,6 +29,10 @@ constexpr double kUnnamedSize_deg = 15.0, kUnnamedRate = 5e-4;
 /// much better: 88, 92, 95 and 97 in 100 are found where 3, 5, 7 and 10 are looked at, and 93 for 5 were the very spread of the simulated
 /// curves known. A second slip, which its first could feign, must be likelier than none.
 constexpr double kOdds = 0.075, kOddsMore = 1.0;
+/// With more readings the scatter is known better and a slip stands out by more, so that less has to be looked at for it: at twelve and more
+/// readings some 2 in 100 swings at 1° (5 at the odds of eight), and of slips of 5° at 0.3° and of 8° at 1° as many are found.
+constexpr double kOddsOfMany = 0.25;
+constexpr double kFewReadings = 8.0, kManyReadings = 12.0;
 /// Five coefficients go through five readings: what one of them slipped by is a large coefficient as well as a slip, and only what no
 /// compass has is named.
 constexpr std::size_t kUnchecked = 5;
@@ -327,6 +331,12 @@ private:
     Search m_exact, m_approximate;
 };
 
+double oddsFor(std::size_t readings)
+{
+    const double many = std::clamp((static_cast<double>(readings) - kFewReadings) / (kManyReadings - kFewReadings), 0.0, 1.0);
+    return kOdds * std::pow(kOddsOfMany / kOdds, many);
+}
+
 /// The likeliest and those that could be it instead.
 std::vector<std::size_t> likelyOnes(const Pass& pass)
 {
@@ -348,7 +358,7 @@ SlipSearch findSlips(std::span<const Observation> readings, double resolution_de
         return {};
     BothForms forms(readings, resolution_deg, history, beyond_rad);
     SlipSearch found;
-    const double odds = readings.size() <= kUnchecked && !history ? kOddsUnchecked : kOdds;
+    const double odds = readings.size() <= kUnchecked && !history ? kOddsUnchecked : oddsFor(readings.size());
     // Beyond a third of the readings nothing is left to hold the others against.
     const std::size_t most = std::max<std::size_t>(1, readings.size() / 3);
     for (Pass pass = forms.look(); found.slips.size() < most && readings.size() - found.slips.size() > 3;) {

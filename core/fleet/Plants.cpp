@@ -1,3 +1,4 @@
+#include "core/base/Normal.h"
 #include "core/fleet/Plants.h"
 
 #include <algorithm>
@@ -165,7 +166,7 @@ DateComparison compareAt(std::span<const FigureOfA> figures, std::size_t place)
     comparison.change = changeOf(comparison.before.meanAbsA_deg, comparison.after.meanAbsA_deg);
     const auto a = meanAbs(before), b = meanAbs(after);
     const double relative = std::hypot(a.mean > 0 ? a.standardError / a.mean : 1.0, b.mean > 0 ? b.standardError / b.mean : 1.0);
-    const double ratio = 1 + comparison.change, factor = std::exp(1.96 * relative); // on the logarithm: a ratio stays positive
+    const double ratio = 1 + comparison.change, factor = std::exp(kNormal95 * relative); // on the logarithm: a ratio stays positive
     comparison.change95 = {ratio / factor - 1, ratio * factor - 1};
     comparison.p = 2 * normalTail(std::abs(std::log(std::max(ratio, 1e-9))) / std::max(relative, 1e-9));
     compareWithin(before, after, comparison);

@@ -5,6 +5,7 @@
 #include <map>
 #include <string_view>
 
+#include "core/base/Normal.h"
 #include "core/base/Number.h"
 
 namespace lubberline {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr std::size_t kFirst = 3; ///< D; E follows
 constexpr int kFewestAircraft = 3;
-constexpr double kNormal95 = 1.959963984540054;
 constexpr double kLeastSpread_deg = 0.2; ///< stores and equipment move D by as much, however alike those aircraft are
 
 /// One aircraft's mean and the error of it.

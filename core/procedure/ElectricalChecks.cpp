@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/angle/Angle.h"
+#include "core/angle/Circle.h"
+#include "core/base/Number.h"
 
 namespace lubberline {
 
@@ -24,11 +26,12 @@ bool complete(const std::vector<SelectedHeading>& headings)
 std::vector<double> errorsWithoutIndex(const std::vector<SelectedHeading>& headings)
 {
     std::vector<double> errors;
-    double sum = 0.0;
-    for (const auto& each : headings) {
+    for (const auto& each : headings)
         errors.push_back(wrap180(*each.indicated_deg - each.selected_deg));
-        sum += errors.back();
-    }
+    const double roughly_deg = circularMean(errors).mean_deg; // a set turned round has errors on both sides of ±180°
+    double sum = 0.0;
+    for (double& error : errors)
+        sum += error = wrap180(error - roughly_deg);
     for (double& error : errors)
         error -= sum / static_cast<double>(headings.size());
     return errors;
@@ -94,6 +97,37 @@ Result<SelfCheck> selfCheckOf(const ElectricalSwing& swing)
     return check;
 }
 
+std::optional<ElectricalErrors> electricalErrorsOf(const ElectricalSwing& swing)
+{
+    ElectricalErrors all;
+    std::vector<double> errors_deg;
+    for (const SelectedHeading& one : swing.headings) {
+        if (!one.indicated_deg)
+            continue;
+        const double error_deg = wrap180(*one.indicated_deg - one.selected_deg);
+        errors_deg.push_back(error_deg);
+        all.slips += std::abs(error_deg) > kSlip_deg;
+        if (all.read++ == 0 || std::abs(error_deg) > std::abs(all.largest_deg)) {
+            all.largest_deg = error_deg;
+            all.largestAt_deg = one.selected_deg;
+        }
+        for (std::size_t i = 0; i < swing.after.indicated_deg.size(); ++i) {
+            const auto& inF1_deg = swing.after.indicated_deg[i];
+            if (!inF1_deg || std::abs(wrap180(one.selected_deg - 90.0 * static_cast<double>(i))) > kRounding_deg)
+                continue;
+            const double differ_deg = wrap180(*one.indicated_deg - *inF1_deg);
+            if (std::abs(differ_deg) > std::abs(all.againstF1_deg)) {
+                all.againstF1_deg = differ_deg;
+                all.againstF1At_deg = one.selected_deg;
+            }
+        }
+    }
+    if (all.read == 0)
+        return std::nullopt;
+    all.mean_deg = circularMean(errors_deg).mean_deg;
+    return all;
+}
+
 std::vector<Message> openPoints(const ElectricalSwing& swing)
 {
     std::vector<Message> open;
@@ -107,6 +141,15 @@ std::vector<Message> openPoints(const ElectricalSwing& swing)
         open.push_back(MARKED("core", "the pairs 0/180 and 90/270 do not agree within 0.2°"));
     if (!complete(swing.headings))
         open.push_back(MARKED("core", "not all of the 24 headings are read"));
+    const auto errors = electricalErrorsOf(swing);
+    if (errors && errors->slips > 0)
+        open.push_back({MARKED_N("core", "%n heading(s) indicated more than 30° off what was selected, %1° at %2°: read them again"),
+            errors->slips, signedFigureText(errors->largest_deg, 2), shortestNumber(errors->largestAt_deg)});
+    else if (errors && std::abs(errors->againstF1_deg) > kPairLimit_deg + kRounding_deg)
+        open.push_back(
+            {MARKED("core",
+                 "with %1° selected the headings indicate %2° more than table F1 after the adjustment; expected the same within 0.2°"),
+                shortestNumber(errors->againstF1At_deg), signedFigureText(errors->againstF1_deg, 2)});
     return open;
 }
 

@@ -3,6 +3,7 @@
 /// in its sources.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,19 @@ struct SelfCheck {
 };
 /// Errors: InvalidInput (fewer than 24 of either, or different headings).
 Result<SelfCheck> selfCheckOf(const ElectricalSwing& swing);
+
+/// What the 24 headings tell by themselves. No source has a limit for them.
+struct ElectricalErrors {
+    int read = 0;             ///< headings that something is indicated for
+    double largest_deg = 0;   ///< the error of the largest size
+    double largestAt_deg = 0; ///< selected there
+    double mean_deg = 0;      ///< of the errors: the index
+    int slips = 0;            ///< further than 30° from what was selected
+    double againstF1_deg = 0; ///< largest difference to table F1 after the adjustment, where both have the heading
+    double againstF1At_deg = 0;
+};
+/// None where nothing is indicated.
+[[nodiscard]] std::optional<ElectricalErrors> electricalErrorsOf(const ElectricalSwing& swing);
 
 /// What is still missing or wrong before the record may be signed; empty: nothing.
 [[nodiscard]] std::vector<Message> openPoints(const ElectricalSwing& swing);

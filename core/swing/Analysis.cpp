@@ -9,6 +9,7 @@
 #include "core/base/Number.h"
 #include "core/swing/CompassAtFault.h"
 #include "core/swing/LackOfFit.h"
+#include "core/swing/RepeatedReadings.h"
 
 namespace lubberline {
 
@@ -338,6 +339,8 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     addResiduals(analysis);
     if (looksLikeRadians(readings))
         analysis.warnings.push_back(MARKED("core", "all headings lie between 0 and 6.3, as if they were in radians; expected degrees"));
+    if (const auto words = countOnce(readings, analysis.approximate, analysis.exact))
+        analysis.warnings.push_back(*words);
     widenTo(analysis.approximate, options.readingError_rad);
     widenTo(analysis.exact, options.readingError_rad);
     takeShared(analysis, options.shared);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/Number.h"
 #include "core/swing/Gaps.h"
 #include "core/swing/Observations.h"
 #include "core/swing/ReadingError.h"
@@ -20,6 +21,31 @@ double datumDivision_deg(const SwingJob& job)
         if (const auto* changed = std::get_if<job::DatumChanged>(&event.what))
             division_deg = std::max(division_deg, changed->datum.resolution_deg);
     return division_deg;
+}
+
+bool readTo(const Swing& swing, double division_deg)
+{
+    return std::all_of(swing.readings.begin(), swing.readings.end(), [division_deg](const Reading& reading) {
+        const double divisions = reading.compass ? reading.compass->degrees() / division_deg : 0.0;
+        return std::abs(divisions - std::round(divisions)) < 1e-6;
+    });
+}
+
+/// A compass whose marks are read without looking between them: the coarsest of 5° and 2° of which every heading is a multiple. By chance eight
+/// headings to 1° are all even in one swing of 256. None of fewer, or of a compass that does not deviate: it is on the headings that were asked.
+std::optional<double> coarseSteps_deg(const Swing& swing)
+{
+    constexpr std::size_t kEnoughForSteps = 8;
+    const auto readings = observationsOf(swing);
+    const auto deviation_deg = [](const Observation& one) { return deviationOf(one.magnetic, one.compass).degrees(); };
+    const bool alike = std::all_of(readings.begin(), readings.end(),
+        [&](const Observation& one) { return std::abs(deviation_deg(one) - deviation_deg(readings.front())) < 1e-6; });
+    if (readings.size() < kEnoughForSteps || alike)
+        return std::nullopt;
+    for (const double steps_deg : {5.0, 2.0})
+        if (readTo(swing, steps_deg))
+            return steps_deg;
+    return std::nullopt;
 }
 
 } // namespace
@@ -52,8 +78,15 @@ SwingQuestion questionOf(
     const SwingRecord& record, const SwingJob* job, const AnalysisOptions& options, const std::optional<SensorBench>& bench)
 {
     SwingQuestion question{observationsOf(record.swing), options};
-    question.options.resolution_deg = record.compass.resolution_deg;
-    question.options.readingError_rad = readingError_rad(record.compass.resolution_deg, job ? datumDivision_deg(*job) : 0.0);
+    double& division_deg = question.options.resolution_deg;
+    division_deg = record.compass.resolution_deg;
+    if (const auto steps_deg = coarseSteps_deg(record.swing); steps_deg && *steps_deg > division_deg) {
+        division_deg = *steps_deg;
+        question.words.push_back(
+            {MARKED("core", "every compass heading is a multiple of %1°: taken as read to no better, whatever the compass can"),
+                shortestNumber(*steps_deg)});
+    }
+    question.options.readingError_rad = readingError_rad(division_deg, job ? datumDivision_deg(*job) : 0.0);
     question.options.shared = record.swing.sharedErrors;
     double& ofA_deg = question.options.shared.of_deg[indexOf(Coefficient::A)];
     ofA_deg = std::hypot(ofA_deg, variationDoubt_deg(record.swing, record.site));
@@ -86,14 +119,8 @@ Result<Analysis> resultOf(
 
 double divisionOf_deg(const Swing& swing)
 {
-    const auto readTo = [&swing](double division_deg) {
-        return std::all_of(swing.readings.begin(), swing.readings.end(), [division_deg](const Reading& reading) {
-            const double divisions = reading.compass ? reading.compass->degrees() / division_deg : 0.0;
-            return std::abs(divisions - std::round(divisions)) < 1e-6;
-        });
-    };
     for (const double division_deg : {1.0, 0.5})
-        if (readTo(division_deg))
+        if (readTo(swing, division_deg))
             return division_deg;
     return 0.1;
 }

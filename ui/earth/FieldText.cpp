@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
+#include "core/base/DateText.h"
 #include "ui/text/NumberText.h"
 
 namespace lubberline::ui {
@@ -24,9 +25,9 @@ Result<Date> parseDate(const QString& text, bool mayBeEmpty)
     const QString typed = text.trimmed();
     if (typed.isEmpty() && mayBeEmpty)
         return Date();
-    const auto day = Date::read(typed.toStdString());
+    const auto day = plainDate(typed.toStdString());
     if (!day)
-        return wrong(Words::tr("“%1” is no date; expected year-month-day, as 2026-11-20").arg(typed));
+        return wrong(Words::tr("“%1” is no date; expected year-month-day or day.month.year, as 2026-11-20 or 20.11.2026").arg(typed));
     return *day;
 }
 

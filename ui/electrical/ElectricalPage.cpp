@@ -302,6 +302,11 @@ void ElectricalPage::showVerdict()
         lines += tr("E1 mean %1 V").arg(*mean);
     if (const auto mean = swing.E2.mean_V())
         lines += tr("E2 mean %1 V").arg(*mean);
+    if (const auto errors = electricalErrorsOf(swing))
+        lines += tr("Headings: largest error %1° with %2° selected, mean %3°, of %n heading(s)", nullptr, errors->read)
+                     .arg(signedNumber(errors->largest_deg, 2))
+                     .arg(errors->largestAt_deg)
+                     .arg(signedNumber(errors->mean_deg, 2));
     if (const auto check = selfCheckOf(swing))
         lines += tr("Set self-check: largest %1′, mean %2′: %3")
                      .arg(check->largest_deg * 60, 0, 'f', 1)

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/Normal.h"
 #include "core/sensor/SensorReading.h"
 #include "core/swing/Analysis.h"
 #include "ui/kit/Words.h"
@@ -49,7 +50,6 @@ std::function<std::optional<double>(double, double)> bandOf(const NamedModel& na
         return {};
     return [model = named.model, uncertainty = *named.uncertainty, field = view.field, request = view.request](
                double x_deg, double y_deg) -> std::optional<double> {
-        constexpr double kNormal95 = 1.959964;
         std::array<double, 3> angles_deg{};
         angles_deg[static_cast<std::size_t>(heldAxis(request))] = request.held_deg;
         angles_deg[static_cast<std::size_t>(request.x.axis)] = x_deg;

@@ -7,6 +7,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/kit/Words.h"
@@ -19,6 +20,18 @@ namespace lubberline::ui {
 namespace {
 
 enum Column { Approximate, ApproximateError, Exact, ExactError, Rule, kColumns };
+
+/// What the 95 % interval of a coefficient is made of.
+QString howWide(const SmithFitReport& fit, std::size_t coefficient, double scale, int decimals)
+{
+    const double whole = *fit.standardError[coefficient], shared = fit.shared[coefficient];
+    const auto figure = [&](double value) { return QString::number(value * scale, 'f', decimals); };
+    const QString factor = QString::number(*fit.intervalFactor, 'f', 2);
+    if (shared == 0.0)
+        return CoefficientsPanel::tr("95 % interval (Student): %1 standard errors of %2").arg(factor, figure(whole));
+    return CoefficientsPanel::tr("95 % interval: %1 standard errors of %2 by the scatter (Student), and 1.96 of %3 that all readings share")
+        .arg(factor, figure(std::sqrt(std::max(0.0, whole * whole - shared * shared))), figure(shared));
+}
 
 } // namespace
 
@@ -103,14 +116,11 @@ void CoefficientsPanel::showFit(const SmithFitReport& fit, int column, double sc
     };
     for (const Coefficient coefficient : kCoefficients) {
         const auto i = indexOf(coefficient);
-        const auto value = fit.value[i], interval = fit.interval95(coefficient), error = fit.standardError[i];
+        const auto value = fit.value[i], interval = fit.interval95(coefficient);
         setCell(static_cast<int>(i), column, value ? valueText(*value * scale) : QString(), whyNone);
         setCell(static_cast<int>(i), column + 1, interval ? spreadText(*interval * scale) : QString(), value ? whyNoInterval : whyNone);
         if (interval)
-            m_table->item(static_cast<int>(i), column + 1)
-                ->setToolTip(tr("95 % interval (Student): %1 standard errors of %2")
-                                 .arg(*fit.intervalFactor, 0, 'f', 2)
-                                 .arg(*error * scale, 0, 'f', decimals));
+            m_table->item(static_cast<int>(i), column + 1)->setToolTip(howWide(fit, i, scale, decimals));
     }
 }
 

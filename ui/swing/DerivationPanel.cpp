@@ -94,13 +94,22 @@ QString intervalWords(const SmithFitReport& fit, CoefficientPlace place)
     const auto interval = fit.interval95(place.coefficient), error = fit.standardError[indexOf(place.coefficient)];
     if (!interval || !fit.sigma_rad)
         return DerivationPanel::tr("No interval: there are no more readings than coefficients.");
+    const double shared = fit.shared[indexOf(place.coefficient)], byScatter = std::sqrt(std::max(0.0, *error * *error - shared * shared));
+    const QString scatter
+        = DerivationPanel::tr("the standard error follows from the scatter of the readings, s = √(Σ residual² / %1) = %2°.")
+              .arg(fit.degreesOfFreedom)
+              .arg(toDegrees(*fit.sigma_rad), 0, 'f', 3);
+    const auto figure = [&](double value) { return QString::number(value * scale, 'f', decimals); };
+    const QString factor = QString::number(*fit.intervalFactor, 'f', 2);
+    if (shared == 0.0)
+        return DerivationPanel::tr("95 % ± %1 = %2 × %3: Student's factor for %4 degrees of freedom times the standard error; ")
+                   .arg(figure(*interval), factor, figure(*error), QString::number(fit.degreesOfFreedom))
+            + scatter;
     return DerivationPanel::tr(
-        "95 % ± %1 = %2 × %3: Student's factor for %4 degrees of freedom times the standard error, which follows from the scatter of the readings, s = √(Σ residual² / %4) = %5°.")
-        .arg(*interval * scale, 0, 'f', decimals)
-        .arg(*fit.intervalFactor, 0, 'f', 2)
-        .arg(*error * scale, 0, 'f', decimals)
-        .arg(fit.degreesOfFreedom)
-        .arg(toDegrees(*fit.sigma_rad), 0, 'f', 3);
+               "95 % ± %1 = √((%2 × %3)² + (1.96 × %4)²): Student's factor for %5 degrees of freedom times the standard error "
+               "by the scatter, and 1.96 of the error that all readings share, which is stated; ")
+               .arg(figure(*interval), factor, figure(byScatter), figure(shared), QString::number(fit.degreesOfFreedom))
+        + scatter;
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/angle/AngleText.h"
+#include "core/base/DateText.h"
 #include "core/base/FileText.h"
 #include "core/base/Number.h"
 #include "core/earth/FieldModel.h"
@@ -69,9 +70,9 @@ Result<void> takeChoice(const KeyLine& line, Choice& into)
 
 Result<void> takeDate(const KeyLine& line, Date& into)
 {
-    const auto day = Date::read(line.value);
+    const auto day = plainDate(line.value);
     if (!day)
-        return wrongValue(line, MARKED("core", "a date of the calendar as YYYY-MM-DD"));
+        return wrongValue(line, MARKED("core", "a date of the calendar as YYYY-MM-DD or DD.MM.YYYY"));
     into = *day;
     return {};
 }

@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
+#include "core/base/DateText.h"
 #include "core/base/Progress.h"
 #include "core/format/csv/SwingCsv.h"
 
 namespace lubberline {
 
 enum class YearsCells { Compass, Magnetic, Deviations, IndicationErrors }; ///< of heading columns
-enum class DateOrder { YearMonthDay, DayMonthYear, MonthDayYear };
 
 /// How a table is to be read.
 struct YearsTable {
@@ -39,9 +39,6 @@ struct YearsTable {
 
 /// The heading that a column of this name is of [deg, 0…360]; none where it is no heading.
 [[nodiscard]] std::optional<double> headingOfColumn(std::string_view name);
-
-/// A day as it is written on paper: 2019-12-31, or in the given order with dots, strokes or hyphens between.
-[[nodiscard]] std::optional<Date> dateAsWritten(std::string_view text, DateOrder order);
 
 /// What a table has, before anybody has said how it is to be read.
 struct YearsHeader {

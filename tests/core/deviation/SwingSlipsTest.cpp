@@ -103,6 +103,8 @@ TEST(SwingSlips, rightReadingsAreLeftAlone)
     const auto coarse = ratesOf(1.0, 8, nothing);
     EXPECT_LE(coarse.alarms, 0.12); // the price of finding 5° at 0.3°: a look costs seconds
     EXPECT_LE(coarse.innocent, 0.02);
+    for (const int many : {12, 16, 24, 36})
+        EXPECT_LE(ratesOf(1.0, many, nothing).alarms, 0.05) << many;
     EXPECT_LE(ratesOf(0.5, 24, nothing).alarms, 0.02);
 }
 

@@ -101,7 +101,7 @@ const std::vector<Damage> kDamages = {
     {"noSuchKind", key("# kind: swinging"), kInvalid, 2, {"kind", "swinging", "check, correction, calibration, air or not_stated"}},
     {"noSuchStage", key("# stage: found"), kInvalid, 2, {"stage", "as_found, as_left or not_stated"}},
     {"noSuchRadioState", key("# radio: maybe"), kInvalid, 2, {"radio", "on or off"}},
-    {"dateOtherwise", key("# date: 20.11.2026"), kInvalid, 2, {"date", "20.11.2026", "YYYY-MM-DD"}},
+    {"dateOtherwise", key("# date: 20/11/2026"), kInvalid, 2, {"date", "20/11/2026", "YYYY-MM-DD"}},
     {"noSuchDay", key("# date: 2023-02-29"), kInvalid, 2, {"2023-02-29"}},
     {"noSuchDueDate", key("# datum_calibration_due: 2026-02-30"), kInvalid, 2, {"datum_calibration_due"}},
     {"variationLetters", key("# variation_deg: 6X"), kInvalid, 2, {"variation_deg", "6X", "between -180 and 180"}},

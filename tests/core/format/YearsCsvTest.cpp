@@ -172,6 +172,11 @@ TEST(YearsCsv, cellsThatAreSomethingElseThanSaidAreTold)
 
 TEST(YearsCsv, datesAsTheyAreWritten)
 {
+    EXPECT_EQ(plainDate("31.05.2026"), Date("2026-05-31"));
+    EXPECT_EQ(plainDate("5.6.2026"), Date("2026-06-05")); // with dots the day is first
+    EXPECT_EQ(plainDate("2026/06/05"), Date("2026-06-05"));
+    for (const char* doubtful : {"5/6/2026", "05-06-2026", "31.05.26", "31.13.2026"})
+        EXPECT_FALSE(plainDate(doubtful)) << doubtful;
     EXPECT_EQ(dateAsWritten("31.12.2019", DateOrder::DayMonthYear), Date("2019-12-31"));
     EXPECT_EQ(dateAsWritten("1/2/2019", DateOrder::DayMonthYear), Date("2019-02-01"));
     EXPECT_EQ(dateAsWritten("1/2/2019", DateOrder::MonthDayYear), Date("2019-01-02"));

@@ -66,6 +66,28 @@ TEST(ElectricalSwing, openPoints)
     for (auto& heading : swing.headings)
         heading.indicated_deg = heading.selected_deg;
     EXPECT_TRUE(openPoints(swing).empty());
+    swing.headings[6].indicated_deg = 90.3; // F1 says 90.0
+    ASSERT_EQ(openPoints(swing).size(), 1u);
+    EXPECT_NE(inEnglish(openPoints(swing))[0].find("with 90° selected the headings indicate +0.30° more"), std::string::npos);
+    for (auto& heading : swing.headings)
+        heading.indicated_deg = wrap360(heading.selected_deg + 180); // the set turned round: F1 agrees, and no heading is right
+    ASSERT_EQ(openPoints(swing).size(), 1u);
+    EXPECT_EQ(inEnglish(openPoints(swing))[0].find("24 headings indicated more than 30° off"), 0u);
+}
+
+TEST(ElectricalSwing, theHeadingsTellTheirLargestError)
+{
+    ElectricalSwing swing;
+    EXPECT_FALSE(electricalErrorsOf(swing));
+    swing.headings = {{0, 359.8}, {15, 15.4}, {30, {}}, {90, 89.3}};
+    swing.after.indicated_deg[0] = 0.0;
+    const auto errors = electricalErrorsOf(swing);
+    ASSERT_TRUE(errors);
+    EXPECT_EQ(errors->read, 3);
+    EXPECT_NEAR(errors->largest_deg, -0.7, 1e-9); // indicated − selected
+    EXPECT_EQ(errors->largestAt_deg, 90);
+    EXPECT_NEAR(errors->mean_deg, (-0.2 + 0.4 - 0.7) / 3, 1e-3);
+    EXPECT_NEAR(errors->againstF1_deg, -0.2, 1e-9);
 }
 
 } // namespace

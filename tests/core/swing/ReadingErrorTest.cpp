@@ -79,8 +79,15 @@ TEST(ReadingError, whatAllReadingsShareIsInNoScatter)
     EXPECT_EQ(after.approximate.standardError[1], before.approximate.standardError[1]);
     EXPECT_NEAR(std::sqrt(after.exact.covariance(0, 0)), *after.exact.standardError[0], 1e-12);
     EXPECT_EQ(after.approximate.value, before.approximate.value);
-    for (const double heading : {0.0, 90.0})
-        EXPECT_GT(toDegrees(*bandHalfWidth_rad(after.approximate, CompassHeading::fromDegrees(heading))), 1.0);
+    // What is stated is not multiplied by Student's factor of the few readings: 3.182 of the scatter's, 1.960 of the datum's half degree.
+    EXPECT_NEAR(toDegrees(*after.approximate.interval95(Coefficient::A)),
+        std::hypot(3.182446 * toDegrees(*before.approximate.standardError[0]), 1.959964 * 0.5), 1e-5);
+    EXPECT_EQ(after.approximate.interval95(Coefficient::B), before.approximate.interval95(Coefficient::B));
+    const auto band = [](const Analysis& of, double heading) {
+        return toDegrees(*bandHalfWidth_rad(of.approximate, CompassHeading::fromDegrees(heading)));
+    };
+    EXPECT_NEAR(band(after, 90), std::hypot(band(before, 90), 1.959964 * 0.5), 1e-5);
+    EXPECT_NEAR(band(after, 180), std::hypot(band(before, 180), 1.959964 * std::hypot(0.5, 0.25)), 1e-5);
     const auto told = inEnglish(after.warnings);
     EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const auto& one) { return one.find("A 0.50°, C 0.25°") != std::string::npos; }));
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/swing/Observations.h"
@@ -61,6 +62,50 @@ TEST(SwingResult, keptCoefficientsGiveTheCurveBack)
         kept[3].reset();
         EXPECT_FALSE(smithOfKept(kept)) << out_deg;
     }
+}
+
+/// A card graduated in fives and read to its marks: 5°/√12 a reading, and no reading is blamed for the step of the card.
+TEST(SwingResult, aCompassReadToItsMarksIsAsSureAsThose)
+{
+    SwingRecord record;
+    record.swing = swingReading({{0, 5}, {45, 45}, {90, 85}, {135, 130}, {180, 175}, {225, 225}, {270, 275}, {315, 325}});
+    const auto result = resultOf(record);
+    ASSERT_TRUE(result);
+    EXPECT_GE(toDegrees(*result->approximate.standardError[0]), 5.0 / std::sqrt(12.0 * 8) - 1e-9);
+    EXPECT_TRUE(result->slips.slips.empty());
+    const auto told = [](const Analysis& of) {
+        const auto warnings = inEnglish(of.warnings);
+        return std::any_of(
+            warnings.begin(), warnings.end(), [](const auto& one) { return one.find("a multiple of 5°") != std::string::npos; });
+    };
+    EXPECT_TRUE(told(*result));
+    record.swing.readings[2].compass = CompassHeading::fromDegrees(86); // one figure between the marks: it was read to degrees
+    EXPECT_FALSE(told(resultOf(record).value()));
+}
+
+/// A table pasted twice: a list of eight is as sure as eight readings, not as sixteen.
+TEST(SwingResult, aListThatIsThereTwiceCountsOnce)
+{
+    const std::vector<std::pair<double, double>> once{
+        {0, 2}, {45, 44}, {90, 86}, {135, 133}, {180, 178}, {225, 227}, {270, 275}, {315, 318}};
+    auto twice = once;
+    twice.insert(twice.end(), once.begin(), once.end());
+    SwingRecord record;
+    record.swing = swingReading(once);
+    const Analysis one = resultOf(record).value();
+    record.swing = swingReading(twice);
+    const Analysis two = resultOf(record).value();
+    for (const Coefficient c : kCoefficients) {
+        EXPECT_NEAR(*two.approximate.interval95(c), *one.approximate.interval95(c), 1e-12);
+        EXPECT_NEAR(*two.exact.interval95(c), *one.exact.interval95(c), 1e-12);
+    }
+    EXPECT_EQ(two.approximate.degreesOfFreedom, 3);
+    const auto warnings = inEnglish(two.warnings);
+    EXPECT_TRUE(
+        std::any_of(warnings.begin(), warnings.end(), [](const auto& words) { return words.find("every reading is there 2 times") == 0; }));
+    twice.back().second = 317; // a second round of its own
+    record.swing = swingReading(twice);
+    EXPECT_EQ(resultOf(record)->approximate.degreesOfFreedom, 11);
 }
 
 TEST(SwingResult, theDatumOfAGuidedSwingAddsItsDivision)

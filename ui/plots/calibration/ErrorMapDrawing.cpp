@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/Normal.h"
 #include "ui/plots/drawn/DrawnAxes.h"
 #include "ui/plots/map/DivergingMap.h"
 #include "ui/text/NumberText.h"
@@ -91,7 +92,7 @@ QString errorReadOut(const ShownErrors& shown, const QRectF& rect, const QFont& 
                 if (cell.after_deg)
                     text += ErrorMapWords::tr(", %1° after").arg(signedNumber(*cell.after_deg, 2));
                 if (cell.sigma_deg)
-                    text += ErrorMapWords::tr(", sure to %1° (95 %)").arg(plainNumber(1.96 * *cell.sigma_deg, 2));
+                    text += ErrorMapWords::tr(", sure to %1° (95 %)").arg(plainNumber(kNormal95 * *cell.sigma_deg, 2));
                 return text + ErrorMapWords::tr("; %1 samples").arg(cell.samples);
             }
         return ErrorMapWords::tr("heading %1°, pitch %2°: no samples")

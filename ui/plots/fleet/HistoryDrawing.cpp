@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/Normal.h"
 #include "ui/plots/base/NiceScale.h"
 #include "ui/plots/fleet/FleetAxes.h"
 
@@ -97,7 +98,7 @@ HistoryDrawing historyDrawing(
         for (std::size_t c = 0; c < 5; ++c) {
             const bool known = curves.curves[row].known(c);
             point.value_deg[c] = known ? curves.curves[row].value_deg[c] : std::numeric_limits<double>::quiet_NaN();
-            point.half95_deg[c] = known ? 1.96 * std::sqrt(curves.variance_deg2(swing, row, c)) : 0.0;
+            point.half95_deg[c] = known ? kNormal95 * std::sqrt(curves.variance_deg2(swing, row, c)) : 0.0;
         }
         drawing.points.push_back(point);
     }

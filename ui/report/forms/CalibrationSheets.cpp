@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/Normal.h"
 #include "ui/plots/calibration/ErrorMapDrawing.h"
 #include "ui/report/page/Figures.h"
 #include "ui/report/page/Words.h"
@@ -75,7 +76,7 @@ void addCompensation(ReferenceSheet& sheet, const CompensatedLog& compensated, c
     if (sigma_deg)
         sheet.text << Words::tr(
             "By the uncertainty of the calibration a compensated heading is sure to %1° (95 %) or better in the cells below.")
-                          .arg(figure(1.96 * *sigma_deg, 2));
+                          .arg(figure(kNormal95 * *sigma_deg, 2));
     if (!compensated.map.empty())
         sheet.pictures.push_back({compensated.after ? 110.0 : 65.0,
             [picture = errorMapDrawing(compensated.map)](QPainter& painter, const QRectF& rect) { renderDrawn(painter, rect, picture); }});

@@ -41,6 +41,15 @@ QString errorsWords(const FourPointTable& table)
                                : Words::tr("DO NOT AGREE within 0.2° (TM 11-4920-292-15)"));
 }
 
+QString headingsWords(const ElectricalSwing& swing)
+{
+    const auto errors = electricalErrorsOf(swing);
+    if (!errors)
+        return notStated();
+    return Words::tr("largest error %1° with %2° selected, mean %3°, of %n heading(s)", nullptr, errors->read)
+        .arg(signedFigure(errors->largest_deg, 2), shortFigure(errors->largestAt_deg), signedFigure(errors->mean_deg, 2));
+}
+
 QString selfCheckWords(const ElectricalSwing& swing)
 {
     if (swing.selfCheck.empty())
@@ -77,7 +86,7 @@ std::vector<Fact> electricalFacts(const ElectricalSheet& sheet)
             Words::tr("MISAL %1, δ180 %2, δ270 %3")
                 .arg(setting(swing.misalignment_deg), setting(swing.delta180_deg), setting(swing.delta270_deg))},
         {Words::tr("Before"), errorsWords(swing.before)}, {Words::tr("After"), errorsWords(swing.after)},
-        {Words::tr("Self-check"), selfCheckWords(swing)},
+        {Words::tr("The headings"), headingsWords(swing)}, {Words::tr("Self-check"), selfCheckWords(swing)},
         {Words::tr("Open"), points.isEmpty() ? Words::tr("nothing") : points.join(QStringLiteral("; "))},
         {Words::tr("Note"), swing.note.empty() ? dash() : printable(swing.note)}};
 }

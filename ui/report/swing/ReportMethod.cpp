@@ -43,7 +43,9 @@ QString errorWords(const Analysis& analysis)
                .arg(figure(*fit.intervalFactor, 2))
         + ' '
         + (analysis.shared.any()
-                ? Words::tr("Errors that all readings share are in them (%1, in degrees).").arg(printable(textOf(analysis.shared)))
+                ? Words::tr("Errors that all readings share are in them (%1, in degrees), and in the intervals with 1.96 of theirs: they "
+                            "are stated, not estimated from the scatter.")
+                      .arg(printable(textOf(analysis.shared)))
                 : Words::tr("Errors that all readings share (datum, variation) are not stated and not in them."))
         + ' ' + looked;
 }
