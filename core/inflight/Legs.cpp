@@ -1,7 +1,10 @@
 #include "core/inflight/Legs.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "core/angle/Circle.h"
 #include "core/angle/Heading.h"
 #include "core/base/Number.h"
 #include "core/inflight/WindVector.h"
@@ -11,6 +14,20 @@ namespace lubberline {
 namespace {
 
 constexpr double kNoHeading_deg = 20.0; ///< one that is uncertain by more
+
+/// There and back, however often: all directions within a few degrees of one line.
+bool alongOneLine(std::span<const Leg> legs)
+{
+    constexpr double kTogether = 0.9; // within some 15° of each other: wind turns tracks
+    std::vector<double> doubled_deg;
+    for (const auto& leg : legs)
+        doubled_deg.push_back(2 * leg.track_deg);
+    const double opposite = circularMean(doubled_deg).togetherness;
+    doubled_deg.clear();
+    for (const auto& leg : legs)
+        doubled_deg.push_back(leg.track_deg);
+    return opposite > kTogether && circularMean(doubled_deg).togetherness < kTogether;
+}
 
 } // namespace
 
@@ -24,8 +41,11 @@ Result<LegsSolution> solveLegs(std::span<const Leg> legs, const LegsOptions& opt
         velocities.push_back({leg.track_deg, leg.groundSpeed_kt});
     const auto air = airMassOf(velocities, {3, false, options.speedError_kt, false});
     const Error untold{ErrorCode::Numeric,
-        MARKED("core",
-            "the legs do not tell the wind: their directions over ground lie on too short an arc; expected them all round, as 120\u00B0 apart")};
+        alongOneLine(legs)
+            ? MARKED("core",
+                "the legs do not tell the wind: they lie along one line, there and back; expected them all round, as 120\u00B0 apart")
+            : MARKED("core",
+                "the legs do not tell the wind: their directions over ground lie on too short an arc; expected them all round, as 120\u00B0 apart")};
     if (!air)
         return untold;
     LegsSolution solution;
@@ -61,6 +81,10 @@ Result<LegsSolution> solveLegs(std::span<const Leg> legs, const LegsOptions& opt
     else if (air->scatter_kt > 3 * options.speedError_kt)
         solution.warnings.push_back({MARKED("core", "the legs are off one circle by %1 kt: wind or airspeed changed between them"),
             figureText(air->scatter_kt, 1)});
+    solution.warnings.push_back(
+        {MARKED("core",
+             "one wind and one airspeed on all legs are assumed, and not all of it shows: 1 kt faster one way and 1 kt slower the other is taken for wind, and turns headings by up to %1\u00B0"),
+            figureText(toDegrees(1.0 / std::max(air->airspeed_kt, 1.0)), 1)});
     if (!anyVariation)
         solution.warnings.push_back(MARKED("core", "no variation is stated: headings are true, and deviations are not told"));
     return solution;

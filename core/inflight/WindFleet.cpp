@@ -1,5 +1,7 @@
 // What the aircraft of a wind study say together: what they have in common, who stands out, and the words about each.
 
+#include <boost/math/distributions/students_t.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -102,6 +104,35 @@ std::optional<CommonSine> commonOf(const std::vector<AircraftWinds>& all, const 
         common.standardError_deg(i) = 1.2533 * spread / std::sqrt(static_cast<double>(values.size())); // of a median
     }
     return common;
+}
+
+/// With its 95 % interval, by Student's factor of so few aircraft: what their own spread may as well have made is nothing in common.
+Message wordsOf(const CommonSine& common, bool ofControl)
+{
+    const double factor = quantile(boost::math::students_t(common.aircraft - 1), 0.975);
+    const double halfB = factor * common.standardError_deg(1), halfC = factor * common.standardError_deg(2);
+    const auto figure = [](double value, double half) { return figureText(-value, 2) + "\u00B0 \u00B1 " + figureText(half, 2) + "\u00B0"; };
+    const std::string B = figure(common.value_deg(1), halfB), C = figure(common.value_deg(2), halfC);
+    if (std::abs(common.value_deg(1)) < halfB && std::abs(common.value_deg(2)) < halfC && !common.takenOut) {
+        const double most_kt
+            = toRadians(std::hypot(std::abs(common.value_deg(1)) + halfB, std::abs(common.value_deg(2)) + halfC)) * common.airspeed_kt;
+        return {
+            MARKED("core",
+                "the %1 aircraft have nothing in common that their own spread does not explain (B %2, C %3, 95 %): a constant error of the "
+                "reference wind of up to %4 kt could pass unseen"),
+            common.aircraft, B, C, figureText(most_kt, 1)};
+    }
+    return {
+        ofControl ? MARKED("core",
+            "the aircraft that the others are held against have B %1 and C %2 (95 %) in common, as a constant error of the reference wind of "
+            "%3 kt would look: their headings being right, it is one")
+            : common.takenOut
+            ? MARKED("core",
+                "the sine that the fleet has in common, B %1 and C %2 (95 %), is taken out: a deviation that all aircraft have goes with it")
+            : MARKED("core",
+                "the fleet has B %1 and C %2 (95 %) in common: a deviation of them all, or a constant error of the reference "
+                "wind of %3 kt; these figures cannot tell which"),
+        B, C, figureText(common.asWind_kt(), 1)};
 }
 
 std::vector<WindBin> binsOf(const std::vector<AircraftWinds>& all)
@@ -227,16 +258,7 @@ WindResult WindStudy::finish() const
                         one.fit.fit.covariance(i, i) += std::pow(result.common->standardError_deg(i), 2);
                     }
         }
-        result.warnings.push_back({result.control
-                ? MARKED("core",
-                    "the aircraft that the others are held against have B %1\u00B0 and C %2\u00B0 in common, as a constant error of the reference wind of %3 kt would look: their headings being right, it is one")
-                : result.common->takenOut
-                ? MARKED("core",
-                    "the sine that the fleet has in common, B %1\u00B0 and C %2\u00B0, is taken out: a deviation that all aircraft have goes with it")
-                : MARKED("core",
-                    "the fleet has B %1\u00B0 and C %2\u00B0 in common: a deviation of them all, or a constant error of the reference wind of %3 kt; these figures cannot tell which"),
-            figureText(-result.common->value_deg(1), 2), figureText(-result.common->value_deg(2), 2),
-            figureText(result.common->asWind_kt(), 1)});
+        result.warnings.push_back(wordsOf(*result.common, result.control.has_value()));
     } else if (count > 0) {
         const double speed_kt = airspeed / static_cast<double>(count);
         result.warnings.push_back(

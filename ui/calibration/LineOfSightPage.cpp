@@ -77,7 +77,7 @@ QLineEdit* LineOfSightPage::addLine(QFormLayout& form, const QString& title, con
 
 QPushButton* LineOfSightPage::addIron(QFormLayout& form, const QString& title, const char* name, SensorModel& iron)
 {
-    auto* button = new QPushButton(tr("none; open a model…"));
+    auto* button = new QPushButton(tr("open a model…"));
     button->setObjectName(QString::fromLatin1(name));
     button->setToolTip(tr("A Model JSON of what iron is left in its headings; cancel the question to take it away"));
     form.addRow(title + QLatin1Char(':'), button);
@@ -90,7 +90,7 @@ void LineOfSightPage::chooseIron(QPushButton& button, SensorModel& iron)
     const QString path = m_questions.open(tr("Open a sensor model"), tr("Sensor model (*.json)"));
     if (path.isEmpty()) {
         iron = SensorModel();
-        button.setText(tr("none; open a model…"));
+        button.setText(tr("open a model…"));
     } else if (const auto setup = readModelJsonFile(path.toStdString())) {
         iron = setup->model;
         button.setText(QFileInfo(path).fileName());

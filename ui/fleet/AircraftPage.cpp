@@ -66,7 +66,7 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
     auto* tabs = new QTabWidget;
     tabs->setDocumentMode(true);
     tabs->addTab(buildAircraftForm(), tr("&Aircraft"));
-    tabs->addTab(buildCompassForm(), tr("&Compass and limits"));
+    tabs->addTab(buildCompassForm(), tr("&Compass"));
     tabs->addTab(m_events, tr("E&vents"));
     auto* splitter = new SideBySide(SideBySide::Narrow::Stays);
     splitter->addWidget(tabs);
@@ -92,6 +92,9 @@ QWidget* AircraftPage::buildSwings()
         "C (°)", "D (°)", "E (°)", tr("Verdict")});
     m_swingTable->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_swingTable->horizontalHeader()->setStretchLastSection(true);
+    // What is looked for first stands first: on a small screen the coefficients are scrolled to.
+    for (int place = 0; const int column : {SwungOn, State, Standing, Largest, Readings, Kind, Stage})
+        m_swingTable->horizontalHeader()->moveSection(m_swingTable->horizontalHeader()->visualIndex(column), place++);
     m_swingTable->verticalHeader()->hide();
     m_swingTable->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     m_swingTable->setEditTriggers(QAbstractItemView::NoEditTriggers);

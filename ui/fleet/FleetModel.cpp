@@ -290,7 +290,11 @@ QVariant FleetModel::data(const QModelIndex& index, int role) const
             return badgeText(node.draft ? tr("draft") : badgeWord(node.status), dueOf(node.item));
         return node.name;
     case Qt::DecorationRole: return badge ? QVariant(badgeIcon(node.status)) : QVariant();
-    case Qt::ToolTipRole: return node.detail.isEmpty() ? badgeMeaning(node.status) : node.detail + "\n" + badgeMeaning(node.status);
+    case Qt::ToolTipRole: { // names and badges are cut where the tree is narrow
+        QStringList lines{node.name, node.detail, badgeMeaning(node.status)};
+        lines.removeAll(QString());
+        return lines.join(u'\n');
+    }
     case Qt::AccessibleTextRole: return badge ? badgeMeaning(node.status) : node.name;
     default: return {};
     }

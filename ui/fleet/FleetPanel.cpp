@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QScrollBar>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
@@ -21,6 +22,54 @@
 namespace lubberline::ui {
 
 namespace {
+
+/// Both columns are always in sight: a badge keeps its sign however long a name is, a name as much as is left beside it, and what is cut is in
+/// the tool tip. A tree that scrolls sideways hides which aircraft are out of limits.
+class TreeColumns final : public QObject {
+public:
+    explicit TreeColumns(QTreeView& tree) : QObject(&tree), m_tree(tree)
+    {
+        tree.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        tree.header()->setSectionResizeMode(QHeaderView::Fixed);
+        tree.header()->setMinimumSectionSize(1);
+        tree.viewport()->installEventFilter(this);
+        m_soon.setSingleShot(true);
+        connect(&m_soon, &QTimer::timeout, this, &TreeColumns::fit);
+        const auto soon = [this] { m_soon.start(); };
+        connect(&tree, &QTreeView::expanded, this, soon);
+        connect(&tree, &QTreeView::collapsed, this, soon);
+        connect(tree.verticalScrollBar(), &QScrollBar::valueChanged, this, soon);
+        connect(tree.model(), &QAbstractItemModel::dataChanged, this, soon);
+        connect(tree.model(), &QAbstractItemModel::rowsInserted, this, soon);
+        connect(tree.model(), &QAbstractItemModel::rowsRemoved, this, soon);
+        connect(tree.model(), &QAbstractItemModel::modelReset, this, soon);
+    }
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        if (event->type() == QEvent::Resize || event->type() == QEvent::Show || event->type() == QEvent::FontChange)
+            fit();
+        return false;
+    }
+
+private:
+    void fit()
+    {
+        constexpr int kLeastWord = 5; // letters of a badge beside its sign
+        const auto& view = static_cast<const QAbstractItemView&>(m_tree);
+        const int room = m_tree.viewport()->width(), name = view.sizeHintForColumn(FleetModel::Name) + 1,
+                  badge = view.sizeHintForColumn(FleetModel::Badge) + 1;
+        const int sign = m_tree.iconSize().width() > 0 ? m_tree.iconSize().width() : m_tree.style()->pixelMetric(QStyle::PM_SmallIconSize);
+        const int least = std::min(badge, sign + kLeastWord * m_tree.fontMetrics().averageCharWidth() + 12);
+        const int ofName = std::max(0, std::min(name, room - least));
+        m_tree.header()->resizeSection(FleetModel::Name, std::max(ofName, room - badge));
+        m_tree.header()->resizeSection(FleetModel::Badge, room - m_tree.header()->sectionSize(FleetModel::Name));
+    }
+
+    QTreeView& m_tree;
+    QTimer m_soon;
+};
 
 constexpr int kSearchDelay_ms = 120;  // a word is searched for once, not letter by letter
 constexpr int kRefreshDelay_ms = 250; // badges may lag behind typing; typing may not lag behind badges
@@ -148,8 +197,7 @@ void FleetPanel::populate()
     m_tree->setModel(m_model); // asks storage for the first level
     m_model->fetchMore({});
     m_tree->header()->setStretchLastSection(false);
-    m_tree->header()->setSectionResizeMode(FleetModel::Name, QHeaderView::ResizeToContents);
-    m_tree->header()->setSectionResizeMode(FleetModel::Badge, QHeaderView::ResizeToContents);
+    new TreeColumns(*m_tree);
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
         // A view that gets the focus makes its first item the current one, and selects nothing: nobody has chosen that.
         if (!m_selecting && current.isValid() && m_tree->selectionModel()->isSelected(current))

@@ -25,6 +25,17 @@ namespace {
 
 constexpr int kRowHeight_px = 22, kMostShown = 6;
 
+/// As high as its rows, up to a few.
+void fit(QTableWidget& table)
+{
+    const int shown = std::min(table.rowCount(), kMostShown);
+    int height = heightOfRows(table, 0) + 2;
+    for (int row = 0; row < shown; ++row)
+        height += table.rowHeight(row);
+    table.setFixedHeight(height);
+    table.setVisible(table.rowCount() > 0);
+}
+
 QTableWidget* readOnlyTable(const char* name, const QStringList& heads)
 {
     auto* table = new QTableWidget(0, static_cast<int>(heads.size()));
@@ -36,6 +47,8 @@ QTableWidget* readOnlyTable(const char* name, const QStringList& heads)
     table->verticalHeader()->setDefaultSectionSize(kRowHeight_px);
     table->horizontalHeader()->setStretchLastSection(true);
     table->setTabKeyNavigation(false);
+    // Words that go on beneath make a row higher: the table is as high as its rows are then.
+    QObject::connect(table->verticalHeader(), &QHeaderView::sectionResized, table, [table] { fit(*table); });
     return table;
 }
 
@@ -48,13 +61,6 @@ void addRow(QTableWidget& table, const QStringList& cells)
         item->setToolTip(cells[column]);
         table.setItem(row, column, item);
     }
-}
-
-/// As high as its rows, up to a few.
-void fit(QTableWidget& table)
-{
-    table.setFixedHeight(heightOfRows(table, std::min(table.rowCount(), kMostShown)) + 2);
-    table.setVisible(table.rowCount() > 0);
 }
 
 } // namespace
@@ -157,6 +163,9 @@ void SigningPanel::build()
     m_audit->hide();
     connect(m_name, &QLineEdit::returnPressed, m_licence, qOverload<>(&QWidget::setFocus));
     connect(m_licence, &QLineEdit::returnPressed, this, &SigningPanel::sign);
+    connect(m_reason, &QLineEdit::returnPressed, this, [this] { // one of both is seen
+        (m_amend->isVisibleTo(this) ? m_amend : m_change)->click();
+    });
     connect(m_sign, &QPushButton::clicked, this, &SigningPanel::sign);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_byKey.cancel(); });
     connect(m_change, &QPushButton::clicked, this, &SigningPanel::changeState);

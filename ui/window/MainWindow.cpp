@@ -47,6 +47,8 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
     , m_preferences(m_services.settings)
     , m_context{stores,
           [this](const Error& error) {
+              if (m_takingOff)
+                  return;
               fail(messageOf(error));
               showSaved(false);
           }}

@@ -111,6 +111,7 @@ private:
     void buildToolBar();
     void updateActions();
     void undo();
+    bool undoesWhatIsSigned(int command);
     void redo();
     void showEdited(int command);
 
@@ -181,7 +182,8 @@ private:
     Trail m_trail;
     std::vector<FleetItem> m_path; ///< that is marked in the tree
     QAction *m_back = nullptr, *m_forward = nullptr;
-    bool m_leaving = false; ///< a field, on the way to another page
+    bool m_takingOff = false; ///< edits that cannot be undone any more
+    bool m_leaving = false;   ///< a field, on the way to another page
 };
 
 } // namespace lubberline::ui

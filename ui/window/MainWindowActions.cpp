@@ -215,10 +215,35 @@ void MainWindow::showEdited(int command)
         navigate(seen);
 }
 
+/// What was done to a swing before it was signed stays: its edits are taken off the list, the page in front stays, and it is said.
+bool MainWindow::undoesWhatIsSigned(int command)
+{
+    const auto swingOf = [this](int of) {
+        const auto* edit = dynamic_cast<const Edit*>(m_stack.command(of));
+        return edit ? edit->swing() : SwingId();
+    };
+    const SwingId swing = swingOf(command);
+    if (!swing.valid())
+        return false;
+    const auto stored = m_stores.swings.swing(swing, db::ReadingParts::Headings);
+    if (!stored || stored->state != SwingState::Signed)
+        return false;
+    m_takingOff = true;
+    while (m_stack.index() > 0 && swingOf(m_stack.index() - 1) == swing)
+        m_stack.undo(); // is refused, and takes itself off
+    m_takingOff = false;
+    m_messages->add(MessagePanel::Kind::Information,
+        tr("The swing of %1 is signed and frozen: what was done to it before is not undone. Amend it in a new revision to change it.")
+            .arg(stored->date.empty() ? tr("no stated date") : toText(stored->date)));
+    return true;
+}
+
 void MainWindow::undo()
 {
     leaveField();
     const int command = m_stack.index() - 1;
+    if (undoesWhatIsSigned(command))
+        return;
     showEdited(command); // what changes is seen to change
     m_stack.undo();
     if (m_stack.index() == command)

@@ -18,7 +18,8 @@ namespace lubberline::ui {
 namespace {
 
 const QString kGeometry = QStringLiteral("window/geometry"), kState = QStringLiteral("window/state");
-constexpr int kSoon_ms = 300; // one drag is many changes
+constexpr int kSoon_ms = 300;   // one drag is many changes
+constexpr int kFramed_ms = 150; // a window manager has set its frame by then
 
 /// Branches are named by ids, which another database gives to others: each file has its own.
 QString branchesOf(const QString& database)
@@ -56,9 +57,29 @@ void Placement::restore()
     const QRect room = m_window.screen()->availableGeometry();
     if (const QSize bounded = m_window.size().boundedTo(room.size() - frame); bounded != m_window.size())
         m_window.resize(bounded);
-    const QPoint last = room.bottomRight() - QPoint(m_window.width(), m_window.height());
-    m_window.move(std::clamp(m_window.x(), room.left(), std::max(room.left(), last.x())),
-        std::clamp(m_window.y(), room.top(), std::max(room.top(), last.y())));
+    bringInto(room, m_window.geometry());
+}
+
+/// Moved only where it has to be: a position that is set again before the frame is known would drift by it from start to start.
+void Placement::bringInto(const QRect& room, const QRect& place)
+{
+    const QPoint last = room.bottomRight() + QPoint(1, 1) - QPoint(place.width(), place.height());
+    const QPoint within(std::clamp(place.x(), room.left(), std::max(room.left(), last.x())),
+        std::clamp(place.y(), room.top(), std::max(room.top(), last.y())));
+    if (within != place.topLeft())
+        m_window.move(within);
+}
+
+/// Once it is shown its frame is known: title and all are to be on the screen.
+void Placement::bringOnScreen()
+{
+    if (m_window.isMaximized() || m_window.isFullScreen() || !m_window.isVisible())
+        return;
+    const QRect room = m_window.screen()->availableGeometry(), frame = m_window.frameGeometry();
+    const QSize around = frame.size() - m_window.size(), most = room.size() - around;
+    if (const QSize bounded = m_window.size().boundedTo(most); bounded != m_window.size())
+        m_window.resize(bounded);
+    bringInto(room, QRect(frame.topLeft(), m_window.size() + around));
 }
 
 /// A new user's tree is as wide as what stands in it, where the window has the room.
@@ -83,6 +104,8 @@ void Placement::keep()
 
 bool Placement::eventFilter(QObject* object, QEvent* event)
 {
+    if (event->type() == QEvent::Show && object == &m_window && !event->spontaneous())
+        QTimer::singleShot(kFramed_ms, this, &Placement::bringOnScreen);
     switch (event->type()) {
     case QEvent::Move:
     case QEvent::Resize:

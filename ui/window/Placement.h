@@ -5,6 +5,7 @@
 #include <QObject>
 
 class QMainWindow;
+class QRect;
 class QSettings;
 class QTimer;
 
@@ -29,6 +30,9 @@ protected:
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
+    void bringInto(const QRect& room, const QRect& place);
+    void bringOnScreen();
+
     QMainWindow& m_window;
     FleetPanel& m_tree;
     QSettings& m_settings;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 #include <random>
 
@@ -84,7 +86,22 @@ TEST(Legs, whatLegsCannotTellIsAnError)
     const auto noVariation = solveLegs(std::vector<Leg>{legOf(0, 60, wind), legOf(120, 60, wind), legOf(240, 60, wind)}, {});
     ASSERT_TRUE(noVariation);
     EXPECT_FALSE(noVariation->legs[0].deviation_deg.has_value());
-    EXPECT_EQ(noVariation->warnings.size(), 2u);
+    EXPECT_EQ(noVariation->warnings.size(), 3u); // no variation; nothing left to check; one airspeed is assumed
+    const auto line = solveLegs(std::vector<Leg>{legOf(10, 60, wind), legOf(190, 60, wind), legOf(12, 60, wind), legOf(188, 60, wind)}, {});
+    ASSERT_FALSE(line);
+    EXPECT_NE(line.error().message.english().find("along one line, there and back"), std::string::npos);
+}
+
+/// 8 kt faster to the east and 8 kt slower to the west is a wind of 8 kt to every circle: it is said that this does not show.
+TEST(Legs, anAirspeedThatIsNotHeldIsTakenForWindAndSaid)
+{
+    const std::vector<Leg> legs{{"1", 0, 100, {}, {}}, {"2", 90, 108, {}, {}}, {"3", 180, 100, {}, {}}, {"4", 270, 92, {}, {}}};
+    const auto solved = solveLegs(legs, {});
+    ASSERT_TRUE(solved);
+    EXPECT_NEAR(solved->air.toward_kt.norm(), 8.0, 0.2);
+    const auto warnings = inEnglish(solved->warnings);
+    EXPECT_TRUE(std::any_of(
+        warnings.begin(), warnings.end(), [](const auto& one) { return one.find("turns headings by up to 0.6°") != std::string::npos; }));
 }
 
 TEST(Legs, windZeroAndWindAboveTheAirspeed)

@@ -246,6 +246,7 @@ TEST(WindStudy, aConstantErrorOfTheReferenceIsNotToldFromTheFleet)
     const auto result = studyOf(fleet, 47, {1.0, 1.0, 0.0, 6.0});
     ASSERT_TRUE(result.common.has_value());
     EXPECT_TRUE(says(result.warnings, "in common"));
+    EXPECT_TRUE(says(result.warnings, "95 %)"));
     EXPECT_GT(result.common->asWind_kt(), 2.0);
     EXPECT_FALSE(studyOf({fleet[0]}, 47).common.has_value());
     EXPECT_TRUE(says(studyOf({fleet[0]}, 47).warnings, "too few aircraft"));

@@ -33,6 +33,7 @@ private slots:
     void aNewSwingBeginsWithTheUsualBase();
     void typeAircraftAndCompassAreMadeAndUndone();
     void anAircraftIsRemovedAndPutBack();
+    void whatWasDoneBeforeSigningIsNotUndone();
     void whatIsCompleteIsNotRemoved();
     void helpHasItsTopics();
     void fullScreenIsNotTheRampsKey();
@@ -252,6 +253,38 @@ void MenusTest::anAircraftIsRemovedAndPutBack()
     QVERIFY(fleet.stores.whole() == before);
     open.trigger("undo"); // what was done before it still knows its reading
     QCOMPARE(fleet.stores.swings.swing(swing)->readings[1].compass->degrees(), 45.0);
+}
+
+void MenusTest::whatWasDoneBeforeSigningIsNotUndone()
+{
+    SmallFleet fleet;
+    const SwingId swing = fleet.addSwing("2026-11-21", eightPoints());
+    OpenWindow open(fleet.stores);
+    open.window.go(fleet.aircraft);
+    auto& registration = open.find<QLineEdit>("aircraftRegistration");
+    registration.selectAll();
+    QTest::keyClicks(&registration, "3714");
+    QTest::keyClick(&registration, Qt::Key_Return);
+    open.window.go(swing);
+    for (int row = 0; row < 2; ++row) {
+        open.table().goTo(row, ReadingColumn::Compass);
+        open.type("44");
+        open.press(Qt::Key_Return);
+    }
+    QVERIFY(fleet.stores.signing.complete(swing));
+    QVERIFY(fleet.stores.signing.sign(swing, {SignatureRole::Performer, "Ada", "PL 12", "", ""}));
+    QVERIFY(fleet.stores.signing.sign(swing, {SignatureRole::Inspector, "Ben", "PL 7", "", ""}));
+    const Swing as = *fleet.stores.swings.swing(swing);
+    open.window.go(fleet.aircraft);
+    open.find<QLineEdit>("eventKind").setText("half typed");
+    open.trigger("undo");
+    QVERIFY(*fleet.stores.swings.swing(swing) == as);
+    QVERIFY2(open.window.messages().shown().contains("signed and frozen"), qPrintable(open.window.messages().shown()));
+    QCOMPARE(open.find<QLineEdit>("eventKind").text(), QStringLiteral("half typed")); // the page in front stays
+    QCOMPARE(open.window.undoStack().index(), 1);                                     // what was done to the aircraft
+    open.trigger("undo");
+    QCOMPARE(fleet.stores.whole().aircraft.front().registration, std::string("3713"));
+    QVERIFY(!open.find<QAction>("undo").isEnabled());
 }
 
 void MenusTest::whatIsCompleteIsNotRemoved()

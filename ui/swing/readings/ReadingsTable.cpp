@@ -35,12 +35,39 @@ ReadingsTable::ReadingsTable(ReadingsModel& model, QWidget* parent) : QTableView
     wrapHeadings(*this);
     keepOwnColumns(*this);
     horizontalHeader()->setHighlightSections(false);
-    for (int column = 0; column < kReadingColumns; ++column)
-        setColumnWidth(column, std::max(fontMetrics().horizontalAdvance("000°00'W0"), horizontalHeader()->sectionSizeHint(column)));
     horizontalHeader()->setResizeContentsPrecision(64); // about as many rows as are seen: a log has thousands
     horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::State), QHeaderView::ResizeToContents);
     horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance("Note00"));
     horizontalHeader()->setSectionResizeMode(static_cast<int>(ReadingColumn::Note), QHeaderView::Stretch);
+    connect(&model, &QAbstractItemModel::modelReset, this, &ReadingsTable::fitColumns);
+    connect(&model, &QAbstractItemModel::dataChanged, this, &ReadingsTable::fitColumns);
+    connect(&model, &QAbstractItemModel::rowsInserted, this, &ReadingsTable::fitColumns);
+    connect(&model, &QAbstractItemModel::rowsRemoved, this, &ReadingsTable::fitColumns);
+}
+
+/// What nobody planned and nobody can type any more is no column; on a small screen the figures stand close together, so that the state of a
+/// reading is in sight.
+void ReadingsTable::fitColumns()
+{
+    constexpr int kLookedAt = 500; // a log has thousands of rows, and plans none of them
+    const auto cell = [this](int row, ReadingColumn column) { return m_model.index(row, static_cast<int>(column)); };
+    bool empty = m_model.rowCount() > 0 && !(m_model.flags(cell(0, ReadingColumn::Magnetic)) & Qt::ItemIsEditable);
+    for (int row = 0; empty && row < std::min(m_model.rowCount(), kLookedAt); ++row)
+        empty = cell(row, ReadingColumn::Nominal).data().toString().isEmpty();
+    setColumnHidden(static_cast<int>(ReadingColumn::Nominal), empty);
+
+    const int wide = fontMetrics().horizontalAdvance("000°00'W0"), close = fontMetrics().horizontalAdvance("000°00'") + 8;
+    const int figures = static_cast<int>(ReadingColumn::State) - (empty ? 1 : 0);
+    const int others = horizontalHeader()->minimumSectionSize() + sizeHintForColumn(static_cast<int>(ReadingColumn::State));
+    const int width = figures * wide + others > viewport()->width() ? close : wide;
+    for (int column = 0; column < static_cast<int>(ReadingColumn::State); ++column)
+        setColumnWidth(column, std::max(width, horizontalHeader()->sectionSizeHint(column)));
+}
+
+void ReadingsTable::resizeEvent(QResizeEvent* event)
+{
+    QTableView::resizeEvent(event);
+    fitColumns();
 }
 
 /// The keys are those of the menu Edit, which acts on whatever has the keyboard: here they are only shown.

@@ -37,12 +37,14 @@ signals:
 protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     /// Enter: on to the next cell that is read, unless the text of this one was refused.
     void advance();
     void enterCell();
     void addCellActions();
+    void fitColumns();
     void copyCells(bool headings);
     /// @return false: nothing of the chosen cells was refused
     bool restoreStored();
