@@ -54,8 +54,10 @@ std::string slipsTable(const Analysis& analysis)
         for (const auto& candidate : slip.candidates)
             out += candidate.slip == Slip::Unexplained
                 ? text("; %s %.0f %%", wordFor(candidate.slip).english().c_str(), 100 * candidate.probability)
-                : text("; %s, %.1f meant, %.0f %%", wordFor(candidate.slip).english().c_str(), printedHeading_deg(candidate.meant_deg, 1),
-                    100 * candidate.probability);
+                : candidate.slip == Slip::WrongRow ? text("; %s, it fits %.1f, %.0f %%", wordFor(candidate.slip).english().c_str(),
+                      printedHeading_deg(candidate.meant_deg, 1), 100 * candidate.probability)
+                                                   : text("; %s, %.1f meant, %.0f %%", wordFor(candidate.slip).english().c_str(),
+                                                       printedHeading_deg(candidate.meant_deg, 1), 100 * candidate.probability);
         out += "\n";
     }
     return out;

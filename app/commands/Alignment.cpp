@@ -109,7 +109,7 @@ Result<SunSwing> swingBySun(const SunArguments& options, const Place& place)
     std::vector<double> deviations;
     for (const Reading& reading : swing.readings)
         deviations.push_back(deviationOf(*reading.magnetic, *reading.compass).degrees());
-    if (auto doubt = hourDoubt(place, times, circularMean(deviations).mean_deg); !doubt.empty())
+    if (auto doubt = sunDoubt(place, times, circularMean(deviations).mean_deg); !doubt.empty())
         made.warnings.push_back(std::move(doubt));
     return made;
 }

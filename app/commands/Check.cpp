@@ -252,7 +252,7 @@ int compareCommand(const CompareArguments& options, const std::string& database)
     put("%s on %s, %zu with a datum; corrected by their cards they differ by %.2f deg rms\n",
         counted(std::int64_t(verdict->readings), "pair").c_str(), counted(std::int64_t(verdict->headings), "heading").c_str(),
         verdict->withDatum, verdict->rms_deg);
-    put("first - second:");
+    put("headings by card, first - second (a deviation of the first that rose makes it fall):");
     for (std::size_t c = 0; c < 5; ++c)
         put("  %c %+.2f (%.2f)", letterOf(kCoefficients[c]), verdict->difference_deg[c], verdict->differenceError_deg[c]);
     put(" deg (standard error)\n%s\n", inWords(*verdict).english().c_str());

@@ -241,6 +241,9 @@ Message inWords(const PairVerdict& verdict)
     case Moved::Both: return {MARKED("core", "both compasses moved (%1 %)"), percent(probability)};
     case Moved::Neither: break;
     }
+    if (verdict.withDatum == 0)
+        return {MARKED("core", "neither compass moved away from the other (%1 %); whether both moved alike is not told without a datum"),
+            percent(probability)};
     return {MARKED("core", "neither compass moved (%1 %)"), percent(probability)};
 }
 

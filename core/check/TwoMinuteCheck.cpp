@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
@@ -93,6 +94,17 @@ Result<CheckVerdict> verdictOf(const CompassBelief& belief, std::span<const Obse
             verdict.at_deg = reading.compass.degrees();
         }
     }
+    constexpr double kOtherSide_deg = 150;
+    if (std::all_of(
+            verdict.differences_deg.begin(), verdict.differences_deg.end(), [](double off) { return std::abs(off) > kOtherSide_deg; }))
+        verdict.warnings.push_back(MARKED("core",
+            "every reading is half a circle from the card: the compass or the datum was read from its other side; read them again before it is swung"));
+    std::set<int> headings;
+    for (const Observation& reading : readings)
+        headings.insert(static_cast<int>(reading.compass.degrees() / 10));
+    if (headings.size() < 2)
+        verdict.warnings.push_back(MARKED("core",
+            "it was read on one heading only: what changed elsewhere is not seen, and the verdict rests on what compasses of its kind and history do"));
     if (Message unknown = whatIsUnknown(belief); !unknown.empty())
         verdict.warnings.push_back(std::move(unknown));
     if (verdict.reachable > options.accepted)

@@ -10,6 +10,7 @@
 
 #include "core/angle/Circle.h"
 #include "core/deviation/CurvePrior.h"
+#include "core/deviation/ExchangedRows.h"
 #include "core/deviation/SlipVariants.h"
 
 namespace lubberline {
@@ -387,6 +388,7 @@ SlipSearch findSlips(std::span<const Observation> readings, double resolution_de
         }
         break;
     }
+    nameExchangedRows(found, readings);
     found.seenFrom_deg = forms.seenFrom_deg();
     return found;
 }

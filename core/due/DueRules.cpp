@@ -50,9 +50,6 @@ std::optional<DueFlag> forecastFlag(const DueInput& input, Date lastSigned)
     return DueFlag{due ? DueState::Due : DueState::DueSoon, since, words, {}, forecast.probability};
 }
 
-/// No aircraft had a compass before.
-constexpr Date kFirstFlights = "1903-01-01";
-
 /// An engine's change can be planned; nobody plans to be struck by lightning. What is of tomorrow happened where the day has begun already.
 bool isToCome(const DueEvent& event, Date today)
 {
@@ -68,7 +65,7 @@ bool isToCome(const DueEvent& event, Date today)
 /// Not written, still to come, or one from which clocks count: whether the compass was swung after it nobody can tell.
 bool dayIsKnown(const DueEvent& event, Date today)
 {
-    return !event.date.empty() && event.date >= kFirstFlights && doubtOfDate(event.date, today).empty();
+    return !event.date.empty() && doubtOfDate(event.date, today).empty();
 }
 
 Message wordsOf(const DueEvent& event, bool dayKnown)

@@ -113,20 +113,50 @@ double hourInA_deg(const Place& place, std::span<const UtcTime> times, int hours
     return times.empty() ? 0 : sum / static_cast<double>(times.size());
 }
 
-Message hourDoubt(const Place& place, std::span<const UtcTime> times, double A_deg)
+namespace {
+
+/// What the sun's azimuth is wrong by, on the mean, where the place is this one and another was given [deg].
+double elsewhereInA_deg(const Place& given, const Place& place, std::span<const UtcTime> times)
 {
-    for (const int hours : {1, -1}) {
-        const double hour = hourInA_deg(place, times, hours);
-        if (std::abs(hour) > 6 && std::abs(wrap180(A_deg - hour)) < std::max(2.0, 0.2 * std::abs(hour)))
+    double sum = 0;
+    for (const UtcTime time : times)
+        sum += wrap180(sunAt(given, time).azimuth_deg - sunAt(place, time).azimuth_deg);
+    return times.empty() ? 0 : sum / static_cast<double>(times.size());
+}
+
+/// An A that something would make, by its size: two degrees or a fifth of it are what a compass may have besides.
+bool looksLike(double A_deg, double made_deg)
+{
+    return std::abs(made_deg) > 6 && std::abs(wrap180(A_deg - made_deg)) < std::max(2.0, 0.2 * std::abs(made_deg));
+}
+
+} // namespace
+
+Message sunDoubt(const Place& place, std::span<const UtcTime> times, double A_deg)
+{
+    for (const int hours : {1, -1})
+        if (const double hour = hourInA_deg(place, times, hours); looksLike(A_deg, hour))
             return {hours > 0
                     ? MARKED("core", "A is %1°: a clock an hour fast makes %2° of it here; look whether it shows daylight saving")
                     : MARKED("core", "A is %1°: a clock an hour slow makes %2° of it here; look whether it shows daylight saving"),
                 signedFigureText(A_deg, 1), signedFigureText(hour, 1)};
-    }
+    constexpr double kOtherSide_deg = 150;
+    if (std::abs(A_deg) > kOtherSide_deg)
+        return {
+            MARKED("core",
+                "A is %1°: bearings of the sun that stand where those of its shadow are expected, or the reverse, make 180° of it; else "
+                "the compass was read from its other side"),
+            signedFigureText(A_deg, 1)};
+    Place mirrored = place;
+    mirrored.longitude_deg = -place.longitude_deg;
+    if (const double made = elsewhereInA_deg(place, mirrored, times); looksLike(A_deg, made))
+        return {MARKED("core", "A is %1°: a longitude of the other sign (%2° for %3°) makes %4° of it; east is positive"),
+            signedFigureText(A_deg, 1), signedFigureText(place.longitude_deg, 1), signedFigureText(mirrored.longitude_deg, 1),
+            signedFigureText(made, 1)};
     return {};
 }
 
-Message hourDoubt(const SwingJob& job, const JobState& state, const Place& place)
+Message sunDoubt(const SwingJob& job, const JobState& state, const Place& place)
 {
     if (!takesSun(state.datum.kind))
         return {};
@@ -152,7 +182,7 @@ Message hourDoubt(const SwingJob& job, const JobState& state, const Place& place
     const auto count = static_cast<double>(times.size());
     if (times.size() < 4 || std::abs(around) > 0.3 * count) // else B or C stands in the mean
         return {};
-    return hourDoubt(place, times, wrap180(first_deg + sum_deg / count));
+    return sunDoubt(place, times, wrap180(first_deg + sum_deg / count));
 }
 
 } // namespace lubberline

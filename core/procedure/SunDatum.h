@@ -46,9 +46,10 @@ struct TakenHeading {
 
 /// What a clock that is an hour fast adds to A (magnetic − compass) of a swing read at these times [deg]; slow: about the opposite.
 [[nodiscard]] double hourInA_deg(const Place& place, std::span<const UtcTime> times, int hours = 1);
-/// Says so where an A looks like daylight saving; else empty.
-[[nodiscard]] Message hourDoubt(const Place& place, std::span<const UtcTime> times, double A_deg);
+/// Says so where an A looks like daylight saving, like bearings of the sun for those of its shadow, or like a longitude of the other sign;
+/// else empty.
+[[nodiscard]] Message sunDoubt(const Place& place, std::span<const UtcTime> times, double A_deg);
 /// The same of a guided swing by the sun as soon as four of its readings or more, all around, tell an A; empty before, and by another datum.
-[[nodiscard]] Message hourDoubt(const SwingJob& job, const JobState& state, const Place& place);
+[[nodiscard]] Message sunDoubt(const SwingJob& job, const JobState& state, const Place& place);
 
 } // namespace lubberline

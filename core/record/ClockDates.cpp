@@ -12,6 +12,7 @@ namespace {
 constexpr Date kGpsBegins = "1980-01-06";
 /// Of computers, and of spreadsheets with the one calendar and the other.
 constexpr std::array<Date, 5> kOthersBegin{"1970-01-01", "1899-12-30", "1899-12-31", "1900-01-01", "1904-01-01"};
+constexpr Date kFirstAircraft = "1903-01-01";
 /// A draft is completed within so many days; who types in an old record that happens to be of such a day can wait as long.
 constexpr int kDraft_days = 7;
 
@@ -32,6 +33,8 @@ Message doubtOfClock(Date date, Date today)
                     "its date %1 is one from which clocks count that do not know the day (a receiver without a fix, a spreadsheet); "
                     "expected the day on which it was swung"),
             date};
+    if (date < kFirstAircraft)
+        return {MARKED("core", "its date %1 is before there were aircraft; expected the day on which it was swung"), date};
     const int ago = today.empty() ? 0 : daysBetween(date, today) + 1; // dates are UTC: in the east it is tomorrow already
     if (ago >= kGpsRollOver_days && ago % kGpsRollOver_days <= kDraft_days + 1)
         return {MARKED("core",

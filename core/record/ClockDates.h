@@ -13,7 +13,7 @@ inline constexpr int kGpsRollOver_days = 1024 * 7;
 [[nodiscard]] bool beginsGpsWeeks(Date date);
 
 /// Doubt of a day on which receivers, computers or spreadsheets begin to count; a whole number
-/// of 1024 weeks before one of the last seven days. Empty: none. Somebody who was there may know that it was that day all the same.
+/// of 1024 weeks before one of the last seven days; and of one before there were aircraft. Empty: none. Somebody who was there may know that it was that day all the same.
 [[nodiscard]] Message doubtOfClock(Date date, Date today);
 
 /// The same, and of a day that is more than a day after today, which nobody can know better.

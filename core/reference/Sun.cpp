@@ -105,7 +105,9 @@ SunShares sunShares(const Place& place, UtcTime time, const SunSighting& sightin
     Place north = place, east = place;
     // Away from the pole, not beyond it.
     north.latitude_deg += place.latitude_deg > 0 ? -moved_deg : moved_deg;
-    east.longitude_deg += moved_deg / std::max(cosine(place.latitude_deg), 1e-3);
+    // Beside a pole a kilometre is any meridian: an even chance of each has this standard deviation.
+    constexpr double kAnyMeridian_deg = 103.923; // 360°/√12
+    east.longitude_deg += std::min(moved_deg / std::max(cosine(place.latitude_deg), 1e-12), kAnyMeridian_deg);
     const double position
         = std::hypot(wrap180(sunAt(north, time).azimuth_deg - sun.azimuth_deg), wrap180(sunAt(east, time).azimuth_deg - sun.azimuth_deg));
     const double upright = std::min(std::abs(sun.elevation_deg), 89.9);

@@ -239,7 +239,7 @@ std::optional<LackOfFit> findSlipsAndShape(
         return lackOfFit(readings, analysis.approximate, analysis.exact, options.readingError_rad, slipped);
     };
     auto unfit = unfitBesides({});
-    if (!options.findSlips || !analysis.approximate.fitted() || largeButPlain(analysis))
+    if (!options.findSlips || !analysis.approximate.fitted() || largeButPlain(analysis) || foldOf(readings))
         return unfit;
     const auto ofAll = unfit;
     std::vector<std::size_t> named;
@@ -353,7 +353,10 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
         return cancelled;
     for (const auto& slip : analysis.slips.slips)
         analysis.readings[slip.reading].suspect = true;
-    if (options.findSlips && analysis.approximate.fitted() && !largeButPlain(analysis))
+    const auto fold = foldOf(readings);
+    if (fold)
+        analysis.warnings.push_back(foldWords(*fold));
+    if (options.findSlips && analysis.approximate.fitted() && !largeButPlain(analysis) && !fold)
         warnOfSlips(analysis.warnings, analysis.slips, readings.size());
     // A reading that is wrong makes an A of its own: the mount is no matter before it was read again.
     if (analysis.slips.slips.empty() && !astray)

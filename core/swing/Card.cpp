@@ -372,6 +372,13 @@ Result<Card> makeCard(const Analysis& analysis, const CardOptions& options)
     card.rows = rowsOf(*work, options.step_deg);
     if (const auto rising = checkRising(card.rows, options.by); !rising)
         return rising.error();
+    if (options.removed.none()) { // a smooth curve through readings that fold may rise all the same
+        std::vector<Observation> read;
+        for (const AnalysedReading& reading : analysis.readings)
+            read.push_back({reading.magnetic, reading.compass});
+        if (const auto fold = foldOf(read))
+            return Error{ErrorCode::Numeric, foldWords(*fold)};
+    }
     for (auto& row : card.rows)
         row.halfway = between(*work, card.rows, evenHeading(row, options.by) + options.step_deg / 2.0);
     judgeRows(card, *work);

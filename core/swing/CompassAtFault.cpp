@@ -115,6 +115,47 @@ std::optional<Error> faultOf(std::span<const Observation> readings)
     return std::nullopt;
 }
 
+std::optional<Fold> foldOf(std::span<const Observation> readings)
+{
+    constexpr std::size_t kFewest = 4, kMost = 100;
+    constexpr double kFalls_deg = 3.0, kNeighbours_deg = 60.0;
+    constexpr double kMisread_deg = 45.0; // a reciprocal falls on both sides of it, and by more
+    if (readings.size() < kFewest || readings.size() > kMost)
+        return std::nullopt;
+    std::vector<Observation> around(readings.begin(), readings.end());
+    std::stable_sort(
+        around.begin(), around.end(), [](const auto& a, const auto& b) { return a.magnetic.degrees() < b.magnetic.degrees(); });
+    const std::size_t n = around.size();
+    std::optional<Fold> widest;
+    double most_deg = kFalls_deg;
+    for (std::size_t first = 0; first < n; ++first) {
+        double fallen_deg = 0;
+        for (std::size_t steps = 1; steps < n; ++steps) {
+            const Observation &here = around[(first + steps - 1) % n], &next = around[(first + steps) % n];
+            const double rise_deg = wrap180(next.compass.degrees() - here.compass.degrees());
+            const double turned_deg = wrap360(next.magnetic.degrees() - here.magnetic.degrees());
+            if (rise_deg >= 0.0 || rise_deg < -kMisread_deg || turned_deg < 1e-6 || turned_deg > kNeighbours_deg)
+                break;
+            fallen_deg -= rise_deg;
+            if (steps >= 2 && fallen_deg >= most_deg) {
+                most_deg = fallen_deg;
+                widest = Fold{around[first].magnetic, next.magnetic, around[first].compass, next.compass};
+            }
+        }
+    }
+    return widest;
+}
+
+Message foldWords(const Fold& fold)
+{
+    return {
+        MARKED("core",
+            "the compass falls while the aircraft turns right: it reads %1 on %2 and %3 on %4, so that one reading stands for more than "
+            "one heading; there is no card of it, and no slip is looked for"),
+        threeDigits(fold.reads.degrees()), threeDigits(fold.from.degrees()), threeDigits(fold.readsThen.degrees()),
+        threeDigits(fold.to.degrees())};
+}
+
 std::optional<Error> faultOf(const ApproximateFit& approximate, const ExactFit& exact)
 {
     const bool told = exact.fitted() && exact.degreesOfFreedom > 0 && toDegrees(exact.rms_rad) <= kTellsWithin_deg;

@@ -16,6 +16,16 @@ namespace lubberline {
 /// next to nothing (a compass that folds is none of these).
 [[nodiscard]] std::optional<Error> faultOf(const ApproximateFit& approximate, const ExactFit& exact);
 
+/// A stretch on which the compass falls while the aircraft turns right.
+struct Fold {
+    MagneticHeading from, to;
+    CompassHeading reads, readsThen; ///< there
+};
+/// The widest stretch of a list (no log) on which two neighbours or more fall one after the other, by 3° or more in all: one reading that
+/// was misread falls once. None else, and none of headings further than 60° apart.
+[[nodiscard]] std::optional<Fold> foldOf(std::span<const Observation> readings);
+[[nodiscard]] Message foldWords(const Fold& fold);
+
 /// The words for an index that is no deviation any more (largeIndex_deg of SmithFit.h), none for 0.
 [[nodiscard]] std::optional<Message> indexWords(double index_deg);
 /// What the coefficients mean beside such an index; none for 0.

@@ -18,6 +18,7 @@
 #include "ui/earth/FieldText.h"
 #include "ui/electrical/ElectricalSteps.h"
 #include "ui/kit/StoredEdit.h"
+#include "ui/kit/OpenCell.h"
 #include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/SideBySide.h"
@@ -211,6 +212,8 @@ Result<void> ElectricalPage::showCompass(CompassId compass)
 
 void ElectricalPage::reload()
 {
+    if (waitsForCell(*m_fourPoints, this, &ElectricalPage::reload) || waitsForCell(*m_headings, this, &ElectricalPage::reload))
+        return; // what is being typed is of the record that is shown
     auto swings = m_stores.electrical.of(m_compass.id);
     if (!swings) {
         emit failed(messageOf(swings.error()));

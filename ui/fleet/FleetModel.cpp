@@ -37,6 +37,23 @@ QString swingName(const SwingRow& row)
     return name;
 }
 
+/// What a branch calls its swings: those of one day and stage have their kind beside it, and of one kind the readings that they have.
+std::vector<QString> swingNames(const std::vector<SwingRow>& rows)
+{
+    std::vector<QString> names;
+    for (const SwingRow& row : rows)
+        names.push_back(swingName(row));
+    const auto tellApart = [&](auto&& words) {
+        const std::vector<QString> before = names;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (std::count(before.begin(), before.end(), before[i]) > 1 && !words(rows[i]).isEmpty())
+                names[i] += QStringLiteral(", ") + words(rows[i]);
+    };
+    tellApart([](const SwingRow& row) { return statedWord(row.kind); });
+    tellApart([](const SwingRow& row) { return FleetModel::tr("readings: %1").arg(row.readings); });
+    return names;
+}
+
 QString swingDetail(const SwingRow& row)
 {
     QStringList stated{statedWord(row.kind), statedWord(row.stage), wordFor(row.state)};
@@ -141,8 +158,11 @@ Result<std::vector<std::unique_ptr<FleetModel::Node>>> FleetModel::ask(const Nod
         const auto rows = m_stores.swings.swingsOf(*compass);
         if (!rows)
             return rows.error();
-        for (const SwingRow& row : *rows)
-            add(row.id, swingName(row) + guidedWords(row), swingDetail(row), row.status, false)->draft = row.state == SwingState::Draft;
+        const std::vector<QString> names = swingNames(*rows);
+        for (std::size_t i = 0; i < rows->size(); ++i) {
+            const SwingRow& row = (*rows)[i];
+            add(row.id, names[i] + guidedWords(row), swingDetail(row), row.status, false)->draft = row.state == SwingState::Draft;
+        }
     }
     return nodes;
 }

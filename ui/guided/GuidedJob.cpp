@@ -97,7 +97,7 @@ std::optional<Place> GuidedJob::placeOfSun() const
 Message GuidedJob::clockDoubt() const
 {
     const auto place = placeOfSun();
-    return place ? hourDoubt(m_job, m_state, *place) : Message{};
+    return place ? sunDoubt(m_job, m_state, *place) : Message{};
 }
 
 void GuidedJob::tellDatumErrors(Swing& swing) const

@@ -170,8 +170,8 @@ Result<void> GuidedPage::begin(CompassId compass)
     m_swing = {};
     m_job->close();
     m_pages->setCurrentWidget(m_start);
-    setTitle(tr("Guided swing"));
     m_whose->setText(m_start->whose());
+    setTitle(tr("Guided swing"));
     m_start->setFocus();
     return {};
 }
@@ -207,11 +207,13 @@ Result<void> GuidedPage::takeUp(SwingId swing)
     return {};
 }
 
+QString GuidedPage::whose() const { return m_whose->text(); }
+
 void GuidedPage::refresh()
 {
     const auto& state = m_job->state();
-    setTitle(stepTitle(*m_job));
     m_whose->setText(QStringLiteral("%1 · %2").arg(toText(m_job->record().aircraft.registration), toText(m_job->record().compass.name)));
+    setTitle(stepTitle(*m_job));
     m_strip->show(state);
     m_instrument->setText(inAngleStyle(instrumentWords(*m_job)));
     const DatumInstrument& datum = m_job->datum();

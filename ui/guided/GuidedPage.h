@@ -54,6 +54,7 @@ public:
     [[nodiscard]] Plot* plot() const override;
     [[nodiscard]] Shown shown() const override;
     [[nodiscard]] std::vector<FleetItem> path() const override;
+    [[nodiscard]] QString whose() const override;
 
 signals:
     void finished(lubberline::SwingId swing); ///< the records are made

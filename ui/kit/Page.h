@@ -42,6 +42,8 @@ public:
     ~Page() override;
 
     [[nodiscard]] QString title() const { return windowTitle(); }
+    /// Whose record it is, where its title tells only what is done there.
+    [[nodiscard]] virtual QString whose() const { return {}; }
     [[nodiscard]] QString message() const { return m_message->text(); }
     /// The plot that is in front on it, for the commands that copy and export one; none: it has none now.
     [[nodiscard]] virtual Plot* plot() const { return nullptr; }

@@ -1,6 +1,7 @@
 #include "ui/kit/TableEntry.h"
 
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QTableWidget>
 
 namespace lubberline::ui {
@@ -12,7 +13,13 @@ QTableWidgetItem* fixedCell(const QString& text)
     return item;
 }
 
-EnterAdvances::EnterAdvances(QTableWidget& table, Order order) : QStyledItemDelegate(&table), m_table(table), m_order(order)
+void KeepsTyped::setEditorData(QWidget* editor, const QModelIndex& index) const
+{
+    if (const auto* line = qobject_cast<const QLineEdit*>(editor); !line || !line->isModified())
+        QStyledItemDelegate::setEditorData(editor, index);
+}
+
+EnterAdvances::EnterAdvances(QTableWidget& table, Order order) : KeepsTyped(&table), m_table(table), m_order(order)
 {
     table.setItemDelegate(this);
     table.installEventFilter(this);

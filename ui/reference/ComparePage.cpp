@@ -238,9 +238,10 @@ void ComparePage::judge()
         coefficients.append(QStringLiteral("%1 %2° ± %3°")
                                 .arg(QChar(letterOf(kCoefficients[c])))
                                 .arg(signedNumber(m_verdict->difference_deg[c], 1), plainNumber(m_verdict->differenceError_deg[c], 1)));
-    m_figures->setText(inAngleStyle(
-        tr("Corrected by their cards, first − second is %1 (standard errors); that a card does not hold: first %2 %, second %3 %.")
-            .arg(coefficients.join(QStringLiteral(", ")), shareWords(m_verdict->firstFault), shareWords(m_verdict->secondFault))));
+    m_figures->setText(inAngleStyle(tr(
+        "Headings corrected by their cards, first − second: %1 (standard errors; a deviation of the first that rose makes it fall). That a card does not hold: first %2 %, second %3 %.")
+                                        .arg(coefficients.join(QStringLiteral(", ")), shareWords(m_verdict->firstFault),
+                                            shareWords(m_verdict->secondFault))));
     for (const Message& warning : m_verdict->warnings)
         warnings.append(toText(warning));
     say(warnings.join(QLatin1Char('\n')));

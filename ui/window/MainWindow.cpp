@@ -15,6 +15,7 @@
 
 #include <algorithm>
 
+#include "core/record/ClockDates.h"
 #include "ui/due/DueWatch.h"
 #include "ui/fleet/FleetPanel.h"
 #include "ui/fleet/RecordEdits.h"
@@ -275,7 +276,8 @@ void MainWindow::showPlace()
 {
     const Page& page = m_pages->current();
     const QString file = QFileInfo(m_stores.location()).fileName();
-    setWindowTitle(page.title().isEmpty() ? tr("%1 – Lubberline").arg(file) : tr("%1 – %2 – Lubberline").arg(page.title(), file));
+    const QString title = page.whose().isEmpty() ? page.title() : QStringLiteral("%1 · %2").arg(page.whose(), page.title());
+    setWindowTitle(title.isEmpty() ? tr("%1 – Lubberline").arg(file) : tr("%1 – %2 – Lubberline").arg(title, file));
     if (m_back) {
         m_back->setEnabled(m_trail.canGo(-1));
         m_forward->setEnabled(m_trail.canGo(+1));
@@ -351,11 +353,14 @@ void MainWindow::watchDue()
 
 void MainWindow::makeSwing(Swing swing)
 {
+    const Message doubt = doubtOfDate(swing.date, m_stores.clock().today());
     auto* edit = new MakeSwing(m_context, std::move(swing), MakeSwing::Direction::Make, tr("new swing"));
     const int command = m_stack.index();
     m_stack.push(edit);
     if (m_stack.index() > command) // storage has not refused it
         showEdited(command);
+    if (m_stack.index() > command && !doubt.empty())
+        m_messages->add(MessagePanel::Kind::Information, tr("The swing is made; %1.").arg(toText(doubt)));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

@@ -61,6 +61,8 @@ void MainWindow::lookElsewhere()
     if (isThere(m_stores, shown))
         return;
     leaveRemoved();
+    if (QWidget* keys = focusWidget()) // the Enter that ends a figure is to open nothing here
+        keys->clearFocus();
     fail(tr("%1 has been removed in another window or by another program.").arg(title));
 }
 

@@ -69,6 +69,9 @@ Result<void> PageStack::show(const Destination& destination)
     if (page != before)
         addWidget(page);
     m_made[description.id] = page;
+    // Keys that were in the page before go to what is typed in this one, not to whichever button is the first of it.
+    const QWidget* keys = QApplication::focusWidget();
+    const bool hadKeys = keys && isAncestorOf(keys);
     turnTo(*page);
     if (before && page != before) {
         page->takeLook(*before);
@@ -76,7 +79,7 @@ Result<void> PageStack::show(const Destination& destination)
             emit leftBehind(before->title(), texts);
         retire(before);
     }
-    if (destination.focus || description.focus)
+    if (destination.focus || description.focus || (hadKeys && page != before))
         page->setFocus();
     return {};
 }

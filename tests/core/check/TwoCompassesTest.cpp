@@ -99,6 +99,9 @@ TEST(TwoCompasses, movedTogetherIsNotTold)
     EXPECT_NEAR(verdict->rms_deg, 0, 0.1);
     ASSERT_FALSE(verdict->warnings.empty());
     EXPECT_NE(verdict->warnings[0].english().find("not told apart from the datum"), std::string::npos);
+    // The verdict itself says what it does not tell.
+    ASSERT_EQ(verdict->named, Moved::Neither);
+    EXPECT_NE(inWords(*verdict).english().find("whether both moved alike is not told without a datum"), std::string::npos);
     const auto with = compareCompasses(one, two, readingsOf(one, two, 6, 6, true), {});
     EXPECT_GT(with->probability[3], verdict->probability[3]);
     EXPECT_FALSE(compareCompasses(one, two, {}, {}));

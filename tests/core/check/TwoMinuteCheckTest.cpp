@@ -84,6 +84,20 @@ TEST(TwoMinuteCheck, withoutHistoryItSaysWhatItCannotKnow)
     EXPECT_NE(verdict->warnings[1].english().find("too few"), std::string::npos);
 }
 
+TEST(TwoMinuteCheck, oneHeadingAndTheOtherSideAreSaid)
+{
+    const auto belief = beliefOf(quietHistory(10), 2025, {});
+    const auto says = [](const CheckVerdict& verdict, const char* words) {
+        const auto warnings = inEnglish(verdict.warnings);
+        return std::any_of(warnings.begin(), warnings.end(), [&](const auto& one) { return one.find(words) != std::string::npos; });
+    };
+    EXPECT_TRUE(says(*verdictOf(belief, std::vector{readAt(belief, 0, 0.2)}, {}), "on one heading only"));
+    const std::vector both{readAt(belief, 0, 0.2), readAt(belief, 120, -0.3)};
+    EXPECT_FALSE(says(*verdictOf(belief, both, {}), "on one heading only"));
+    EXPECT_FALSE(says(*verdictOf(belief, both, {}), "other side"));
+    EXPECT_TRUE(says(*verdictOf(belief, std::vector{readAt(belief, 0, 180), readAt(belief, 120, 179)}, {}), "other side"));
+}
+
 TEST(CheckHeadings, looksWhereThisCompassWanders)
 {
     auto history = quietHistory(10);

@@ -246,5 +246,33 @@ TEST(SwingSlips, howSmallASlipCouldPassIsSaid)
     EXPECT_LT(*seenFrom(24), *seenFrom(8));
 }
 
+/// The compass figures of 120 and 150 stand in each other's row: one exchange, and not the digits that happen to come near.
+TEST(SwingSlips, figuresInEachOthersRowAreNamedSo)
+{
+    std::mt19937_64 engine(7);
+    std::normal_distribution<double> normal;
+    int named = 0, swings = 0;
+    for (; swings < 40; ++swings) {
+        const ApproximateSmith smith{0.0, toRadians(4 * normal(engine)), toRadians(4 * normal(engine)), toRadians(normal(engine)), 0.0};
+        std::vector<Observation> readings;
+        for (int i = 0; i < 12; ++i) {
+            const double magnetic = 30.0 * i;
+            double compass = magnetic;
+            for (int k = 0; k < 20; ++k)
+                compass = magnetic - deviationAt(smith, CompassHeading::fromDegrees(wrap360(compass))).degrees();
+            readings.push_back(
+                {MagneticHeading::fromDegrees(magnetic), CompassHeading::fromDegrees(wrap360(std::round(compass + 0.3 * normal(engine))))});
+        }
+        std::swap(readings[4].compass, readings[5].compass);
+        const auto found = findSlips(readings, 1.0);
+        if (found.slips.size() != 2)
+            continue;
+        const auto& one = found.slips[0].reading == 4 ? found.slips[0] : found.slips[1];
+        named += one.reading == 4 && !one.candidates.empty() && one.candidates[0].slip == Slip::WrongRow
+            && one.candidates[0].meant_deg == 150.0 && one.candidates[0].probability > 0.9;
+    }
+    EXPECT_GE(named, 0.95 * swings);
+}
+
 } // namespace
 } // namespace lubberline

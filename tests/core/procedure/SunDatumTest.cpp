@@ -49,10 +49,18 @@ TEST(SunDatum, anHourWrongShowsInA)
     const double hour = hourInA_deg(kWarsaw, times);
     EXPECT_GT(hour, 10);
     EXPECT_LT(hour, 30);
-    EXPECT_NE(hourDoubt(kWarsaw, times, hour + 0.5).english().find("hour fast"), std::string::npos);
-    EXPECT_NE(hourDoubt(kWarsaw, times, hourInA_deg(kWarsaw, times, -1)).english().find("hour slow"), std::string::npos);
-    EXPECT_TRUE(hourDoubt(kWarsaw, times, 1).empty());
-    EXPECT_TRUE(hourDoubt(kWarsaw, {}, 15).empty());
+    EXPECT_NE(sunDoubt(kWarsaw, times, hour + 0.5).english().find("hour fast"), std::string::npos);
+    EXPECT_NE(sunDoubt(kWarsaw, times, hourInA_deg(kWarsaw, times, -1)).english().find("hour slow"), std::string::npos);
+    EXPECT_TRUE(sunDoubt(kWarsaw, times, 1).empty());
+    EXPECT_TRUE(sunDoubt(kWarsaw, {}, 15).empty());
+    // A shadow lies opposite the sun; and 21 west for 21 east is some three hours of sun.
+    EXPECT_NE(sunDoubt(kWarsaw, times, -178).english().find("those of its shadow"), std::string::npos);
+    Place west = kWarsaw;
+    west.longitude_deg = -kWarsaw.longitude_deg;
+    double wrong_deg = 0;
+    for (const UtcTime time : times)
+        wrong_deg += (sunAt(west, time).azimuth_deg - sunAt(kWarsaw, time).azimuth_deg) / 2;
+    EXPECT_NE(sunDoubt(west, times, wrong_deg + 1).english().find("a longitude of the other sign"), std::string::npos);
 }
 
 /// A guided swing by the sun in which the compass has no deviation, and the clock is so many hours fast.
@@ -84,14 +92,14 @@ TEST(SunDatum, aGuidedSwingSaysThatTheClockIsAnHourWrong)
         EXPECT_TRUE(takesSun(kind));
         for (const int hours : {1, -1}) {
             const SunSwingRead read(kind, hours, 4);
-            EXPECT_NE(hourDoubt(read.job, read.state, kWarsaw).english().find(hours > 0 ? "hour fast" : "hour slow"), std::string::npos);
+            EXPECT_NE(sunDoubt(read.job, read.state, kWarsaw).english().find(hours > 0 ? "hour fast" : "hour slow"), std::string::npos);
         }
         const SunSwingRead right(kind, 0, 4), early(kind, 1, 3);
-        EXPECT_TRUE(hourDoubt(right.job, right.state, kWarsaw).empty());
-        EXPECT_TRUE(hourDoubt(early.job, early.state, kWarsaw).empty()) << "three headings tell no A";
+        EXPECT_TRUE(sunDoubt(right.job, right.state, kWarsaw).empty());
+        EXPECT_TRUE(sunDoubt(early.job, early.state, kWarsaw).empty()) << "three headings tell no A";
     }
     const SunSwingRead other(DatumKind::SightingCompass, 1, 4);
-    EXPECT_TRUE(hourDoubt(other.job, other.state, kWarsaw).empty());
+    EXPECT_TRUE(sunDoubt(other.job, other.state, kWarsaw).empty());
 }
 
 TEST(SunDatum, anAstrocompassShowsTheHeadingItself)

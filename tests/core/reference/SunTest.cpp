@@ -91,8 +91,16 @@ TEST(Sun, whatItCannotTellIsSaid)
     EXPECT_NE(overhead.warnings.at(0).english().find("tells little"), std::string::npos);
     EXPECT_FALSE(doubts({52, 21, 0}, "1900-06-21T08:00:00Z").warnings.empty());
     EXPECT_NE(doubts({90, 0, 0}, "2026-06-21T08:00:00Z").warnings.at(0).english().find("tells little"), std::string::npos);
+    // At the pole a kilometre is any meridian: 360°/√12.
+    const auto ofPosition = [](double latitude_deg, double km) {
+        SunSighting sighting;
+        sighting.position_km = km;
+        return sunShares({latitude_deg, 0, 0}, at("2026-06-21T12:00:00Z"), sighting).position_deg;
+    };
     for (const double pole : {-90.0, 90.0})
-        EXPECT_TRUE(std::isfinite(sunBudget({pole, 0, 0}, at("2026-06-21T08:00:00Z"), {}).total_deg()));
+        EXPECT_NEAR(ofPosition(pole, 1), 103.9, 0.5) << pole;
+    EXPECT_NEAR(ofPosition(89.9, 1), toDegrees(1 / (0.1 * 111.2)), 0.1); // a kilometre across at 11 km from the pole
+    EXPECT_NEAR(ofPosition(89.99, 5), 103.9, 0.5);
 }
 
 TEST(Sun, times)

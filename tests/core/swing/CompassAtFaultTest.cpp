@@ -9,6 +9,7 @@
 
 #include "core/swing/Analysis.h"
 #include "core/swing/Card.h"
+#include "core/swing/CompassAtFault.h"
 
 namespace lubberline {
 namespace {
@@ -25,6 +26,28 @@ std::vector<Observation> around(int count, const std::function<double(double psi
         readings.push_back({MagneticHeading::fromDegrees(psi), CompassHeading::fromDegrees(compass_deg(psi))});
     }
     return readings;
+}
+
+/// δ = 65° sin ψ: between 315 and 030 it reads less while the aircraft turns right. A smooth curve through the readings rises all the same.
+TEST(CompassAtFault, readingsThatFoldAreSaidAndHaveNoCard)
+{
+    const auto readings = around(24, [](double psi) { return psi - 65.0 * std::sin(toRadians(psi)); });
+    const auto fold = foldOf(readings);
+    ASSERT_TRUE(fold);
+    EXPECT_EQ(fold->from.degrees(), 330.0);
+    EXPECT_EQ(fold->to.degrees(), 30.0);
+    const auto analysis = analyse(readings);
+    ASSERT_TRUE(analysis);
+    EXPECT_TRUE(analysis->slips.slips.empty());
+    EXPECT_THAT(inEnglish(analysis->warnings), Contains(HasSubstr("falls while the aircraft turns right")));
+    const auto card = makeCard(*analysis, {});
+    ASSERT_FALSE(card);
+    EXPECT_THAT(card.error().message.english(), HasSubstr("one reading stands for more than one heading"));
+    // One misread figure is a slip, and a steep curve that rises is none.
+    auto slipped = around(24, [](double psi) { return psi - 5.0 * std::sin(toRadians(psi)); });
+    slipped[7].compass = CompassHeading::fromDegrees(slipped[7].compass.degrees() + 40);
+    EXPECT_FALSE(foldOf(slipped));
+    EXPECT_FALSE(foldOf(around(36, [](double psi) { return psi - 50.0 * std::sin(toRadians(psi)); })));
 }
 
 TEST(CompassAtFault, aStuckCompassIsNamedWithItsFigure)

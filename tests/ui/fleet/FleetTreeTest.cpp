@@ -3,6 +3,7 @@
 #include <QAbstractItemModelTester>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTreeView>
 
@@ -22,6 +23,8 @@ private slots:
     void asksOnlyWhatIsOpened();
     void refreshKeepsPlaces();
     void badgeFollowsTheReadings();
+    void swingsOfOneDayAreToldApart();
+    void bothColumnsAreInSight();
     void nothingIsAskedBeforeTheFirstPaint();
     void searchFindsAndGoes();
     void whatIsFoundKeepsUpWithWhatIsShown();
@@ -88,6 +91,48 @@ void FleetTreeTest::badgeFollowsTheReadings()
     model.refresh();
     QCOMPARE(type.siblingAtColumn(FleetModel::Badge).data().toString(), QStringLiteral("out of limits"));
     QVERIFY(!type.siblingAtColumn(FleetModel::Badge).data(Qt::DecorationRole).value<QIcon>().isNull());
+}
+
+/// A correction leaves two swings as found of one compass on one day.
+void FleetTreeTest::swingsOfOneDayAreToldApart()
+{
+    SmallFleet fleet;
+    const auto add = [&fleet](SwingKind kind, std::size_t readings) {
+        auto points = eightPoints();
+        points.resize(readings);
+        const SwingId id = fleet.addSwing("2027-01-05", points);
+        const Swing before = *fleet.stores.swings.swing(id);
+        Swing after = before;
+        after.kind = kind;
+        return fleet.stores.swings.change(before, after).ok();
+    };
+    QVERIFY(add(SwingKind::Check, 8) && add(SwingKind::Correction, 4) && add(SwingKind::Correction, 3));
+    FleetModel model(fleet.stores);
+    const QModelIndex compass = model.find({fleet.type, fleet.aircraft, fleet.compass});
+    model.fetchMore(compass);
+    QSet<QString> names;
+    for (int row = 0; row < model.rowCount(compass); ++row)
+        names += model.index(row, 0, compass).data().toString();
+    QCOMPARE(names.size(), 4);
+    QVERIFY2(std::any_of(names.begin(), names.end(),
+                 [](const QString& name) { return name.contains("correction") && name.contains("readings: 3"); }),
+        qPrintable(names.values().join('|')));
+}
+
+/// However long a name is, the sign beside it says whether the aircraft is out of limits.
+void FleetTreeTest::bothColumnsAreInSight()
+{
+    SmallFleet fleet;
+    Aircraft another;
+    another.type = fleet.type;
+    another.registration = "a registration that is longer than any tree is wide on a small screen";
+    QVERIFY(fleet.stores.save(another));
+    OpenWindow open(fleet.stores);
+    auto& tree = *open.window.findChild<QTreeView*>("fleetTree");
+    QTRY_VERIFY(tree.model());
+    tree.expandAll();
+    QTRY_COMPARE(tree.columnWidth(FleetModel::Name) + tree.columnWidth(FleetModel::Badge), tree.viewport()->width());
+    QVERIFY(tree.columnWidth(FleetModel::Badge) >= 40);
 }
 
 void FleetTreeTest::nothingIsAskedBeforeTheFirstPaint()

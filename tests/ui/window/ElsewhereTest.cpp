@@ -39,6 +39,7 @@ class ElsewhereTest : public QObject {
 private slots:
     void aGuidedSwingGoesOnAsItStandsThere();
     void figuresThatAreTypedElsewhereAreNoNews();
+    void aCellThatIsBeingTypedStaysAsTyped();
     void aSwingIsSignedAsItWasSeen();
     void anExclusionIsOfItsReading();
     void aCellOfTheEventsStaysWithItsEvent();
@@ -102,6 +103,36 @@ void ElsewhereTest::figuresThatAreTypedElsewhereAreNoNews()
     QVERIFY(!*stores.changedElsewhere());
     QVERIFY(program->jobs.abandon(*swing));
     QVERIFY(*stores.changedElsewhere());
+}
+
+/// 358.5 typed while another program stores another row: "35" was replaced by what is stored there, and 08.5 was kept.
+void ElsewhereTest::aCellThatIsBeingTypedStaysAsTyped()
+{
+    SmallFleet fleet;
+    const SwingId swing = fleet.addSwing("2026-11-21", eightPoints());
+    OpenWindow open(fleet.stores);
+    open.window.go(swing);
+    open.table().goTo(0, ReadingColumn::Compass);
+    open.type("35");
+    const auto program = fleet.stores.another();
+    const auto storeRow = [&](std::size_t row, double compass_deg) {
+        const Reading before = program->swings.swing(swing)->readings[row];
+        Reading after = before;
+        after.compass = CompassHeading::fromDegrees(compass_deg);
+        return program->swings.changeReading(swing, before, after);
+    };
+    QVERIFY(storeRow(3, 140.5));
+    QTRY_COMPARE(open.window.findChild<SwingPage*>()->editor().readings()[3].compass->degrees(), 140.5);
+    QApplication::processEvents();
+    open.type("8.5");
+    open.press(Qt::Key_Return);
+    QCOMPARE(fleet.stores.swings.swing(swing)->readings[0].compass->degrees(), 358.5);
+    // A swing that is completed elsewhere closes the cell: what was typed is told.
+    open.table().goTo(1, ReadingColumn::Compass);
+    open.type("47.25");
+    QVERIFY(program->signing.complete(swing));
+    QTRY_VERIFY(!open.window.findChild<SwingPage*>()->editor().editable());
+    QVERIFY2(open.window.messages().shown().contains("47.25"), qPrintable(open.window.messages().shown()));
 }
 
 void ElsewhereTest::aSwingIsSignedAsItWasSeen()

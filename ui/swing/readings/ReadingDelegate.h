@@ -1,16 +1,16 @@
 #pragma once
 
-#include <QStyledItemDelegate>
+#include "ui/kit/TableEntry.h"
 
 namespace lubberline::ui {
 
 /// Edits a cell in a plain line; Enter stores it and says so. A cell whose text was not stored has a red frame and that text, struck out,
 /// beside the value that is stored; a suspect or placeholder one its own look.
-class ReadingDelegate : public QStyledItemDelegate {
+class ReadingDelegate : public KeepsTyped {
     Q_OBJECT
 
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using KeepsTyped::KeepsTyped;
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLineEdit>
 
 #include <algorithm>
 
@@ -93,6 +94,27 @@ QModelIndexList ReadingsTable::chosenCells() const
 {
     const QModelIndexList chosen = selectionModel()->selectedIndexes();
     return chosen.isEmpty() && currentIndex().isValid() ? QModelIndexList{currentIndex()} : chosen;
+}
+
+/// A cell closes under the hands of who types when another window closes the swing, or takes the reading away: it is said what was typed.
+void ReadingsTable::tellLost()
+{
+    const auto* editor = findChild<QLineEdit*>(QStringLiteral("readingEditor"));
+    if (editor && editor->isVisible() && editor->isModified() && !editor->text().isEmpty())
+        emit refused(tr("“%1” was being typed when another window or program changed the swing: it is not stored.").arg(editor->text()));
+}
+
+void ReadingsTable::reset()
+{
+    tellLost();
+    QTableView::reset();
+}
+
+void ReadingsTable::rowsAboutToBeRemoved(const QModelIndex& parent, int first, int last)
+{
+    if (currentIndex().row() >= first && currentIndex().row() <= last)
+        tellLost();
+    QTableView::rowsAboutToBeRemoved(parent, first, last);
 }
 
 void ReadingsTable::tell(const Result<void>& result)

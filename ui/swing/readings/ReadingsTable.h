@@ -24,6 +24,7 @@ public:
     [[nodiscard]] std::vector<int> selectedReadings() const;
 
 public slots:
+    void reset() override;
     void copy();
     void copyWithHeadings();
     void cut();
@@ -38,6 +39,7 @@ protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void rowsAboutToBeRemoved(const QModelIndex& parent, int first, int last) override;
 
 private:
     /// Enter: on to the next cell that is read, unless the text of this one was refused.
@@ -49,6 +51,7 @@ private:
     /// @return false: nothing of the chosen cells was refused
     bool restoreStored();
     [[nodiscard]] QModelIndexList chosenCells() const;
+    void tellLost();
     void tell(const Result<void>& result);
     [[nodiscard]] ReadingColumn currentColumn() const { return static_cast<ReadingColumn>(currentIndex().column()); }
 
