@@ -92,6 +92,7 @@ ContinuousSwing::ContinuousSwing(const ContinuousOptions& options)
 
 void ContinuousSwing::add(const ContinuousSample& sample)
 {
+    keepPrint(sample);
     const auto stated_deg = sample.referenceError_deg ? sample.referenceError_deg : m_options.noise_deg;
     if (!sample.leg) {
         endLeg();
@@ -333,7 +334,9 @@ ContinuousResult ContinuousSwing::finish()
     }
     if (result.told && m_last_s)
         result.state = {*m_last_s, m_before + m_updates, m_options.loads, m_options.wholeModelOver_nT, m_filter.state(),
-            keptCovariance(result.noiseRatio)};
+            keptCovariance(result.noiseRatio), m_options.start ? m_options.start->logs : std::vector<TakenLog>()};
+    result.state.logs.push_back(m_log);
+    result.log = m_log;
     for (const auto& alarm : m_alarms) {
         Message words{MARKED("core", "the iron changed: %1 by %2\u00B0 \u00B1 %3\u00B0, between %4 s and %5 s"), alarm.coefficient,
             signedFigureText(alarm.change_deg, 2), figureText(alarm.standardError_deg, 2), figureText(alarm.since_s, 0),

@@ -34,6 +34,13 @@ struct ContinuousSample {
     FlownAt at = {};               ///< of a whole model
 };
 
+/// A log that is in a state already: taken once more it would count twice.
+struct TakenLog {
+    std::uint64_t print = 0, beginning = 0; ///< of its times, headings and deviations, all and the first of them; 52 bits
+    double from_s = 0, to_s = 0;
+    std::int64_t samples = 0;
+};
+
 /// What is kept with a compass from flight to flight.
 struct ContinuousState {
     double time_s = 0; ///< of the last update, as the log had it
@@ -42,7 +49,17 @@ struct ContinuousState {
     std::optional<double> horizontal_nT; ///< of a whole model: that P, Q and R are counted over
     StateFilter::State state_deg;
     StateFilter::Covariance covariance;
+    std::vector<TakenLog> logs = {};
 };
+
+/// What a log has in common with those of a state.
+enum class TakenBefore {
+    Nothing,
+    Whole,     ///< it is one of them
+    Beginning, ///< one of them begins with the same readings
+    Time,      ///< one of them was written at the same time, by a clock that both have
+};
+[[nodiscard]] TakenBefore takenBefore(const TakenLog& log, const std::vector<TakenLog>& before);
 
 struct ContinuousOptions {
     std::optional<double> noise_deg; ///< of a heading pair where the log states none; none: it is found from the log
@@ -94,6 +111,7 @@ struct ContinuousResult {
     };
     std::optional<Whole> whole;
     ContinuousState state; ///< only where told
+    TakenLog log;          ///< what was added; it is the last one of the state
     bool told = false;
     std::vector<Message> warnings;
 };
@@ -120,6 +138,7 @@ private:
         StateFilter::State h, before;
         double z = 0, variance = 1, noise = 1, time_s = 0; ///< variance: of the innovation; noise: of z
     };
+    void keepPrint(const ContinuousSample& sample);
     void endLeg();
     void update(const ContinuousSample& sample, std::optional<double> variance);
     void learnNoise();
@@ -141,6 +160,7 @@ private:
     StateFilter m_filter;
     std::vector<std::string> m_names;
     std::optional<double> m_last_s, m_firstDeviation_deg;
+    TakenLog m_log;
     // The first updates, until they have shown how they scatter.
     struct Waiting {
         ContinuousSample sample;

@@ -20,6 +20,7 @@ namespace lubberline {
 namespace {
 
 constexpr double kMostOffsetAsDeclination = 0.5;
+constexpr double kReversed_deg = 90.0;
 
 /// "p = 0.012", "p < 0.0001".
 std::string chanceText(double p) { return p < 1e-4 ? "p < 0.0001" : "p = " + figureText(p, p < 0.001 ? 4 : 3); }
@@ -50,6 +51,16 @@ void warnOfCoverage(AircraftWinds& result)
     if (result.leftOut[static_cast<std::size_t>(LeftOut::Duplicate)] > 0)
         result.warnings.push_back(
             {MARKED_N("core", "%n report(s) that came twice counted once"), result.leftOut[static_cast<std::size_t>(LeftOut::Duplicate)]});
+    if (result.late > 0)
+        result.warnings.push_back(
+            {MARKED_N("core",
+                 "%n report(s) came long after later ones of their flight: a turn or a climb between them cannot be judged; sort the file by aircraft and time"),
+                result.late});
+    if (std::abs(fit.value(0)) > kReversed_deg)
+        result.warnings.push_back(
+            {MARKED("core",
+                 "the headings that are read are %1\u00B0 from those flown: the other end of the needle, or a sensor that is mounted the wrong way round; it is to be turned before a table is made"),
+                figureText(std::abs(fit.value(0)), 0)});
 }
 
 /// In the headings of a heading column, or in winds that were computed with magnetic headings.
@@ -197,8 +208,9 @@ void WindStudy::groupUp(WindResult& result) const
             {MARKED("core", "there is no group and no aircraft %1 to hold the others against"), inQuotes(m_options.control)});
 }
 
-WindResult WindStudy::finish() const
+WindResult WindStudy::finish()
 {
+    m_held->releaseAll(*this);
     WindResult result;
     result.observations = m_observations;
     std::vector<const Aircraft*> order;

@@ -75,6 +75,22 @@ void changesWithin(std::span<const FlightSums* const> flights, std::size_t from,
         changesWithin(flights.subspan(split), from + split, scatter, shared, kSecondChange, found);
 }
 
+/// Errors that were counted from 0° to 360°, as they are told.
+void takeOffATurn(AircraftWinds& result)
+{
+    if (result.fit.fit.value(0) <= 180.0)
+        return;
+    for (ClusteredFit* fit : {&result.fit.fit, &result.secondOrder})
+        fit->value(0) -= fit->told[0] ? 360.0 : 0.0;
+    if (result.beforeChange && result.beforeChange->told[0])
+        result.beforeChange->value(0) -= 360.0;
+    for (auto& sector : result.sectors)
+        if (sector.count > 0)
+            sector.error_deg -= 360.0;
+    for (auto& dot : result.dots)
+        dot.error_deg -= 360.0;
+}
+
 std::string flightName(const std::string& name, std::size_t place) { return name.empty() ? "#" + std::to_string(place + 1) : name; }
 
 } // namespace
@@ -163,6 +179,7 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
     if (aircraft.fromPositions > 0)
         result.positionError_kt = std::sqrt(aircraft.positionSquares / static_cast<double>(aircraft.fromPositions));
     result.leftOut = aircraft.leftOut;
+    result.late = aircraft.late;
     result.sectors = aircraft.sectors;
     for (auto& sector : result.sectors)
         if (sector.count > 0) {
@@ -227,7 +244,7 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
             const WindRow without = own.size() < 2 ? WindRow::Zero() : valueWithout(used, told[f]);
             for (const auto& [band, forms] : order[begins[part] + f]->forms) {
                 result.bands[band].before += windSquares(forms, WindRow::Zero());
-                if (own.size() >= 2)
+                if (own.size() >= 2 && !aircraft.reversed) // the forms are those of small angles
                     result.bands[band].after += windSquares(forms, without);
             }
         }
@@ -250,6 +267,8 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
     if (result.squaresAfter.count > 0)
         result.after = result.squaresAfter.rmse();
     result.fitted = result.fit.fit.rank > 0;
+    if (aircraft.reversed)
+        takeOffATurn(result);
     return result;
 }
 

@@ -23,6 +23,7 @@ constexpr double kGapNamed_s = 6 * 3600.0, kGapNameless_s = 45 * 60.0; ///< a lo
 constexpr double kNear_s = 120.0;
 
 bool known(double value) { return value == value; }
+bool hasWindOf(const WindReport& report) { return known(report.wind_kt) && (known(report.windFrom_deg) || report.wind_kt == 0); }
 
 std::uint64_t fingerprintOf(const WindReport& r)
 {
@@ -92,7 +93,7 @@ WindRow runningFit(const Sums& sums)
 
 } // namespace
 
-WindStudy::WindStudy(const WindOptions& options) : m_options(options), m_twin(std::make_unique<Twin>()) {}
+WindStudy::WindStudy(const WindOptions& options) : m_options(options), m_twin(std::make_unique<Twin>()), m_held(std::make_unique<Held>()) {}
 WindStudy::~WindStudy() = default;
 
 WindStudy::Aircraft& WindStudy::aircraftOf(std::string_view name)
@@ -115,6 +116,10 @@ void WindStudy::mergeInto(Flight& flight, Aircraft& aircraft, double gap_s)
         if (&other == &flight || !known(other.from_s) || other.from_s > flight.to_s + gap_s || other.to_s < flight.from_s - gap_s)
             return false;
         flight.sums += other.sums;
+        flight.held.insert(flight.held.end(), other.held.begin(), other.held.end());
+        other.held.clear();
+        if (!(flight.latest_s > other.latest_s))
+            flight.latest_s = other.latest_s;
         for (const auto& [band, forms] : other.forms)
             flight.formsOf(band) += forms;
         flight.from_s = std::min(flight.from_s, other.from_s);
@@ -182,7 +187,7 @@ std::optional<LeftOut> WindStudy::filter(Flight& flight, const WindReport& repor
     return use.air.squaredNorm() < least || use.airReference.squaredNorm() < least ? std::optional(LeftOut::Slow) : std::nullopt;
 }
 
-void WindStudy::tellSource(const WindReport& report, const Use& use, double error_deg)
+void WindStudy::tellSource(const Aircraft& aircraft, const WindReport& report, const Use& use, double error_deg)
 {
     const double across = rightOf(use.airReference).normalized().dot(use.wind - use.reference);
     auto found = std::find_if(m_sources.begin(), m_sources.end(), [&](const Source& one) { return one.name == report.source; });
@@ -196,17 +201,17 @@ void WindStudy::tellSource(const WindReport& report, const Use& use, double erro
     ++found->count;
     found->errors += error_deg;
     found->across += across * across;
-    if (m_twin->aircraft == m_last && m_twin->time_s == report.time_s && m_twin->source != report.source) {
+    if (m_twin->aircraft == &aircraft && m_twin->time_s == report.time_s && m_twin->source != report.source) {
         m_apart += std::pow(m_twin->east - use.reference.x(), 2) + std::pow(m_twin->north - use.reference.y(), 2);
         ++m_apartCount;
     }
-    *m_twin = {report.time_s, use.reference.x(), use.reference.y(), m_last, std::string(report.source)};
+    *m_twin = {report.time_s, use.reference.x(), use.reference.y(), &aircraft, std::string(report.source)};
 }
 
 void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& report, const Use& use)
 {
     const double airspeed = use.air.norm();
-    const double error_deg = turnBetween_deg(use.airReference, use.air); // from the reference to the reading
+    const double error_deg = aircraft.sideOf(turnBetween_deg(use.airReference, use.air)); // from the reference to the reading
     double sine = use.air.x() / airspeed, cosine = use.air.y() / airspeed;
     const Eigen::Vector2d right(cosine, -sine);
     FlightSums::Report one;
@@ -279,7 +284,7 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
         aircraft.refitAt += aircraft.refitAt;
     }
     if (!report.source.empty())
-        tellSource(report, use, error_deg);
+        tellSource(aircraft, report, use, error_deg);
     if (known(report.heading_deg)) {
         ++aircraft.headings;
         const double true_deg = directionOf_deg(use.air);
@@ -293,32 +298,38 @@ void WindStudy::add(const WindReport& report)
     ++m_observations;
     Aircraft& aircraft = aircraftOf(report.aircraft);
     ++aircraft.observations;
-    const auto leave = [&](LeftOut why) { ++aircraft.leftOut[static_cast<std::size_t>(why)]; };
-    const bool hasWind = known(report.wind_kt) && (known(report.windFrom_deg) || report.wind_kt == 0);
-    const bool hasHeading = known(report.heading_deg) && known(report.tas_kt);
     if (!known(report.reference_kt) || !(known(report.referenceFrom_deg) || report.reference_kt == 0))
-        return leave(LeftOut::NoReference);
+        return aircraft.leave(LeftOut::NoReference);
     const bool hasGround = known(report.groundSpeed_kt) && known(report.track_deg);
     const bool hasFix = known(report.latitude_deg) && known(report.longitude_deg) && known(report.time_s);
-    if ((!hasGround && !hasFix) || (!hasWind && !hasHeading))
-        return leave(LeftOut::NoWind);
+    if ((!hasGround && !hasFix) || (!hasWindOf(report) && !(known(report.heading_deg) && known(report.tas_kt))))
+        return aircraft.leave(LeftOut::NoWind);
     Flight& flight = flightOf(aircraft, report);
+    if (!report.group.empty() && aircraft.group.empty())
+        aircraft.group = report.group;
+    if (known(report.time_s))
+        m_held->hold(*this, aircraft, flight, report);
+    else
+        take(aircraft, flight, report);
+}
+
+void WindStudy::take(Aircraft& aircraft, Flight& flight, const WindReport& report)
+{
+    const bool hasWind = hasWindOf(report), hasGround = known(report.groundSpeed_kt) && known(report.track_deg);
     std::optional<GroundByPositions> between;
-    if (hasFix && !hasGround) {
+    if (!hasGround) {
         if (known(flight.lastFix_s))
             between = groundBetween(flight.lastLatitude_deg, flight.lastLongitude_deg, report, report.time_s - flight.lastFix_s);
         flight.lastLatitude_deg = report.latitude_deg;
         flight.lastLongitude_deg = report.longitude_deg;
         flight.lastFix_s = report.time_s;
         if (!between)
-            return leave(LeftOut::NoWind);
+            return aircraft.leave(LeftOut::NoWind);
     }
-    if (!report.group.empty() && aircraft.group.empty())
-        aircraft.group = report.group;
     if (known(report.time_s) || known(report.latitude_deg)) {
         const std::uint64_t print = fingerprintOf(report);
         if (isAmong(flight.recent.data(), flight.recent.size(), print))
-            return leave(LeftOut::Duplicate);
+            return aircraft.leave(LeftOut::Duplicate);
         flight.recent[flight.recentNext++ % flight.recent.size()] = print;
     }
     Use use;
@@ -338,7 +349,7 @@ void WindStudy::add(const WindReport& report)
     if (hasWind && !aircraft.sense.full())
         aircraft.sense.take(report, use.ground.data(), use.wind.data(), use.reference.data());
     if (const auto why = filter(flight, report, use))
-        return leave(*why);
+        return aircraft.leave(*why);
     sumUp(aircraft, flight, report, use);
 }
 

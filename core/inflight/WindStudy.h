@@ -5,7 +5,7 @@
 /// with ψ' the magnetic heading that was read (true where the declination is not known). Deviation is −e: A = −c, B = −a, C = −b.
 /// A constant error of the reference wind is a sine of the heading, too: 1 m/s is 0.458° at 125 m/s. One aircraft cannot tell it from B and
 /// C; what the fleet has in common is said.
-/// Reports are streamed: memory grows with flights.
+/// Reports are streamed: memory grows with flights. Those of a flight are judged in order of time: some thousands are held for it.
 
 #include <array>
 #include <deque>
@@ -91,6 +91,7 @@ struct AircraftWinds {
     int flights = 0, flightsFitted = 0; ///< fitted: since the last change
     std::int64_t observations = 0, used = 0;
     std::array<std::int64_t, kLeftOut.size()> leftOut{};
+    std::int64_t late = 0; ///< that came after later ones of their flight, which were judged already
     bool fitted = false;
     WindFit fit;                  ///< of the flights since the last change
     bool secondOrderTold = false; ///< the headings tell it
@@ -167,7 +168,7 @@ public:
     explicit WindStudy(const WindOptions& options);
     ~WindStudy();
     void add(const WindReport& report);
-    [[nodiscard]] WindResult finish() const;
+    [[nodiscard]] WindResult finish();
     [[nodiscard]] std::int64_t observations() const { return m_observations; }
     [[nodiscard]] std::size_t aircraft() const { return m_byName.size(); }
     [[nodiscard]] std::size_t flights() const { return m_flights; } ///< of all aircraft
@@ -185,7 +186,8 @@ private:
     [[nodiscard]] std::vector<bool> changed(const std::vector<const Aircraft*>& all, const SharedError& shared) const;
     [[nodiscard]] AircraftWinds resultOf(const Aircraft& aircraft, const SharedError& shared, bool hasChanged) const;
     void sumUp(Aircraft& aircraft, Flight& flight, const WindReport& report, const Use& use);
-    void tellSource(const WindReport& report, const Use& use, double error_deg);
+    void take(Aircraft& aircraft, Flight& flight, const WindReport& report);
+    void tellSource(const Aircraft& aircraft, const WindReport& report, const Use& use, double error_deg);
 
     WindOptions m_options;
     DeclinationNodes m_declination;
@@ -200,6 +202,8 @@ private:
     std::int64_t m_apartCount = 0;
     struct Twin; ///< the report before, for another source of the same
     std::unique_ptr<Twin> m_twin;
+    struct Held; ///< reports whose flight may have earlier ones still to come
+    std::unique_ptr<Held> m_held;
 };
 
 } // namespace lubberline

@@ -3,11 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
+#include "core/angle/Angle.h"
 #include "core/inflight/WindStudy.h"
 
 namespace lubberline {
+
+/// A report with texts of its own; its aircraft and flight are known where it is held.
+struct HeldReport {
+    WindReport report;
+    std::string source;
+};
 
 struct WindStudy::Flight {
     std::string name;
@@ -23,6 +31,8 @@ struct WindStudy::Flight {
     std::optional<LeftOut> lastLeftOut;
     std::array<std::uint64_t, 64> recent{}; ///< fingerprints: a report that comes again is known among so many
     std::size_t recentNext = 0;
+    std::vector<HeldReport> held;
+    double latest_s = -std::numeric_limits<double>::infinity(); ///< of the reports that were judged
 
     WindForms& formsOf(std::size_t band)
     {
@@ -65,6 +75,24 @@ struct WindStudy::Aircraft {
     std::vector<WindDot> dots;
     std::int64_t dotStride = 1;
 
+    std::int64_t late = 0;
+    double cosines = 0;    ///< Σ cos e of the first reports
+    bool reversed = false; ///< e is about 180°, and counted from 0° to 360°
+
+    void leave(LeftOut why) { ++leftOut[static_cast<std::size_t>(why)]; }
+
+    /// Differences of directions wrap at 180°: errors about it, of a compass that reads the other end, must not fall on both sides.
+    double sideOf(double error_deg)
+    {
+        constexpr std::int64_t kFirst = 32;
+        constexpr double kBeyond = -0.25; // mean cosine: some 105°, to which no sine of a compass that points north comes
+        if (used < kFirst) {
+            cosines += std::cos(toRadians(error_deg));
+            reversed = cosines < kBeyond * static_cast<double>(used + 1);
+        }
+        return reversed && error_deg < 0 ? error_deg + 360.0 : error_deg;
+    }
+
     /// One in so many, so that few stand for all.
     void addDot(const WindDot& dot)
     {
@@ -106,6 +134,21 @@ struct WindStudy::Source {
     std::string name;
     std::int64_t count = 0;
     double errors = 0, across = 0;
+};
+
+/// Reports wait until so many do; then those of the flight that waits longest are judged, in order of time.
+struct WindStudy::Held {
+    static constexpr std::size_t kMost = std::size_t{1} << 14;
+    struct Waiting {
+        Aircraft* aircraft = nullptr;
+        Flight* flight = nullptr;
+    };
+    void hold(WindStudy& study, Aircraft& aircraft, Flight& flight, const WindReport& report);
+    void release(WindStudy& study, const Waiting& which);
+    void releaseAll(WindStudy& study);
+    std::deque<Waiting> waiting; ///< one of a flight more than once, where flights are merged
+    std::size_t count = 0;
+    std::vector<std::vector<HeldReport>> spare; ///< empty, with memory that serves again
 };
 
 struct WindStudy::Twin {

@@ -105,6 +105,54 @@ TEST(ContinuousCommand, theStateGoesFromFlightToFlight)
     EXPECT_EQ(sandbox.run({"continuous", second, "--state", state}).status, 1);
 }
 
+/// The log of seconds from another beginning.
+std::string laterBy(std::string csv, double later_s)
+{
+    std::istringstream lines(csv);
+    std::string line, later;
+    std::getline(lines, line);
+    later = line + "\n";
+    while (std::getline(lines, line)) {
+        const auto comma = line.find(',');
+        later += shortestNumber(std::stod(line.substr(0, comma)) + later_s) + line.substr(comma) + "\n";
+    }
+    return later;
+}
+
+TEST(ContinuousCommand, aLogCountsOnceInAState)
+{
+    const Sandbox sandbox;
+    constexpr double kClock_s = 1.7e9;
+    const auto first = sandbox.write("1.csv", laterBy(continuousLog(0, 150, false), kClock_s)),
+               again = sandbox.write("again.csv", laterBy(continuousLog(0, 150, false), kClock_s)),
+               longer = sandbox.write("longer.csv", laterBy(continuousLog(0, 200, false), kClock_s)),
+               overlaps = sandbox.write("overlaps.csv", laterBy(continuousLog(100, 250, false), kClock_s)),
+               next = sandbox.write("2.csv", laterBy(continuousLog(250, 400, false), kClock_s)),
+               elapsed = sandbox.write("elapsed.csv", continuousLog(0, 150, false));
+    const auto state = sandbox.path("state.json");
+    const auto taken = [&](const std::string& log) { return sandbox.run({"continuous", log, "--noise", "0.5", "--state", state}); };
+    ASSERT_EQ(taken(first).status, 0);
+    const std::string before = sandbox.read("state.json");
+    // The same readings under another name, too.
+    const auto refused = taken(again);
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("again.csv: is in the state already, and would count twice"), std::string::npos) << refused.err;
+    EXPECT_EQ(sandbox.read("state.json"), before);
+    const auto quiet = taken(next);
+    EXPECT_EQ(quiet.status, 0) << quiet.err;
+    EXPECT_EQ(quiet.err.find("in the state already"), std::string::npos) << quiet.err;
+    // Of a log between both, and of one that goes on where the first ended, it is told.
+    EXPECT_NE(taken(longer).err.find("begins with the readings of a log that is in the state already"), std::string::npos);
+    EXPECT_NE(taken(overlaps).err.find("overlaps in time with a log that is in the state already"), std::string::npos);
+    // Seconds from the beginning of a log say nothing of the time of another one.
+    EXPECT_EQ(taken(elapsed).err.find("in the state already"), std::string::npos);
+    EXPECT_EQ(taken(first).status, 1);
+    const auto kept = nlohmann::json::parse(sandbox.read("state.json"));
+    ASSERT_EQ(kept.at("logs").size(), 5u);
+    EXPECT_EQ(kept.at("logs").at(0).at("from_s").get<double>(), kClock_s);
+    EXPECT_EQ(kept.at("logs").at(0).at("readings").get<int>(), 150);
+}
+
 /// Hard iron (700, −400) nT and nothing else, at attitudes: sin δ = (P x + Q y)/H with x, y across the compass heading.
 std::string attitudeLog(int from, int to)
 {

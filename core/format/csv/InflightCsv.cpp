@@ -251,6 +251,20 @@ Result<ContinuousFile> readContinuousCsv(std::istream& input, const std::string&
     if (!swing)
         return csv.wholeFile(MARKED("core", "holds no pair of headings; expected a compass and a reference heading a row"));
     file.result = swing->finish();
+    switch (takenBefore(file.result.log, options.start ? options.start->logs : std::vector<TakenLog>())) {
+    case TakenBefore::Nothing: break;
+    case TakenBefore::Whole:
+        return Error{ErrorCode::InvalidInput,
+            MARKED("core", "is in the state already, and would count twice; expected a log that was not taken yet"), name};
+    case TakenBefore::Beginning:
+        file.warnings.push_back(
+            MARKED("core", "it begins with the readings of a log that is in the state already: what both of them hold counts twice"));
+        break;
+    case TakenBefore::Time:
+        file.warnings.push_back(
+            MARKED("core", "it overlaps in time with a log that is in the state already: what both of them hold counts twice"));
+        break;
+    }
     if (missing > 0)
         file.warnings.push_back({whole ? MARKED_N("core", "%n row(s) without headings, attitude or field passed over")
                                        : MARKED_N("core", "%n row(s) without a compass or reference heading passed over"),

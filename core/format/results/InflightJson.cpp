@@ -116,6 +116,9 @@ std::string stateJson(const ContinuousState& state)
         {"covariance_deg2", InflightTree::array()}};
     if (state.horizontal_nT)
         json["whole_model_over_nT"] = *state.horizontal_nT;
+    for (const TakenLog& log : state.logs)
+        json["logs"].push_back(
+            {{"print", log.print}, {"beginning", log.beginning}, {"from_s", log.from_s}, {"to_s", log.to_s}, {"readings", log.samples}});
     for (Eigen::Index i = 0; i < state.state_deg.size(); ++i) {
         json["state_deg"].push_back(state.state_deg(i));
         for (Eigen::Index j = 0; j < state.state_deg.size(); ++j)
@@ -128,7 +131,7 @@ Result<ContinuousState> readStateJson(std::string_view text, const std::string& 
 {
     return readJsonObject<ContinuousState>(text, name, MARKED("core", "the state of a continuous swing"), [](JsonObject& object) {
         ContinuousState state;
-        object.only({"format", "version", "time_s", "updates", "loads", "whole_model_over_nT", "state_deg", "covariance_deg2"});
+        object.only({"format", "version", "time_s", "updates", "loads", "whole_model_over_nT", "state_deg", "covariance_deg2", "logs"});
         if (object.requiredText("format") != "lubberline continuous swing")
             object.fault("format", MARKED("core", "is another; expected the state of a continuous swing"));
         if (object.requiredNumber("version", {}) != kStateVersion)
@@ -138,6 +141,15 @@ Result<ContinuousState> readStateJson(std::string_view text, const std::string& 
         object.array("loads", [&](const nlohmann::json& value, const JsonPath&) {
             if (value.is_string())
                 state.loads.push_back(value.get<std::string>());
+        });
+        object.objects("logs", [&](JsonObject& log) {
+            log.only({"print", "beginning", "from_s", "to_s", "readings"});
+            TakenLog& one = state.logs.emplace_back();
+            one.print = static_cast<std::uint64_t>(log.requiredNumber("print", {0, 0x1p52}));
+            one.beginning = static_cast<std::uint64_t>(log.requiredNumber("beginning", {0, 0x1p52}));
+            one.from_s = log.requiredNumber("from_s", {});
+            one.to_s = log.requiredNumber("to_s", {});
+            one.samples = static_cast<std::int64_t>(log.requiredNumber("readings", {1, 1e15}));
         });
         if (object.has("whole_model_over_nT"))
             state.horizontal_nT = object.requiredNumber("whole_model_over_nT", {500, 50'000});
