@@ -8,6 +8,8 @@
 #include "core/algebra/Solve.h"
 #include "core/angle/Angle.h"
 #include "core/base/Number.h"
+#include "core/calibration/ChangeInTime.h"
+#include "core/calibration/EllipsoidParts.h"
 #include "core/calibration/LogQuality.h"
 #include "core/calibration/ModelHeader.h"
 #include "core/calibration/ReferenceHeading.h"
@@ -111,6 +113,62 @@ void doubt(CompensatedLog& result, const SensorLog& log, const CompensationOptio
                 figureText(meanOf(after), 0), signedFigureText(100 * off, 0), figureText(options.field->total_nT(), 0)});
 }
 
+using ModelRow9 = Eigen::Matrix<double, 9, 1>;
+
+/// d|f| by what may still be wrong with a model, part of the field F: a symmetric matrix (a, b, c, e, f, k) and hard iron.
+ModelRow9 sizeRow(const Eigen::Vector3d& along, double field)
+{
+    ModelRow9 row;
+    row << field * along[0] * along[0], 2 * field * along[0] * along[1], 2 * field * along[0] * along[2], field * along[1] * along[1],
+        2 * field * along[1] * along[2], field * along[2] * along[2], along;
+    return row;
+}
+
+/// Iron or a gain that changed during the log: a model is for one of each. By the sizes of the fields that it leaves, which a wrong model
+/// makes depend on the attitude, but not on the time.
+Message changeDuring(const SensorLog& log, const CompensatedLog& result, const std::vector<std::uint8_t>& usable, double field)
+{
+    const std::vector<std::size_t> rows = someRows(usable);
+    constexpr std::size_t kFewest = 200;
+    if (rows.size() < kFewest)
+        return {};
+    const auto fieldAt = [&](std::size_t row) { return Eigen::Vector3d(result.field[0][row], result.field[1][row], result.field[2][row]); };
+    TimeBlocks blocks;
+    blocks.fill({Eigen::MatrixXd::Zero(9, 9), Eigen::MatrixXd::Zero(9, 1)});
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(9, 9), score = Eigen::MatrixXd::Zero(9, 1);
+    for (const std::size_t row : rows) {
+        const Eigen::Vector3d one = fieldAt(row);
+        const ModelRow9 design = sizeRow(one.normalized(), field);
+        TimeBlock& block = blocks[timeBlockOf(row, log.size())];
+        block.normal += design * design.transpose();
+        block.score += design * (one.norm() - field);
+    }
+    for (const TimeBlock& block : blocks) {
+        normal += block.normal;
+        score += block.score;
+    }
+    const ModelRow9 always = leastNorm(normal, score);
+    std::vector<double> left;
+    double squares = 0;
+    for (const std::size_t row : rows) {
+        const Eigen::Vector3d one = fieldAt(row);
+        left.push_back(one.norm() - field - sizeRow(one.normalized(), field).dot(always));
+        squares += left.back() * left.back();
+    }
+    Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(9, 4);
+    steps.block<3, 3>(6, 0).setIdentity();
+    for (const Eigen::Index size : {0, 3, 5})
+        steps(size, 3) = 1;
+    auto change = changeInTime(blocks, Eigen::MatrixXd::Identity(9, 9), {steps}, squares / static_cast<double>(rows.size()));
+    if (!change)
+        return {};
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (change->isAfter(rows[i], log.size()))
+            left[i] -= fieldAt(rows[i]).normalized().dot(change->hardIron) + field * change->gain;
+    change->widen(std::sqrt(slowResidualFactor(left)));
+    return wordsOf(*change, log, field);
+}
+
 /// Cells that hold samples, by pitch and then heading. @param referenced whether the heading column is a reference
 std::vector<ErrorCell> errorMap(
     const SensorLog& log, const std::vector<double>& before_deg, const std::vector<double>& after_deg, bool referenced)
@@ -193,6 +251,8 @@ Result<CompensatedLog> compensate(const SensorLog& log, const SensorModel& model
     result.spreadBefore = spreadOfSizes(sizesBefore);
     result.spreadAfter = spreadOfSizes(sizesAfter);
     doubt(result, log, options, sizesBefore, sizesAfter);
+    if (Message change = changeDuring(log, result, whole, meanOf(sizesAfter)); !change.empty())
+        result.warnings.push_back(std::move(change));
     if (!log.heading_deg.empty()) {
         if (const Message own = headingOfItsOwn(log, whole); own.empty()) {
             result.before = errorsOf(result.before_deg, log.heading_deg);

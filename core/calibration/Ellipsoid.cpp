@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <random>
 
 #include "core/algebra/Solve.h"
@@ -212,9 +213,12 @@ EllipsoidResult fitEllipsoid(const SensorLog& log, EllipsoidShape shape, std::op
     }
     const LogQuality quality = qualityOf(log);
     result.warnings.insert(result.warnings.end(), quality.remarks.begin(), quality.remarks.end());
-    if (quality.rate_hz && log.size() > 100)
-        if (Message zero = warningOfZero(*quality.rate_hz, 0.005 * *quality.rate_hz); !zero.empty())
-            result.warnings.push_back(std::move(zero));
+    if (quality.rate_hz && log.size() > 100) {
+        const double onZero_hz = 0.005 * *quality.rate_hz;
+        for (Message& folded : std::array{warningOfZero(*quality.rate_hz, onZero_hz), warningOfSlow(*quality.rate_hz, onZero_hz)})
+            if (!folded.empty())
+                result.warnings.push_back(std::move(folded));
+    }
     std::vector<std::uint8_t> offered(log.size());
     std::ranges::transform(quality.faults, offered.begin(),
         [](SampleFault fault) { return static_cast<std::uint8_t>((fault == SampleFault::None) | (fault == SampleFault::Repeat)); });

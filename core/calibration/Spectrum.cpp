@@ -18,14 +18,6 @@ constexpr double kFalseAlarm = 1e-3; ///< of a whole spectrum
 constexpr int kNear = 3;             ///< bins that a line fills on either side (Hann)
 constexpr int kNeighbours = 25;
 
-struct Supply {
-    double frequency_hz;
-    Pattern name;
-};
-constexpr std::array<Supply, 4> kSupplies{{{50, MARKED("core", "mains 50 Hz")}, {60, MARKED("core", "mains 60 Hz")},
-    {400, MARKED("core", "aircraft supply 400 Hz")}, {115, MARKED("core", "115 Hz")}}};
-constexpr std::array<int, 6> kHarmonics{1, 3, 5, 7, 9, 2}; // odd ones of rectifiers and gas lamps; twice, of magnetisation
-
 /// The column as stretches without gaps; what is missing inside one, or a spike, lies on the line between its neighbours.
 std::vector<std::vector<double>> runsOf(const std::vector<double>& values, const LogQuality& quality, bool isField)
 {
@@ -128,62 +120,29 @@ std::vector<Peak> peaksOf(const WelchSpectrum& spectrum, double leastAmplitude)
     return kept;
 }
 
-Message supplyName(const Supply& supply, int harmonic)
+/// Supplies that sampling folds so far down that the segments are too short for them: their lines look like hard iron that drifts. In
+/// longer segments, of which there are fewer; a sensor that is turned has slow lines of its own, so that only those with a name are told.
+void addSlowLines(LogSpectrum& result, const std::vector<std::vector<double>>& runs)
 {
-    if (harmonic == 1)
-        return {supply.name};
-    return {MARKED("core", "harmonic %1 of %2"), harmonic, supply.name};
-}
-
-/// Generators of 400 Hz keep it to one or two parts in a hundred.
-constexpr double kAircraftSupply_hz = 400, kKept = 0.02;
-
-/// The supplies of the lowest harmonic that has any which falls there; those that stand as they are, or those that sampling folded.
-std::vector<LineSource> suppliesAt(double frequency_hz, bool folded, double rate_hz, double within_hz)
-{
-    std::vector<LineSource> found;
-    for (const int harmonic : kHarmonics) {
-        for (const auto& supply : kSupplies) {
-            const double frequency = supply.frequency_hz * harmonic;
-            if ((frequency > rate_hz / 2) == folded && std::abs(aliasOf_hz(frequency, rate_hz) - frequency_hz) <= within_hz)
-                found.push_back({supplyName(supply, harmonic), folded ? std::optional(frequency) : std::nullopt});
-        }
-        if (!found.empty())
-            break;
+    std::size_t longest = 0, segment = result.segment;
+    for (const auto& run : runs)
+        longest = std::max(longest, run.size());
+    constexpr std::size_t kLonger = 8;
+    while (segment * 2 <= longest / 2 && segment < kLonger * result.segment)
+        segment *= 2;
+    if (segment == result.segment)
+        return;
+    const double seenFrom_hz = (kNear + 1) * result.rate_hz / static_cast<double>(result.segment);
+    const WelchSpectrum spectrum = welch(runs, segment, result.rate_hz);
+    for (const auto& peak : peaksOf(spectrum, leastLine(runs))) {
+        SpectralLine line{peak.frequency_hz, peak.amplitude, {}, {}, suppliesAt(peak.frequency_hz, true, result.rate_hz, spectrum.step_hz)};
+        const bool seen = std::any_of(result.lines.begin(), result.lines.end(),
+            [&](const SpectralLine& other) { return std::abs(other.frequency_hz - line.frequency_hz) < seenFrom_hz; });
+        if (line.frequency_hz > seenFrom_hz || line.sources.empty() || seen)
+            continue;
+        nameLine(line, result.rate_hz, spectrum.step_hz);
+        result.lines.push_back(std::move(line));
     }
-    return found;
-}
-
-/// The frequency next to 400 Hz that sampling folds to a line; none within what such a supply keeps.
-std::optional<double> nearAircraftSupply_hz(double frequency_hz, double rate_hz)
-{
-    std::optional<double> best;
-    for (const double side : {-1.0, 1.0}) {
-        const double near = frequency_hz * side + rate_hz * std::round((kAircraftSupply_hz - frequency_hz * side) / rate_hz);
-        if (near > rate_hz / 2 && std::abs(near - kAircraftSupply_hz) <= kKept * kAircraftSupply_hz
-            && (!best || std::abs(near - kAircraftSupply_hz) < std::abs(*best - kAircraftSupply_hz) - 1e-6))
-            best = near;
-    }
-    return best;
-}
-
-/// All that a line may come from: as it stands before folded ones. A folded line may be a 400 Hz supply that is a little off, too.
-void nameLine(SpectralLine& line, double rate_hz, double within_hz)
-{
-    line.sources = suppliesAt(line.frequency_hz, false, rate_hz, within_hz);
-    if (line.sources.empty()) {
-        line.sources = suppliesAt(line.frequency_hz, true, rate_hz, within_hz);
-        const auto near_hz = nearAircraftSupply_hz(line.frequency_hz, rate_hz);
-        const bool named = std::any_of(line.sources.begin(), line.sources.end(),
-            [](const LineSource& one) { return one.aliasOf_hz && *one.aliasOf_hz == kAircraftSupply_hz; });
-        if (near_hz && !named)
-            line.sources.push_back({{MARKED("core", "perhaps aircraft supply 400 Hz at %1 Hz"), figureText(*near_hz, 1)}, *near_hz});
-    }
-    line.source = line.sources.empty() ? Message{MARKED("core", "not known")} : line.sources.front().name;
-    for (std::size_t i = 1; i < line.sources.size(); ++i)
-        line.source = {MARKED("core", "%1 or %2"), line.source, line.sources[i].name};
-    if (!line.sources.empty())
-        line.aliasOf_hz = line.sources.front().aliasOf_hz;
 }
 
 const std::vector<double>* columnNamed(const SensorLog& log, const std::string& name)
@@ -263,36 +222,13 @@ Result<LogSpectrum> spectrumOfColumn(
         nameLine(line, result.rate_hz, spectrum.step_hz);
         result.lines.push_back(std::move(line));
     }
+    addSlowLines(result, runs);
+    std::sort(
+        result.lines.begin(), result.lines.end(), [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; });
     return result;
 }
 
 } // namespace
-
-double aliasOf_hz(double frequency_hz, double rate_hz) { return std::abs(frequency_hz - rate_hz * std::round(frequency_hz / rate_hz)); }
-
-std::vector<double> suppliesOnZero_hz(double rate_hz, double within_hz)
-{
-    std::vector<double> found;
-    for (const auto& supply : kSupplies)
-        for (const int harmonic : {1, 3, 5})
-            if (aliasOf_hz(supply.frequency_hz * harmonic, rate_hz) <= within_hz)
-                found.push_back(supply.frequency_hz * harmonic);
-    std::sort(found.begin(), found.end());
-    return found;
-}
-
-Message warningOfZero(double rate_hz, double within_hz)
-{
-    std::string names;
-    for (const double frequency : suppliesOnZero_hz(rate_hz, within_hz))
-        names += (names.empty() ? "" : ", ") + figureText(frequency, 0);
-    if (names.empty())
-        return {};
-    return {
-        MARKED("core",
-            "at %1 samples a second %2 Hz fall on 0 Hz: the field of such a supply would look like hard iron; calibrate with it off, or log at another rate"),
-        figureText(rate_hz, 1), names};
-}
 
 Result<LogSpectrum> spectrumOf(const SensorLog& log, const SpectrumOptions& options)
 {

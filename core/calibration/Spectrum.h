@@ -56,9 +56,16 @@ Result<Spectrogram> spectrogramOf(const SensorLog& log, const std::string& colum
 /// Where sampling at `rate_hz` puts a frequency: 0 … rate/2.
 [[nodiscard]] double aliasOf_hz(double frequency_hz, double rate_hz);
 
+/// The supplies of the lowest harmonic that has any which falls there; those that stand as they are, or those that sampling folded.
+[[nodiscard]] std::vector<LineSource> suppliesAt(double frequency_hz, bool folded, double rate_hz, double within_hz);
+/// All that a line may come from: as it stands before folded ones. A folded line may be a 400 Hz supply that is a little off, too.
+void nameLine(SpectralLine& line, double rate_hz, double within_hz);
+
 /// Supplies (50, 60, 400 Hz and odd harmonics, 115 Hz) that fall within `within_hz` of zero at this rate and look like hard iron there.
 [[nodiscard]] std::vector<double> suppliesOnZero_hz(double rate_hz, double within_hz);
 /// The warning of it; empty where there is none.
 [[nodiscard]] Message warningOfZero(double rate_hz, double within_hz);
+/// Of those that fall above `from_hz` but on half a cycle a second or less.
+[[nodiscard]] Message warningOfSlow(double rate_hz, double from_hz);
 
 } // namespace lubberline

@@ -72,6 +72,43 @@ TEST(Compensation, theMapOfTheLog)
     EXPECT_FALSE(alone->map[6].sigma_deg);
 }
 
+/// Iron that is put down in the middle of a log, and a sensor that warms up: a model is for one iron and one gain.
+TEST(Compensation, aChangeDuringTheLogIsTold)
+{
+    for (const double tilt_deg : {0.0, 20.0}) {
+        LogPlan plan{.model = exampleModel(), .tilt_deg = tilt_deg, .samples = 3000};
+        const auto told = [&](double iron_nT, double gain, const SensorModel& model) {
+            SensorLog log = makeLog(plan);
+            for (std::size_t row = log.size() / 2; row < log.size(); ++row) {
+                log.field[0][row] += iron_nT;
+                for (auto& axis : log.field)
+                    axis[row] *= 1 + gain;
+            }
+            const auto result = compensate(log, model, {});
+            return result ? together(result->warnings).english() : describe(result.error());
+        };
+        EXPECT_THAT(told(800, 0, exampleModel()), HasSubstr("changes with time: along x it is +7")) << tilt_deg;
+        EXPECT_THAT(told(800, 0, exampleModel()), HasSubstr("after about 150 s than before")) << tilt_deg;
+        // Of a sensor that is always level a gain is iron along z.
+        EXPECT_THAT(told(0, 0.01, exampleModel()), HasSubstr(tilt_deg > 0 ? "gain changes with time: it is +" : "along z it is +"));
+        EXPECT_THAT(told(0, 0, exampleModel()), testing::Not(HasSubstr("changes with time"))) << tilt_deg;
+        // A model that is wrong all the time makes the sizes depend on the attitude, and not on the time.
+        SensorModel wrong = exampleModel();
+        wrong.hardIron_nT.x() += 1500;
+        wrong.softIron(1, 1) += 0.03;
+        EXPECT_THAT(told(0, 0, wrong), testing::Not(HasSubstr("changes with time"))) << tilt_deg;
+        EXPECT_THAT(told(800, 0, wrong), HasSubstr("changes with time: along x")) << tilt_deg;
+    }
+    // Whichever way attitudes follow each other, nothing is told of a log in which nothing changed.
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        LogPlan plan{.model = exampleModel(), .tilt_deg = 15, .samples = 1500, .seed = seed};
+        SensorLog log = makeLog(plan);
+        const auto result = compensate(log, exampleModel(), {});
+        ASSERT_TRUE(result);
+        EXPECT_THAT(together(result->warnings).english(), testing::Not(HasSubstr("changes with time"))) << seed;
+    }
+}
+
 TEST(Compensation, demandsThatAreNotKnownAreNotMet)
 {
     SensorLog log = levelLog(forwardIron(), 0);

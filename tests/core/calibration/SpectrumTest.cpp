@@ -111,6 +111,27 @@ TEST(Spectrum, everySupplyThatExplainsALineIsNamed)
     EXPECT_EQ(spectrumOf(logWith({{379, 100}}, 100, 40000), {})->lines[0].source.english(), "not known");
 }
 
+/// A minute of mains at 49.6 samples a second stands at 0.4 Hz, in the third bin of its segments, and looks like iron that drifts.
+TEST(Spectrum, aSlowFoldedLineIsNamed)
+{
+    for (const double rate_hz : {49.6, 99.7, 24.9}) {
+        const double folded_hz = aliasOf_hz(50, rate_hz);
+        const auto spectrum = spectrumOf(logWith({{50, 100}}, rate_hz, static_cast<int>(60 * rate_hz)), {});
+        ASSERT_TRUE(spectrum && spectrum->lines.size() == 1u) << rate_hz;
+        EXPECT_NEAR(spectrum->lines[0].frequency_hz, folded_hz, 0.02) << rate_hz;
+        EXPECT_NEAR(spectrum->lines[0].amplitude, 100, 15) << rate_hz;
+        EXPECT_EQ(spectrum->lines[0].aliasOf_hz, 50.0) << rate_hz;
+        EXPECT_THAT(together(spectrum->warnings).english(), HasSubstr("may be 50")) << rate_hz;
+    }
+    // What moves as slowly by itself has no name, and is no line: a sensor that is turned once in nine seconds.
+    EXPECT_TRUE(spectrumOf(logWith({{0.11, 10000}}, 49.6, 2976), {})->lines.empty());
+    // And noise has none there either.
+    int lines = 0;
+    for (int samples = 2000; samples < 6000; samples += 80)
+        lines += spectrumOf(logWith({}, 49.6, samples), {.column = "by"})->lines.empty() ? 0 : 1;
+    EXPECT_LE(lines, 1);
+}
+
 TEST(Spectrum, aConstantHasNoLines)
 {
     SensorLog log = logWith({}, 90, 20000);
@@ -129,6 +150,12 @@ TEST(Spectrum, whatFallsOnZeroIsWarnedOf)
     EXPECT_EQ(suppliesOnZero_hz(100, 0.01), (std::vector<double>{300, 400, 1200, 2000}));
     EXPECT_THAT(warningOfZero(100, 0.01).english(), HasSubstr("400"));
     EXPECT_TRUE(warningOfZero(97, 0.01).empty());
+    // Nearly on zero it looks like iron that drifts.
+    EXPECT_THAT(warningOfSlow(49.6, 0.248).english(), HasSubstr("50 Hz fall on 0.40 Hz"));
+    EXPECT_THAT(warningOfSlow(49.6, 0.248).english(), HasSubstr("hard iron that drifts"));
+    EXPECT_TRUE(warningOfSlow(50, 0.25).empty()) << "on zero, and told so";
+    EXPECT_TRUE(warningOfSlow(47, 0.235).empty());
+    EXPECT_TRUE(warningOfSlow(240, 1.2).empty());
 }
 
 /// Mains that a light brings for a third of the log, far above its noise: whole periods of it, and not spikes.
