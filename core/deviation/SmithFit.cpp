@@ -170,18 +170,25 @@ Result<Fit> fit(std::span<const Observation> readings, const FitWishes& wishes, 
         report.value[static_cast<std::size_t>(told.columns[i])] = solved.solution(static_cast<Eigen::Index>(i));
     report.residual_rad.resize(readings.size());
     report.leverage.resize(readings.size());
+    // The memory of errors is looked for in rows without them: readings that are close together differ by their errors alone, and what stands on
+    // both sides of the equation would pass for something that drifts.
+    Design smooth(n, columns.cols());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto& reading = readings[order[i]];
         const Deviation fitted = predict(report, reading);
         report.residual_rad[order[i]]
             = Deviation::fromDegrees(deviationOf(reading.magnetic, reading.compass).degrees() - fitted.degrees()).radians();
         report.leverage[order[i]] = solved.leverage(static_cast<Eigen::Index>(i));
+        const auto fittedCompass = CompassHeading::fromDegrees(wrap360(reading.magnetic.degrees() - fitted.degrees()));
+        const SmithRow row = makeRow({reading.magnetic, fittedCompass}, toDegrees(report.index_rad));
+        smooth.row(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::Matrix<double, 1, 5>>(row.x.data())(told.columns);
     }
     fillStatistics(report);
     report.unitCovariance = overAllFive(solved.inverseNormal, told.columns);
     if (!report.sigma_rad || !wishes.uncertainty)
         return report;
-    if (const auto serial = serialErrorsOf(columns, observed, order, wishes.progress)) {
+    const Eigen::VectorXd leftOver = observed - columns * solved.solution;
+    if (const auto serial = serialErrorsOf(smooth, leftOver, order, wishes.progress)) {
         report.lagOneCorrelation = serial->errors.lagOne();
         const double freedom = independentReadings(serial->errors, static_cast<int>(n)) - report.parameters;
         fillUncertainty(

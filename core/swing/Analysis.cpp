@@ -1,6 +1,7 @@
 #include "core/swing/Analysis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -108,6 +109,21 @@ void warnOfSlips(std::vector<Message>& warnings, const SlipSearch& slips, std::s
                 readings, static_cast<int>(std::ceil(*slips.seenFrom_deg))});
 }
 
+/// The widest arc without a reading, to half a degree: a log is not sorted for it.
+double unreadArc_deg(const std::vector<AnalysedReading>& readings)
+{
+    constexpr double kBin_deg = 0.5;
+    std::array<bool, 720> read{};
+    for (const AnalysedReading& reading : readings)
+        read[static_cast<std::size_t>(reading.magnetic.degrees() / kBin_deg) % read.size()] = true;
+    std::size_t widest = 0, empty = 0;
+    for (std::size_t bin = 0; bin < 2 * read.size(); ++bin) {
+        empty = read[bin % read.size()] ? 0 : empty + 1;
+        widest = std::max(widest, std::min(empty, read.size()));
+    }
+    return kBin_deg * static_cast<double>(widest);
+}
+
 /// @param index_rad  of a compass that is far out as a whole: the least and the most lie about it, also beyond ±180°
 Summary summarise(const std::vector<AnalysedReading>& readings, double index_rad)
 {
@@ -129,6 +145,7 @@ Summary summarise(const std::vector<AnalysedReading>& readings, double index_rad
         summary.minDeviation_rad = i == 0 ? there : std::min(summary.minDeviation_rad, there);
         summary.maxDeviation_rad = i == 0 ? there : std::max(summary.maxDeviation_rad, there);
     }
+    summary.unread_deg = unreadArc_deg(readings);
     summary.rmsDeviation_rad = std::sqrt(sumOfSquares / static_cast<double>(readings.size()));
     return summary;
 }
@@ -154,32 +171,6 @@ void addResiduals(Analysis& analysis)
         reading.residualApproximate_rad = analysis.approximate.residual_rad[i];
         reading.studentised = studentised[i];
     }
-}
-
-/// The readings without which the others are those of a compass: reciprocals, figures of another row. None: the whole list is at fault.
-std::vector<std::size_t> astrayReadings(std::span<const Observation> readings, const AnalysisOptions& options)
-{
-    constexpr std::size_t kMost = 100;                            // among more, one reading does not hide that the others follow
-    constexpr std::size_t kFewestOfTheRest = 5, kFewestOnOne = 6; // more astray is a list at fault
-    if (readings.size() <= kFewestOfTheRest || readings.size() > kMost)
-        return {};
-    const auto search = findSlips(readings, options.resolution_deg, options.history);
-    std::vector<std::size_t> astray;
-    for (const auto& slip : search.slips)
-        if (slip.probability >= 0.9 && slip.orReadings.empty())
-            astray.push_back(slip.reading);
-    std::sort(astray.begin(), astray.end());
-    if (astray.empty() || kFewestOnOne * astray.size() > readings.size())
-        return {};
-    std::vector<Observation> rest;
-    for (std::size_t i = 0; i < readings.size(); ++i)
-        if (!std::binary_search(astray.begin(), astray.end(), i))
-            rest.push_back(readings[i]);
-    const auto approximate = fitApproximate(rest);
-    const auto exact = fitExact(rest);
-    if (!approximate || !exact || faultOf(*approximate, *exact))
-        return {};
-    return astray;
 }
 
 bool looksLikeRadians(std::span<const Observation> readings)
@@ -310,7 +301,8 @@ Result<Analysis> analyse(std::span<const Observation> readings, const AnalysisOp
     Analysis analysis;
     bool astray = false;
     if (auto fault = faultOf(*approximate, *exact)) {
-        const auto found = options.findSlips ? astrayReadings(readings, options) : std::vector<std::size_t>();
+        const auto found
+            = options.findSlips ? astrayReadings(readings, options.resolution_deg, options.history) : std::vector<std::size_t>();
         if (found.empty())
             return *std::move(fault);
         astray = true;
@@ -390,7 +382,8 @@ Judgement judge(const Summary& summary, const std::optional<LimitsProfile>& limi
         return judgement;
     const bool within = (!limits->maxDeviation_deg || judgement.maxAbsDeviation_deg <= *limits->maxDeviation_deg + kRounding_deg)
         && (!limits->maxSpread_deg || judgement.spread_deg <= *limits->maxSpread_deg + kRounding_deg);
-    judgement.verdict = within ? Verdict::InLimits : Verdict::OutOfLimits;
+    judgement.partlyRead = within && summary.unread_deg > kMostUnread_deg + kRounding_deg;
+    judgement.verdict = judgement.partlyRead ? Verdict::NotKnown : within ? Verdict::InLimits : Verdict::OutOfLimits;
     return judgement;
 }
 

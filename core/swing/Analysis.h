@@ -37,6 +37,7 @@ struct Summary {
     double rmsDeviation_rad = 0;
     double minDeviation_rad = 0; ///< signed; of a compass far out as a whole about its index, also beyond half a turn
     double maxDeviation_rad = 0;
+    double unread_deg = 360; ///< the widest arc of magnetic heading on which nothing was read
     [[nodiscard]] double spread_rad() const { return maxDeviation_rad - minDeviation_rad; }
 };
 
@@ -74,9 +75,12 @@ struct SwingOutline {
 Result<SwingOutline> outlineOf(std::span<const Observation> readings);
 
 enum class Verdict { InLimits, OutOfLimits, NotKnown };
+/// Four cardinals, each with the aircraft within some degrees of them, judge a compass; a wider arc without a reading may hide anything.
+inline constexpr double kMostUnread_deg = 110;
 
 struct Judgement {
-    Verdict verdict = Verdict::NotKnown;
+    Verdict verdict = Verdict::NotKnown; ///< not known: no limits, or within them where it was read, and not read all around
+    bool partlyRead = false;             ///< the latter
     double maxAbsDeviation_deg = 0;
     double spread_deg = 0;
 };

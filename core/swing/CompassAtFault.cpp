@@ -1,5 +1,6 @@
 #include "core/swing/CompassAtFault.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -178,6 +179,32 @@ std::optional<Error> faultOf(const ApproximateFit& approximate, const ExactFit& 
              "deviation can be told; expected the readings of one compass beside the headings on which they were made"),
             letterOf(largest), signedFigureText(toDegrees(approximate.of(largest).value_or(0.0)), 0),
             figureText(toDegrees(approximate.rms_rad), 0)}};
+}
+
+std::vector<std::size_t> astrayReadings(
+    std::span<const Observation> readings, double resolution_deg, const std::optional<ExpectedCurve>& history)
+{
+    constexpr std::size_t kMost = 100;                            // among more, one reading does not hide that the others follow
+    constexpr std::size_t kFewestOfTheRest = 5, kFewestOnOne = 6; // more astray is a list at fault
+    if (readings.size() <= kFewestOfTheRest || readings.size() > kMost)
+        return {};
+    const auto search = findSlips(readings, resolution_deg, history);
+    std::vector<std::size_t> astray;
+    for (const auto& slip : search.slips)
+        if (slip.probability >= 0.9 && slip.orReadings.empty())
+            astray.push_back(slip.reading);
+    std::sort(astray.begin(), astray.end());
+    if (astray.empty() || kFewestOnOne * astray.size() > readings.size())
+        return {};
+    std::vector<Observation> rest;
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        if (!std::binary_search(astray.begin(), astray.end(), i))
+            rest.push_back(readings[i]);
+    const auto approximate = fitApproximate(rest);
+    const auto exact = fitExact(rest);
+    if (!approximate || !exact || faultOf(*approximate, *exact))
+        return {};
+    return astray;
 }
 
 std::optional<Message> indexWords(double index_deg)

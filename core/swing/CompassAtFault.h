@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/deviation/SmithFit.h"
+#include "core/deviation/SwingSlips.h"
 
 namespace lubberline {
 
@@ -25,6 +27,10 @@ struct Fold {
 /// was misread falls once. None else, and none of headings further than 60° apart.
 [[nodiscard]] std::optional<Fold> foldOf(std::span<const Observation> readings);
 [[nodiscard]] Message foldWords(const Fold& fold);
+
+/// The readings without which the others are those of a compass: reciprocals, figures of another row. None: the whole list is at fault.
+[[nodiscard]] std::vector<std::size_t> astrayReadings(
+    std::span<const Observation> readings, double resolution_deg, const std::optional<ExpectedCurve>& history);
 
 /// The words for an index that is no deviation any more (largeIndex_deg of SmithFit.h), none for 0.
 [[nodiscard]] std::optional<Message> indexWords(double index_deg);

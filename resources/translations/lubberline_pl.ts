@@ -678,10 +678,6 @@
         <translation>%1: %2 jest niedozwolone; oczekiwano: %3</translation>
     </message>
     <message>
-        <source>a date of the calendar as YYYY-MM-DD</source>
-        <translation>data kalendarzowa jak RRRR-MM-DD</translation>
-    </message>
-    <message>
         <source>metres from -10000 to 600000</source>
         <translation>metry od -10000 do 600000</translation>
     </message>
@@ -2910,14 +2906,6 @@
         <translation>heading_deg jest tu magnetyczny, a nie rzeczywisty: zgadza się z wiatrami po dodaniu deklinacji</translation>
     </message>
     <message>
-        <source>the sine that the fleet has in common, B %1° and C %2°, is taken out: a deviation that all aircraft have goes with it</source>
-        <translation>sinusoidę wspólną dla floty, B %1° i C %2°, odjęto: wraz z nią dewiację, którą mają wszystkie statki powietrzne</translation>
-    </message>
-    <message>
-        <source>the fleet has B %1° and C %2° in common: a deviation of them all, or a constant error of the reference wind of %3 kt; these figures cannot tell which</source>
-        <translation>flota ma wspólne B %1° i C %2°: dewiację wszystkich albo stały błąd wiatru odniesienia %3 w; tych liczb nie da się rozróżnić</translation>
-    </message>
-    <message>
         <source>too few aircraft to bound what they have in common: a constant error of the reference wind of 1 kt looks like %1° of B or C and is not told apart</source>
         <translation>za mało statków powietrznych, by ograniczyć to, co wspólne: stały błąd wiatru odniesienia 1 w wygląda jak %1° w B lub C i nie daje się odróżnić</translation>
     </message>
@@ -4074,10 +4062,6 @@
         <translation>prędkość względem ziemi %1 meldunków policzono z położeń; krok, z jakim je zapisano, daje jej niepewność %2 w</translation>
     </message>
     <message>
-        <source>the aircraft that the others are held against have B %1° and C %2° in common, as a constant error of the reference wind of %3 kt would look: their headings being right, it is one</source>
-        <translation>statki powietrzne, z którymi porównuje się pozostałe, mają wspólne B %1° i C %2°, jak przy stałym błędzie wiatru odniesienia %3 w: skoro ich kursy są dobre, jest to ten błąd</translation>
-    </message>
-    <message>
         <source>%1° was read after the compass was turned by %2° in its mount: that is taken off what it read</source>
         <translation>%1° odczytano po obróceniu busoli w mocowaniu o %2°: odjęto to od odczytu</translation>
     </message>
@@ -5061,6 +5045,82 @@
         <source>five coefficients do not describe this curve: neighbouring readings go astray together by some %1°, more than chance, and the card leaves it out (largest residual %2°)</source>
         <translation>pięć współczynników nie opisuje tej krzywej: sąsiednie odczyty odbiegają razem o około %1°, więcej niż przypadkiem, a tablica dewiacji to pomija (największe residuum %2°)</translation>
     </message>
+    <message>
+        <source>neither compass moved away from the other (%1 %); whether both moved alike is not told without a datum</source>
+        <translation>żaden kompas nie odszedł od drugiego (%1 %); czy oba zmieniły się jednakowo, bez wzorca nie wiadomo</translation>
+    </message>
+    <message>
+        <source>every reading is half a circle from the card: the compass or the datum was read from its other side; read them again before it is swung</source>
+        <translation>każdy odczyt leży pół koła od tablicy: kompas albo wzorzec odczytano z drugiej strony; odczytać ponownie przed pomiarem</translation>
+    </message>
+    <message>
+        <source>it was read on one heading only: what changed elsewhere is not seen, and the verdict rests on what compasses of its kind and history do</source>
+        <translation>odczytano tylko na jednym kursie: zmian gdzie indziej nie widać, a werdykt opiera się na tym, co robią kompasy tego rodzaju i o takiej historii</translation>
+    </message>
+    <message>
+        <source>a date of the calendar as YYYY-MM-DD or DD.MM.YYYY</source>
+        <translation>data kalendarzowa w postaci RRRR-MM-DD albo DD.MM.RRRR</translation>
+    </message>
+    <message>
+        <source>the legs do not tell the wind: they lie along one line, there and back; expected them all round, as 120° apart</source>
+        <translation>odcinki nie określają wiatru: leżą na jednej linii, tam i z powrotem; oczekiwano odcinków dookoła, na przykład co 120°</translation>
+    </message>
+    <message>
+        <source>one wind and one airspeed on all legs are assumed, and not all of it shows: 1 kt faster one way and 1 kt slower the other is taken for wind, and turns headings by up to %1°</source>
+        <translation>przyjęto jeden wiatr i jedną prędkość na wszystkich odcinkach, a nie wszystko z tego widać: 1 kt szybciej w jedną stronę i 1 kt wolniej w drugą uchodzi za wiatr i obraca kursy nawet o %1°</translation>
+    </message>
+    <message>
+        <source>the %1 aircraft have nothing in common that their own spread does not explain (B %2, C %3, 95 %): a constant error of the reference wind of up to %4 kt could pass unseen</source>
+        <translation>%1 statków powietrznych nie ma nic wspólnego, czego nie tłumaczy ich własny rozrzut (B %2, C %3, 95 %): stały błąd wiatru odniesienia do %4 kt mógłby przejść niezauważony</translation>
+    </message>
+    <message>
+        <source>the aircraft that the others are held against have B %1 and C %2 (95 %) in common, as a constant error of the reference wind of %3 kt would look: their headings being right, it is one</source>
+        <translation>statki powietrzne, z którymi porównuje się pozostałe, mają wspólne B %1 i C %2 (95 %), tak jak wyglądałby stały błąd wiatru odniesienia %3 kt: skoro ich kursy są dobre, to on</translation>
+    </message>
+    <message>
+        <source>the sine that the fleet has in common, B %1 and C %2 (95 %), is taken out: a deviation that all aircraft have goes with it</source>
+        <translation>sinusoida wspólna dla floty, B %1 i C %2 (95 %), została odjęta: razem z nią odchodzi dewiacja, którą mają wszystkie statki powietrzne</translation>
+    </message>
+    <message>
+        <source>the fleet has B %1 and C %2 (95 %) in common: a deviation of them all, or a constant error of the reference wind of %3 kt; these figures cannot tell which</source>
+        <translation>flota ma wspólne B %1 i C %2 (95 %): dewiacja wszystkich albo stały błąd wiatru odniesienia %3 kt; z tych liczb nie wiadomo, które z dwojga</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n heading(s) indicated more than 30° off what was selected, %1° at %2°: read them again</source>
+        <translation>
+            <numerusform>%n kurs wskazany dalej niż 30° od nastawionego, %1° przy %2°: odczytać ponownie</numerusform>
+            <numerusform>%n kursy wskazane dalej niż 30° od nastawionych, %1° przy %2°: odczytać ponownie</numerusform>
+            <numerusform>%n kursów wskazanych dalej niż 30° od nastawionych, %1° przy %2°: odczytać ponownie</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>with %1° selected the headings indicate %2° more than table F1 after the adjustment; expected the same within 0.2°</source>
+        <translation>przy nastawionych %1° tablica kursów wskazuje o %2° więcej niż tablica F1 po regulacji; oczekiwano zgodności do 0,2°</translation>
+    </message>
+    <message>
+        <source>A is %1°: bearings of the sun that stand where those of its shadow are expected, or the reverse, make 180° of it; else the compass was read from its other side</source>
+        <translation>A wynosi %1°: namiary słońca w miejscu namiarów jego cienia albo odwrotnie dają z tego 180°; w przeciwnym razie kompas odczytano z drugiej strony</translation>
+    </message>
+    <message>
+        <source>A is %1°: a longitude of the other sign (%2° for %3°) makes %4° of it; east is positive</source>
+        <translation>A wynosi %1°: długość geograficzna o przeciwnym znaku (%2° zamiast %3°) daje z tego %4°; wschodnia jest dodatnia</translation>
+    </message>
+    <message>
+        <source>its date %1 is before there were aircraft; expected the day on which it was swung</source>
+        <translation>jego data %1 jest sprzed czasów lotnictwa; oczekiwano dnia, w którym wykonano pomiar</translation>
+    </message>
+    <message>
+        <source>the compass falls while the aircraft turns right: it reads %1 on %2 and %3 on %4, so that one reading stands for more than one heading; there is no card of it, and no slip is looked for</source>
+        <translation>kompas cofa się, gdy statek powietrzny obraca się w prawo: wskazuje %1 na %2 i %3 na %4, więc jedno wskazanie odpowiada więcej niż jednemu kursowi; nie ma dla niego tablicy dewiacji i nie szuka się pomyłek</translation>
+    </message>
+    <message>
+        <source>every reading is there %1 times with the same figures, as when a list is entered again: the errors are those of %2 readings, and a slip hides behind its copies; take the copies out</source>
+        <translation>każdy odczyt występuje %1 razy z tymi samymi liczbami, jak przy ponownym wpisaniu listy: błędy są takie jak dla %2 odczytów, a pomyłka kryje się za kopiami; usunąć kopie</translation>
+    </message>
+    <message>
+        <source>every compass heading is a multiple of %1°: taken as read to no better, whatever the compass can</source>
+        <translation>każdy kurs kompasowy jest wielokrotnością %1°: przyjęto, że dokładniej nie odczytano, cokolwiek kompas potrafi</translation>
+    </message>
 </context>
 <context>
     <name>db</name>
@@ -5918,73 +5978,6 @@
     </message>
 </context>
 <context>
-    <name>lubberline::ui</name>
-    <message>
-        <source>State of the radio</source>
-        <translation>Stan radia</translation>
-    </message>
-    <message>
-        <source>any radio state</source>
-        <translation>dowolny stan radia</translation>
-    </message>
-    <message>
-        <source>radio on</source>
-        <translation>radio włączone</translation>
-    </message>
-    <message>
-        <source>radio off</source>
-        <translation>radio wyłączone</translation>
-    </message>
-    <message>
-        <source>Who has a say in the mean</source>
-        <translation>Kto ma głos w średniej</translation>
-    </message>
-    <message>
-        <source>one aircraft, one vote</source>
-        <translation>jeden statek powietrzny, jeden głos</translation>
-    </message>
-    <message>
-        <source>one swing, one vote</source>
-        <translation>jeden pomiar, jeden głos</translation>
-    </message>
-    <message>
-        <source>From this day on, YYYY-MM-DD</source>
-        <translation>Od tego dnia, RRRR-MM-DD</translation>
-    </message>
-    <message>
-        <source>from</source>
-        <translation>od</translation>
-    </message>
-    <message>
-        <source>Up to this day, YYYY-MM-DD</source>
-        <translation>Do tego dnia, RRRR-MM-DD</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>do</translation>
-    </message>
-    <message>
-        <source>A day to compare |A| before and after, as that of a training, YYYY-MM-DD; empty: the data are asked for one</source>
-        <translation>Dzień, przed którym i po którym porównać |A|, np. dzień szkolenia, RRRR-MM-DD; puste: wskażą go dane</translation>
-    </message>
-    <message>
-        <source>training</source>
-        <translation>szkolenie</translation>
-    </message>
-    <message>
-        <source> headings</source>
-        <translation> kursów</translation>
-    </message>
-    <message>
-        <source>Period:</source>
-        <translation>Okres:</translation>
-    </message>
-    <message>
-        <source>Training:</source>
-        <translation>Szkolenie:</translation>
-    </message>
-</context>
-<context>
     <name>lubberline::ui::AircraftPage</name>
     <message>
         <source>%1 of %2</source>
@@ -5993,10 +5986,6 @@
     <message>
         <source>&amp;Aircraft</source>
         <translation>S&amp;tatek powietrzny</translation>
-    </message>
-    <message>
-        <source>&amp;Compass and limits</source>
-        <translation>&amp;Busola i wartości dopuszczalne</translation>
     </message>
     <message>
         <source>E&amp;vents</source>
@@ -6157,6 +6146,10 @@
     <message>
         <source>No compass is entered yet</source>
         <translation>Nie wprowadzono jeszcze busoli</translation>
+    </message>
+    <message>
+        <source>&amp;Compass</source>
+        <translation>&amp;Kompas</translation>
     </message>
 </context>
 <context>
@@ -7360,6 +7353,10 @@ soft iron S:</source>
         <source>A click or Enter on a number opens where it comes from</source>
         <translation>Kliknięcie lub Enter na liczbie otwiera jej pochodzenie</translation>
     </message>
+    <message>
+        <source>95 % interval: %1 standard errors of %2 by the scatter (Student), and 1.96 of %3 that all readings share</source>
+        <translation>przedział 95 %: %1 błędu standardowego %2 z rozrzutu (Student) oraz 1,96 błędu %3 wspólnego dla wszystkich odczytów</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::CoilPanel</name>
@@ -7463,10 +7460,6 @@ soft iron S:</source>
         <translation>Wpisz, co obie busole wskazują na każdym kursie, np. podczas kołowania; kierunek pasa jest wzorcem.</translation>
     </message>
     <message>
-        <source>Corrected by their cards, first − second is %1 (standard errors); that a card does not hold: first %2 %, second %3 %.</source>
-        <translation>Po poprawieniu według tablic pierwsza − druga wynosi %1 (w błędach standardowych); że tablica nie jest ważna: pierwsza %2 %, druga %3 %.</translation>
-    </message>
-    <message>
         <source>Noted among the events of %1; the due list names it.</source>
         <translation>Zapisano wśród zdarzeń %1; wykaz terminów to podaje.</translation>
     </message>
@@ -7521,6 +7514,10 @@ soft iron S:</source>
     <message>
         <source>No heading was read by both compasses yet: there is nothing to report.</source>
         <translation>Żadnego kursu nie odczytano jeszcze z obu busol: nie ma o czym sporządzić raportu.</translation>
+    </message>
+    <message>
+        <source>Headings corrected by their cards, first − second: %1 (standard errors; a deviation of the first that rose makes it fall). That a card does not hold: first %2 %, second %3 %.</source>
+        <translation>Kursy poprawione według tablic, pierwszy − drugi: %1 (błędy standardowe; gdy dewiacja pierwszego wzrosła, różnica maleje). Że tablica nie obowiązuje: pierwszy %2 %, drugi %3 %.</translation>
     </message>
 </context>
 <context>
@@ -7992,10 +7989,6 @@ soft iron S:</source>
         <translation>Brak przedziału: odczytów nie jest więcej niż współczynników.</translation>
     </message>
     <message>
-        <source>95 % ± %1 = %2 × %3: Student&apos;s factor for %4 degrees of freedom times the standard error, which follows from the scatter of the readings, s = √(Σ residual² / %4) = %5°.</source>
-        <translation>95 % ± %1 = %2 × %3: współczynnik Studenta dla %4 stopni swobody razy błąd standardowy, który wynika z rozrzutu odczytów, s = √(Σ reszta² / %4) = %5°.</translation>
-    </message>
-    <message>
         <source>approximate</source>
         <translation>przybliżone</translation>
     </message>
@@ -8026,6 +8019,18 @@ soft iron S:</source>
     <message>
         <source>Close</source>
         <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>the standard error follows from the scatter of the readings, s = √(Σ residual² / %1) = %2°.</source>
+        <translation>błąd standardowy wynika z rozrzutu odczytów, s = √(Σ reszta² / %1) = %2°.</translation>
+    </message>
+    <message>
+        <source>95 % ± %1 = %2 × %3: Student&apos;s factor for %4 degrees of freedom times the standard error; </source>
+        <translation>95 % ± %1 = %2 × %3: współczynnik Studenta dla %4 stopni swobody razy błąd standardowy; </translation>
+    </message>
+    <message>
+        <source>95 % ± %1 = √((%2 × %3)² + (1.96 × %4)²): Student&apos;s factor for %5 degrees of freedom times the standard error by the scatter, and 1.96 of the error that all readings share, which is stated; </source>
+        <translation>95 % ± %1 = √((%2 × %3)² + (1,96 × %4)²): współczynnik Studenta dla %5 stopni swobody razy błąd standardowy z rozrzutu oraz 1,96 podanego błędu wspólnego dla wszystkich odczytów; </translation>
     </message>
 </context>
 <context>
@@ -10689,10 +10694,6 @@ soft iron S:</source>
         <translation>* nikt nie odczytał w pobliżu</translation>
     </message>
     <message>
-        <source>Errors that all readings share are in them (%1, in degrees).</source>
-        <translation>Są w nich błędy wspólne wszystkim odczytom (%1, w stopniach).</translation>
-    </message>
-    <message>
         <source>Errors that all readings share (datum, variation) are not stated and not in them.</source>
         <translation>Błędów wspólnych wszystkim odczytom (wzorzec, deklinacja) nie podano i nie ma ich tutaj.</translation>
     </message>
@@ -11086,6 +11087,22 @@ soft iron S:</source>
         <source>Both biases are taken at %1 °C.</source>
         <translation>Oba przesunięcia przyjęto przy %1 °C.</translation>
     </message>
+    <message numerus="yes">
+        <source>largest error %1° with %2° selected, mean %3°, of %n heading(s)</source>
+        <translation>
+            <numerusform>największy błąd %1° przy nastawionych %2°, średnio %3°, z %n kursu</numerusform>
+            <numerusform>największy błąd %1° przy nastawionych %2°, średnio %3°, z %n kursów</numerusform>
+            <numerusform>największy błąd %1° przy nastawionych %2°, średnio %3°, z %n kursów</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>NOT KNOWN</source>
+        <translation>NIE WIADOMO</translation>
+    </message>
+    <message>
+        <source>Errors that all readings share are in them (%1, in degrees), and in the intervals with 1.96 of theirs: they are stated, not estimated from the scatter.</source>
+        <translation>Błędy wspólne dla wszystkich odczytów są w nich zawarte (%1, w stopniach), a w przedziałach z czynnikiem 1,96: są podane, nie oszacowane z rozrzutu.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::DueBadge</name>
@@ -11428,7 +11445,7 @@ soft iron S:</source>
     </message>
     <message>
         <source>&amp;Earth&apos;s field</source>
-        <translation>Pole Pole &amp;ziemskieZiemi</translation>
+        <translation>Pole Pole Pole &amp;ziemskieZiemiamp;ziemskie</translation>
     </message>
     <message>
         <source>Ctrl+Shift+F</source>
@@ -11649,6 +11666,18 @@ soft iron S:</source>
         <source>No electrical swing of this compass is on record: “New electrical swing” begins one.</source>
         <translation>W zapisach nie ma pomiaru elektrycznego tej busoli: zaczyna go „Nowy pomiar elektryczny”.</translation>
     </message>
+    <message numerus="yes">
+        <source>Headings: largest error %1° with %2° selected, mean %3°, of %n heading(s)</source>
+        <translation>
+            <numerusform>Kursy: największy błąd %1° przy nastawionych %2°, średnio %3°, z %n kursu</numerusform>
+            <numerusform>Kursy: największy błąd %1° przy nastawionych %2°, średnio %3°, z %n kursów</numerusform>
+            <numerusform>Kursy: największy błąd %1° przy nastawionych %2°, średnio %3°, z %n kursów</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“%1”, typed with %2° selected, is not stored: look at the table as it is now, and type it again.</source>
+        <translation>„%1”, wpisane przy nastawionych %2°, nie jest zapisane: obejrzeć tablicę w obecnym stanie i wpisać ponownie.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::ErrorMapWords</name>
@@ -11821,16 +11850,16 @@ soft iron S:</source>
 <context>
     <name>lubberline::ui::FieldText</name>
     <message>
-        <source>“%1” is no date; expected year-month-day, as 2026-11-20</source>
-        <translation>„%1” nie jest datą; oczekiwano rok-miesiąc-dzień, na przykład 2026-11-20</translation>
-    </message>
-    <message>
         <source>“%1” is no size of a division; expected degrees above 0 and up to 90, as 0.5</source>
         <translation>„%1” nie jest wielkością działki; oczekiwano stopni powyżej 0, najwyżej 90, na przykład 0.5</translation>
     </message>
     <message>
         <source>“%1” is no year; expected four digits, as 1984</source>
         <translation>„%1” nie jest rokiem; oczekiwano czterech cyfr, na przykład 1984</translation>
+    </message>
+    <message>
+        <source>“%1” is no date; expected year-month-day or day.month.year, as 2026-11-20 or 20.11.2026</source>
+        <translation>„%1” nie jest datą; oczekiwano rok-miesiąc-dzień albo dzień.miesiąc.rok, jak 2026-11-20 albo 20.11.2026</translation>
     </message>
 </context>
 <context>
@@ -11984,6 +12013,10 @@ soft iron S:</source>
     <message>
         <source>, guided, at %1</source>
         <translation>, prowadzony, na %1</translation>
+    </message>
+    <message>
+        <source>readings: %1</source>
+        <translation>odczyty: %1</translation>
     </message>
 </context>
 <context>
@@ -13787,10 +13820,6 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
         <translation>Przyczyny</translation>
     </message>
     <message>
-        <source>none; open a model…</source>
-        <translation>brak; otwórz model…</translation>
-    </message>
-    <message>
         <source>A Model JSON of what iron is left in its headings; cancel the question to take it away</source>
         <translation>Plik Model JSON z żelazem, które zostało w kursach; anulowanie pytania go usuwa</translation>
     </message>
@@ -13857,6 +13886,10 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>open a model…</source>
+        <translation>otwórz model…</translation>
     </message>
 </context>
 <context>
@@ -14593,6 +14626,18 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
     <message>
         <source>Writing %1</source>
         <translation>Zapisywanie %1</translation>
+    </message>
+    <message>
+        <source>The swing is made; %1.</source>
+        <translation>Pomiar utworzono; %1.</translation>
+    </message>
+    <message>
+        <source>The swing of %1 is signed and frozen: what was done to it before is not undone. Amend it in a new revision to change it.</source>
+        <translation>Pomiar z %1 jest podpisany i zamrożony: wcześniejszych zmian już się nie cofa. Aby go zmienić, sporządzić poprawkę (nowe wydanie).</translation>
+    </message>
+    <message>
+        <source>no stated date</source>
+        <translation>niepodanej daty</translation>
     </message>
 </context>
 <context>
@@ -15661,6 +15706,58 @@ magnetyczny (°)</translation>
         <source>training</source>
         <translation>szkolenie</translation>
     </message>
+    <message>
+        <source>any radio state</source>
+        <translation>dowolny stan radia</translation>
+    </message>
+    <message>
+        <source>radio on</source>
+        <translation>radio włączone</translation>
+    </message>
+    <message>
+        <source>radio off</source>
+        <translation>radio wyłączone</translation>
+    </message>
+    <message>
+        <source>one aircraft, one vote</source>
+        <translation>jeden statek powietrzny, jeden głos</translation>
+    </message>
+    <message>
+        <source>one swing, one vote</source>
+        <translation>jeden pomiar, jeden głos</translation>
+    </message>
+    <message>
+        <source>State of the radio</source>
+        <translation>Stan radia</translation>
+    </message>
+    <message>
+        <source>Who has a say in the mean</source>
+        <translation>Kto ma głos w średniej</translation>
+    </message>
+    <message>
+        <source>From this day on, YYYY-MM-DD</source>
+        <translation>Od tego dnia, RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>Up to this day, YYYY-MM-DD</source>
+        <translation>Do tego dnia, RRRR-MM-DD</translation>
+    </message>
+    <message>
+        <source>A day to compare |A| before and after, as that of a training, YYYY-MM-DD; empty: the data are asked for one</source>
+        <translation>Dzień, przed którym i po którym porównuje się |A|, na przykład szkolenia, RRRR-MM-DD; puste: szuka się go w danych</translation>
+    </message>
+    <message>
+        <source> headings</source>
+        <translation> kursów</translation>
+    </message>
+    <message>
+        <source>Period:</source>
+        <translation>Okres:</translation>
+    </message>
+    <message>
+        <source>Training:</source>
+        <translation>Szkolenie:</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::PopulationPage</name>
@@ -16418,6 +16515,10 @@ Escape przywraca zapisaną wartość.</translation>
     <message>
         <source>Select &amp;all</source>
         <translation>Zaznacz w&amp;szystko</translation>
+    </message>
+    <message>
+        <source>“%1” was being typed when another window or program changed the swing: it is not stored.</source>
+        <translation>Wpisywano „%1”, gdy inne okno albo program zmienił pomiar: nie jest zapisane.</translation>
     </message>
 </context>
 <context>
@@ -18522,6 +18623,10 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
     <message>
         <source> Not read: %1 (compass).</source>
         <translation> Nie odczytano: %1 (busola).</translation>
+    </message>
+    <message>
+        <source>NOT KNOWN: within limits where it was read, but over %1° of the circle nothing was read.</source>
+        <translation>NIE WIADOMO: w normie tam, gdzie odczytano, ale na %1° koła niczego nie odczytano.</translation>
     </message>
 </context>
 <context>

@@ -168,4 +168,14 @@ TEST(Words, aMarkNamesItsFloor)
             ADD_FAILURE() << place << "… names another floor";
 }
 
+/// Words that lupdate gives to a namespace are asked for under a class, and never found: a brace among the initialisers of members, or a class
+/// without its macro, does that.
+TEST(Words, everyTranslationBelongsToAClass)
+{
+    const std::string text = textOf(LUBBERLINE_SOURCE "/resources/translations/lubberline_pl.ts");
+    ASSERT_FALSE(text.empty());
+    for (const char* context : {"<name>lubberline</name>", "<name>lubberline::ui</name>", "<name>lubberline::app</name>", "<name></name>"})
+        EXPECT_EQ(text.find(context), std::string::npos) << context;
+}
+
 } // namespace

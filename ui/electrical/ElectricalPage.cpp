@@ -17,8 +17,8 @@
 #include "core/swing/SwingResult.h"
 #include "ui/earth/FieldText.h"
 #include "ui/electrical/ElectricalSteps.h"
-#include "ui/kit/StoredEdit.h"
 #include "ui/kit/OpenCell.h"
+#include "ui/kit/StoredEdit.h"
 #include "ui/kit/TableEntry.h"
 #include "ui/kit/Words.h"
 #include "ui/kit/fit/SideBySide.h"
@@ -334,8 +334,7 @@ void ElectricalPage::takeFourPoints(int row, int column)
         return;
     }
     place = *value;
-    if (!(after == current()))
-        store(std::move(after));
+    storeTyped(std::move(after), m_fourPoints->item(row, column)->text(), 90.0 * row);
 }
 
 void ElectricalPage::takeHeading(int row, int column)
@@ -352,9 +351,22 @@ void ElectricalPage::takeHeading(int row, int column)
         showHeadings();
         return;
     }
-    list[static_cast<std::size_t>(row)].indicated_deg = *value;
-    if (!(after == current()))
-        store(std::move(after));
+    SelectedHeading& heading = list[static_cast<std::size_t>(row)];
+    heading.indicated_deg = *value;
+    const double selected_deg = heading.selected_deg;
+    storeTyped(std::move(after), m_headings->item(row, column)->text(), selected_deg);
+}
+
+/// Where another window has changed the record meanwhile, nothing is stored and the table shows what is: the figure is told.
+void ElectricalPage::storeTyped(ElectricalSwing after, const QString& typed, double selected_deg)
+{
+    if (after == current())
+        return;
+    store(after);
+    if (m_current < 0 || !(current() == after))
+        emit failed(tr("“%1”, typed with %2° selected, is not stored: look at the table as it is now, and type it again.")
+                        .arg(typed)
+                        .arg(selected_deg));
 }
 
 } // namespace lubberline::ui

@@ -49,6 +49,7 @@ private:
     void takeFourPoints(int row, int column);
     void takeHeading(int row, int column);
     void store(ElectricalSwing after);
+    void storeTyped(ElectricalSwing after, const QString& typed, double selected_deg);
     void add();
     void make();
     void write();

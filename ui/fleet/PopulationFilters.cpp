@@ -48,6 +48,19 @@ Result<std::optional<int>> dayIn(const QLineEdit& line, const QString& what)
         said(PopulationFilters::tr("%1: '%2' is no day of the calendar; expected YYYY-MM-DD").arg(what, toText(text)))};
 }
 
+// Lists of their own: lupdate takes a brace among the members' initialisers for the end of the class, and what follows for nobody's words.
+QStringList stageChoices()
+{
+    return {PopulationFilters::tr("found and left"), PopulationFilters::tr("as found"), PopulationFilters::tr("as left")};
+}
+
+QStringList radioChoices()
+{
+    return {PopulationFilters::tr("any radio state"), PopulationFilters::tr("radio on"), PopulationFilters::tr("radio off")};
+}
+
+QStringList voteChoices() { return {PopulationFilters::tr("one aircraft, one vote"), PopulationFilters::tr("one swing, one vote")}; }
+
 } // namespace
 
 PopulationFilters::PopulationFilters(db::Stores& stores, QWidget* parent)
@@ -57,10 +70,9 @@ PopulationFilters::PopulationFilters(db::Stores& stores, QWidget* parent)
     , m_compass(filterBox("populationCompass", tr("Compass system; those of the swings that were computed last are offered")))
     , m_site(filterBox("populationSite", tr("Where they were swung")))
     , m_base(filterBox("populationBase", tr("Where the aircraft are based now")))
-    , m_stage(filterBox("populationStage", tr("Of pattern, coefficients and bases; pairs and histories need both"),
-          {tr("found and left"), tr("as found"), tr("as left")}))
-    , m_radio(filterBox("populationRadio", tr("State of the radio"), {tr("any radio state"), tr("radio on"), tr("radio off")}))
-    , m_vote(filterBox("populationVote", tr("Who has a say in the mean"), {tr("one aircraft, one vote"), tr("one swing, one vote")}))
+    , m_stage(filterBox("populationStage", tr("Of pattern, coefficients and bases; pairs and histories need both"), stageChoices()))
+    , m_radio(filterBox("populationRadio", tr("State of the radio"), radioChoices()))
+    , m_vote(filterBox("populationVote", tr("Who has a say in the mean"), voteChoices()))
     , m_grid(new QSpinBox)
     , m_from(dayField("populationFrom", tr("From this day on, YYYY-MM-DD"), tr("from")))
     , m_to(dayField("populationTo", tr("Up to this day, YYYY-MM-DD"), tr("to")))

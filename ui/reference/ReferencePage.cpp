@@ -61,7 +61,7 @@ ReferencePage::ReferencePage(FileQuestions files, FindIron find, QWidget* parent
     , m_iron(new QCheckBox)
     , m_table(new QTableWidget)
     , m_time(new DrawnPlot(tr("Heading error"), {260, 180}))
-    , m_gain(new DrawnPlot(tr("Gain"), {150, 140}))
+    , m_gain(new DrawnPlot(tr("Gain"), {150, 220}))
     , m_line(new ManoeuvreLine)
     , m_dials(new Painted({180, 150}))
     , m_film(new QPushButton(tr("&Film")))

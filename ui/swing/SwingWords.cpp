@@ -40,6 +40,9 @@ QString against(double value_deg, std::optional<double> limit_deg, const QString
 QString judgementSentence(const Summary& summary, const std::optional<LimitsProfile>& limits)
 {
     const Judgement judgement = judge(summary, limits);
+    if (judgement.partlyRead)
+        return SwingWordsTexts::tr("NOT KNOWN: within limits where it was read, but over %1° of the circle nothing was read.")
+            .arg(summary.unread_deg, 0, 'f', 0);
     if (judgement.verdict == Verdict::NotKnown)
         return SwingWordsTexts::tr("No limits are set for this compass: choose them on the aircraft's page (Ctrl+U).");
     QStringList parts;

@@ -52,6 +52,7 @@ MainWindow::MainWindow(db::Stores& stores, WindowServices services)
                   return;
               fail(messageOf(error));
               showSaved(false);
+              m_refused = true;
           }}
     , m_recovery(m_services.recoveryFiles)
     , m_transfer([this](const Result<TransferOutcome>& outcome) { finishTransfer(outcome); },
@@ -242,8 +243,11 @@ void MainWindow::go(const FleetItem& item) { navigate({{}, item}); }
 void MainWindow::navigate(const Destination& destination)
 {
     m_leaving = true; // a figure that is refused on the way out is told on the next page, too
+    m_refused = false;
     leaveField();
     m_leaving = false;
+    if (!m_refused) // what was not saved was said on the page that is left
+        showSaved(true);
     if (const auto shown = m_pages->show(destination); !shown)
         fail(messageOf(shown.error()));
     else

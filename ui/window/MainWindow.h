@@ -183,6 +183,7 @@ private:
     std::vector<FleetItem> m_path; ///< that is marked in the tree
     QAction *m_back = nullptr, *m_forward = nullptr;
     bool m_takingOff = false; ///< edits that cannot be undone any more
+    bool m_refused = false;   ///< storage has refused an edit
     bool m_leaving = false;   ///< a field, on the way to another page
 };
 

@@ -116,21 +116,26 @@ void MainWindow::exportExchange(bool wholeFleet)
 QString MainWindow::namedFor(const QString& suggestion) const
 {
     const Shown now = shown();
-    QString registration, day = toText(m_stores.clock().today());
+    QString registration, compass, day = toText(m_stores.clock().today());
     if (const auto record = now.swing.valid() ? m_stores.swings.record(now.swing) : Result<SwingRecord>(Error{}); record) {
         registration = toText(record->aircraft.registration);
+        compass = toText(record->compass.name); // both compasses of an aircraft are swung on one day
         day = toText(record->swing.date);
     } else if (const auto aircraft = now.aircraft.valid() ? m_stores.fleet.aircraft(now.aircraft) : Result<Aircraft>(Error{}); aircraft) {
         registration = toText(aircraft->registration);
     }
     static const QRegularExpression unusable(QStringLiteral(R"([/\\:*?"<>|\x00-\x1f])")), dated(QStringLiteral("\\d{4}-\\d{2}-\\d{2}"));
     registration.replace(unusable, QStringLiteral("-"));
+    compass.replace(unusable, QStringLiteral("-"));
     QString name = suggestion;
     if (!registration.isEmpty() && !name.contains(registration))
         name.prepend(registration + u' ');
+    if (!compass.isEmpty() && !name.contains(compass) && name.startsWith(registration))
+        name.insert(registration.size(), u' ' + compass);
     if (!dated.match(name).hasMatch()) {
-        const bool led = !registration.isEmpty() && name.startsWith(registration);
-        name.insert(led ? registration.size() : 0, led ? u' ' + day : day + u' ');
+        const QString whose = compass.isEmpty() ? registration : registration + u' ' + compass;
+        const bool led = !whose.isEmpty() && name.startsWith(whose);
+        name.insert(led ? whose.size() : 0, led ? u' ' + day : day + u' ');
     }
     return name;
 }

@@ -37,9 +37,11 @@ SwingPicture pictureFor(const ReportInput& input)
     return pictureOf(input.record, std::make_shared<const Analysis>(input.analysis), {}, previousAnalysis(input), label, input.angleStyle);
 }
 
-QString verdictWordOf(Verdict verdict)
+QString verdictWordOf(const Judgement& judgement)
 {
-    switch (verdict) {
+    if (judgement.partlyRead)
+        return Words::tr("NOT KNOWN");
+    switch (judgement.verdict) {
     case Verdict::InLimits: return Words::tr("PASS");
     case Verdict::OutOfLimits: return Words::tr("FAIL");
     case Verdict::NotKnown: break;
@@ -189,8 +191,9 @@ ReportContent contentOf(const ReportInput& input)
     ReportContent content;
     content.frame = frameFor(record, Words::tr("Compass swing report"), input.madeAtUtc);
     content.frame.credit = Words::tr("The plots are based in part on the work of the Qwt project (http://qwt.sf.net).");
-    content.verdict = judge(input.analysis.summary, record.limits).verdict;
-    content.verdictWord = verdictWordOf(content.verdict);
+    const Judgement judgement = judge(input.analysis.summary, record.limits);
+    content.verdict = judgement.verdict;
+    content.verdictWord = verdictWordOf(judgement);
     content.verdictSentence = sentenceFor(input);
     content.facts = factsOf(record, input.signaturesStand);
     if (auto change = changeFact(input))
