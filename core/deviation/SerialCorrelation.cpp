@@ -78,7 +78,7 @@ public:
 private:
     static constexpr double kFirst = -0.5, kByStep = 0.6;
     static constexpr double kLongest = 0.5; ///< of the log; a longer memory is a drift, and cannot be told from A
-    static constexpr std::array kWhite{0.0, 0.005, 0.015, 0.04, 0.1, 0.3, 0.6, 0.85};
+    static constexpr std::array kWhite{0.0, 0.005, 0.015, 0.04, 0.1, 0.3, 0.6, 0.85, 0.95, 0.985};
     static constexpr int kWhites = static_cast<int>(kWhite.size());
     int m_memories;
 };

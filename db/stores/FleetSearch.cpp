@@ -92,7 +92,7 @@ Result<std::vector<SearchHit>> FleetStore::search(const std::string& words, int 
         + forEachWord(patterns, kCompassLine + kLike) + " ORDER BY line LIMIT ?";
     const QString condition = swingHasWord();
     const QString swings = "SELECT " + kCompassLine
-        + " || CASE WHEN s.date = '' THEN '' ELSE ' · ' || s.date END || CASE WHEN si.name IS NULL THEN '' ELSE ' · ' || si.name END, a.id, c.id, s.id"
+        + " || CASE WHEN s.date = '' THEN '' ELSE ' · ' || s.date END || CASE WHEN s.revision > 1 THEN ' · rev. ' || s.revision ELSE '' END || CASE WHEN si.name IS NULL THEN '' ELSE ' · ' || si.name END, a.id, c.id, s.id"
           " FROM (SELECT s.id FROM swing s WHERE "
         + forEachWord(patterns, condition)
         + " ORDER BY s.date DESC, s.id DESC LIMIT ?) hit"

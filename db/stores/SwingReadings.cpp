@@ -57,6 +57,14 @@ Result<void> finish(Database& database, Transaction& transaction, const Swing& s
     return transaction.commit();
 }
 
+std::string auditTexts(std::span<const Reading> readings)
+{
+    std::string detail;
+    for (const auto& reading : readings)
+        detail += (detail.empty() ? "reading: " : "; reading: ") + auditText(reading);
+    return detail;
+}
+
 } // namespace
 
 Result<std::size_t> countOfReadings(Database& database, SwingId swing)
@@ -67,11 +75,12 @@ Result<std::size_t> countOfReadings(Database& database, SwingId swing)
         statement, database, MARKED("db", "swing"), [](Statement& row) { return static_cast<std::size_t>(row.integer(0)); });
 }
 
-Result<ReadingId> insertReadings(Database& database, SwingId swing, int position, std::span<const Reading> readings)
+Result<std::vector<ReadingId>> insertReadings(Database& database, SwingId swing, int position, std::span<const Reading> readings)
 {
     static const QString kInsert = "INSERT INTO reading (id, swing_id, position, " + readingFields().join(", ") + ") VALUES ("
         + nextNumber("reading") + ", " + placeholders(readingFields().size() + 2) + ")";
     Statement statement(database, kInsert);
+    std::vector<ReadingId> ids;
     for (const auto& reading : readings) {
         if (const auto checked = checkTexts(reading); !checked)
             return checked.error();
@@ -79,8 +88,9 @@ Result<ReadingId> insertReadings(Database& database, SwingId swing, int position
         bindReading(statement, reading);
         if (const auto done = statement.run(); !done)
             return done.error();
+        ids.push_back(ReadingId{statement.insertedId()});
     }
-    return ReadingId{statement.insertedId()};
+    return ids;
 }
 
 Result<Reading> SwingStore::reading(SwingId swing, ReadingId id)
@@ -102,64 +112,50 @@ Result<void> SwingStore::replaceReadings(SwingId id, const std::vector<Reading>&
     statement << id;
     if (const auto done = statement.run(); !done)
         return done;
-    if (const auto inserted = insertReadings(m_database, id, 0, readings); !inserted)
+    if (const auto inserted = db::insertReadings(m_database, id, 0, readings); !inserted)
         return inserted.error();
-    std::string detail;
-    for (const auto& reading : readings)
-        detail += (detail.empty() ? "reading: " : "; reading: ") + auditText(reading);
-    return finish(m_database, *transaction, *open, "set readings", detail);
+    return finish(m_database, *transaction, *open, "set readings", auditTexts(readings));
 }
 
 Result<ReadingId> SwingStore::insertReading(SwingId swing, int position, const Reading& reading)
 {
-    LUBBERLINE_EXPECT(position >= 0, "a reading's position counts from 0");
+    const auto ids = insertReadings(swing, position, {&reading, 1});
+    if (!ids)
+        return ids.error();
+    return ids->front();
+}
+
+Result<std::vector<ReadingId>> SwingStore::insertReadings(SwingId swing, int position, std::span<const Reading> readings)
+{
+    LUBBERLINE_EXPECT(position >= 0 && !readings.empty(), "a reading's position counts from 0");
     auto transaction = Transaction::begin(m_database);
     if (!transaction)
         return transaction.error();
     const auto open = openSwing(m_database, swing);
     if (!open)
         return open.error();
-    Statement shift(m_database, "UPDATE reading SET position = position + 1 WHERE swing_id = ? AND position >= ?");
-    shift << swing << position;
+    Statement shift(m_database, "UPDATE reading SET position = position + ? WHERE swing_id = ? AND position >= ?");
+    shift << static_cast<std::int64_t>(readings.size()) << swing << position;
     if (const auto done = shift.run(); !done)
         return done.error();
-    const auto id = insertReadings(m_database, swing, position, {&reading, 1});
-    if (!id)
-        return id.error();
-    if (const auto done = finish(m_database, *transaction, *open, "added reading", auditText(reading)); !done)
+    auto ids = db::insertReadings(m_database, swing, position, readings);
+    if (!ids)
+        return ids;
+    const bool one = readings.size() == 1;
+    if (const auto done
+        = finish(m_database, *transaction, *open, "added reading", one ? auditText(readings.front()) : auditTexts(readings));
+        !done)
         return done.error();
-    return *id;
+    return ids;
 }
 
 Result<void> SwingStore::changeReading(SwingId swing, const Reading& known, const Reading& reading)
 {
-    auto transaction = Transaction::begin(m_database);
-    if (!transaction)
-        return transaction.error();
-    const auto open = openSwing(m_database, swing);
-    if (!open)
-        return open.error();
-    const auto before = this->reading(swing, reading.id);
-    if (!before)
-        return before.error();
-    if (*before == reading)
-        return transaction->commit();
-    if (*before != known)
-        return Error{ErrorCode::Conflict,
-            {MARKED("db", "this reading has been changed elsewhere to: %1; nothing was overwritten, look at it again"), auditText(*before)},
-            m_database.path().toStdString()};
-    if (const auto checked = checkTexts(reading); !checked)
-        return checked;
-    static const QString kUpdate = "UPDATE reading SET " + readingFields().join(" = ?, ") + " = ? WHERE id = ?";
-    Statement statement(m_database, kUpdate);
-    bindReading(statement, reading);
-    statement << reading.id;
-    if (const auto done = statement.run(); !done)
-        return done;
-    return finish(m_database, *transaction, *open, "changed reading", auditText(*before) + " -> " + auditText(reading), reading.id);
+    const ReadingChange change{known, reading};
+    return changeReadings(swing, {&change, 1});
 }
 
-Result<void> SwingStore::removeReading(SwingId swing, ReadingId reading)
+Result<void> SwingStore::changeReadings(SwingId swing, std::span<const ReadingChange> changes)
 {
     auto transaction = Transaction::begin(m_database);
     if (!transaction)
@@ -167,19 +163,65 @@ Result<void> SwingStore::removeReading(SwingId swing, ReadingId reading)
     const auto open = openSwing(m_database, swing);
     if (!open)
         return open.error();
-    const auto before = this->reading(swing, reading);
-    if (!before)
-        return before.error();
+    static const QString kUpdate = "UPDATE reading SET " + readingFields().join(" = ?, ") + " = ? WHERE id = ?";
+    Statement statement(m_database, kUpdate);
+    std::string detail;
+    ReadingId only;
+    for (const auto& [known, reading] : changes) {
+        const auto before = this->reading(swing, reading.id);
+        if (!before)
+            return before.error();
+        if (*before == reading)
+            continue;
+        if (*before != known)
+            return Error{ErrorCode::Conflict,
+                {MARKED("db", "this reading has been changed elsewhere to: %1; nothing was overwritten, look at it again"),
+                    auditText(*before)},
+                m_database.path().toStdString()};
+        if (const auto checked = checkTexts(reading); !checked)
+            return checked;
+        bindReading(statement, reading);
+        statement << reading.id;
+        if (const auto done = statement.run(); !done)
+            return done;
+        only = detail.empty() ? reading.id : ReadingId();
+        detail += (detail.empty() ? "" : "; ") + auditText(*before) + " -> " + auditText(reading);
+    }
+    if (detail.empty())
+        return transaction->commit();
+    return finish(m_database, *transaction, *open, "changed reading", detail, only);
+}
+
+Result<void> SwingStore::removeReading(SwingId swing, ReadingId reading) { return removeReadings(swing, {&reading, 1}); }
+
+Result<void> SwingStore::removeReadings(SwingId swing, std::span<const ReadingId> readings)
+{
+    LUBBERLINE_EXPECT(!readings.empty(), "something is removed");
+    auto transaction = Transaction::begin(m_database);
+    if (!transaction)
+        return transaction.error();
+    const auto open = openSwing(m_database, swing);
+    if (!open)
+        return open.error();
+    std::vector<Reading> removed;
+    Statement remove(m_database, "DELETE FROM reading WHERE id = ?");
+    for (const ReadingId id : readings) {
+        auto before = reading(swing, id);
+        if (!before)
+            return before.error();
+        removed.push_back(std::move(before.value()));
+        remove << id;
+        if (const auto done = remove.run(); !done)
+            return done;
+    }
     Statement close(m_database,
-        "UPDATE reading SET position = position - 1 WHERE swing_id = ? AND position > (SELECT position FROM reading WHERE id = ?)");
-    close << swing << reading;
+        "UPDATE reading SET position = place.n FROM (SELECT id, ROW_NUMBER() OVER (ORDER BY position, id) - 1 AS n FROM reading"
+        " WHERE swing_id = ?) AS place WHERE reading.id = place.id AND position <> place.n");
+    close << swing;
     if (const auto done = close.run(); !done)
         return done;
-    Statement statement(m_database, "DELETE FROM reading WHERE id = ?");
-    statement << reading;
-    if (const auto done = statement.run(); !done)
-        return done;
-    return finish(m_database, *transaction, *open, "removed reading", auditText(*before));
+    const bool one = removed.size() == 1;
+    return finish(m_database, *transaction, *open, "removed reading", one ? auditText(removed.front()) : auditTexts(removed));
 }
 
 } // namespace lubberline::db

@@ -234,7 +234,7 @@ Result<SwingId> SwingStore::insert(Swing swing)
     const auto id = addRecord<SwingId>(m_database, swingTable(), swing, bindParticulars);
     if (!id)
         return id;
-    if (const auto inserted = insertReadings(m_database, *id, 0, swing.readings); !inserted)
+    if (const auto inserted = db::insertReadings(m_database, *id, 0, swing.readings); !inserted)
         return inserted.error();
     swing.id = *id;
     if (!swing.signatures.empty()) { // the record id may have been made just now

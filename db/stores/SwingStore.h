@@ -2,6 +2,7 @@
 /// Swings and their readings. A writing call is one transaction: readings, cached results and audit entry together.
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/base/Progress.h"
@@ -15,6 +16,11 @@ namespace lubberline::db {
 enum class ReadingParts {
     All,
     Headings, ///< and whether it is left out: what results need (a log has many readings)
+};
+
+/// A row as the caller knows it, and as it is to be.
+struct ReadingChange {
+    Reading known, reading;
 };
 
 class SwingStore {
@@ -51,11 +57,15 @@ public:
     Result<void> remove(SwingId id);
     /// A new row at `position` (0 …) of the readings; what was there moves down. Errors: Frozen when signed.
     Result<ReadingId> insertReading(SwingId swing, int position, const Reading& reading);
+    /// Several as one change: results are computed once. @return their ids
+    Result<std::vector<ReadingId>> insertReadings(SwingId swing, int position, std::span<const Reading> readings);
     /// @param known the row as the caller knows it. Errors: Conflict when it is another by now, unless it is as the caller
     /// wants it.
     Result<void> changeReading(SwingId swing, const Reading& known, const Reading& reading);
+    Result<void> changeReadings(SwingId swing, std::span<const ReadingChange> changes); ///< as one change
     Result<void> replaceReadings(SwingId swing, const std::vector<Reading>& readings);
     Result<void> removeReading(SwingId swing, ReadingId reading);
+    Result<void> removeReadings(SwingId swing, std::span<const ReadingId> readings); ///< as one change
 
 private:
     Result<SwingId> insert(Swing swing);

@@ -181,6 +181,49 @@ TEST_F(Swings, readingsAreInsertedSavedAndRemovedInOrder)
     EXPECT_EQ(m_swings.removeReading(id, ReadingId{9999}).error().code, ErrorCode::NotFound);
 }
 
+/// A pasted block is one change: one entry in the trail, results computed once, places without a gap, and whole or not at all.
+TEST_F(Swings, manyReadingsAreOneChange)
+{
+    Swing swing = swingOf(m_stored);
+    swing.readings.resize(3);
+    const auto id = *save(m_swings, swing);
+    const auto entries = [&] {
+        db::Statement count(m_database, "SELECT COUNT(*) FROM audit_entry");
+        return count.run() && count.next() ? count.integer(0) : -1;
+    };
+    const auto before = entries();
+    std::vector<Reading> block;
+    for (int i = 0; i < 500; ++i)
+        block.push_back(reading(i % 360, (i + 1) % 360));
+    const auto ids = m_swings.insertReadings(id, 1, block);
+    ASSERT_TRUE(ids);
+    EXPECT_EQ(ids->size(), 500u);
+    EXPECT_EQ(entries(), before + 1);
+    auto readings = m_swings.swing(id)->readings;
+    ASSERT_EQ(readings.size(), 503u);
+    EXPECT_EQ(readings[1].id, ids->front());
+    EXPECT_EQ(readings[500].id, ids->back());
+    std::vector<db::ReadingChange> changes;
+    for (std::size_t i = 1; i <= 500; ++i) {
+        changes.push_back({readings[i], readings[i]});
+        changes.back().reading.note = "again";
+    }
+    ASSERT_TRUE(m_swings.changeReadings(id, changes));
+    EXPECT_EQ(entries(), before + 2);
+    changes[7].known.note = "never so"; // one of them is another by now: none is stored
+    for (auto& change : changes)
+        change.reading.note = "a third time";
+    EXPECT_EQ(m_swings.changeReadings(id, changes).error().code, ErrorCode::Conflict);
+    EXPECT_EQ(m_swings.swing(id)->readings[1].note, "again");
+    ASSERT_TRUE(m_swings.removeReadings(id, *ids));
+    EXPECT_EQ(entries(), before + 3);
+    readings = m_swings.swing(id)->readings;
+    ASSERT_EQ(readings.size(), 3u);
+    const auto added = m_swings.insertReading(id, 3, reading(10, 11)); // places are 0, 1 and 2 again
+    ASSERT_TRUE(added);
+    EXPECT_EQ(m_swings.swing(id)->readings.back().id, *added);
+}
+
 TEST_F(Swings, aNumberThatIsNotFiniteIsRefused)
 {
     Swing swing = swingOf(m_stored);

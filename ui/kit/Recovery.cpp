@@ -76,6 +76,13 @@ Outcome putStep(db::Stores& stores, const LostEntry& entry, const LostStep& step
     return {stores.jobs.append(entry.swing, step.place, step.event), {}};
 }
 
+/// By its identity, however it is named; but a copy of a database that is still there has the same, and what was kept is of the one.
+bool belongsTo(const LostEntry& entry, const std::string& identity, const QString& location)
+{
+    const QString database = toText(entry.database);
+    return entry.file == identity && (samePlace(database, location) || !QFileInfo::exists(database));
+}
+
 /// The row that an entry speaks of: by its identity, or one that was made of an entry before.
 const Reading* rowOf(const std::vector<Reading>& rows, ReadingId id)
 {
@@ -189,8 +196,9 @@ std::vector<LostEntry> Recovery::entriesFor(db::Stores& stores) const
     std::vector<LostEntry> entries, settled;
     for (const QString& path : m_paths)
         for (const QByteArray& line : linesOf(path))
-            if (auto entry = readLostEntry(line.toStdString());
-                entry && (entry->file.empty() ? samePlace(toText(entry->database), stores.location()) : entry->file == identity))
+            if (auto entry = readLostEntry(line.toStdString()); entry
+                && (entry->file.empty() ? samePlace(toText(entry->database), stores.location())
+                                        : belongsTo(*entry, identity, stores.location())))
                 (isStored(stores, *entry) ? settled : entries).push_back(std::move(entry.value()));
     if (!settled.empty())
         forget(settled);

@@ -21,6 +21,8 @@ QString titleOf(const SwingRecord& record)
         if (!part.empty())
             parts += toText(part);
     QStringList swing{statedWord(record.swing.kind), statedWord(record.swing.stage)};
+    if (record.swing.revision > 1)
+        swing += QCoreApplication::translate("lubberline::ui::FleetModel", "rev. %1").arg(record.swing.revision);
     swing.removeAll(QString());
     const QString date
         = record.swing.date.empty() ? QCoreApplication::translate("lubberline::ui::FleetModel", "no date") : toText(record.swing.date);

@@ -6,30 +6,36 @@ namespace lubberline::ui {
 
 namespace {
 
-Result<void> changeRow(EditContext& context, SwingId swing, Reading from, Reading to)
+db::ReadingChange change(const EditContext& context, Reading from, Reading to)
 {
     from.id = to.id = context.readings.current(to.id);
-    return context.stores.swings.changeReading(swing, from, to);
+    return {std::move(from), std::move(to)};
 }
 
 Result<void> removeRows(EditContext& context, SwingId swing, const std::vector<PlacedReading>& rows, std::size_t count)
 {
-    for (std::size_t i = count; i-- > 0;)
-        if (auto removed = context.stores.swings.removeReading(swing, context.readings.current(rows[i].reading.id)); !removed)
-            return removed;
-    return {};
+    std::vector<ReadingId> ids;
+    for (std::size_t i = 0; i < count; ++i)
+        ids.push_back(context.readings.current(rows[i].reading.id));
+    return ids.empty() ? Result<void>() : context.stores.swings.removeReadings(swing, ids);
 }
 
+/// Rows that stand one after the other are one change: thousands of them are pasted at once.
 Result<void> insertRows(EditContext& context, SwingId swing, std::vector<PlacedReading>& rows)
 {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const ReadingId before = context.readings.current(rows[i].reading.id);
-        const auto stored = context.stores.swings.insertReading(swing, rows[i].position, rows[i].reading);
+    for (std::size_t first = 0, end = 0; first < rows.size(); first = end) {
+        std::vector<Reading> together;
+        for (end = first; end < rows.size() && rows[end].position == rows[first].position + static_cast<int>(end - first); ++end)
+            together.push_back(rows[end].reading);
+        const auto stored = context.stores.swings.insertReadings(swing, rows[first].position, together);
         if (!stored)
             return stored.error();
-        if (before.valid())
-            context.readings.replace(before, *stored);
-        rows[i].reading.id = *stored;
+        for (std::size_t i = first; i < end; ++i) {
+            const ReadingId before = context.readings.current(rows[i].reading.id);
+            if (before.valid())
+                context.readings.replace(before, (*stored)[i - first]);
+            rows[i].reading.id = (*stored)[i - first];
+        }
     }
     return {};
 }
@@ -43,7 +49,11 @@ ChangeReading::ChangeReading(EditContext& context, SwingId swing, Reading before
 {
 }
 
-Result<void> ChangeReading::store(Reading from, Reading to) const { return changeRow(context(), swing(), std::move(from), std::move(to)); }
+Result<void> ChangeReading::store(Reading from, Reading to) const
+{
+    const auto one = change(context(), std::move(from), std::move(to));
+    return stores().swings.changeReading(swing(), one.known, one.reading);
+}
 
 PutReadings::PutReadings(
     EditContext& context, SwingId swing, std::vector<Change> changed, std::vector<PlacedReading> added, const QString& text)
@@ -55,9 +65,11 @@ PutReadings::PutReadings(
 
 Result<void> PutReadings::apply()
 {
+    std::vector<db::ReadingChange> changes;
     for (const auto& [before, after] : m_changed)
-        if (auto changed = changeRow(context(), swing(), before, after); !changed)
-            return changed;
+        changes.push_back(change(context(), before, after));
+    if (auto changed = stores().swings.changeReadings(swing(), changes); !changed)
+        return changed;
     return insertRows(context(), swing(), m_added);
 }
 
@@ -65,10 +77,10 @@ Result<void> PutReadings::revert()
 {
     if (auto removed = removeRows(context(), swing(), m_added, m_added.size()); !removed)
         return removed;
+    std::vector<db::ReadingChange> changes;
     for (const auto& [before, after] : m_changed)
-        if (auto changed = changeRow(context(), swing(), after, before); !changed)
-            return changed;
-    return {};
+        changes.push_back(change(context(), after, before));
+    return stores().swings.changeReadings(swing(), changes);
 }
 
 InsertReadings::InsertReadings(EditContext& context, SwingId swing, std::vector<PlacedReading> rows, const QString& text)

@@ -64,5 +64,24 @@ TEST(SerialCorrelation, independentReadingsAreLeftAsTheyAre)
     EXPECT_LE(correlated, 2);
 }
 
+/// Eight thousand readings half a tenth of a degree apart, white noise of 0.3°: neighbours differ by their noise alone, which stands on both sides of
+/// the exact equation. It passed for a drift that made A uncertain by 18°.
+TEST(SerialCorrelation, whiteNoiseOfADenseLogIsNoDriftOfTheExactCoefficients)
+{
+    std::mt19937_64 engine(3);
+    std::normal_distribution<double> normal;
+    std::vector<Observation> readings;
+    for (int i = 0; i < 8000; ++i) {
+        const double psi = 0.045 * i, delta = -3 * std::sin(toRadians(psi)) + 2 * std::cos(toRadians(psi));
+        readings.push_back({MagneticHeading::fromDegrees(psi), CompassHeading::fromDegrees(psi - delta + 0.3 * normal(engine))});
+    }
+    const auto exact = fitExact(readings);
+    const auto approximate = fitApproximate(readings);
+    ASSERT_TRUE(exact && approximate);
+    EXPECT_FALSE(exact->lagOneCorrelation);
+    for (std::size_t i = 0; i < 5; ++i)
+        EXPECT_NEAR(*exact->standardError[i] / *approximate->standardError[i], 1.0, 0.2) << i;
+}
+
 } // namespace
 } // namespace lubberline

@@ -175,6 +175,13 @@ private slots:
             QVERIFY(stores);
             QCOMPARE(recovery.entriesFor(**stores).size(), 1u);
         }
+        const QString copy = folder.filePath("copy.lubberline");
+        QVERIFY(QFile::copy(path, copy));
+        {
+            auto stores = db::openStores(copy, db::OpenMode::ReadWriteCreate); // a backup has the same identity, and is another file
+            QVERIFY(stores);
+            QVERIFY(recovery.entriesFor(**stores).empty());
+        }
         QVERIFY(QFile::rename(path, folder.filePath("moved.lubberline")));
         auto stores = db::openStores(folder.filePath("moved.lubberline"), db::OpenMode::ReadWriteCreate);
         QCOMPARE(recovery.restore(**stores, recovery.entriesFor(**stores)).done, 1);

@@ -1,6 +1,8 @@
 // No key leads to two places, on any page and in either language: Qt would then do neither.
 
 #include <QAbstractButton>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -64,6 +66,7 @@ private slots:
     void everyPageGivesItsKeysOnce_data();
     void everyPageGivesItsKeysOnce();
     void theRampGivesItsKeysOnce();
+    void aFieldErasesNothingByTheWindowsKeys();
     void aKeyThatIsGivenTwiceIsSeen();
 };
 
@@ -125,6 +128,30 @@ void ShortcutsTest::theRampGivesItsKeysOnce()
     QCOMPARE(twice(), QString());
     open.window.findChild<GuidedPage*>()->showLive(true);
     QCOMPARE(twice(), QString());
+}
+
+/// Ctrl+U goes to the aircraft; in a field of X11 it would erase what is typed to the left.
+void ShortcutsTest::aFieldErasesNothingByTheWindowsKeys()
+{
+    SmallFleet fleet;
+    const SwingId swing = fleet.addSwing("2026-11-21", eightPoints());
+    OpenWindow open(fleet.stores);
+    open.window.go(swing);
+    open.trigger("signSwing");
+    auto& name = open.find<QLineEdit>("signName");
+    name.setFocus();
+    QTest::keyClicks(&name, "Jan Kowalski");
+    for (const int key : {Qt::Key_U, Qt::Key_K, Qt::Key_E, Qt::Key_D, Qt::Key_H}) {
+        QKeyEvent asks(QEvent::ShortcutOverride, key, Qt::ControlModifier);
+        asks.ignore();
+        QApplication::sendEvent(&name, &asks);
+        QVERIFY2(!asks.isAccepted(), qPrintable(QKeySequence(int(Qt::CTRL) | key).toString()));
+    }
+    QKeyEvent copies(QEvent::ShortcutOverride, Qt::Key_C, Qt::ControlModifier);
+    copies.ignore();
+    QApplication::sendEvent(&name, &copies);
+    QVERIFY(copies.isAccepted());
+    QCOMPARE(name.text(), QStringLiteral("Jan Kowalski"));
 }
 
 void ShortcutsTest::aKeyThatIsGivenTwiceIsSeen()
