@@ -280,12 +280,18 @@ const Migration kEleventh{11, "coil benches of sensors; what was kept of compass
         " d_deg = NULL, e_deg = NULL, status = 0 WHERE abs(a_deg) > 44",
     }};
 
+const Migration kTwelfth{12, "a compass that was not read all around is not in limits: verdicts are given anew",
+    {
+        // The verdict alone is another: figures stay, and those in limits are judged when the database is opened.
+        "UPDATE swing SET results_behind = results_behind + 1 WHERE status = 1",
+    }};
+
 } // namespace
 
 const std::vector<Migration>& migrations()
 {
     static const std::vector<Migration> steps{
-        kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh, kEighth, kNinth, kTenth, kEleventh};
+        kFirst, kSecond, kThird, kFourth, kFifth, kSixth, kSeventh, kEighth, kNinth, kTenth, kEleventh, kTwelfth};
     return steps;
 }
 

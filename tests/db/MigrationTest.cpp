@@ -177,11 +177,28 @@ TEST(Migration, whatWasKeptOfACompassFarOutIsComputedAnew)
     ASSERT_TRUE(RawDatabase(path).run({"UPDATE swing SET a_deg = -178.5, b_deg = 15 WHERE state = 0"}));
     auto database = openDatabase(path, OpenMode::ReadWriteCreate);
     ASSERT_TRUE(database) << describe(database.error());
-    EXPECT_EQ(db::number(*database, "SELECT count(*) FROM swing WHERE results_behind > 0").value(), 1);
+    EXPECT_EQ(db::number(*database, "SELECT count(*) FROM swing WHERE results_behind > 0 AND b_deg IS NULL").value(), 1);
     EXPECT_EQ(db::number(*database, "SELECT count(*) FROM swing WHERE b_deg = 15 OR a_deg < -45").value(), 0);
     ASSERT_TRUE(db::refreshBehind(*database));
     EXPECT_EQ(db::number(*database, "SELECT count(*) FROM swing WHERE results_behind > 0 OR a_deg IS NULL").value(), 0);
     EXPECT_THAT(db::verify(*database, {})->findings, testing::IsEmpty());
+}
+
+/// Up to schema 11 a list over half the circle was in limits; what is in limits is judged anew, figures stay.
+TEST(Migration, whatWasReadInPartIsInLimitsNoMore)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("old.db");
+    ASSERT_TRUE(restoreSchema(11, path));
+    ASSERT_TRUE(RawDatabase(path).run({"UPDATE limits_profile SET max_deviation_deg = 30",
+        "DELETE FROM reading WHERE swing_id = 2 AND magnetic_heading_deg > 150",
+        "UPDATE swing SET status = 1, reading_count = (SELECT count(*) FROM reading WHERE swing_id = 2) WHERE id = 2"}));
+    auto database = openDatabase(path, OpenMode::ReadWriteCreate);
+    ASSERT_TRUE(database) << describe(database.error());
+    ASSERT_TRUE(db::refreshBehind(*database));
+    EXPECT_EQ(db::number(*database, "SELECT status FROM swing WHERE id = 2").value(), 0); // not known
+    EXPECT_EQ(db::number(*database, "SELECT status FROM swing WHERE id = 1").value(), 1); // all around, as it was
+    EXPECT_EQ(db::number(*database, "SELECT status FROM compass").value(), 0);
 }
 
 /// The signatures of schema4.sql were made by the program of then, over version 1 of the signed content.

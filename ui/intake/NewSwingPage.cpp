@@ -1,7 +1,9 @@
 #include "ui/intake/NewSwingPage.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -118,8 +120,26 @@ void NewSwingPage::build()
         connect(line, &QLineEdit::returnPressed, this, [this] { focusNextChild(); }); // Enter goes on, as in the table
     for (QComboBox* box : {m_limits, m_kind, m_stage})                                // on these, too
         new EnterGoesOn(*box);
+    m_create->installEventFilter(this);
     connect(m_create, &QPushButton::clicked, this, &NewSwingPage::create);
     connect(cancel, &QPushButton::clicked, this, &NewSwingPage::cancelled);
+}
+
+/// Whoever types on the button means another aircraft than the one that stands in the form: it goes into that field, and makes no swing of
+/// this one.
+bool NewSwingPage::eventFilter(QObject* object, QEvent* event)
+{
+    if (object == m_create && event->type() == QEvent::KeyPress) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        const QString text = key->text();
+        if (!text.isEmpty() && text[0].isPrint() && !text[0].isSpace() && !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) {
+            m_aircraft->setFocus();
+            m_aircraft->lineEdit()->selectAll();
+            QApplication::sendEvent(m_aircraft->lineEdit(), event);
+            return true;
+        }
+    }
+    return Page::eventFilter(object, event);
 }
 
 /// Where the compass is known already, Enter starts: the rest stands in the form and is changed only where it is otherwise.

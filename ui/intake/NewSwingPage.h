@@ -29,6 +29,9 @@ public:
     static PageDescription description(PageContext& context);
     Result<void> open(const FleetItem& record) override;
 
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
 signals:
     void created(lubberline::SwingId id);
     void cancelled();

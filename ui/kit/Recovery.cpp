@@ -182,6 +182,7 @@ private:
 Result<LostEntry> Recovery::keep(db::Stores& stores, LostEntry entry) const
 {
     entry.file = identityOf(stores);
+    entry.database = stores.location().toStdString();
     entry.timeUtc = stores.clock().nowUtc();
     const QByteArray line = QByteArray::fromStdString(writeLostEntry(entry));
     for (const QString& path : m_paths)

@@ -64,8 +64,12 @@ void MainWindow::tryWaiting()
     const auto waited = std::exchange(m_waiting, {});
     if (restored.done > 0)
         m_messages->add(MessagePanel::Kind::Information, tr("The database is free again: %n were put in.", nullptr, restored.done));
-    if (!restored.failures.isEmpty() || !restored.clashes.isEmpty())
+    if (!restored.failures.isEmpty() || !restored.clashes.isEmpty()) {
         putBack(waited);
+    } else { // the words about the other program have come to their end
+        m_messages->mended();
+        showSaved(true);
+    }
 }
 
 } // namespace lubberline::ui

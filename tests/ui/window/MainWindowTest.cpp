@@ -123,7 +123,15 @@ void MainWindowTest::newSwingOfAKnownCompassStartsWithEnter()
     QCOMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("newStage"));
     QVERIFY(first);
     QCOMPARE(first->objectName(), QStringLiteral("createSwing"));
-    QTest::keyClick(&open.find<QPushButton>("createSwing"), Qt::Key_Return);
+    // Who types another registration there means that aircraft, and gets no swing of this one.
+    auto& create = open.find<QPushButton>("createSwing");
+    create.setFocus();
+    QTest::keyClick(&create, Qt::Key_4);
+    QCOMPARE(open.find<QComboBox>("newAircraft").currentText(), QStringLiteral("4"));
+    QCOMPARE(fleet.stores.whole().swings.size(), std::size_t{1});
+    open.find<QComboBox>("newAircraft").setCurrentText("3713");
+    open.find<QComboBox>("newCompass").setCurrentText("standby compass");
+    QTest::keyClick(&create, Qt::Key_Return);
     QCOMPARE(fleet.stores.whole().swings.size(), std::size_t{2});
     QVERIFY2(open.label("swingTitle").startsWith("Su-22 · 3713 · standby compass"), qPrintable(open.label("swingTitle")));
 }
