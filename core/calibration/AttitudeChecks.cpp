@@ -58,7 +58,83 @@ void checkUnknownNorth(AttitudeResult& result, const SensorLog& log, const std::
     result.verdict = std::max(result.verdict, CalibrationVerdict::Doubtful);
 }
 
+/// The other ways to take heading, pitch and roll, with the words for each.
+struct Misnamed {
+    AngleReading reading;
+    std::vector<Message> what;
+};
+
+std::vector<Misnamed> otherReadings()
+{
+    std::vector<Misnamed> all;
+    for (int way = 1; way < 64; ++way) {
+        Misnamed one;
+        if ((way & 3) > 0) {
+            one.reading.headingOffset_deg = 90.0 * (way & 3);
+            one.what.push_back((way & 3) == 2 ? Message(MARKED("core", "headings are reciprocal, 180° off"))
+                                              : Message{MARKED("core", "headings are %1° off"), (way & 3) == 1 ? -90 : 90});
+        }
+        if ((way & 4) != 0) {
+            one.reading.headingFactor = -1;
+            one.what.push_back(MARKED("core", "headings run anticlockwise"));
+        }
+        if ((way & 8) != 0) {
+            one.reading.pitchSign = -1;
+            one.what.push_back(MARKED("core", "pitch has the other sign (nose up is positive)"));
+        }
+        if ((way & 16) != 0) {
+            one.reading.rollSign = -1;
+            one.what.push_back(MARKED("core", "roll has the other sign (starboard wing down is positive)"));
+        }
+        if ((way & 32) != 0) {
+            one.reading.swapped = true;
+            one.what.push_back(MARKED("core", "pitch stands for roll and roll for pitch"));
+        }
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+constexpr std::size_t kFewestForSigns = 24;
+constexpr double kPoorFit = 0.02; ///< of the field: below, there is nothing to look for
+
 } // namespace
+
+double explainedPart(const RegressionMoments& moments, double variance)
+{
+    const Eigen::Vector3d mean = moments.across.row(3).transpose() / moments.rows;
+    const double all = (moments.own.diagonal() / moments.rows - mean.cwiseAbs2()).sum() / 3;
+    return all > 0 ? std::clamp(1 - variance / all, 0.0, 1.0) : 1.0;
+}
+
+Message misnamedAngles(const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options)
+{
+    const auto rows = someRows(used, kRowsForNorth);
+    std::vector<std::uint8_t> some(used.size(), 0);
+    for (const auto row : rows)
+        some[row] = 1;
+    const auto fitBy = [&](const AngleReading& reading) { return regress(momentsOfRows(log, some, options.field, reading), 0); };
+    const double stated = fitBy({}).variance;
+    if (rows.size() < kFewestForSigns || std::sqrt(stated) < kPoorFit)
+        return {};
+    // Headings 180° off are the same as both signs with a sensor that looks aft: of ways that fit alike, the one that asks least of the sensor.
+    const Misnamed* best = nullptr;
+    const auto ways = otherReadings();
+    double least = 0.25 * stated, iron = 0;
+    for (const Misnamed& way : ways) {
+        const Regression fit = fitBy(way.reading);
+        const double asked = fit.solution.topRows<3>().norm();
+        if (fit.variance < 0.8 * least || (best && fit.variance < 1.25 * least && asked < 0.9 * iron)) {
+            best = &way;
+            least = fit.variance;
+            iron = asked;
+        }
+    }
+    if (!best)
+        return {};
+    return {MARKED("core", "%1: so taken the samples are explained to %2 nT, as stated to %3 nT"), together(best->what),
+        figureText(std::sqrt(least) * options.field.total_nT(), 0), figureText(std::sqrt(stated) * options.field.total_nT(), 0)};
+}
 
 RegressionMoments momentsOfRows(
     const SensorLog& log, const std::vector<std::uint8_t>& used, const MeridianField& field, const AngleReading& reading)
@@ -74,7 +150,7 @@ RegressionMoments momentsOfRows(
 Message misreadAngles(const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options, double variance)
 {
     const bool smallHeadings = largestIn(log.heading_deg) <= 6.3,
-               smallTilts = std::max(largestIn(log.pitch_deg), largestIn(log.roll_deg)) <= 1.6;
+               smallTilts = largestIn(log.pitch_deg) <= 1.6 && largestIn(log.roll_deg) <= 3.2; // a roll goes to π
     const auto better = [&](const AngleReading& reading) {
         return regress(momentsOfRows(log, used, options.field, reading), 0).variance < 0.25 * variance;
     };

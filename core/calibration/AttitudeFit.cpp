@@ -21,6 +21,7 @@ namespace {
 constexpr int kSectors45 = 8;
 constexpr double kGoodHardIron = 0.01, kDeterminedHardIron = 0.05; ///< standard error as a part of F
 constexpr double kHeldOutHeading_deg = 2.0;
+constexpr double kWellExplained = 0.9, kHalfExplained = 0.5; ///< of the readings' variance
 
 std::vector<std::uint8_t> usableRows(const SensorLog& log, const LogQuality& quality)
 {
@@ -144,7 +145,7 @@ double levelYaw_deg(const SensorModel& model)
     return toDegrees(std::atan2(s(0, 1) - s(1, 0), 2.0 + s(0, 0) + s(1, 1)));
 }
 
-void judgeAttitude(AttitudeResult& result, const AttitudeOptions& options)
+void judgeAttitude(AttitudeResult& result, const AttitudeOptions& options, double explained)
 {
     const double total_nT = options.field.total_nT();
     const auto atMost = [&](CalibrationVerdict verdict, Message why) {
@@ -198,13 +199,18 @@ void judgeAttitude(AttitudeResult& result, const AttitudeOptions& options)
             {MARKED("core",
                  "the sensor seems turned by %1°: of such a log nothing tells that from headings that are off by it, as true ones are by the variation"),
                 signedFigureText(yaw_deg, 1)});
-    if (result.rank < result.parametersAsked)
-        return;
+    if (explained < kWellExplained)
+        atMost(explained < kHalfExplained ? CalibrationVerdict::NotDetermined : CalibrationVerdict::Doubtful,
+            {MARKED("core",
+                 "heading, pitch and roll explain %1 % of how the readings vary; expected %2 % or more: they are of another log or clock, or of another sign, order or unit"),
+                figureText(100 * explained, 0), figureText(100 * kWellExplained, 0)});
+    if (result.rank < result.parametersAsked || explained < kWellExplained)
+        return; // of a fit that failed the field is no reading of the log's
     const double scale = std::cbrt(std::abs((Eigen::Matrix3d::Identity() + result.model.softIron).determinant()));
     if (std::abs(scale - 1) > kFieldContradiction)
         atMost(CalibrationVerdict::Doubtful,
             {MARKED("core",
-                 "the log's field is %1 nT, %2 % off the %3 nT that were given; expected within %4 %: another unit, another place, or a sensor of another scale"),
+                 "the log's field is %1 nT, %2 % off the %3 nT that were given; expected within %4 %: another unit, another place, or a sensor of another scale, which soft iron then carries"),
                 figureText(scale * total_nT, 0), signedFigureText(100 * (scale - 1), 0), figureText(total_nT, 0),
                 figureText(100 * kFieldContradiction, 0)});
 }
@@ -226,11 +232,10 @@ std::optional<ChangeInTime> changeOf(const SensorLog& log, const std::vector<std
     TimeBlocks blocks;
     for (std::size_t i = 0; i < kTimeBlocks; ++i)
         blocks[i] = {moments[i].design, moments[i].across - product(moments[i].design, fit.solution)};
-    const auto told = std::count(fit.told.begin(), fit.told.end(), true);
-    Eigen::MatrixXd free = Eigen::MatrixXd::Zero(regressors, told);
-    for (Eigen::Index i = 0, column = 0; i < regressors; ++i)
-        if (fit.told[static_cast<std::size_t>(i)])
-            free(i, column++) = 1;
+    // A sum of which no part is told was fitted all the same.
+    Eigen::MatrixXd free = Eigen::MatrixXd::Zero(regressors, static_cast<Eigen::Index>(fit.kept.size()));
+    for (std::size_t i = 0; i < fit.kept.size(); ++i)
+        free(fit.kept[i], static_cast<Eigen::Index>(i)) = 1;
     std::vector<Eigen::MatrixXd> steps(3, Eigen::MatrixXd::Zero(regressors, 2));
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         auto& step = steps[static_cast<std::size_t>(axis)];
@@ -337,9 +342,16 @@ Result<AttitudeResult> fitAttitude(const SensorLog& log, const AttitudeOptions& 
     misalign(result);
     result.validation = heldOut(log, used, options, moments, fit);
     result.verdict = CalibrationVerdict::Good;
-    checkAxes(result, moments);
-    checkNorth(result, log, used, options, fit.variance);
-    judgeAttitude(result, options);
+    const Message misnamed = misnamedAngles(log, used, options);
+    if (misnamed.empty()) {
+        checkAxes(result, moments);
+        checkNorth(result, log, used, options, fit.variance);
+        judgeAttitude(result, options, explainedPart(moments, fit.variance));
+    } else { // all else would be said of a fit that means nothing
+        result.reasons.push_back(misnamed);
+        result.verdict = CalibrationVerdict::NotDetermined;
+        result.nextSteps.push_back({MARKED("core", "put the columns of the attitude right and calibrate once more")});
+    }
     if (!changed.empty()) {
         result.verdict = std::max(result.verdict, CalibrationVerdict::Doubtful);
         result.reasons.push_back(changed);

@@ -11,6 +11,11 @@ namespace lubberline {
 /// Angles in another unit explain the samples far better than as they are named; empty where they do not.
 [[nodiscard]] Message misreadAngles(
     const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options, double variance);
+/// Headings that are reciprocal or run the other way, pitch or roll of the other sign: of the ways to take the columns, one explains the
+/// samples far better than the one that is stated. Empty where none does.
+[[nodiscard]] Message misnamedAngles(const SensorLog& log, const std::vector<std::uint8_t>& used, const AttitudeOptions& options);
+/// What part of the readings' variance the attitude explains, 0 … 1.
+[[nodiscard]] double explainedPart(const RegressionMoments& moments, double variance);
 /// Swapped or mirrored axes: of the 48 ways to name them, one fits far better than the one that is stated.
 void checkAxes(AttitudeResult& result, const RegressionMoments& moments);
 /// Headings from true north, where the place's variation explains the samples far better: seen only where the aircraft was tilted.

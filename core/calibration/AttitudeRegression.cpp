@@ -40,8 +40,9 @@ std::vector<Eigen::VectorXd> reducedDirections(Eigen::MatrixXd rows)
 
 Eigen::Vector3d fieldOfRow(const SensorLog& log, std::size_t row, const MeridianField& field, const AngleReading& reading)
 {
+    const double pitch = log.pitch_deg[row] * reading.tiltFactor, roll = log.roll_deg[row] * reading.tiltFactor;
     const Attitude attitude{MagneticHeading::fromDegrees(log.heading_deg[row] * reading.headingFactor + reading.headingOffset_deg),
-        toRadians(log.pitch_deg[row] * reading.tiltFactor), toRadians(log.roll_deg[row] * reading.tiltFactor)};
+        toRadians(reading.pitchSign * (reading.swapped ? roll : pitch)), toRadians(reading.rollSign * (reading.swapped ? pitch : roll))};
     return fieldInBody(field, attitude);
 }
 
@@ -108,7 +109,7 @@ Regression regress(const RegressionMoments& moments, double attitudeError_rad)
     const auto nulls = static_cast<Eigen::Index>((parts.values.array() < limit).count());
     result.null = reducedDirections(parts.vectors.leftCols(nulls).transpose());
     result.told.assign(static_cast<std::size_t>(size), true);
-    std::vector<Eigen::Index> kept;
+    auto& kept = result.kept;
     std::vector<bool> pivot(static_cast<std::size_t>(size), false);
     for (const auto& direction : result.null) {
         bool first = true;

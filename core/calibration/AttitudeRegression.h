@@ -11,6 +11,8 @@ namespace lubberline {
 struct AngleReading {
     double headingFactor = 1, tiltFactor = 1; ///< 180/π where they are radians
     double headingOffset_deg = 0;
+    double pitchSign = 1, rollSign = 1;
+    bool swapped = false; ///< pitch for roll
 };
 
 /// Sums over rows; those of a part can be taken out again.
@@ -25,6 +27,7 @@ struct Regression {
     Eigen::MatrixXd solution;          ///< (3 + 1 + circuits) × 3: S', p', currents, in units of F; 0 where not told
     Eigen::MatrixXd covariance;        ///< of one axis for unit variance of (m/F)
     std::vector<bool> told;            ///< of each regressor
+    std::vector<Eigen::Index> kept;    ///< those that were fitted: what is told, and one of each sum
     std::vector<Eigen::VectorXd> null; ///< directions that change nothing, reduced: the first regressor of each is its own
     double condition = 0;              ///< of what is told
     double variance = 0;               ///< of (m/F), mean of the axes

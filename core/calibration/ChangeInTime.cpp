@@ -30,6 +30,18 @@ Eigen::MatrixXd inverseOf(const Eigen::MatrixXd& matrix, double least)
     return composed(scale.asDiagonal() * parts.vectors, values);
 }
 
+/// Of steps of iron and, last, gain. Where the attitudes do not tell one from the other, all of it is called iron.
+Eigen::MatrixXd inverseOfSteps(const Eigen::MatrixXd& left)
+{
+    const Eigen::MatrixXd both = inverseOf(left, kNoDirection);
+    const Eigen::Index irons = left.cols() - 1;
+    if (product(both, left).trace() > static_cast<double>(irons) + 0.5)
+        return both;
+    Eigen::MatrixXd iron = Eigen::MatrixXd::Zero(left.rows(), left.cols());
+    iron.topLeftCorner(irons, irons) = inverseOf(left.topLeftCorner(irons, irons), kNoDirection);
+    return iron;
+}
+
 } // namespace
 
 std::optional<ChangeInTime> changeInTime(
@@ -57,7 +69,7 @@ std::optional<ChangeInTime> changeInTime(
         for (std::size_t axis = 0; axis < steps.size(); ++axis) {
             const Eigen::MatrixXd& step = steps[axis];
             const auto column = static_cast<Eigen::Index>(axis);
-            const Eigen::MatrixXd unexplained = inverseOf(carried(step.transpose(), left), kNoDirection);
+            const Eigen::MatrixXd unexplained = inverseOfSteps(carried(step.transpose(), left));
             const Eigen::VectorXd own = step.transpose() * (laterScore.col(column) - taken.transpose() * score.col(column));
             const Eigen::VectorXd size = unexplained * own;
             explained += own.dot(size) / variance;

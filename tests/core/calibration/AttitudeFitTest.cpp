@@ -202,12 +202,63 @@ TEST(AttitudeFit, whatIsRefused)
         for (auto& value : *column)
             value = toRadians(value);
     EXPECT_THAT(refusal(log), HasSubstr("pitch and roll look like radians"));
+    LogPlan tumbling = plan; // a roll goes to π
+    tumbling.tilt_deg = 180;
+    log = makeLog(tumbling);
+    for (auto* column : {&log.heading_deg, &log.pitch_deg, &log.roll_deg})
+        for (auto& value : *column)
+            value = toRadians(column == &log.pitch_deg ? value / 2 : value);
+    log.field = makeLog(tumbling).field;
+    for (std::size_t row = 0; row < log.size(); ++row) {
+        const Eigen::Vector3d m
+            = fieldInBody(tumbling.field, {MagneticHeading::fromRadians(log.heading_deg[row]), log.pitch_deg[row], log.roll_deg[row]});
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            log.field[axis][row] = m[static_cast<Eigen::Index>(axis)];
+    }
+    EXPECT_THAT(refusal(log), HasSubstr("look like radians"));
     log = makeLog(plan);
     log.roll_deg.clear();
     EXPECT_THAT(refusal(log), HasSubstr("has no attitude"));
     log = makeLog(plan);
     log.unit = FieldUnit::Counts;
     EXPECT_THAT(refusal(log), HasSubstr("is in counts"));
+}
+
+/// Columns of the attitude in another convention are named; the fit that fails for them tells nothing of the log's field.
+TEST(AttitudeFit, misnamedAnglesAreNamed)
+{
+    const LogPlan plan{.model = unsymmetric(), .tilt_deg = 20, .noise_nT = 100, .samples = 3000};
+    const auto doubted = [&](auto&& change) {
+        SensorLog log = makeLog(plan);
+        for (std::size_t row = 0; row < log.size(); ++row)
+            change(log.heading_deg[row], log.pitch_deg[row], log.roll_deg[row]);
+        const auto result = fitAttitude(log, {plan.field});
+        if (!result)
+            return describe(result.error());
+        EXPECT_EQ(result->verdict, CalibrationVerdict::NotDetermined);
+        EXPECT_EQ(result->reasons.size(), 1u) << said(result->reasons);
+        return said(result->reasons);
+    };
+    EXPECT_THAT(doubted([](double& heading, double&, double&) { heading = wrap360(heading + 180); }),
+        HasSubstr("headings are reciprocal, 180° off: so taken the samples are explained to 10"));
+    EXPECT_THAT(doubted([](double&, double& pitch, double&) { pitch = -pitch; }), HasSubstr("pitch has the other sign"));
+    EXPECT_THAT(doubted([](double&, double&, double& roll) { roll = -roll; }), HasSubstr("roll has the other sign"));
+    EXPECT_THAT(doubted([](double&, double& pitch, double& roll) { std::swap(pitch, roll); }), HasSubstr("pitch stands for roll"));
+    EXPECT_THAT(doubted([](double& heading, double&, double&) { heading = wrap360(-heading); }), HasSubstr("headings run anticlockwise"));
+    EXPECT_THAT(doubted([](double& heading, double&, double&) { heading = wrap360(heading + 90); }), HasSubstr("headings are 90° off"));
+    // Attitudes of another log altogether.
+    LogPlan other = plan;
+    other.seed = 77;
+    const SensorLog strange = makeLog(other);
+    SensorLog log = makeLog(plan);
+    log.heading_deg = strange.heading_deg;
+    log.pitch_deg = strange.pitch_deg;
+    log.roll_deg = strange.roll_deg;
+    const auto result = fitAttitude(log, {plan.field});
+    ASSERT_TRUE(result) << describe(result.error());
+    EXPECT_EQ(result->verdict, CalibrationVerdict::NotDetermined);
+    EXPECT_THAT(said(result->reasons), HasSubstr("heading, pitch and roll explain 0 % of how the readings vary"));
+    EXPECT_THAT(said(result->reasons), testing::Not(HasSubstr("the log's field is")));
 }
 
 /// The compass's own heading behind a filter: no row agrees with the field, and yet it shows no deviation where iron must make some.

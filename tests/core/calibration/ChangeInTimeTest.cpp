@@ -113,3 +113,21 @@ TEST(ChangeInTime, ofAPartThatIsLeftOutWholeIsTold)
     plan.spikes = 0.03;
     EXPECT_EQ(fitEllipsoid(logWith(0, Way::Jump, 0.5, 0, plan), EllipsoidShape::General, 40'000).verdict, CalibrationVerdict::Good);
 }
+
+/// A level turn tells of z nothing but a sum, which is constant: that no fit tells its parts is no change with time, and a change is one
+/// of its whole size.
+TEST(ChangeInTime, alongAnAxisThatIsToldAsASumOnly)
+{
+    LogPlan plan{.model = exampleModel(), .tilt_deg = 0, .samples = 3000};
+    SensorLog log = makeLog(plan);
+    const auto still = fitAttitude(log, {plan.field});
+    ASSERT_TRUE(still);
+    EXPECT_FALSE(says(still->reasons, "changes with time")) << still->reasons.back().english();
+    for (std::size_t row = 1500; row < log.size(); ++row)
+        log.field[2][row] += 600;
+    const auto moved = fitAttitude(log, {plan.field});
+    ASSERT_TRUE(moved);
+    ASSERT_TRUE(says(moved->reasons, "along z it is +")) << together(moved->reasons).english();
+    EXPECT_TRUE(says(moved->reasons, "along z it is +59") || says(moved->reasons, "along z it is +60"))
+        << together(moved->reasons).english();
+}
