@@ -252,6 +252,8 @@ EllipsoidResult fitEllipsoid(const SensorLog& log, EllipsoidShape shape, std::op
     result.usedRows = std::move(best.used);
     result.used = static_cast<std::size_t>(std::count(result.usedRows.begin(), result.usedRows.end(), std::uint8_t{1}));
     result.fit = fitOf(log, *best.quadric, result.usedRows, shape, field_nT);
+    if (shape != EllipsoidShape::General)
+        holdAgainstGeneral(result, log, field_nT);
     judge(result, log, field_nT);
     if (!together.empty()) {
         result.verdict = std::max(result.verdict, CalibrationVerdict::Doubtful);

@@ -28,7 +28,7 @@ enum class CalibrationVerdict { Good, Doubtful, NotDetermined };
 /// (simulated: in 92–99 %), up to the second they are somewhat too short, beyond it the result is not determined.
 inline constexpr double kGateGood = 0.5, kGateDetermined = 1.5;
 /// A field that the log contradicts by this part is told as a fault of one of both.
-inline constexpr double kFieldContradiction = 0.3;
+inline constexpr double kFieldContradiction = 0.1;
 /// Residual of |B| that noise does not explain: beyond this part of F a heading is 1° out.
 inline constexpr double kResidualLimit = 0.02;
 
@@ -37,6 +37,15 @@ struct FittedParameter {
     std::optional<double> value;
     std::optional<double> standard_error;
     std::string unit; ///< "nT", "counts", "1", "nT/A"
+};
+
+/// Soft iron that a shape of fewer parameters leaves out, where the ten of the same samples leave so much less that chance is no reason.
+struct LeftOutIron {
+    double sigma = 0;                                   ///< noise of one axis that the ten leave
+    double ratio = 0, limit = 0;                        ///< F, and what chance reaches once in a thousand logs
+    Eigen::Vector3d hardIron{0, 0, 0};                  ///< of the ten − of the shape
+    Eigen::Matrix3d softIron = Eigen::Matrix3d::Zero(); ///< likewise
+    [[nodiscard]] double partOf(double field) const;    ///< the most that a component of the field is off by it
 };
 
 struct EllipsoidFit {
@@ -48,7 +57,9 @@ struct EllipsoidFit {
     double rms = 0;   ///< of |W (m − p)| − F
     double gate = 0;  ///< g
     double condition = 0;
+    double slow = 1; ///< variance of a mean over that of independent samples: residuals that follow each other
     int rank = 0;
+    std::optional<LeftOutIron> leftOut; ///< the errors of the parameters hold it
     std::vector<FittedParameter> parameters;
     ModelUncertainty uncertainty; ///< of the model that is made of it; of a log in counts R, P and Q are in counts
     Coverage coverage;

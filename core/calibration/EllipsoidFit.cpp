@@ -213,9 +213,9 @@ EllipsoidFit fitOf(
     fit.gate = fit.condition * fit.sigma / fit.field;
     const Eigen::MatrixXd inverse = composed(scale.asDiagonal().inverse() * parts.vectors, parts.values.cwiseMax(smallest).cwiseInverse());
     const bool whole = rows.size() == static_cast<std::size_t>(count);
-    const double slow = whole ? slowResidualFactor(residuals) : 1.0;
+    fit.slow = whole ? slowResidualFactor(residuals) : 1.0;
     const auto by = reportedBy(w, fit.field, field.has_value());
-    Eigen::Matrix<double, 10, 10> covariance = fit.sigma * fit.sigma * slow * (some / count) * carried(by, carried(free, inverse));
+    Eigen::Matrix<double, 10, 10> covariance = fit.sigma * fit.sigma * fit.slow * (some / count) * carried(by, carried(free, inverse));
     if (auto change = changeInTime(blocks, free, {ironAndGain(w)}, fit.sigma * fit.sigma)) {
         // Neighbours that resemble each other without it too make it less sure.
         for (std::size_t i = 0; i < rows.size(); ++i)

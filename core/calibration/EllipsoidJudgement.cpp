@@ -1,5 +1,6 @@
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
 
 #include "core/base/Middle.h"
 #include "core/base/Number.h"
@@ -15,6 +16,11 @@ constexpr double kOtherScale = 2;     ///< of one axis beside another: soft iron
 constexpr double kUnturned = 0.02;    ///< spread of the cloud as a part of its distance from zero: below, the sensor stood still
 constexpr double kFlat = 0.02;        ///< thickness of the cloud as a part of its length: below, it is a plane or a line
 constexpr double kLeastEarth_nT = 22'000, kMostEarth_nT = 67'000; ///< at the ground
+constexpr double kOffTheEarth = 0.3;                              ///< by the scale of a sensor
+constexpr double kChanceOfShape = 1e-3;                           ///< that noise alone says soft iron was left out
+constexpr double kLeftOutMatters = 0.004;                         ///< of the field: 0.3° where H is 0.4 F
+constexpr double kLeftOutSpoils = 0.05;                           ///< of the field: some 7° there, and nothing is calibrated
+constexpr double kUnseenTold = 0.01;                              ///< of the field: what a log may hide is told from here on
 constexpr double kMereNoise = 3; ///< thickness in standard deviations of the noise: below, it is that of the noise
 
 std::string figure(double value) { return figureText(value, std::abs(value) < 10 ? 2 : 0); }
@@ -83,7 +89,67 @@ Message turnMore(const Coverage& coverage)
     return {MARKED("core", "no samples within %1° of one direction: %2"), figureText(coverage.largestGap_deg, 0), coverage.turnTo};
 }
 
+/// Of a … R in the ten.
+Eigen::Matrix<double, kUncertainParameters, 1> inTheOrderOfTheModel(const LeftOutIron& iron)
+{
+    Eigen::Matrix<double, kUncertainParameters, 1> all;
+    for (Eigen::Index row = 0; row < 3; ++row)
+        for (Eigen::Index column = 0; column < 3; ++column)
+            all[3 * row + column] = iron.softIron(row, column);
+    all.tail<3>() = iron.hardIron;
+    return all;
+}
+
+/// Errors of the shape's parameters as those of the ten and what they differ by: the interval then holds the truth whichever is nearer.
+void widenBy(EllipsoidFit& fit, const EllipsoidFit& whole)
+{
+    const auto off = inTheOrderOfTheModel(*fit.leftOut);
+    fit.uncertainty.covariance = whole.uncertainty.covariance + off * off.transpose();
+    for (auto& parameter : fit.parameters)
+        for (const auto& other : whole.parameters)
+            if (other.name == parameter.name)
+                parameter.standard_error = std::hypot(*other.standard_error, *other.value - *parameter.value);
+    fit.changed = whole.changed; // what goes round with the attitude is no change with time
+}
+
+/// What soft iron that this log cannot show would do to the hard iron at most (95 %).
+double unseenHardIron(const EllipsoidFit& whole) { return 1.96 * std::sqrt(whole.uncertainty.covariance.diagonal().tail<3>().maxCoeff()); }
+
 } // namespace
+
+double LeftOutIron::partOf(double field) const { return std::max(hardIron.cwiseAbs().maxCoeff() / field, softIron.cwiseAbs().maxCoeff()); }
+
+void holdAgainstGeneral(EllipsoidResult& result, const SensorLog& log, std::optional<double> field_nT)
+{
+    EllipsoidFit& fit = *result.fit;
+    const auto rows = someRows(result.usedRows);
+    const std::size_t free = freeOf(fit.shape), all = freeOf(EllipsoidShape::General);
+    if (rows.size() <= 2 * all)
+        return;
+    const Spread spread = spreadOf(samplesOf(log, rows));
+    const auto quadric = adjustedQuadric(
+        momentsOf({log.field[0], log.field[1], log.field[2]}, result.usedRows, spread.centre, spread.scale), EllipsoidShape::General);
+    if (!quadric)
+        return;
+    const EllipsoidFit whole = fitOf(log, *quadric, result.usedRows, EllipsoidShape::General, field_nT);
+    const auto count = static_cast<double>(rows.size()), rest = count - static_cast<double>(all), asked = static_cast<double>(all - free);
+    const double left = fit.sigma * fit.sigma * (count - static_cast<double>(free)), least = whole.sigma * whole.sigma * rest;
+    LeftOutIron iron;
+    iron.sigma = whole.sigma;
+    iron.ratio = least > 0 ? (left - least) / asked / (least / rest * whole.slow) : 0;
+    iron.limit = quantile(complement(boost::math::fisher_f(asked, rest), kChanceOfShape));
+    if (iron.ratio > iron.limit) {
+        iron.hardIron = whole.hardIron - fit.hardIron;
+        iron.softIron = whole.softIron - fit.softIron;
+        fit.leftOut = iron;
+        widenBy(fit, whole);
+    } else if (const double unseen = unseenHardIron(whole); unseen > kUnseenTold * fit.field) {
+        result.warnings.push_back(
+            {MARKED("core",
+                 "that the sensor has no soft iron beyond this shape is taken for granted: what this log does not show of it may move the hard iron by up to %1 %2"),
+                figure(unseen), std::string(log.figureUnit())});
+    }
+}
 
 Message flatness(const SensorLog& log, const std::vector<std::size_t>& rows, EllipsoidShape shape)
 {
@@ -131,7 +197,17 @@ void judge(EllipsoidResult& result, const SensorLog& log, std::optional<double> 
         if (result.verdict == CalibrationVerdict::Good)
             result.verdict = CalibrationVerdict::Doubtful;
     };
-    if (fit.rms > kResidualLimit * fit.field) {
+    if (fit.leftOut && fit.leftOut->partOf(fit.field) > kLeftOutMatters) {
+        const LeftOutIron& iron = *fit.leftOut;
+        doubt(
+            {MARKED("core",
+                 "soft iron is in the log that these %1 parameters leave out: they leave %2 %4 of noise where all 10 leave %3 %4 (F %5; expected %6 or less), and they move the hard iron by %7 %4"),
+                fit.shape == EllipsoidShape::Sphere ? 4 : 7, figure(fit.sigma), figure(iron.sigma), std::string(log.figureUnit()),
+                figureText(iron.ratio, 1), figureText(iron.limit, 1), figure(iron.hardIron.norm())});
+        if (iron.hardIron.cwiseAbs().maxCoeff() > kLeftOutSpoils * fit.field)
+            result.verdict = CalibrationVerdict::NotDetermined;
+        result.nextSteps.push_back({MARKED("core", "fit all 10 parameters (ellipsoid)")});
+    } else if (fit.rms > kResidualLimit * fit.field) {
         doubt(
             {MARKED("core",
                  "the field's size is off by %1 % (rms) after calibration; expected %2 % or less: it was not the same everywhere, or the sensor's scale is not of this shape"),
@@ -158,14 +234,11 @@ void judge(EllipsoidResult& result, const SensorLog& log, std::optional<double> 
         if (std::abs(off) > kFieldContradiction)
             doubt(
                 {MARKED("core",
-                     "the log's field is %1 nT, %2 % off the %3 nT that were given; expected within %4 %: another unit, another place, or a sensor of another scale"),
+                     "the log's field is %1 nT, %2 % off the %3 nT that were given; expected within %4 %: another unit, another place, or a sensor of another scale, which soft iron then carries"),
                     figureText(mean, 0), signedFigureText(100 * off, 0), figureText(*field_nT, 0),
                     figureText(100 * kFieldContradiction, 0)});
-        else if (std::abs(off) > 0.1)
-            result.warnings.push_back({MARKED("core", "the log's field is %1 nT, %2 % off the %3 nT that were given"), figureText(mean, 0),
-                signedFigureText(100 * off, 0), figureText(*field_nT, 0)});
     } else if (log.unit != FieldUnit::Counts
-        && (fit.field < kLeastEarth_nT * (1 - kFieldContradiction) || fit.field > kMostEarth_nT * (1 + kFieldContradiction))) {
+        && (fit.field < kLeastEarth_nT * (1 - kOffTheEarth) || fit.field > kMostEarth_nT * (1 + kOffTheEarth))) {
         doubt({MARKED("core", "the log's field is %1 nT, and that of the Earth is %2 to %3 nT: another unit, or a sensor of another scale"),
             figureText(fit.field, fit.field < 1000 ? 1 : 0), figureText(kLeastEarth_nT, 0), figureText(kMostEarth_nT, 0)});
     }

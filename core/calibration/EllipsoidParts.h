@@ -29,6 +29,10 @@ struct Spread {
 [[nodiscard]] EllipsoidFit fitOf(
     const SensorLog& log, const Quadric& quadric, const std::vector<std::uint8_t>& used, EllipsoidShape shape, std::optional<double> field);
 
+/// A fit of fewer parameters held against all ten of the same samples (F test of the parameters that it leaves out): what they say it is wrong
+/// by goes into its errors. A warning where the log would not show what matters.
+void holdAgainstGeneral(EllipsoidResult& result, const SensorLog& log, std::optional<double> field_nT);
+
 /// Why nothing can be told of so few or such flat samples; empty where there is no such reason.
 [[nodiscard]] Message flatness(const SensorLog& log, const std::vector<std::size_t>& rows, EllipsoidShape shape);
 /// Verdict, reasons and what to do next, of the fit that is there.
