@@ -64,7 +64,16 @@ std::size_t segmentFor(const std::vector<std::vector<double>>& runs)
 
 struct Peak {
     double frequency_hz = 0, amplitude = 0;
+    double within_hz = 0; ///< how far the true frequency may lie off
 };
+
+/// A parabola through the logarithms of three bins of a Hann window is off by less than this part of a bin.
+constexpr double kOfABin = 0.05;
+/// Noise moves its top by 0.7/√(peak over floor × segments) bins; three times that.
+double frequencyError_hz(double overFloor, std::size_t segments, double step_hz)
+{
+    return step_hz * std::min(1.0, kOfABin + 2.1 / std::sqrt(overFloor * static_cast<double>(segments)));
+}
 
 /// Less than this of the largest figure is the rounding of numbers, and no line.
 double leastLine(const std::vector<std::vector<double>>& runs)
@@ -81,11 +90,17 @@ std::vector<Peak> peaksOf(const WelchSpectrum& spectrum, double leastAmplitude)
     const auto& density = spectrum.density;
     const auto bins = static_cast<int>(density.size());
     const double freedom = std::max(2.0, 1.9 * static_cast<double>(spectrum.segments));
-    const boost::math::chi_squared chance(freedom);
-    const double factor = quantile(complement(chance, kFalseAlarm / bins)) / quantile(chance, 0.5);
+    const auto factorOf = [&](double degrees) {
+        const boost::math::chi_squared chance(degrees);
+        return quantile(complement(chance, kFalseAlarm / bins)) / quantile(chance, 0.5);
+    };
+    // At half the sampling rate the spectrum goes on as it came; the bin itself is real and stands for itself alone.
+    const int last = bins - 1;
+    const double factorInside = factorOf(freedom), factorLast = factorOf(std::max(1.0, freedom / 2));
+    const auto at = [&](int i) { return (i == last ? 2.0 : 1.0) * density[static_cast<std::size_t>(i > last ? 2 * last - i : i)]; };
     std::vector<Peak> peaks;
-    for (int k = kNear; k < bins - 1; ++k) {
-        const auto at = [&](int i) { return density[static_cast<std::size_t>(i)]; };
+    for (int k = kNear; k <= last; ++k) {
+        const double factor = k == last ? factorLast : factorInside;
         if (at(k) < at(k - 1) || at(k) < at(k + 1))
             continue;
         std::vector<double> beside;
@@ -99,13 +114,14 @@ std::vector<Peak> peaksOf(const WelchSpectrum& spectrum, double leastAmplitude)
             continue;
         double power = 0;
         for (int i = std::max(1, k - kNear); i <= std::min(bins - 1, k + kNear); ++i)
-            power += std::max(0.0, at(i) - floor) * spectrum.step_hz;
-        if (std::sqrt(2 * power) <= leastAmplitude)
+            power += std::max(0.0, at(i) - floor) * (i == last ? 0.5 : 1.0) * spectrum.step_hz;
+        const double amplitude = std::sqrt(k == last ? power : 2 * power);
+        if (amplitude <= leastAmplitude)
             continue;
         const double left = std::log(std::max(at(k - 1), 1e-300)), middle = std::log(at(k)), right = std::log(std::max(at(k + 1), 1e-300));
         const double bend = left - 2 * middle + right;
         const double shift = bend < 0 ? std::clamp(0.5 * (left - right) / bend, -0.5, 0.5) : 0.0;
-        peaks.push_back({(k + shift) * spectrum.step_hz, std::sqrt(2 * power)});
+        peaks.push_back({(k + shift) * spectrum.step_hz, amplitude, frequencyError_hz(at(k) / floor, spectrum.segments, spectrum.step_hz)});
     }
     std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.amplitude > b.amplitude; });
     // The skirts of a strong line are no lines of their own.
@@ -135,12 +151,17 @@ void addSlowLines(LogSpectrum& result, const std::vector<std::vector<double>>& r
     const double seenFrom_hz = (kNear + 1) * result.rate_hz / static_cast<double>(result.segment);
     const WelchSpectrum spectrum = welch(runs, segment, result.rate_hz);
     for (const auto& peak : peaksOf(spectrum, leastLine(runs))) {
-        SpectralLine line{peak.frequency_hz, peak.amplitude, {}, {}, suppliesAt(peak.frequency_hz, true, result.rate_hz, spectrum.step_hz)};
+        SpectralLine line{peak.frequency_hz, peak.amplitude, {}, {}, {}};
+        nameLine(line, result.rate_hz, peak.within_hz);
         const bool seen = std::any_of(result.lines.begin(), result.lines.end(),
             [&](const SpectralLine& other) { return std::abs(other.frequency_hz - line.frequency_hz) < seenFrom_hz; });
-        if (line.frequency_hz > seenFrom_hz || line.sources.empty() || seen)
+        // Here mains that are a little off are no reason: whatever moves slowly would be near one.
+        const bool there = std::any_of(line.sources.begin(), line.sources.end(), [&](const LineSource& one) {
+            return one.exactly && one.aliasOf_hz
+                && std::abs(aliasOf_hz(*one.aliasOf_hz, result.rate_hz) - line.frequency_hz) <= spectrum.step_hz;
+        });
+        if (line.frequency_hz > seenFrom_hz || !there || seen)
             continue;
-        nameLine(line, result.rate_hz, spectrum.step_hz);
         result.lines.push_back(std::move(line));
     }
 }
@@ -219,7 +240,7 @@ Result<LogSpectrum> spectrumOfColumn(
         result.frequency_hz.push_back(static_cast<double>(k) * spectrum.step_hz);
     for (const auto& peak : peaksOf(spectrum, leastLine(runs))) {
         SpectralLine line{peak.frequency_hz, peak.amplitude, {}, {}, {}};
-        nameLine(line, result.rate_hz, spectrum.step_hz);
+        nameLine(line, result.rate_hz, peak.within_hz);
         result.lines.push_back(std::move(line));
     }
     addSlowLines(result, runs);
@@ -276,6 +297,11 @@ Result<LogSpectrum> spectrumOf(const SensorLog& log, const SpectrumOptions& opti
         result->filter = chooseFilter(result->frequency_hz, result->density, lines_hz, *options.maxDelay_ms);
     }
     for (const auto& line : result->lines) {
+        if (line.frequency_hz >= result->frequency_hz.back())
+            result->warnings.push_back(
+                {MARKED("core",
+                     "a line stands at half the sampling rate (%1 Hz): the column goes up and down by %2 %3 from sample to sample, and what makes it may be stronger, as only a part of such a wave shows"),
+                    figureText(line.frequency_hz, 2), figureText(line.amplitude, 1), std::string(log.figureUnit())});
         std::string folded;
         for (const auto& source : line.sources)
             if (source.aliasOf_hz)

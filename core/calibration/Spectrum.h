@@ -13,6 +13,7 @@ namespace lubberline {
 struct LineSource {
     Message name;                     ///< "mains 50 Hz"
     std::optional<double> aliasOf_hz; ///< the frequency that sampling folded down to it
+    bool exactly = false;             ///< where such a supply stands as a rule, and not "perhaps" further off
 };
 
 struct SpectralLine {
@@ -56,9 +57,8 @@ Result<Spectrogram> spectrogramOf(const SensorLog& log, const std::string& colum
 /// Where sampling at `rate_hz` puts a frequency: 0 … rate/2.
 [[nodiscard]] double aliasOf_hz(double frequency_hz, double rate_hz);
 
-/// The supplies of the lowest harmonic that has any which falls there; those that stand as they are, or those that sampling folded.
-[[nodiscard]] std::vector<LineSource> suppliesAt(double frequency_hz, bool folded, double rate_hz, double within_hz);
-/// All that a line may come from: as it stands before folded ones. A folded line may be a 400 Hz supply that is a little off, too.
+/// Fills the sources of a line, all that it may come from: what stands as it is before what sampling folded down.
+/// @param within_hz how far its true frequency may lie off
 void nameLine(SpectralLine& line, double rate_hz, double within_hz);
 
 /// Supplies (50, 60, 400 Hz and odd harmonics, 115 Hz) that fall within `within_hz` of zero at this rate and look like hard iron there.

@@ -132,6 +132,48 @@ TEST(Spectrum, aSlowFoldedLineIsNamed)
     EXPECT_LE(lines, 1);
 }
 
+/// At half the sampling rate a wave is a column that goes up and down; what is seen of it hangs on where it is met.
+TEST(Spectrum, aLineAtHalfTheSamplingRateIsSeen)
+{
+    for (const double rate_hz : {120.0, 100.0}) {
+        const auto spectrum = spectrumOf(logWith({{rate_hz / 2, 300}}, rate_hz, 20000), {.column = "bx"});
+        ASSERT_TRUE(spectrum && spectrum->lines.size() == 1u) << rate_hz;
+        EXPECT_EQ(spectrum->lines[0].frequency_hz, rate_hz / 2);
+        EXPECT_NEAR(spectrum->lines[0].amplitude, 300 * std::sin(0.3), 3);
+        EXPECT_EQ(spectrum->lines[0].source.english(), rate_hz == 120 ? "mains 60 Hz" : "mains 50 Hz");
+        EXPECT_THAT(together(spectrum->warnings).english(), HasSubstr("goes up and down by 8"));
+    }
+    for (unsigned samples = 4000; samples < 4040; ++samples)
+        EXPECT_TRUE(spectrumOf(logWith({}, 100, static_cast<int>(samples)), {.column = "by"})->lines.empty());
+    // A little below it is whole.
+    const auto below = spectrumOf(logWith({{59.5, 300}}, 120, 20000), {.column = "bx"});
+    ASSERT_EQ(below->lines.size(), 1u);
+    EXPECT_NEAR(below->lines[0].amplitude, 300, 5);
+}
+
+/// Mains are not exactly 50 Hz, and a short log has wide bins but a line's place all the same.
+TEST(Spectrum, aNameIsAsNearAsTheFrequencyIsKnown)
+{
+    const auto nameOf = [](double frequency_hz, double rate_hz, int samples = 20000, double amplitude = 150) {
+        const auto spectrum = spectrumOf(logWith({{frequency_hz, amplitude}}, rate_hz, samples), {.column = "bx"});
+        return spectrum->lines.empty() ? std::string("no line") : spectrum->lines[0].source.english();
+    };
+    for (const double mains_hz : {49.83, 49.9, 50.15, 50.0})
+        EXPECT_EQ(nameOf(mains_hz, 200), "mains 50 Hz") << mains_hz;
+    EXPECT_EQ(nameOf(59.93, 200), "mains 60 Hz");
+    EXPECT_EQ(nameOf(50.1, 95), "mains 50 Hz");
+    EXPECT_EQ(nameOf(50.1, 100), "mains 50 Hz");
+    EXPECT_EQ(nameOf(49.6, 200), "perhaps mains 50 Hz at 49.6 Hz");
+    EXPECT_EQ(nameOf(49.1, 200), "not known");
+    EXPECT_EQ(nameOf(392, 1000, 50000), "perhaps aircraft supply 400 Hz at 392.0 Hz");
+    EXPECT_THAT(nameOf(402, 200), HasSubstr("perhaps aircraft supply 400 Hz at 402"));
+    // Three seconds: 115 Hz fold on 15.0 Hz, 2.7 Hz away, and the line is found to 0.1 Hz.
+    EXPECT_EQ(nameOf(12.3, 100, 300), "not known");
+    EXPECT_EQ(nameOf(115, 100, 300), "115 Hz");
+    // On zero nothing tells below from above.
+    EXPECT_EQ(nameOf(400.4, 100), "perhaps aircraft supply 400 Hz at 399.6 Hz or perhaps aircraft supply 400 Hz at 400.4 Hz");
+}
+
 TEST(Spectrum, aConstantHasNoLines)
 {
     SensorLog log = logWith({}, 90, 20000);
