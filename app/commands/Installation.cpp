@@ -52,8 +52,9 @@ int locateCommand(const LocateArguments& options)
         source->atError_m.y(), source->atError_m.z());
     put("moment %.3f A m2 (+- %.3f): %+.3f, %+.3f, %+.3f\n", source->moment_A_m2.norm(), source->momentError_A_m2, source->moment_A_m2.x(),
         source->moment_A_m2.y(), source->moment_A_m2.z());
-    put("uniform field %.0f, %.0f, %.0f nT; %.1f nT rms are left; nearest reading at %.2f m\n", source->uniform_nT.x(),
-        source->uniform_nT.y(), source->uniform_nT.z(), source->rms_nT, source->nearest_m);
+    put("uniform field %.0f, %.0f, %.0f nT (+- %.0f, %.0f, %.0f); %.1f nT rms are left; nearest reading at %.2f m\n",
+        source->uniform_nT.x(), source->uniform_nT.y(), source->uniform_nT.z(), source->uniformError_nT.x(), source->uniformError_nT.y(),
+        source->uniformError_nT.z(), source->rms_nT, source->nearest_m);
     return kDone;
 }
 
@@ -94,7 +95,9 @@ int siteCheckCommand(const SiteCheckArguments& options)
         both->standardError_deg[2], both->residual_deg);
     for (const Message& finding : both->findings)
         put("%s\n", finding.english().c_str());
-    put("largest difference %.2f deg: %s %.2f\n", both->largest_deg, both->passes ? "within" : "MORE THAN", both->limit_deg);
+    put("largest difference %.2f deg: %s %.2f\n", both->largest_deg, both->within() ? "within" : "MORE THAN", both->limit_deg);
+    if (both->within() && !both->passes)
+        put("does not pass: the runs are not one each way round over all headings\n");
     return kDone;
 }
 

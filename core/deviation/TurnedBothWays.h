@@ -18,10 +18,12 @@ struct BothWays {
     double largest_deg = 0;                                      ///< of the difference over heading
     double residual_deg = 0;                                     ///< rms of what is left
     double limit_deg = 0;
-    bool passes = false; ///< the largest difference is within the limit
+    bool passes = false; ///< within the limit, and both runs go all around, each its own way
     std::vector<Message> findings;
+    [[nodiscard]] bool within() const { return largest_deg <= limit_deg; }
 };
 
+/// @param clockwise,counterClockwise in the order in which they were read: the order shows which way round a run was turned
 /// Errors: InvalidInput (fewer than six readings of a run), Numeric (headings that do not tell it).
 Result<BothWays> turnedBothWays(std::span<const Observation> clockwise, std::span<const Observation> counterClockwise, double limit_deg);
 

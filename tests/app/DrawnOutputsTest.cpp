@@ -85,7 +85,7 @@ TEST(DrawnOutputs, checksOfAnInstallationAreDocuments)
     std::string clockwise = "compass_heading_deg,magnetic_heading_deg\n", other = clockwise;
     for (int i = 0; i < 12; ++i) {
         clockwise += std::to_string(30 * i) + "," + std::to_string(30 * i + 0.4 + i % 2 * 0.1) + "\n";
-        other += std::to_string(30 * i) + "," + std::to_string(30 * i + i % 3 * 0.1) + "\n";
+        other += std::to_string(330 - 30 * i) + "," + std::to_string(330 - 30 * i + i % 3 * 0.1) + "\n";
     }
     expectFiles(sandbox, {"locate", sandbox.write("stray.csv", stray)}, {"pdf"});
     expectFiles(sandbox, {"site-check", sandbox.write("cw.csv", clockwise), sandbox.write("ccw.csv", other)}, {"pdf"});

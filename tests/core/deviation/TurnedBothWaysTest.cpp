@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -25,16 +26,23 @@ std::vector<Observation> runOf(double lag_deg, double once_deg, double noise_deg
     return run;
 }
 
+/// The other way round, in the order in which it is read.
+std::vector<Observation> other(std::vector<Observation> run)
+{
+    std::reverse(run.begin(), run.end());
+    return run;
+}
+
 TEST(TurnedBothWays, lagAndHysteresisAreToldApart)
 {
-    const auto lag = turnedBothWays(runOf(0.8, 0, 0.1, 1), runOf(-0.8, 0, 0.1, 2), 1);
+    const auto lag = turnedBothWays(runOf(0.8, 0, 0.1, 1), other(runOf(-0.8, 0, 0.1, 2)), 1);
     ASSERT_TRUE(lag);
     EXPECT_NEAR(lag->difference_deg[0], 1.6, 0.15);
     EXPECT_NEAR(lag->difference_deg[1], 0, 0.2);
     EXPECT_FALSE(lag->passes);
     ASSERT_EQ(lag->findings.size(), 1u);
     EXPECT_NE(lag->findings[0].english().find("late"), std::string::npos);
-    const auto trace = turnedBothWays(runOf(0, 0.6, 0.1, 3), runOf(0, -0.6, 0.1, 4), 2);
+    const auto trace = turnedBothWays(runOf(0, 0.6, 0.1, 3), other(runOf(0, -0.6, 0.1, 4)), 2);
     EXPECT_NEAR(trace->difference_deg[1], 1.2, 0.2);
     EXPECT_TRUE(trace->passes);
     ASSERT_EQ(trace->findings.size(), 1u);
@@ -43,7 +51,7 @@ TEST(TurnedBothWays, lagAndHysteresisAreToldApart)
 
 TEST(TurnedBothWays, agreementAndErrors)
 {
-    const auto same = turnedBothWays(runOf(0, 0, 0.2, 5), runOf(0, 0, 0.2, 6), 1);
+    const auto same = turnedBothWays(runOf(0, 0, 0.2, 5), other(runOf(0, 0, 0.2, 6)), 1);
     ASSERT_TRUE(same);
     EXPECT_TRUE(same->passes);
     EXPECT_EQ(same->findings[0].english(), "both runs tell the same");
@@ -53,6 +61,31 @@ TEST(TurnedBothWays, agreementAndErrors)
     for (auto& read : few)
         read.compass = CompassHeading::fromDegrees(90);
     EXPECT_FALSE(turnedBothWays(few, few, 1));
+}
+
+/// Six readings from 000 to 075 tell nothing of the other 285°, and two runs the same way round nothing of what goes with the way.
+TEST(TurnedBothWays, whatWasNotComparedDoesNotPass)
+{
+    const auto whole = runOf(0, 0, 0.1, 7);
+    const std::vector<Observation> sixth(whole.begin(), whole.begin() + 6);
+    const auto part = turnedBothWays(sixth, other(whole), 1);
+    ASSERT_TRUE(part);
+    EXPECT_FALSE(part->passes);
+    EXPECT_NE(part->findings[0].english().find("no reading from 075° to 000°: over these 285°"), std::string::npos);
+    const auto alike = turnedBothWays(whole, runOf(0, 0, 0.1, 8), 1);
+    ASSERT_TRUE(alike);
+    EXPECT_TRUE(alike->within());
+    EXPECT_FALSE(alike->passes);
+    EXPECT_NE(alike->findings[0].english().find("go clockwise and those of the other clockwise"), std::string::npos);
+    const auto changed = turnedBothWays(other(whole), whole, 1);
+    ASSERT_TRUE(changed);
+    EXPECT_FALSE(changed->passes);
+    EXPECT_NE(changed->findings[0].english().find("expected the clockwise run first"), std::string::npos);
+    // A run may begin anywhere, and a heading be read a little late.
+    auto from = whole;
+    std::rotate(from.begin(), from.begin() + 9, from.end());
+    std::swap(from[3], from[4]);
+    EXPECT_TRUE(turnedBothWays(from, other(whole), 1)->passes);
 }
 
 } // namespace

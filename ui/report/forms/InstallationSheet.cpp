@@ -84,9 +84,11 @@ ReferenceSheet siteCheckSheet(const BothWays& both, const QString& sources)
     sheet.title = Words::tr("Site check");
     sheet.subject = sources;
     sheet.text << Words::tr("A run clockwise held against one counter-clockwise: what differs is no deviation.")
-               << (both.passes ? Words::tr("● The largest difference, %1°, is within %2°.")
-                               : Words::tr("▲ The largest difference, %1°, is MORE THAN %2°."))
+               << (both.within() ? Words::tr("● The largest difference, %1°, is within %2°.")
+                                 : Words::tr("▲ The largest difference, %1°, is MORE THAN %2°."))
                       .arg(figure(both.largest_deg, 2), figure(both.limit_deg, 2));
+    if (both.within() && !both.passes)
+        sheet.text << Words::tr("▲ It does not pass: the runs are not one each way round over all headings.");
     for (const Message& finding : both.findings)
         sheet.text << printable(finding);
     sheet.text << Words::tr("%1° rms are left.").arg(figure(both.residual_deg, 2));
