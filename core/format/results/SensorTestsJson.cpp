@@ -115,10 +115,17 @@ std::string toJson(const InterferenceResult& result, const SensorLog& log)
 
 std::string toJson(const DipoleSource& source)
 {
+    TestKeys two;
+    if (source.two) {
+        two = {{"sources", TestKeys::array()}, {"uniform_nT", threeKeys(source.two->uniform_nT)}, {"rms_nT", source.two->rms_nT}};
+        for (std::size_t i = 0; i < 2; ++i)
+            two["sources"].push_back({{"at_m", threeKeys(source.two->at_m[i])}, {"moment_A_m2", threeKeys(source.two->moment_A_m2[i])}});
+    }
     return written({{"at_m", threeKeys(source.at_m)}, {"at_standard_error_m", threeKeys(source.atError_m)},
         {"moment_A_m2", threeKeys(source.moment_A_m2)}, {"moment_size_A_m2", source.moment_A_m2.norm()},
         {"moment_standard_error_A_m2", source.momentError_A_m2}, {"uniform_nT", threeKeys(source.uniform_nT)}, {"rms_nT", source.rms_nT},
-        {"nearest_m", source.nearest_m}, {"warnings", inEnglish(source.warnings)}});
+        {"nearest_m", source.nearest_m}, {"uniform_standard_error_nT", threeKeys(source.uniformError_nT)}, {"two_sources", two},
+        {"warnings", inEnglish(source.warnings)}});
 }
 
 std::string toJson(const BothWays& both)

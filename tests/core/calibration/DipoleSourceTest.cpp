@@ -55,6 +55,73 @@ TEST(DipoleSource, isFoundWhereItIs)
     EXPECT_NEAR(noisy->moment_A_m2.norm(), truth().moment_A_m2.norm(), 4 * noisy->momentError_A_m2);
 }
 
+/// Two sources were one dipole, sure to 3 cm where it left 283 nT of readings that are true to 5 nT, in a uniform field that was not there.
+TEST(DipoleSource, twoSourcesAreNoOne)
+{
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> even(-3, 3);
+    std::normal_distribution<double> noise(0, 5);
+    DipoleSource one, other;
+    one.at_m = {1.2, -0.7, 0.4};
+    one.moment_A_m2 = {20, -5, 30};
+    other.at_m = -one.at_m;
+    other.moment_A_m2 = 1.5 * one.moment_A_m2;
+    std::vector<StrayReading> readings;
+    while (readings.size() < 40) {
+        const Eigen::Vector3d at(even(random), even(random), even(random));
+        if ((at - one.at_m).norm() > 1 && (at - other.at_m).norm() > 1)
+            readings.push_back(
+                {at, one.fieldAt_nT(at) + other.fieldAt_nT(at) + Eigen::Vector3d(noise(random), noise(random), noise(random))});
+    }
+    const auto found = locateDipole(readings);
+    ASSERT_TRUE(found) << describe(found.error());
+    ASSERT_TRUE(found->two);
+    EXPECT_NEAR(found->two->rms_nT, 5, 1);
+    const bool turned = (found->two->at_m[0] - one.at_m).norm() > 1;
+    EXPECT_LT((found->two->at_m[turned ? 1 : 0] - one.at_m).norm(), 0.02);
+    EXPECT_LT((found->two->at_m[turned ? 0 : 1] - other.at_m).norm(), 0.02);
+    EXPECT_LT(found->two->uniform_nT.norm(), 15);
+    ASSERT_FALSE(found->warnings.empty());
+    EXPECT_THAT(found->warnings[0].english(), testing::HasSubstr("more than one source"));
+    for (int axis = 0; axis < 3; ++axis)
+        EXPECT_LT(std::abs(found->uniform_nT[axis]), 2 * found->uniformError_nT[axis]) << axis;
+    // One source in noise is one, whatever the noise.
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+        std::mt19937_64 draw(seed);
+        std::vector<StrayReading> single;
+        for (const StrayReading& reading : readings)
+            single.push_back({reading.at_m, one.fieldAt_nT(reading.at_m) + 5 * Eigen::Vector3d(noise(draw), noise(draw), noise(draw))});
+        const auto alone = locateDipole(single);
+        ASSERT_TRUE(alone);
+        EXPECT_FALSE(alone->two) << seed;
+        EXPECT_TRUE(alone->warnings.empty()) << together(alone->warnings).english();
+    }
+}
+
+/// Readings on a fine grid near a bar that is no dipole: what is left goes from reading to reading.
+TEST(DipoleSource, whatIsLeftIsNoNoise)
+{
+    std::mt19937_64 random(6);
+    std::normal_distribution<double> noise(0, 2);
+    std::vector<StrayReading> readings;
+    for (int i = 0; i < 6; ++i)
+        for (int k = 0; k < 6; ++k) {
+            const Eigen::Vector3d at(-1 + 0.4 * i, -1 + 0.4 * k, 0.6);
+            Eigen::Vector3d field{noise(random), noise(random), noise(random)};
+            for (int part = -10; part <= 10; ++part) {
+                DipoleSource piece;
+                piece.at_m = {0.08 * part, 0, 0};
+                piece.moment_A_m2 = {0.5, 0, 0.2};
+                field += piece.fieldAt_nT(at);
+            }
+            readings.push_back({at, field});
+        }
+    const auto found = locateDipole(readings);
+    ASSERT_TRUE(found);
+    ASSERT_FALSE(found->warnings.empty());
+    EXPECT_TRUE(found->two || found->warnings[0].english().find("neighbouring readings") != std::string::npos);
+}
+
 TEST(DipoleSource, saysWhatItCannotTell)
 {
     EXPECT_FALSE(locateDipole(readingsAround(truth(), 0, 4)));
