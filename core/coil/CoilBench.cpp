@@ -15,6 +15,7 @@ namespace lubberline {
 namespace {
 
 constexpr std::size_t kLeastEachWay = 3;
+constexpr double kLeastScale = 0.5, kMostScale = 2; ///< of a sensor whose columns say nT
 
 struct BenchRows {
     std::vector<std::size_t> rows;
@@ -115,6 +116,28 @@ void takeAxes(CoilResult& result)
     result.misalignment.roll_rad = std::atan2(turn(1, 2), turn(2, 2));
 }
 
+/// No sensor measures half or twice of what is applied along every axis: then one of both columns is in another unit than it says.
+Message otherUnit(const Eigen::Vector3d& scale)
+{
+    const double least = scale.minCoeff(), most = scale.maxCoeff();
+    if (most >= kLeastScale && least <= kMostScale)
+        return {}; // of one axis only it is the sensor's own
+    struct Unit {
+        double ratio;
+        Pattern words;
+    };
+    static constexpr std::array<Unit, 6> kUnits{
+        {{1e-3, MARKED("core", "the measured columns look like µT")}, {1e-2, MARKED("core", "the measured columns look like mG")},
+            {1e-5, MARKED("core", "the measured columns look like G")}, {1e3, MARKED("core", "the applied columns look like µT")},
+            {1e2, MARKED("core", "the applied columns look like mG")}, {1e5, MARKED("core", "the applied columns look like G")}}};
+    Message looks = MARKED("core", "a column is in another unit, or is not that field");
+    for (const Unit& unit : kUnits)
+        if (least > kLeastScale * unit.ratio && most < kMostScale * unit.ratio)
+            looks = unit.words;
+    return {MARKED("core", "has %1 to %2 nT measured per nT applied; expected %3 to %4: %5"), figureText(least, 5), figureText(most, 5),
+        figureText(kLeastScale, 1), figureText(kMostScale, 0), std::move(looks)};
+}
+
 } // namespace
 
 Result<CoilResult> coilBench(const SensorLog& log)
@@ -176,6 +199,9 @@ Result<CoilResult> coilBench(const SensorLog& log)
         result.noise_nT[axis] = std::sqrt(residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, count - columns - 2)));
     }
     takeAxes(result);
+    if (log.unit != FieldUnit::Counts)
+        if (Message other = otherUnit(result.scale); !other.empty())
+            return Error{ErrorCode::InvalidInput, std::move(other)};
     result.range_nT = largest;
     result.rows = bench->rows;
     if (largest < 60000)

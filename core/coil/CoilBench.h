@@ -34,7 +34,7 @@ struct CoilResult {
 };
 
 /// Columns ax_nT, ay_nT, az_nT (applied) beside the measured field; temperature_c where there is one.
-/// Errors: InvalidInput (columns, counts), Numeric (the applied field does not go through all three axes).
+/// Errors: InvalidInput (columns, counts, a measured or applied field in another unit than it says), Numeric (the applied field does not go through all three axes).
 Result<CoilResult> coilBench(const SensorLog& log);
 
 } // namespace lubberline

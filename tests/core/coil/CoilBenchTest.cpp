@@ -91,6 +91,31 @@ TEST(CoilBench, aTurnedMountIsTold)
     EXPECT_NEAR(result->nonOrthogonality_deg.norm(), 0, 0.005);
 }
 
+/// µT in a column that says nT gave a record of a sensor with a scale of 0.001 and a noise of 15 pT.
+TEST(CoilBench, aColumnInAnotherUnitIsRefused)
+{
+    const auto refusal = [](double measured, double applied) {
+        SensorLog log = coilLog(leaning(), {50, 0, 0}, 0, 0, 0, 1);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (double& value : log.field[axis])
+                value *= measured;
+            for (double& value : log.others[axis].values)
+                value *= applied;
+        }
+        const auto result = coilBench(log);
+        return result ? std::string("it was taken") : describe(result.error());
+    };
+    EXPECT_EQ(refusal(1, 1), "it was taken");
+    EXPECT_THAT(refusal(1e-3, 1), HasSubstr("the measured columns look like \u00B5T"));
+    EXPECT_THAT(refusal(1e-3, 1), HasSubstr("has 0.00097 to 0.00102 nT measured per nT applied; expected 0.5 to 2"));
+    EXPECT_THAT(refusal(1e-2, 1), HasSubstr("the measured columns look like mG"));
+    EXPECT_THAT(refusal(1, 1e-3), HasSubstr("the applied columns look like \u00B5T"));
+    EXPECT_THAT(refusal(0.07, 1), HasSubstr("a column is in another unit"));
+    SensorLog counts = coilLog(3 * leaning(), {50, 0, 0}, 0, 0, 0, 1);
+    counts.unit = FieldUnit::Counts;
+    EXPECT_TRUE(coilBench(counts)) << "counts are worth what the bench says";
+}
+
 TEST(CoilBench, whatIsRefused)
 {
     SensorLog log = coilLog(leaning(), {0, 0, 0}, 0, 0, 0, 1);
