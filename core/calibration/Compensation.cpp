@@ -21,6 +21,7 @@ namespace lubberline {
 namespace {
 
 constexpr double kHelmetRate_hz = 240, kHelmetLatency_ms = 3.5, kHelmetHeading_deg = 0.2;
+constexpr double kLevelSwing = 0.1; ///< of the field: 6° of tilt where it points down
 
 HeadingErrors errorsOf(const std::vector<double>& read_deg, const std::vector<double>& magnetic_deg)
 {
@@ -169,6 +170,39 @@ Message changeDuring(const SensorLog& log, const CompensatedLog& result, const s
     return wordsOf(*change, log, field);
 }
 
+/// Half of how far the field along z goes, of nine tenths of the samples, as a part of the field: of a level sensor it stays where it is.
+double swingOfDown(const std::array<std::vector<double>, 3>& field, double size)
+{
+    std::vector<double> down;
+    for (const double z : field[2])
+        if (std::isfinite(z))
+            down.push_back(z);
+    if (down.empty() || !(size > 0))
+        return 0;
+    const auto part = [&](double share) {
+        const auto at = down.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(down.size() - 1));
+        std::nth_element(down.begin(), at, down.end());
+        return *at;
+    };
+    const double high = part(0.95);
+    return (high - part(0.05)) / (2 * size);
+}
+
+/// What a log without pitch and roll is taken for. @return whether it was tilted all the same
+bool tellLevelTaken(CompensatedLog& result, const std::vector<double>& sizes)
+{
+    const double swing = swingOfDown(result.field, meanOf(sizes));
+    if (swing <= kLevelSwing) {
+        result.warnings.push_back({MARKED("core", "without pitch and roll the headings are those of a level compass")});
+        return false;
+    }
+    result.warnings.push_back(
+        {MARKED("core",
+             "without pitch and roll the headings are those of a level compass, and this one was tilted: the field along z goes up and down by %1 % of the field; expected %2 % or less. Headings of it mean nothing, and there is no deviation map"),
+            figureText(100 * swing, 0), figureText(100 * kLevelSwing, 0)});
+    return true;
+}
+
 /// Cells that hold samples, by pitch and then heading. @param referenced whether the heading column is a reference
 std::vector<ErrorCell> errorMap(
     const SensorLog& log, const std::vector<double>& before_deg, const std::vector<double>& after_deg, bool referenced)
@@ -260,10 +294,9 @@ Result<CompensatedLog> compensate(const SensorLog& log, const SensorModel& model
         } else {
             result.warnings.push_back(own);
         }
-        if (log.pitch_deg.empty() || log.roll_deg.empty())
-            result.warnings.push_back({MARKED("core", "without pitch and roll the headings are those of a level compass")});
     }
-    result.map = errorMap(log, result.before_deg, result.after_deg, result.after.has_value());
+    if (const bool level = log.pitch_deg.empty() || log.roll_deg.empty(); !level || !tellLevelTaken(result, sizesAfter))
+        result.map = errorMap(log, result.before_deg, result.after_deg, result.after.has_value());
     if (options.uncertainty && options.field && options.field->down_nT != 0)
         addSigma(result.map, model, *options.uncertainty, *options.field);
     std::optional<double> latency;

@@ -104,6 +104,9 @@ TEST(CompensateCommand, hasEveryKeyOfTheContract)
     EXPECT_NEAR(json.at("rate_hz"), 240, 0.1);
     EXPECT_NEAR(json.at("heading_error").at("before").at("max_deg"), 5.74, 0.1);
     EXPECT_LT(json.at("heading_error").at("after").at("max_deg"), 0.1);
+    EXPECT_EQ(json.at("heading_error").at("sign"), "read - magnetic");
+    EXPECT_EQ(json.at("deviation_map_sign"), "magnetic - read");
+    EXPECT_EQ(json.at("attitude"), "of the log");
     for (const char* key : {"mean_deg", "rms_deg", "p95_deg"})
         EXPECT_TRUE(json.at("heading_error").at("after").contains(key)) << key;
     EXPECT_GT(json.at("field_spread_nT").at("before"), 500);

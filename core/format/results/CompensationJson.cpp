@@ -25,10 +25,12 @@ std::string toJson(const CompensatedLog& compensated, const SensorLog& log)
 {
     const auto orNull = [](const auto& value) { return value ? CompensationKeys(*value) : CompensationKeys(); };
     CompensationKeys json{{"samples", log.size()}, {"rate_hz", orNull(compensated.rate_hz)}};
-    json["heading_error"] = compensated.before && compensated.after
-        ? CompensationKeys{{"before", errorKeys(*compensated.before)}, {"after", errorKeys(*compensated.after)}}
-        : CompensationKeys();
+    json["heading_error"] = compensated.before && compensated.after ? CompensationKeys{{"sign", "read - magnetic"},
+                                {"before", errorKeys(*compensated.before)}, {"after", errorKeys(*compensated.after)}}
+                                                                    : CompensationKeys();
     json["field_spread_nT"] = {{"before", compensated.spreadBefore}, {"after", compensated.spreadAfter}};
+    json["attitude"] = log.pitch_deg.empty() || log.roll_deg.empty() ? "taken for level" : "of the log";
+    json["deviation_map_sign"] = "magnetic - read";
     json["deviation_map"] = CompensationKeys::array();
     for (const ErrorCell& cell : compensated.map)
         json["deviation_map"].push_back({{"heading_deg", cell.heading_deg}, {"pitch_deg", cell.pitch_deg}, {"samples", cell.samples},

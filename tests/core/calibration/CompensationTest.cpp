@@ -44,6 +44,27 @@ TEST(Compensation, beforeAndAfter)
         EXPECT_EQ(demand.met(), true) << demand.name.english();
 }
 
+/// A log without attitude is taken for level, and says so; one that tumbled has no deviation map of "pitch 0".
+TEST(Compensation, withoutAttitudeLevelIsTakenAndSaid)
+{
+    const auto without = [](double tilt_deg) {
+        SensorLog log = makeLog({.model = forwardIron(), .tilt_deg = tilt_deg});
+        log.heading_deg.clear();
+        log.pitch_deg.clear();
+        log.roll_deg.clear();
+        auto result = compensate(log, forwardIron(), {});
+        EXPECT_TRUE(result) << describe(result.error());
+        return std::pair(together(result->warnings).english(), result->map.size());
+    };
+    const auto [level, cells] = without(0);
+    EXPECT_THAT(level, HasSubstr("headings are those of a level compass"));
+    EXPECT_THAT(level, testing::Not(HasSubstr("tilted")));
+    EXPECT_EQ(cells, 24u);
+    const auto [tumbled, none] = without(180);
+    EXPECT_THAT(tumbled, HasSubstr("this one was tilted"));
+    EXPECT_EQ(none, 0u);
+}
+
 /// Of P = 2000 nT on H = 20 000 nT the deviation at 090 is atan 0.1 before, and nothing after; a calibration that knows P to 100 nT tells a
 /// heading there to atan(1/200), in the field that the compass sees.
 TEST(Compensation, theMapOfTheLog)
