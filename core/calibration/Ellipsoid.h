@@ -48,6 +48,12 @@ struct LeftOutIron {
     [[nodiscard]] double partOf(double field) const;    ///< the most that a component of the field is off by it
 };
 
+/// What a fit leaves over that goes with the direction of the field; nothing where chance explains it.
+struct WithDirection {
+    double rms = 0;   ///< of it
+    double ratio = 1; ///< F, of means in cells of directions against the scatter inside
+};
+
 struct EllipsoidFit {
     EllipsoidShape shape = EllipsoidShape::General;
     Eigen::Matrix3d softIron = Eigen::Matrix3d::Zero();
@@ -59,6 +65,7 @@ struct EllipsoidFit {
     double condition = 0;
     double slow = 1; ///< variance of a mean over that of independent samples: residuals that follow each other
     int rank = 0;
+    WithDirection structured;
     std::optional<LeftOutIron> leftOut; ///< the errors of the parameters hold it
     std::vector<FittedParameter> parameters;
     ModelUncertainty uncertainty; ///< of the model that is made of it; of a log in counts R, P and Q are in counts

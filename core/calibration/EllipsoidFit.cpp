@@ -1,5 +1,6 @@
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
 
 #include "core/algebra/Products.h"
 #include "core/algebra/Spectra.h"
@@ -103,6 +104,52 @@ Eigen::Matrix<double, 10, 1> alongReported(const ChangeInTime& change, const Ell
     else
         along(9) = fit.field * change.gain;
     return along * change.worse();
+}
+
+constexpr int kCellsOfAnEdge = 4; ///< of a face of the cube that directions are sorted on: 96 cells
+constexpr double kFewestOfACell = 5, kFewestCells = 20;
+constexpr double kChanceOfDirection = 1e-4;
+
+std::size_t cellOf(const Eigen::Vector3d& direction)
+{
+    Eigen::Index face = 0;
+    const double most = std::max(direction.cwiseAbs().maxCoeff(&face), 1e-300);
+    const auto place = [&](Eigen::Index axis) {
+        const double along = direction[axis] / most; // −1 … 1
+        return std::clamp(static_cast<int>(kCellsOfAnEdge * (along + 1) / 2), 0, kCellsOfAnEdge - 1);
+    };
+    const int side = 2 * static_cast<int>(face) + (direction[face] < 0 ? 1 : 0);
+    return static_cast<std::size_t>((side * kCellsOfAnEdge + place((face + 1) % 3)) * kCellsOfAnEdge + place((face + 2) % 3));
+}
+
+/// What of the residuals goes with the direction of the field: their means in cells of directions against their scatter inside (F test).
+WithDirection withDirection(const std::vector<Eigen::Vector3d>& directions, const std::vector<double>& residuals, std::size_t free)
+{
+    struct Cell {
+        double count = 0, sum = 0, squares = 0;
+    };
+    std::array<Cell, 6 * kCellsOfAnEdge * kCellsOfAnEdge> cells{};
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        Cell& cell = cells[cellOf(directions[i])];
+        cell.count += 1;
+        cell.sum += residuals[i];
+        cell.squares += residuals[i] * residuals[i];
+    }
+    double between = 0, within = 0, count = 0, seen = 0;
+    for (const Cell& cell : cells)
+        if (cell.count >= kFewestOfACell) {
+            between += cell.sum * cell.sum / cell.count;
+            within += cell.squares - cell.sum * cell.sum / cell.count;
+            count += cell.count;
+            seen += 1;
+        }
+    const double asked = seen - static_cast<double>(free), rest = count - seen;
+    if (seen < kFewestCells || asked < 1 || !(within > 0))
+        return {};
+    const double ratio = between / asked / (within / rest);
+    if (ratio <= quantile(complement(boost::math::fisher_f(asked, rest), kChanceOfDirection)))
+        return {};
+    return {std::sqrt(std::max(0.0, between - asked * within / rest) / count), ratio};
 }
 
 } // namespace
@@ -214,6 +261,8 @@ EllipsoidFit fitOf(
     const Eigen::MatrixXd inverse = composed(scale.asDiagonal().inverse() * parts.vectors, parts.values.cwiseMax(smallest).cwiseInverse());
     const bool whole = rows.size() == static_cast<std::size_t>(count);
     fit.slow = whole ? slowResidualFactor(residuals) : 1.0;
+    fit.structured = withDirection(directions, residuals, freeOf(shape));
+    fit.slow = std::max(fit.slow, fit.structured.ratio); // what neighbours in direction share is no independent witness either
     const auto by = reportedBy(w, fit.field, field.has_value());
     Eigen::Matrix<double, 10, 10> covariance = fit.sigma * fit.sigma * fit.slow * (some / count) * carried(by, carried(free, inverse));
     if (auto change = changeInTime(blocks, free, {ironAndGain(w)}, fit.sigma * fit.sigma)) {

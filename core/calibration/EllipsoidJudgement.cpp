@@ -207,6 +207,13 @@ void judge(EllipsoidResult& result, const SensorLog& log, std::optional<double> 
         if (iron.hardIron.cwiseAbs().maxCoeff() > kLeftOutSpoils * fit.field)
             result.verdict = CalibrationVerdict::NotDetermined;
         result.nextSteps.push_back({MARKED("core", "fit all 10 parameters (ellipsoid)")});
+    } else if (fit.structured.rms > kLeftOutMatters * fit.field) {
+        doubt(
+            {MARKED("core",
+                 "what the fit leaves over goes with the direction of the field: %1 %4 (rms) of it, %2 times as much as the scatter in one direction explains; expected %3 %4 or less: a sensor that is not linear, or a field that was not the same everywhere"),
+                figure(fit.structured.rms), figureText(fit.structured.ratio, 0), figure(kLeftOutMatters * fit.field),
+                std::string(log.figureUnit())});
+        result.nextSteps.push_back({MARKED("core", "log again away from iron, cars and cables")});
     } else if (fit.rms > kResidualLimit * fit.field) {
         doubt(
             {MARKED("core",

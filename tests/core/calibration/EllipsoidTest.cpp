@@ -149,6 +149,25 @@ TEST(Ellipsoid, aSensorOfTheShapeIsNotDoubted)
         HasSubstr("is taken for granted"));
 }
 
+/// A sensor that is not linear leaves what goes with the direction of the field; noise leaves nothing that does.
+TEST(Ellipsoid, whatGoesWithTheDirectionIsNoNoise)
+{
+    SensorLog log = makeLog({.model = exampleModel(), .samples = 3000});
+    for (auto& axis : log.field)
+        for (double& value : axis)
+            value -= 1500 * std::pow(value / 40000, 3) * std::abs(value / 40000);
+    const auto bent = fitEllipsoid(log, EllipsoidShape::General, 40000.0);
+    ASSERT_TRUE(bent.fit);
+    EXPECT_EQ(bent.verdict, CalibrationVerdict::Doubtful);
+    EXPECT_THAT(said(bent.reasons), HasSubstr("goes with the direction of the field"));
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const auto plain
+            = fitEllipsoid(makeLog({.model = exampleModel(), .samples = 3000, .seed = seed}), EllipsoidShape::General, 40000.0);
+        EXPECT_EQ(plain.fit->structured.rms, 0) << seed;
+        EXPECT_EQ(plain.verdict, CalibrationVerdict::Good) << said(plain.reasons);
+    }
+}
+
 /// Soft iron that nothing would ever show on a heading is in the errors, and no reason to doubt.
 TEST(Ellipsoid, aTraceOfSoftIronIsNoDoubt)
 {
