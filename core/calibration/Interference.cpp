@@ -15,15 +15,38 @@ namespace {
 
 constexpr std::size_t kLeastSamples = 3;
 
-/// Rows of [from, to) with a field.
-std::vector<std::size_t> rowsBetween(const SensorLog& log, double from_s, double to_s)
+/// Rows of [from, to) with a field, and none that leaves its neighbours alone.
+std::vector<std::size_t> rowsBetween(const SensorLog& log, const LogQuality& quality, double from_s, double to_s)
 {
     std::vector<std::size_t> rows;
     const auto begin = std::lower_bound(log.time_s.begin(), log.time_s.end(), from_s);
     for (auto at = begin; at != log.time_s.end() && *at < to_s; ++at)
-        if (const auto row = static_cast<std::size_t>(at - log.time_s.begin()); log.hasField(row))
+        if (const auto row = static_cast<std::size_t>(at - log.time_s.begin());
+            log.hasField(row) && quality.faults[row] != SampleFault::Spike)
             rows.push_back(row);
     return rows;
+}
+
+/// What is no change that an action made, as it is there for one sample: told with the largest of it, for it may be a switch's own.
+Message spikesInWords(const SensorLog& log, const LogQuality& quality)
+{
+    const auto count = static_cast<std::int64_t>(quality.of(SampleFault::Spike));
+    double most = 0, when_s = 0;
+    std::size_t axis = 0;
+    for (std::size_t row = 1; row + 1 < log.size(); ++row)
+        if (quality.faults[row] == SampleFault::Spike && log.hasField(row - 1))
+            for (std::size_t k = 0; k < 3; ++k)
+                if (const double away = log.field[k][row] - log.field[k][row - 1]; std::abs(away) > std::abs(most)) {
+                    most = away;
+                    when_s = log.time_s[row];
+                    axis = k;
+                }
+    if (count == 0)
+        return {};
+    return {
+        MARKED_N("core",
+            "%n spike(s) left out, the largest of %1 nT along %2 at %3 s: there for a sample alone; where one comes again as often as a thing is switched, it is that thing's"),
+        count, signedFigureText(most, 0), "xyz"[axis], figureText(when_s, 2)};
 }
 
 double middleAlong(const SensorLog& log, std::size_t axis, const std::vector<std::size_t>& rows, double from = 0, bool size = false)
@@ -84,11 +107,12 @@ Result<InterferenceResult> interferenceTest(const SensorLog& log, const std::vec
     InterferenceResult result;
     result.limits_nT = limits_nT;
     result.passes = true;
+    const LogQuality quality = qualityOf(log);
     double before_s = log.time_s.front();
     for (std::size_t i = 0; i < actions.size(); ++i) {
         const double from = actions[i].time_s,
                      to = i + 1 < actions.size() ? actions[i + 1].time_s : std::nextafter(log.time_s.back(), 1e300);
-        const auto before = rowsBetween(log, before_s, from), after = rowsBetween(log, from, to);
+        const auto before = rowsBetween(log, quality, before_s, from), after = rowsBetween(log, quality, from, to);
         if (before.size() < kLeastSamples || after.size() < kLeastSamples)
             return Error{ErrorCode::InvalidInput,
                 {MARKED("core",
@@ -123,7 +147,8 @@ Result<InterferenceResult> interferenceTest(const SensorLog& log, const std::vec
             result.warnings.push_back(
                 {MARKED("core", "the noise of axis %1 is %2 nT: with a limit of %3 nT the test may fail by noise alone"), "xyz"[k],
                     figureText(result.noise_nT[k], 0), figureText(limits_nT[k], 0)});
-    const LogQuality quality = qualityOf(log);
+    if (Message spikes = spikesInWords(log, quality); !spikes.empty())
+        result.warnings.push_back(std::move(spikes));
     if (!quality.gaps.empty())
         result.warnings.push_back(quality.remarks.front());
     fitCircuits(result, log);

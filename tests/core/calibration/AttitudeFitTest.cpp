@@ -312,5 +312,60 @@ TEST(AttitudeFit, aReferenceFromTheCompassItselfIsRefused)
         }
 }
 
+/// Its own heading late by half a second, over a second in the mean, or noisy by a degree, in a steady turn: P was 1400 nT wrong, and only
+/// "doubtful". A reference with the same faults is taken.
+TEST(AttitudeFit, itsOwnHeadingLateOrNoisyIsRefusedAndAReferenceIsNot)
+{
+    const MeridianField field = MeridianField::fromDip(20133, toRadians(66));
+    const SensorResponse response = responseOf(unsymmetric());
+    std::mt19937_64 random(4);
+    std::normal_distribution<double> normal;
+    SensorLog log;
+    std::vector<double> own, reference;
+    for (int i = 0; i < 6000; ++i) {
+        const double t = 0.05 * i;
+        const Attitude attitude{
+            MagneticHeading::fromDegrees(6 * t), 0.35 * std::sin(2 * kPi * t / 37), 0.35 * std::sin(2 * kPi * t / 23 + 1)};
+        Eigen::Vector3d m = response.gain * fieldInBody(field, attitude) + response.offset_nT;
+        for (int axis = 0; axis < 3; ++axis)
+            log.field[static_cast<std::size_t>(axis)].push_back(m[axis] += 100 * normal(random));
+        log.time_s.push_back(t);
+        log.pitch_deg.push_back(toDegrees(attitude.pitch_rad));
+        log.roll_deg.push_back(toDegrees(attitude.roll_rad));
+        reference.push_back(attitude.heading.degrees());
+        own.push_back(headingOf_deg(m, log.pitch_deg.back(), log.roll_deg.back()));
+    }
+    const auto late = [](const std::vector<double>& headings, std::size_t rows, std::size_t mean) {
+        std::vector<double> result;
+        for (std::size_t row = 0; row < headings.size(); ++row) {
+            double sine = 0, cosine = 0;
+            for (std::size_t k = 0; k < mean; ++k) {
+                const double one = toRadians(headings[row >= rows + k ? row - rows - k : 0]);
+                sine += std::sin(one);
+                cosine += std::cos(one);
+            }
+            result.push_back(wrap360(toDegrees(std::atan2(sine, cosine))));
+        }
+        return result;
+    };
+    const auto noisy = [&](std::vector<double> headings) {
+        for (double& heading : headings)
+            heading = wrap360(heading + normal(random));
+        return headings;
+    };
+    const auto taken = [&](const std::vector<double>& headings) {
+        log.heading_deg = headings;
+        const auto result = fitAttitude(log, {field});
+        return result ? std::string("taken") : describe(result.error());
+    };
+    EXPECT_THAT(taken(late(own, 10, 1)), HasSubstr("smoothed or delayed"));
+    EXPECT_THAT(taken(late(own, 0, 20)), HasSubstr("smoothed or delayed"));
+    EXPECT_THAT(taken(noisy(own)), HasSubstr("smoothed or delayed"));
+    EXPECT_EQ(taken(reference), "taken");
+    EXPECT_EQ(taken(late(reference, 10, 1)), "taken");
+    EXPECT_EQ(taken(late(reference, 0, 20)), "taken");
+    EXPECT_EQ(taken(noisy(reference)), "taken");
+}
+
 } // namespace
 } // namespace lubberline::test

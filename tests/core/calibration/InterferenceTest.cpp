@@ -47,6 +47,19 @@ TEST(Interference, worstChangePerAxisWithItsTime)
     EXPECT_NEAR(result->noise_nT.y(), 3, 0.8);
 }
 
+/// One sample of 9000 nT, ten seconds after the action, is a fault of the log and is named; it made the light fail.
+TEST(Interference, aSpikeIsNoChange)
+{
+    SensorLog log = stillLog();
+    log.field[0][300] += 9000;
+    const auto result = interferenceTest(log, {{20, "light on"}});
+    ASSERT_TRUE(result) << describe(result.error());
+    EXPECT_LT(result->actions[0].worst_nT.x(), 140);
+    EXPECT_THAT(together(result->warnings).english(), HasSubstr("1 spike left out, the largest of +9"));
+    EXPECT_THAT(together(result->warnings).english(), HasSubstr("along x at 30.00 s"));
+    EXPECT_TRUE(interferenceTest(stillLog(), {{20, "light on"}})->warnings.empty());
+}
+
 TEST(Interference, fieldPerAmpereOfEachCircuit)
 {
     const auto result = interferenceTest(stillLog(), {{20, "light on"}, {40, "pump on"}});
