@@ -105,7 +105,8 @@ std::optional<DelayedOwn> delayedOwn(
     if (rows < static_cast<double>(kFewestForDelays))
         return {};
     const double size = sizes / rows, mean = right[0] / rows, variance = std::max(0.0, squares / rows - mean * mean);
-    const double explained = std::clamp(leastNorm(normal, right).dot(right) / rows - mean * mean, 0.0, variance);
+    const Row solved = leastNorm(normal, right);
+    const double explained = std::clamp(solved.dot(right) / rows - mean * mean, 0.0, variance);
     DelayedOwn result;
     result.rms_deg = std::sqrt(variance);
     result.goesWith_deg = std::sqrt(explained);

@@ -94,10 +94,12 @@ std::vector<Peak> peaksOf(const WelchSpectrum& spectrum, double leastAmplitude)
         const boost::math::chi_squared chance(degrees);
         return quantile(complement(chance, kFalseAlarm / bins)) / quantile(chance, 0.5);
     };
-    // At half the sampling rate the spectrum goes on as it came; the bin itself is real and stands for itself alone.
+    // At half the sampling rate the spectrum goes on as it came. The bin itself is real: of noise it holds half of what others do, of a line
+    // beside it as much, as the line's mirror image stands there too.
     const int last = bins - 1;
     const double factorInside = factorOf(freedom), factorLast = factorOf(std::max(1.0, freedom / 2));
-    const auto at = [&](int i) { return (i == last ? 2.0 : 1.0) * density[static_cast<std::size_t>(i > last ? 2 * last - i : i)]; };
+    const auto at = [&](int i) { return density[static_cast<std::size_t>(i > last ? 2 * last - i : i)]; };
+    const auto ofNoise = [&](int i) { return i == last ? 0.5 : 1.0; };
     std::vector<Peak> peaks;
     for (int k = kNear; k <= last; ++k) {
         const double factor = k == last ? factorLast : factorInside;
@@ -110,18 +112,19 @@ std::vector<Peak> peaksOf(const WelchSpectrum& spectrum, double leastAmplitude)
         if (beside.size() < 5)
             continue;
         const double floor = middleOf(std::move(beside));
-        if (at(k) <= factor * floor)
+        if (at(k) <= factor * floor * ofNoise(k))
             continue;
         double power = 0;
         for (int i = std::max(1, k - kNear); i <= std::min(bins - 1, k + kNear); ++i)
-            power += std::max(0.0, at(i) - floor) * (i == last ? 0.5 : 1.0) * spectrum.step_hz;
+            power += std::max(0.0, at(i) - floor * ofNoise(i)) * spectrum.step_hz;
         const double amplitude = std::sqrt(k == last ? power : 2 * power);
         if (amplitude <= leastAmplitude)
             continue;
         const double left = std::log(std::max(at(k - 1), 1e-300)), middle = std::log(at(k)), right = std::log(std::max(at(k + 1), 1e-300));
         const double bend = left - 2 * middle + right;
         const double shift = bend < 0 ? std::clamp(0.5 * (left - right) / bend, -0.5, 0.5) : 0.0;
-        peaks.push_back({(k + shift) * spectrum.step_hz, amplitude, frequencyError_hz(at(k) / floor, spectrum.segments, spectrum.step_hz)});
+        peaks.push_back({(k + shift) * spectrum.step_hz, amplitude,
+            frequencyError_hz(at(k) / (floor * ofNoise(k)), spectrum.segments, spectrum.step_hz)});
     }
     std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.amplitude > b.amplitude; });
     // The skirts of a strong line are no lines of their own.
