@@ -20,7 +20,8 @@ struct FlightSums {
     double squares = 0;                     ///< Σ w e² [deg²]
     // Airspeed reported less the airspeed in the reference wind [kt].
     double airspeedOffset = 0, airspeedSquares = 0, airspeed = 0;
-    double declination = 0; ///< Σ [deg]
+    double windOnReference = 0, referenceSquares = 0; ///< Σ W W_ref, Σ W_ref² ahead [kt²]: their ratio shows the unit of the winds
+    double declination = 0;                           ///< Σ [deg]
     std::int64_t declined = 0;
     std::int64_t withoutTold = 0; ///< reports whose declination is not known
 

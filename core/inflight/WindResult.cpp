@@ -3,6 +3,7 @@
 
 #include "core/angle/Angle.h"
 #include "core/base/Alongside.h"
+#include "core/base/Number.h"
 #include "core/fleet/Proportion.h"
 #include "core/inflight/WindStudy.h"
 #include "core/inflight/WindStudyParts.h"
@@ -92,6 +93,50 @@ void takeOffATurn(AircraftWinds& result)
 }
 
 std::string flightName(const std::string& name, std::size_t place) { return name.empty() ? "#" + std::to_string(place + 1) : name; }
+
+/// Of flights, one after the other: what their winds are on the reference's.
+struct WindGain {
+    double on = 0, squares = 0;
+    std::int64_t count = 0, flights = 0;
+    void add(const FlightSums& flight)
+    {
+        on += flight.windOnReference;
+        squares += flight.referenceSquares;
+        count += flight.count;
+        ++flights;
+    }
+    [[nodiscard]] double value() const { return on / squares; } ///< 1 where both have one unit
+    [[nodiscard]] bool told() const
+    {
+        constexpr double kReference_kt = 7;                 // ahead
+        constexpr std::int64_t kReports = 60, kFlights = 3; // the reference's own error is one for a flight
+        return count >= kReports && flights >= kFlights && on > 0 && squares >= kReference_kt * kReference_kt * static_cast<double>(count);
+    }
+};
+
+struct UnitChange {
+    std::size_t after = 0; ///< the last flight before it
+    double factor = 1;
+};
+
+/// Knots against metres a second: where the winds' size on the reference's changes most, and by that factor.
+std::optional<UnitChange> unitChange(std::span<const FlightSums* const> flights)
+{
+    constexpr double kKnotsInMetres = 1.9438445, kWithin = 0.15;
+    WindGain all, before;
+    for (const FlightSums* flight : flights)
+        all.add(*flight);
+    UnitChange most;
+    for (std::size_t after = 0; after + 1 < flights.size(); ++after) {
+        before.add(*flights[after]);
+        const WindGain since{all.on - before.on, all.squares - before.squares, all.count - before.count, all.flights - before.flights};
+        if (!before.told() || !since.told())
+            continue;
+        if (const double factor = since.value() / before.value(); std::abs(std::log(factor)) > std::abs(std::log(most.factor)))
+            most = {after, factor};
+    }
+    return std::abs(std::abs(std::log(most.factor)) - std::log(kKnotsInMetres)) < kWithin ? std::optional(most) : std::nullopt;
+}
 
 } // namespace
 
@@ -209,6 +254,14 @@ AircraftWinds WindStudy::resultOf(const Aircraft& aircraft, const SharedError& s
         result.warnings.push_back(
             {MARKED("core", "%1; nothing is fitted until it is said which (winds from or towards, kt or m/s, or as the file says)"),
                 fault});
+        return result;
+    }
+    if (const auto change = unitChange(flights); change && !m_options.believed) {
+        result.warnings.push_back(
+            {MARKED("core",
+                 "the winds change by a factor of %1 between the flights %2 and %3, as knots and metres a second would; nothing is fitted until the file has one unit, or it is said that it has"),
+                figureText(change->factor, 2), flightName(order[change->after]->name, change->after),
+                flightName(order[change->after + 1]->name, change->after + 1)});
         return result;
     }
     if (shared.sine_deg > 0)

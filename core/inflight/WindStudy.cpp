@@ -214,6 +214,14 @@ void WindStudy::sumUp(Aircraft& aircraft, Flight& flight, const WindReport& repo
     const double error_deg = aircraft.sideOf(turnBetween_deg(use.airReference, use.air)); // from the reference to the reading
     double sine = use.air.x() / airspeed, cosine = use.air.y() / airspeed;
     const Eigen::Vector2d right(cosine, -sine);
+    // Ahead only: a deviation turns the air velocity, and is in what is across.
+    const Eigen::Vector2d ahead = use.air / airspeed;
+    const double wind = use.wind.dot(ahead), reference = use.reference.dot(ahead);
+    constexpr double kWild = 4.0, kWild_kt = 10.0; // no unit makes so much of it
+    if (std::abs(wind) < kWild * std::abs(reference) + kWild_kt) {
+        flight.sums.windOnReference += wind * reference;
+        flight.sums.referenceSquares += reference * reference;
+    }
     FlightSums::Report one;
     const auto declination_deg = known(report.latitude_deg) && known(report.longitude_deg) && known(report.time_s)
         ? m_declination.at(report.latitude_deg, report.longitude_deg, yearAt(report.time_s))

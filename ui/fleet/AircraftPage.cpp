@@ -87,6 +87,7 @@ AircraftPage::AircraftPage(EditContext& context, QUndoStack& stack, QWidget* par
 QWidget* AircraftPage::buildSwings()
 {
     m_swingTable->setObjectName(QStringLiteral("swingTable"));
+    wrapHeadings(*m_swingTable); // sets a header of its own: before its sections are moved
     m_swingTable->setAccessibleName(tr("Swings"));
     m_swingTable->setHorizontalHeaderLabels({tr("Date"), tr("Kind"), tr("Stage"), tr("State"), tr("N"), tr("Largest (°)"), "A (°)", "B (°)",
         "C (°)", "D (°)", "E (°)", tr("Verdict")});

@@ -48,7 +48,17 @@ QTableWidget* readOnlyTable(const char* name, const QStringList& heads)
     table->horizontalHeader()->setStretchLastSection(true);
     table->setTabKeyNavigation(false);
     // Words that go on beneath make a row higher: the table is as high as its rows are then.
-    QObject::connect(table->verticalHeader(), &QHeaderView::sectionResized, table, [table] { fit(*table); });
+    // Later: rows are fitted while the panel is laid out, which then knows nothing of it.
+    QObject::connect(
+        table->verticalHeader(), &QHeaderView::sectionResized, table,
+        [table] {
+            fit(*table);
+            if (QWidget* panel = table->parentWidget(); panel && panel->layout()) {
+                panel->layout()->invalidate();
+                panel->layout()->activate();
+            }
+        },
+        Qt::QueuedConnection);
     return table;
 }
 

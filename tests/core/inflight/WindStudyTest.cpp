@@ -240,6 +240,23 @@ TEST(WindStudy, filtersSayWhatTheyLeaveOut)
     EXPECT_EQ(result.aircraft[0].used, 160);
 }
 
+/// Half of the flights in knots, the other half in metres a second: no change of the deviation, and nothing to fit.
+TEST(WindStudy, aUnitThatChangesIsAskedAndNotFitted)
+{
+    for (const double factor : {0.514444, 1.9438445}) {
+        int row = 0;
+        const auto result = studyOf({SimulatedAircraft{}}, 41, {}, [&](WindReport& report) {
+            if (row++ >= 200) // after ten flights of twenty reports
+                report.wind_kt *= factor;
+        });
+        const auto& one = result.aircraft[0];
+        EXPECT_FALSE(one.fitted) << factor;
+        EXPECT_TRUE(one.changes.empty());
+        EXPECT_TRUE(says(one.warnings, "as knots and metres a second would")) << factor;
+    }
+    EXPECT_TRUE(studyOf({SimulatedAircraft{}}, 41, {}, [](WindReport&) {}).aircraft[0].fitted);
+}
+
 TEST(WindStudy, aConstantErrorOfTheReferenceIsNotToldFromTheFleet)
 {
     const auto fleet = someAircraft(9, 43);
