@@ -8,6 +8,7 @@
 #include "core/algebra/Solve.h"
 #include "core/algebra/Spectra.h"
 #include "core/angle/Angle.h"
+#include "core/base/Alongside.h"
 #include "core/base/Middle.h"
 #include "core/base/Number.h"
 #include "core/base/VectorClones.h"
@@ -141,24 +142,29 @@ std::vector<std::uint8_t> within(const SensorLog& log, const Quadric& quadric, c
         = [limit](double slope) { return std::pair(std::pow(std::max(0.0, 1.0 - limit * slope), 2), std::pow(1.0 + limit * slope, 2)); };
     const auto [surelyFrom, surelyTo] = ends(stretch.minCoeff() * (1 - 1e-12));
     const auto [maybeFrom, maybeTo] = ends(stretch.maxCoeff() * (1 + 1e-12));
-    constexpr std::size_t kRows = 512;
-    std::array<double, kRows> squares{};
-    for (std::size_t from = 0; from < offered.size(); from += kRows) {
-        const std::size_t count = std::min(kRows, offered.size() - from);
-        const auto sure = squaredSizes(
-            &log.field[0][from], &log.field[1][from], &log.field[2][from], count, v.data(), c.data(), surelyFrom, surelyTo, squares.data());
-        if (static_cast<std::size_t>(sure) == count) {
-            std::copy_n(offered.begin() + static_cast<std::ptrdiff_t>(from), count, used.begin() + static_cast<std::ptrdiff_t>(from));
-            continue;
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            const double square = squares[i];
-            bool in = square >= surelyFrom && square <= surelyTo;
-            if (!in && square >= maybeFrom && square <= maybeTo)
-                in = std::abs(square - std::sqrt(square)) <= limit * (v * (v * (log.at(from + i) - c))).norm();
-            used[from + i] = static_cast<std::uint8_t>(in && offered[from + i] != 0);
-        }
-    }
+    constexpr std::size_t kRows = 512, kPart = 64 * kRows;
+    alongside((offered.size() + kPart - 1) / kPart,
+        [&, surelyFrom = surelyFrom, surelyTo = surelyTo, maybeFrom = maybeFrom, maybeTo = maybeTo](std::size_t part) {
+            std::array<double, kRows> squares{};
+            const std::size_t end = std::min(offered.size(), (part + 1) * kPart);
+            for (std::size_t from = part * kPart; from < end; from += kRows) {
+                const std::size_t count = std::min(kRows, end - from);
+                const auto sure = squaredSizes(&log.field[0][from], &log.field[1][from], &log.field[2][from], count, v.data(), c.data(),
+                    surelyFrom, surelyTo, squares.data());
+                if (static_cast<std::size_t>(sure) == count) {
+                    std::copy_n(
+                        offered.begin() + static_cast<std::ptrdiff_t>(from), count, used.begin() + static_cast<std::ptrdiff_t>(from));
+                    continue;
+                }
+                for (std::size_t i = 0; i < count; ++i) {
+                    const double square = squares[i];
+                    bool in = square >= surelyFrom && square <= surelyTo;
+                    if (!in && square >= maybeFrom && square <= maybeTo)
+                        in = std::abs(square - std::sqrt(square)) <= limit * (v * (v * (log.at(from + i) - c))).norm();
+                    used[from + i] = static_cast<std::uint8_t>(in && offered[from + i] != 0);
+                }
+            }
+        });
     return used;
 }
 

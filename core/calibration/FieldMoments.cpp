@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <vector>
 
+#include "core/base/Alongside.h"
 #include "core/base/Contract.h"
 #include "core/base/VectorClones.h"
 
@@ -152,33 +154,50 @@ double FieldMoments::of(int a, int b, int c) const
     return sum[kPlaces[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)][static_cast<std::size_t>(c)]];
 }
 
-FieldMoments momentsOf(const FieldColumns& points, std::span<const std::uint8_t> used, const Eigen::Vector3d& centre, double scale)
+namespace {
+
+constexpr std::size_t kPart = 128 * kBlockPoints; ///< points that one hand sums: parts are added up in their order, whoever took which
+
+/// Of the points [from, to).
+void addPart(const FieldColumns& points, std::span<const std::uint8_t> used, std::size_t from, std::size_t to, FieldMoments& moments)
 {
-    FieldMoments moments;
-    moments.centre = centre;
-    moments.scale = scale;
-    Block block;
-    const double factor = 1.0 / scale;
-    const std::size_t count = points[0].size();
     constexpr auto allUsed = [] {
         std::array<std::uint8_t, kBlockPoints> all{};
         all.fill(1);
         return all;
     }();
-    for (std::size_t from = 0; from < count; from += kBlockPoints) {
-        const std::size_t here = std::min(kBlockPoints, count - from);
+    Block block;
+    const double factor = 1.0 / moments.scale;
+    for (; from < to; from += kBlockPoints) {
+        const std::size_t here = std::min(kBlockPoints, to - from);
         const std::uint8_t* const mine = used.empty() ? allUsed.data() : used.data() + from;
         const double *x = points[0].data() + from, *y = points[1].data() + from, *z = points[2].data() + from;
         if (here == kBlockPoints && std::memchr(mine, 0, here) == nullptr) {
-            fillBlock(block, x, y, z, centre.data(), factor);
+            fillBlock(block, x, y, z, moments.centre.data(), factor);
             moments.sum[0] += static_cast<double>(here);
         } else {
             for (std::size_t axis = 0; axis < 3; ++axis)
                 std::fill(block.column[axis].begin() + static_cast<std::ptrdiff_t>(here), block.column[axis].end(), 0.0);
-            moments.sum[0] += static_cast<double>(fillUsed(block, x, y, z, mine, here, centre.data(), factor));
+            moments.sum[0] += static_cast<double>(fillUsed(block, x, y, z, mine, here, moments.centre.data(), factor));
         }
         addBlock(block, moments);
     }
+}
+
+} // namespace
+
+FieldMoments momentsOf(const FieldColumns& points, std::span<const std::uint8_t> used, const Eigen::Vector3d& centre, double scale)
+{
+    FieldMoments moments;
+    moments.centre = centre;
+    moments.scale = scale;
+    const std::size_t count = points[0].size();
+    std::vector<FieldMoments> parts((count + kPart - 1) / kPart, moments);
+    alongside(
+        parts.size(), [&](std::size_t part) { addPart(points, used, part * kPart, std::min(count, (part + 1) * kPart), parts[part]); });
+    for (const FieldMoments& part : parts)
+        for (std::size_t i = 0; i < moments.sum.size(); ++i)
+            moments.sum[i] += part.sum[i];
     return moments;
 }
 

@@ -34,40 +34,37 @@ void someStretches(std::size_t count, Use&& use)
 
 void findGaps(const SensorLog& log, LogQuality& quality)
 {
-    std::vector<double> steps;
-    steps.reserve(log.size());
-    for (std::size_t row = 1; row < log.time_s.size(); ++row)
-        if (log.time_s[row] > log.time_s[row - 1])
-            steps.push_back(log.time_s[row] - log.time_s[row - 1]);
-    if (steps.empty()) {
+    // Of a long log's steps enough to tell the middle one: nearly all are alike.
+    std::vector<double> some;
+    const auto take = [&](std::size_t from, std::size_t to) {
+        for (std::size_t row = std::max<std::size_t>(from, 1); row < to; ++row)
+            if (log.time_s[row] > log.time_s[row - 1])
+                some.push_back(log.time_s[row] - log.time_s[row - 1]);
+    };
+    someStretches(log.time_s.size(), take);
+    if (some.empty())
+        take(1, log.time_s.size());
+    if (some.empty()) {
         if (log.time_s.size() > 1)
             quality.remarks.push_back(
                 {MARKED("core", "time stands at %1 s in all rows: no rate and no gaps are known"), shortestNumber(log.time_s.front())});
         return;
     }
-    // Of a long log's steps enough to tell the middle one: nearly all are alike.
-    std::vector<double> some;
-    someStretches(steps.size(), [&](std::size_t from, std::size_t to) {
-        some.insert(some.end(), steps.begin() + static_cast<std::ptrdiff_t>(from), steps.begin() + static_cast<std::ptrdiff_t>(to));
-    });
     const double step = middleOf(std::move(some));
     // The mean of those like it: times that are written to a millisecond or two have no step of their true length.
-    double lasting = 0, alike = 0;
-    for (const double one : steps)
-        if (one > 0.5 * step && one < 1.5 * step) {
-            lasting += one;
-            alike += 1;
-        }
-    quality.rate_hz = alike / lasting;
-    double longest = 0, lost = 0;
+    double lasting = 0, alike = 0, longest = 0, lost = 0;
     for (std::size_t row = 1; row < log.time_s.size(); ++row) {
         const double length = log.time_s[row] - log.time_s[row - 1];
-        if (length <= 2.5 * step)
-            continue;
-        quality.gaps.push_back({row, log.time_s[row - 1], length});
-        longest = std::max(longest, length);
-        lost += length - step;
+        const bool isAlike = length > 0.5 * step && length < 1.5 * step;
+        lasting += isAlike ? length : 0.0;
+        alike += isAlike ? 1.0 : 0.0;
+        if (length > 2.5 * step) {
+            quality.gaps.push_back({row, log.time_s[row - 1], length});
+            longest = std::max(longest, length);
+            lost += length - step;
+        }
     }
+    quality.rate_hz = alike / lasting;
     if (!quality.gaps.empty())
         quality.remarks.push_back({MARKED_N("core", "%n gap(s) in time, the longest %1 s, together %2 s"), quality.gaps.size(),
             figureText(longest, 2), figureText(lost, 2)});
