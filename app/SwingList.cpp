@@ -26,10 +26,11 @@ Result<std::vector<ListedSwing>> listSwings(db::Stores& stores, const std::strin
                     const auto record = stores.swings.recordOf(swing.id);
                     if (!record)
                         return record.error();
-                    const auto marks = db::marksOf(stores.database(), swing.id);
-                    if (!marks)
-                        return marks.error();
-                    listed.push_back({type.name, one.registration, compass.name, *record, swing, *marks});
+                    const auto radio = db::radioOf(stores.database(), swing.id);
+                    if (!radio)
+                        return radio.error();
+                    listed.push_back({type.name, one.registration, compass.name, *record, swing, *radio,
+                        db::signedMark(stores.database(), swing.id, swing.state)});
                 }
             }
         }

@@ -13,7 +13,8 @@ struct ListedSwing {
     std::string type, aircraft, compass;
     RecordId record;
     SwingRow row;
-    db::SwingMarks marks;
+    RadioState radio = RadioState::NotStated;
+    db::SignedMark mark = db::SignedMark::No;
 };
 
 /// In order of type, aircraft and compass, the newest first. @param aircraft of this registration only; empty: all.

@@ -26,10 +26,10 @@ const char* nameOf(Status status)
     return "";
 }
 
-/// With a question mark where the record says signed and nobody's signature is there.
+/// With a question mark where the record says signed and no signatures stand over it.
 std::string stateOf(const ListedSwing& swing)
 {
-    return std::string(fileWord(swing.row.state)) + (swing.row.state == SwingState::Signed && !swing.marks.somebodySigned ? "?" : "");
+    return std::string(fileWord(swing.row.state)) + (swing.mark == db::SignedMark::ByStateAlone ? "?" : "");
 }
 
 std::string jsonOf(const std::vector<ListedSwing>& swings)
@@ -41,8 +41,8 @@ std::string jsonOf(const std::vector<ListedSwing>& swings)
             largest = *swing.row.maxAbsDeviation_deg;
         array.push_back({{"record", swing.record}, {"type", swing.type}, {"aircraft", swing.aircraft}, {"compass", swing.compass},
             {"date", swing.row.date.text()}, {"state", std::string(fileWord(swing.row.state))}, {"readings", swing.row.readings},
-            {"max_abs_deviation_deg", largest}, {"status", nameOf(swing.row.status)}, {"radio", std::string(fileWord(swing.marks.radio))},
-            {"signed", swing.marks.somebodySigned}});
+            {"max_abs_deviation_deg", largest}, {"status", nameOf(swing.row.status)}, {"radio", std::string(fileWord(swing.radio))},
+            {"signed", swing.mark == db::SignedMark::Stands}});
     }
     return nlohmann::ordered_json{{"swings", array}}.dump(2);
 }
@@ -76,7 +76,7 @@ int swingsCommand(db::Stores& stores, const SwingsArguments& options)
         put("%-36s  %-10s %-10s %-18s %-10s %-8s %8d  %9s  %-13s  %s\n", swing.record.c_str(), inOneLine(swing.type).c_str(),
             inOneLine(swing.aircraft).c_str(), inOneLine(swing.compass).c_str(), swing.row.date.text().c_str(), stateOf(swing).c_str(),
             swing.row.readings, swing.row.maxAbsDeviation_deg ? text("%.1f", *swing.row.maxAbsDeviation_deg).c_str() : "-",
-            nameOf(swing.row.status), std::string(fileWord(swing.marks.radio)).c_str());
+            nameOf(swing.row.status), std::string(fileWord(swing.radio)).c_str());
     return sayDamages(stores);
 }
 

@@ -22,19 +22,25 @@ Result<std::unique_ptr<std::istream>> openInput(const std::string& path, const M
     return std::unique_ptr<std::istream>(std::move(file));
 }
 
-Result<std::string> readWholeFile(const std::string& path, const Message& expected)
+Result<std::string> readWholeFile(const std::string& path, const Message& expected, std::size_t mostBytes)
 {
     const auto file = openInput(path, expected);
     if (!file)
         return file.error();
     const std::string name = nameOfInput(path);
+    const Error tooLarge{ErrorCode::Format, {MARKED("core", "is larger than %1 MiB; expected %2"), mostBytes >> 20, expected}, name};
+    std::error_code unknown;
+    const auto size = isStandardStream(path) ? 0 : std::filesystem::file_size(path, unknown);
+    if (!unknown && size > mostBytes)
+        return tooLarge;
     std::string text;
+    if (!unknown)
+        text.reserve(size);
     std::vector<char> block(std::size_t{1} << 16);
     while ((*file)->read(block.data(), static_cast<std::streamsize>(block.size())), (*file)->gcount() > 0) {
         text.append(block.data(), static_cast<std::size_t>((*file)->gcount()));
-        if (text.size() > kMaxWholeFileBytes)
-            return Error{
-                ErrorCode::Format, {MARKED("core", "is larger than %1 MiB; expected %2"), kMaxWholeFileBytes >> 20, expected}, name};
+        if (text.size() > mostBytes)
+            return tooLarge;
     }
     if ((*file)->bad())
         return Error{ErrorCode::Io, MARKED("core", "cannot be read to its end"), name};

@@ -22,6 +22,6 @@ inline constexpr std::size_t kMaxWholeFileBytes = std::size_t{64} << 20;
 
 /// @param expected what the file should be, for messages: MARKED("core", "a Model JSON"). Errors: Io (a folder, not there, unreadable), Format
 /// (too large).
-Result<std::string> readWholeFile(const std::string& path, const Message& expected);
+Result<std::string> readWholeFile(const std::string& path, const Message& expected, std::size_t mostBytes = kMaxWholeFileBytes);
 
 } // namespace lubberline

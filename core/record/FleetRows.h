@@ -96,10 +96,10 @@ struct DueCompass {
     std::string typeName, registration, compassName;
     Date installed;                           ///< empty: not stated
     SiteId base;                              ///< of the aircraft
-    std::vector<Date> signedSwings;           ///< the days of signed swings, newest first
+    std::vector<Date> signedSwings;           ///< the day of the newest one that counts as signed
     std::vector<Event> events;                ///< of the aircraft
     std::vector<Waiver> waivers;              ///< that answer those
-    std::vector<LimitsFinding> findings = {}; ///< of complete and signed swings that no later revision amends, newest first
+    std::vector<LimitsFinding> findings = {}; ///< of those that no signed revision amends, newest first, down to what decides
     std::optional<double> limit_deg = {};     ///< the largest deviation that is allowed; none: no limit is set
     std::string limitDocument = {};
 };

@@ -1,11 +1,12 @@
 #include "db/stores/DueStore.h"
 
 #include <map>
+#include <tuple>
 
 #include "core/record/Completeness.h"
 #include "core/record/Ranges.h"
 #include "db/saving/Saving.h"
-#include "db/stores/Signatures.h"
+#include "db/stores/SwingMarks.h"
 #include "db/stores/Tables.h"
 
 namespace lubberline::db {
@@ -40,6 +41,60 @@ std::vector<Value> of(const std::map<Key, std::vector<Value>>& groups, Key key)
 {
     const auto found = groups.find(key);
     return found == groups.end() ? std::vector<Value>{} : found->second;
+}
+
+/// The day of the newest swing of each compass that counts as signed: hashing takes its time, and the older ones decide nothing. A
+/// two-minute check says that the card holds; it is no swing.
+Result<std::map<CompassId, std::vector<Date>>> newestSigned(Database& database, StandingSwings& standing)
+{
+    Statement statement(database,
+        "SELECT compass_id, date, id FROM swing WHERE state = 2 AND date <> '' AND procedure_name <> ? ORDER BY date DESC, id DESC");
+    statement << std::string(kCheckProcedure);
+    const auto days = rowsOf<std::tuple<CompassId, Date, SwingId>>(
+        statement, [](Statement& row) { return std::tuple(row.id<CompassId>(0), row.day(1), row.id<SwingId>(2)); });
+    if (!days)
+        return days.error();
+    std::map<CompassId, std::vector<Date>> newest;
+    for (const auto& [compass, day, swing] : *days)
+        if (!newest.contains(compass) && standing.has(swing))
+            newest[compass] = {day};
+    return newest;
+}
+
+/// Of each compass down to the newest day of a signed one that says something: what is older decides nothing. Of an amended swing only
+/// while no revision of it counts as signed.
+Result<std::map<CompassId, std::vector<LimitsFinding>>> newestFindings(Database& database, StandingSwings& standing)
+{
+    struct Found {
+        SwingId swing, amendment;
+        CompassId compass;
+        LimitsFinding finding;
+    };
+    Statement statement(database,
+        "SELECT s.compass_id, s.date, s.stage, s.state, s.status, s.max_abs_deviation_deg, s.id,"
+        " (SELECT n.id FROM swing n WHERE n.supersedes = s.record AND n.state = 2) FROM swing s"
+        " WHERE s.state >= 1 AND s.date <> '' AND s.max_abs_deviation_deg IS NOT NULL AND s.procedure_name <> ?"
+        " ORDER BY s.date DESC, s.id DESC");
+    statement << std::string(kCheckProcedure);
+    auto rows = rowsOf<Found>(statement, [](Statement& row) {
+        return Found{row.id<SwingId>(6), row.optionalId<SwingId>(7), row.id<CompassId>(0),
+            {row.day(1), row.as(2, SwingStage::AsLeft), row.as(3, SwingState::Signed) == SwingState::Signed, row.as(4, Status::OutOfLimits),
+                row.optionalReal(5, {0, 180})}};
+    });
+    if (!rows)
+        return rows.error();
+    std::map<CompassId, Date> decided;
+    std::map<CompassId, std::vector<LimitsFinding>> newest;
+    for (auto& [swing, amendment, compass, finding] : *rows) {
+        const auto decides = decided.find(compass);
+        if ((decides != decided.end() && finding.date < decides->second) || (amendment.valid() && standing.has(amendment)))
+            continue;
+        finding.isSigned = finding.isSigned && standing.has(swing);
+        if (finding.isSigned && finding.status != Status::NotKnown)
+            decided.try_emplace(compass, finding.date);
+        newest[compass].push_back(finding);
+    }
+    return newest;
 }
 
 void bindRule(Statement& statement, const DueRule& rule)
@@ -154,26 +209,9 @@ Result<std::vector<DueCompass>> DueStore::compasses()
         waivers, [](Statement& row) { return row.id<AircraftId>(5); }, waiverFrom);
     if (!waiversOf)
         return waiversOf.error();
-    Statement dates(m_database, // A two-minute check says that the card holds; it is no swing.
-        "SELECT compass_id, date, id FROM swing s WHERE " + somebodySigned()
-            + " AND date <> '' AND procedure_name <> ? ORDER BY date DESC");
-    dates << std::string(kCheckProcedure);
-    const auto signedOf = groups<CompassId, Date>(
-        dates, [](Statement& row) { return row.id<CompassId>(0); }, [](Statement& row) { return row.day(1); });
-    if (!signedOf)
-        return signedOf.error();
-    Statement findings(m_database,
-        "SELECT s.compass_id, s.date, s.stage, " + somebodySigned()
-            + ", s.status, s.max_abs_deviation_deg, s.id FROM swing s"
-              " WHERE s.state >= 1 AND s.date <> '' AND s.max_abs_deviation_deg IS NOT NULL AND s.procedure_name <> ?"
-              " AND NOT EXISTS (SELECT 1 FROM swing n WHERE n.supersedes = s.record AND n.state = 2) ORDER BY s.date DESC, s.id DESC");
-    findings << std::string(kCheckProcedure);
-    const auto findingsOf = groups<CompassId, LimitsFinding>(
-        findings, [](Statement& row) { return row.id<CompassId>(0); },
-        [](Statement& row) {
-            return LimitsFinding{
-                row.day(1), row.as(2, SwingStage::AsLeft), row.flag(3), row.as(4, Status::OutOfLimits), row.optionalReal(5, {0, 180})};
-        });
+    StandingSwings standing(m_database);
+    const auto signedOf = newestSigned(m_database, standing);
+    const auto findingsOf = signedOf ? newestFindings(m_database, standing) : signedOf.error();
     if (!findingsOf)
         return findingsOf.error();
     Statement statement(m_database,

@@ -24,7 +24,7 @@ public:
     /// Errors: NotFound (its event), InvalidInput (no reason, nobody answers), Conflict (a waiver is not changed).
     Result<void> add(const Waiver& waiver);
 
-    /// Every compass system, by type, registration and name: in a few statements, whatever the size of the fleet.
+    /// Every compass system, by type, registration and name. The newest signed swings are hashed (SwingMarks.h): a large fleet's on a worker.
     Result<std::vector<DueCompass>> compasses();
 
 private:

@@ -21,10 +21,10 @@ inline constexpr const char* kSignedElsewhere = "imported signature";
 inline constexpr const char* kSignedBefore = "kept signature";
 [[nodiscard]] std::string auditText(const Signature& signature);
 
-/// With its entry `what` in the trail of the swing's `record`; inside the caller's transaction.
-/// In a query, of the swing s: that it is signed, and by somebody, or was so before signatures were kept. For lists: whether signatures hold,
-/// and whether the trail names some that are gone, only SigningStore::stands() tells.
+/// In a query, of the swing s: that it is signed, and by somebody, or was so before signatures were kept. Of what was not checked: whether
+/// signatures stand, only signedMark() tells (SwingMarks.h).
 [[nodiscard]] QString somebodySigned();
+/// With its entry `what` in the trail of the swing's `record`; inside the caller's transaction.
 Result<void> addSignature(Database& database, SwingId swing, const RecordId& record, const Signature& signature, const char* what);
 
 } // namespace lubberline::db

@@ -1,6 +1,8 @@
 // What the program is given and where it writes is not always as it should be: a full disk, names that other programs take for more than
 // names, control characters, no display, two first users at once.
 
+#include <sys/resource.h>
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -195,6 +197,35 @@ TEST_F(Hostile, aTextHasALength)
     sandbox.write("long.csv", "# configuration: " + std::string(9'000, 'x') + "\n" + swingOf("TEST-2"));
     EXPECT_EQ(sandbox.run({"card", "long.csv", "-o", "card.pdf"}).status, 0);
     EXPECT_EQ(sandbox.run({"report", "long.csv", "-o", "report.pdf"}).status, 0);
+}
+
+/// What is refused takes no more than 512 MB before it is: by the length of the file, of a text in it, or by what its values would take.
+TEST_F(Hostile, aHugeExchangeFileIsRefusedInBoundedMemory)
+{
+    const std::string head = "{\"format\": \"lubberline\", \"version\": 8, ";
+    const auto many = [&](const std::string& unit, std::size_t bytes) {
+        std::string text = head + "\"aircraft\": [";
+        while (text.size() < bytes)
+            text += unit;
+        return text + "0]}";
+    };
+    const std::pair<std::string, const char*> kFiles[] = {
+        {many("0,", 300'000'000), "is larger than 128 MiB; expected an exchange file"},
+        {many("0,", 38'000'000), "the values up to here take more than 320 MiB"},
+        {many("{},", 100'000'000), "the values up to here take more than 320 MiB"},
+        {many("{},", 9'000'000), "aircraft[0].record: is missing"},
+        {head + "\"note\": \"" + std::string(100'000'000, 'a') + "\"}", "holds a text of more than 16 MiB"},
+        {std::string(100'000'000, '['), "is nested too deeply"},
+    };
+    for (const auto& [text, words] : kFiles) {
+        const auto outcome = sandbox.run({"import", sandbox.write("huge.lubberline.json", text)});
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_THAT(outcome.err, HasSubstr(words));
+        EXPECT_LT(outcome.err.size(), 1000u);
+    }
+    rusage usage{};
+    ASSERT_EQ(getrusage(RUSAGE_CHILDREN, &usage), 0);
+    EXPECT_LT(usage.ru_maxrss, 512 * 1000);
 }
 
 TEST_F(Hostile, outOfMemoryIsOneLine)

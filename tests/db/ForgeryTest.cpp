@@ -117,6 +117,7 @@ TEST_P(Forgeries, isNamed)
     EXPECT_EQ(std::all_of(hold.begin(), hold.end(), [](bool one) { return one; }) && hold.size() == 2, GetParam().holds);
     const bool onlyAdded = QString::fromLatin1(GetParam().name).endsWith("SignatureIsPutIn"); // beside two that hold: each says so itself
     EXPECT_EQ(standsNow(), GetParam().holds || onlyAdded);
+    expectListsFollow();
 }
 
 TEST_F(SignedFile, signedByItsStateAloneStandsForNothing)
@@ -126,10 +127,39 @@ TEST_F(SignedFile, signedByItsStateAloneStandsForNothing)
     EXPECT_FALSE(standsNow());
     forge({"UPDATE swing SET state = 2"});
     EXPECT_FALSE(standsNow());
+    expectListsFollow();
     EXPECT_THAT(found(), Contains(HasSubstr("the audit trail does not say by whom")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Forgeries, testing::ValuesIn(kForgeries), [](const auto& test) { return std::string(test.param.name); });
+
+TEST_F(SignedFile, aListIsHashedAsFarAsTheWindowHasTimeFor)
+{
+    auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+    db::SwingStore swings(*database);
+    SwingRow row = swings.swingsOf(swings.swing(m_swing)->compass)->front();
+    const auto one = *db::signedMarks(*database, {row});
+    EXPECT_THAT(one, testing::ElementsAre(db::SignedMark::Stands));
+    const auto many = *db::signedMarks(*database, std::vector<SwingRow>(400, row));
+    ASSERT_EQ(many.size(), 400u);
+    EXPECT_EQ(many.front(), db::SignedMark::Stands);
+    EXPECT_EQ(many.back(), db::SignedMark::NotChecked) << "nobody says of it that it stands";
+    row.state = SwingState::Complete;
+    EXPECT_THAT(*db::signedMarks(*database, {row}), testing::ElementsAre(db::SignedMark::No));
+}
+
+TEST_F(SignedFile, anAmendmentThatNobodySignedTakesNoFindingOutOfTheDueList)
+{
+    forge({"CREATE TEMP TABLE copy AS SELECT * FROM swing",
+        "UPDATE copy SET id = 77, supersedes = record, revision = 2, record = '22222222-2222-4222-8222-222222222222'",
+        "INSERT INTO swing SELECT * FROM copy"});
+    auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+    const auto due = db::DueStore(*database).compasses();
+    ASSERT_TRUE(due) << describe(due.error());
+    ASSERT_EQ(due->front().findings.size(), 2u); // the copy is of the same day
+    EXPECT_FALSE(due->front().findings.front().isSigned);
+    EXPECT_TRUE(due->front().findings.back().isSigned);
+}
 
 TEST_F(SignedFile, aSignedSwingThatWasTakenOutIsMissed)
 {

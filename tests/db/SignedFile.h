@@ -1,6 +1,10 @@
 #pragma once
 /// A signed swing in a file that somebody writes into behind the program's back.
 
+#include <algorithm>
+
+#include "db/stores/DueStore.h"
+#include "db/stores/SwingMarks.h"
 #include "tests/db/RawDatabase.h"
 #include "tests/db/SwingStores.h"
 
@@ -55,6 +59,25 @@ protected:
         auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
         db::SigningStore signing(*database);
         return *signing.stands(*db::SwingStore(*database).swing(m_swing), *signing.states(m_swing));
+    }
+    /// What lists say, and whether what is due counts it: the same as its page and paper.
+    void expectListsFollow()
+    {
+        const bool holds = standsNow();
+        auto database = db::openDatabase(m_path, db::OpenMode::ReadWriteCreate);
+        db::SwingStore swings(*database);
+        const Swing swing = *swings.swing(m_swing);
+        const bool frozen = swing.state == SwingState::Signed, stands = frozen && holds;
+        const auto mark = stands ? db::SignedMark::Stands : frozen ? db::SignedMark::ByStateAlone : db::SignedMark::No;
+        EXPECT_EQ(db::signedMark(*database, m_swing, swing.state), mark);
+        EXPECT_THAT(*db::signedMarks(*database, *swings.swingsOf(swing.compass)), testing::ElementsAre(mark));
+        const auto due = db::DueStore(*database).compasses();
+        ASSERT_TRUE(due) << describe(due.error());
+        const auto of = std::find_if(due->begin(), due->end(), [&](const DueCompass& one) { return one.compass == swing.compass; });
+        ASSERT_NE(of, due->end());
+        EXPECT_EQ(of->signedSwings, stands ? std::vector<Date>{swing.date} : std::vector<Date>{});
+        for (const LimitsFinding& finding : of->findings)
+            EXPECT_EQ(finding.isSigned, stands);
     }
 
     QTemporaryDir m_folder;

@@ -69,16 +69,16 @@ void DueRulesTable::reload()
     if (waitsForCell(*m_table, this, &DueRulesTable::reload))
         return;
     auto rules = m_stores.due.rules();
-    const auto compasses = m_stores.due.compasses();
-    if (!rules || !compasses) {
-        emit failed(messageOf(rules ? compasses.error() : rules.error()));
+    const auto types = m_stores.fleet.types();
+    if (!rules || !types) {
+        emit failed(messageOf(rules ? types.error() : rules.error()));
         return;
     }
     m_rules = std::move(rules.value());
     m_typeNames.clear();
-    for (const auto& one : *compasses)
-        if (m_typeNames.empty() || m_typeNames.back().first != one.typeRecord)
-            m_typeNames.emplace_back(one.typeRecord, one.typeName);
+    for (const TypeRow& row : *types)
+        if (const auto type = m_stores.fleet.type(row.id))
+            m_typeNames.emplace_back(type->record, type->name);
     fill();
 }
 

@@ -5,6 +5,7 @@
 #include "core/fleet/FleetReport.h"
 #include "core/swing/MoveRule.h"
 #include "db/stores/PopulationStore.h"
+#include "db/stores/SwingMarks.h"
 
 namespace lubberline::ui {
 
@@ -17,7 +18,7 @@ Result<std::optional<SwingRecord>> lastSwingElsewhere(db::Stores& stores, const 
     if (!rows)
         return rows.error();
     for (const auto& row : *rows) {
-        if (row.state != SwingState::Signed || row.superseded)
+        if (row.superseded || db::signedMark(stores.database(), row.id, row.state) != db::SignedMark::Stands)
             continue;
         auto record = stores.swings.record(row.id);
         if (!record)

@@ -293,18 +293,19 @@ Result<void> AircraftPage::loadCompass(CompassId id)
     if (!record)
         return record.error();
     const auto swings = m_context.stores.swings.swingsOf(id);
-    if (!swings)
-        return swings.error();
+    const auto marks = swings ? db::signedMarks(m_context.stores.database(), *swings) : swings.error();
+    if (!marks)
+        return marks.error();
     loadLimits();
     m_compass.show(*record, !m_context.stores.readOnly());
     markCompass();
     showTitle();
     offerOpen();
-    showSwings(*swings, *record);
+    showSwings(*swings, *marks, *record);
     return {};
 }
 
-void AircraftPage::showSwings(const std::vector<SwingRow>& swings, const CompassSystem& compass)
+void AircraftPage::showSwings(const std::vector<SwingRow>& swings, const std::vector<db::SignedMark>& marks, const CompassSystem& compass)
 {
     m_listed.clear();
     m_swingTable->setRowCount(static_cast<int>(swings.size()));
@@ -319,7 +320,7 @@ void AircraftPage::showSwings(const std::vector<SwingRow>& swings, const Compass
         set(SwungOn, toText(swing.date), false);
         set(Kind, statedWord(swing.kind), false);
         set(Stage, statedWord(swing.stage), false);
-        set(State, wordFor(swing.state), false);
+        set(State, stateWords(swing.state, marks[static_cast<std::size_t>(row)]), false);
         set(Readings, QString::number(swing.readings), true);
         set(Largest, swing.maxAbsDeviation_deg ? sizeFigure(*swing.maxAbsDeviation_deg) : QStringLiteral("—"), true);
         for (const Coefficient coefficient : kCoefficients)

@@ -62,7 +62,7 @@ private:
     void chooseCompass(int row);
     void offerOpen();
     [[nodiscard]] CompassId worst() const;
-    void showSwings(const std::vector<SwingRow>& swings, const CompassSystem& compass);
+    void showSwings(const std::vector<SwingRow>& swings, const std::vector<db::SignedMark>& marks, const CompassSystem& compass);
     void showHistory(const std::vector<SwingRow>& swings, const CompassSystem& compass);
     void loadLimits();
     [[nodiscard]] QString siteName(SiteId id) const;

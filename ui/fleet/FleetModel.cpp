@@ -54,9 +54,9 @@ std::vector<QString> swingNames(const std::vector<SwingRow>& rows)
     return names;
 }
 
-QString swingDetail(const SwingRow& row)
+QString swingDetail(const SwingRow& row, db::SignedMark mark)
 {
-    QStringList stated{statedWord(row.kind), statedWord(row.stage), wordFor(row.state)};
+    QStringList stated{statedWord(row.kind), statedWord(row.stage), stateWords(row.state, mark)};
     stated.removeAll(QString());
     const QString what = FleetModel::tr("%1 · readings: %2").arg(stated.join(QStringLiteral(", "))).arg(row.readings);
     if (!row.maxAbsDeviation_deg)
@@ -156,12 +156,14 @@ Result<std::vector<std::unique_ptr<FleetModel::Node>>> FleetModel::ask(const Nod
             add(row.id, toText(row.name), tr("swings: %1").arg(row.swings), row.status, row.swings > 0);
     } else if (const auto* compass = std::get_if<CompassId>(&parent.item)) {
         const auto rows = m_stores.swings.swingsOf(*compass);
-        if (!rows)
-            return rows.error();
+        const auto marks = rows ? db::signedMarks(m_stores.database(), *rows) : rows.error();
+        if (!marks)
+            return marks.error();
         const std::vector<QString> names = swingNames(*rows);
         for (std::size_t i = 0; i < rows->size(); ++i) {
             const SwingRow& row = (*rows)[i];
-            add(row.id, names[i] + guidedWords(row), swingDetail(row), row.status, false)->draft = row.state == SwingState::Draft;
+            add(row.id, names[i] + guidedWords(row), swingDetail(row, (*marks)[i]), row.status, false)->draft
+                = row.state == SwingState::Draft;
         }
     }
     return nodes;

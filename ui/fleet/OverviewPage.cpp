@@ -186,7 +186,8 @@ void OverviewPage::fillToday()
     for (const NewestSwing& one : *newest)
         addToday(tr("swung"), badgeIcon(one.row.status), QStringLiteral("%1 · %2").arg(toText(one.registration), toText(one.compass)),
             QStringLiteral("%1, %2, %3")
-                .arg(one.row.date.empty() ? tr("no date") : toText(one.row.date), wordFor(one.row.state), badgeWord(one.row.status)),
+                .arg(one.row.date.empty() ? tr("no date") : toText(one.row.date),
+                    stateWords(one.row.state, db::signedMark(m_stores.database(), one.row.id, one.row.state)), badgeWord(one.row.status)),
             one.row.id);
     if (m_today->rowCount() > 0 && m_today->currentRow() < 0)
         m_today->setCurrentCell(0, 0);

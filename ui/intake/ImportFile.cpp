@@ -47,19 +47,10 @@ Result<ImportFile> parseExchange(const Result<std::string>& text, const std::str
     return ImportFile{std::move(fleet.value()), {}};
 }
 
-Result<std::string> readWhole(const QString& path)
-{
-    QFile file(path);
-    if (QFileInfo(path).isDir() || !file.open(QIODevice::ReadOnly))
-        return Error{ErrorCode::Io, {MARKED("ui", "cannot be read: %1; expected an exchange file"), file.errorString().toStdString()},
-            path.toStdString()};
-    return file.readAll().toStdString();
-}
-
 /// It has no name, so its content tells what it is.
 Result<ImportFile> readStandardInput(const std::string& path, const CsvParticulars& particulars, const Progress& progress)
 {
-    const auto text = readWholeFile(path, MARKED("ui", "a swing (CSV), an exchange file (JSON) or a report (PDF)"));
+    const auto text = readWholeFile(path, MARKED("ui", "a swing (CSV), an exchange file (JSON) or a report (PDF)"), kMostJsonBytes);
     if (!text)
         return text.error();
     const std::string name = nameOfInput(path);
@@ -85,7 +76,7 @@ Result<ImportFile> readImportFile(const QString& path, const CsvParticulars& par
     if (ending == "csv" || ending == "txt" || ending == "tsv")
         return fleetOf(readSwingCsvFile(name, progress), name, particulars);
     if (ending == "json")
-        return parseExchange(readWhole(path), name);
+        return parseExchange(readWholeFile(name, MARKED("ui", "an exchange file"), kMostJsonBytes), name);
     if (ending == "pdf")
         return parseExchange(exchangeInReport(path), name);
     return Error{ErrorCode::InvalidInput,

@@ -17,6 +17,17 @@ struct OpenWords {
 
 } // namespace
 
+QString stateWords(SwingState state, db::SignedMark mark)
+{
+    switch (mark) {
+    case db::SignedMark::ByStateAlone: return OpenWords::tr("NOT SIGNED (no signatures stand)");
+    case db::SignedMark::NotChecked: return OpenWords::tr("%1 (not checked)").arg(wordFor(state));
+    case db::SignedMark::No:
+    case db::SignedMark::Stands: break;
+    }
+    return wordFor(state);
+}
+
 QString standingWords(const SwingJob& job)
 {
     const auto state = stateOf(job);

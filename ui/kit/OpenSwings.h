@@ -1,5 +1,6 @@
 #pragma once
-/// Guided swings that were begun and not finished, and where each stands: for every place that offers to go on with one.
+/// Where swings stand: guided ones that were begun and not finished, for every place that offers to go on with one; and whether those that
+/// say that they are signed are.
 
 #include <QString>
 
@@ -7,6 +8,7 @@
 
 #include "core/record/SwingJob.h"
 #include "db/stores/Stores.h"
+#include "db/stores/SwingMarks.h"
 
 namespace lubberline::ui {
 
@@ -25,6 +27,9 @@ Result<std::vector<OpenSwing>> openSwings(db::Stores& stores);
 
 /// "step 8 of 12", "its preparation"; of an abandoned one with the reason.
 [[nodiscard]] QString standingWords(const SwingJob& job);
+
+/// "signed", and of one that says so alone that it is not: what every list and page says of a swing's state.
+[[nodiscard]] QString stateWords(SwingState state, db::SignedMark mark);
 
 /// Why a guided swing that a draft was begun with was abandoned; empty: it has none, or was not.
 [[nodiscard]] QString abandonedWords(db::Stores& stores, SwingId swing);

@@ -10,6 +10,7 @@
 #include "core/procedure/LoadNotes.h"
 #include "core/record/Signature.h"
 #include "core/swing/CardRemarks.h"
+#include "db/stores/SwingMarks.h"
 #include "ui/kit/Words.h"
 #include "ui/report/page/Figures.h"
 #include "ui/report/page/SignedAs.h"
@@ -49,6 +50,11 @@ bool belongTogether(const Swing& swing, const Swing& other)
     return opposite && swing.stage == other.stage && daysApart(swing, other) <= kDaysOfOneJob;
 }
 
+bool countsAsSigned(db::Stores& stores, const Swing& swing)
+{
+    return db::signedMark(stores.database(), swing.id, swing.state) == db::SignedMark::Stands;
+}
+
 /// By a revision that is signed: one that is in work leaves the signed one in force.
 Result<bool> isSuperseded(db::Stores& stores, const SwingRecord& record)
 {
@@ -61,7 +67,7 @@ Result<bool> isSuperseded(db::Stores& stores, const SwingRecord& record)
         const auto later = stores.swings.record(row.id);
         if (!later)
             return later.error();
-        if (later->swing.supersedes == record.swing.record)
+        if (later->swing.supersedes == record.swing.record && countsAsSigned(stores, later->swing))
             return true;
     }
     return false;
@@ -76,9 +82,8 @@ Result<std::optional<SwingRecord>> radioPartner(db::Stores& stores, const SwingR
     const auto rows = stores.swings.swingsOf(record.compass.id);
     if (!rows)
         return rows.error();
-    const auto weight = [&record](const SwingRecord& one) {
-        return std::pair(daysApart(one.swing, record.swing), one.swing.state != SwingState::Signed);
-    };
+    const auto weight
+        = [&](const SwingRecord& one) { return std::pair(daysApart(one.swing, record.swing), !countsAsSigned(stores, one.swing)); };
     for (const auto& row : *rows) {
         if (row.id == record.swing.id)
             continue;

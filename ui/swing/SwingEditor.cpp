@@ -5,6 +5,7 @@
 
 #include "core/swing/Observations.h"
 #include "db/stores/ResultCache.h"
+#include "db/stores/SwingMarks.h"
 #include "ui/kit/Words.h"
 
 namespace lubberline::ui {
@@ -257,12 +258,12 @@ QString SwingEditor::whyReadOnly() const
     if (m_context.stores.readOnly())
         return tr("This database can only be read.");
     if (m_record.swing.state == SwingState::Signed) {
-        // Where signatures stand, and no longer hold, each says so itself.
-        const auto stands = m_record.swing.signatures.empty() ? m_context.stores.signing.stands(m_record.swing, {}) : Result<bool>(true);
-        return stands && *stands
-            ? tr("This swing is signed: it is frozen.")
+        if (db::signedMark(m_context.stores.database(), id(), m_record.swing.state) == db::SignedMark::Stands)
+            return tr("This swing is signed: it is frozen.");
+        return m_record.swing.signatures.empty()
+            ? tr("This swing is frozen as a signed one, but nobody's signature is there: it is printed as not signed. Amend it to sign it.")
             : tr(
-                "This swing is frozen as a signed one, but nobody's signature is there: it is printed as not signed. Amend it to sign it.");
+                "This swing is frozen as a signed one, but its signatures do not stand over what it says now: it is printed as not signed. Amend it to sign it.");
     }
     if (m_record.swing.state == SwingState::Complete)
         return tr("This swing is complete. To change a reading, open it again.");

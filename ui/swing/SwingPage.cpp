@@ -217,7 +217,7 @@ void SwingPage::showRecord()
 {
     const SwingRecord& record = m_editor->record();
     setTitle(titleOf(record) + (record.aircraft.demonstration ? tr(" · DEMONSTRATION") : QString()));
-    m_state->setText(wordFor(record.swing.state));
+    m_state->setText(stateWords(record.swing.state, db::signedMark(m_context.stores.database(), record.swing.id, record.swing.state)));
     m_state->show();
     QStringList standing{m_editor->whyReadOnly(), abandonedWords(m_context.stores, record.swing.id)};
     standing.removeAll(QString());

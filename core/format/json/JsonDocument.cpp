@@ -20,8 +20,11 @@ using Json = nlohmann::json;
 constexpr std::size_t kMaxDepth = 32;
 
 /// What the values of a document may take; a text of 64 MiB can hold thirty million of them. That of one value, one key with its value,
-/// an empty array or object, as the library keeps them (64-bit machine, with what the allocator adds).
-constexpr std::size_t kMostBytes = std::size_t{320} << 20, kValueBytes = 16, kKeyBytes = 112, kOpenBytes = 64;
+/// an empty array or object, as the library keeps them (64-bit machine, with what the allocator adds). An array that grows is there
+/// twice for a moment.
+constexpr std::size_t kMostBytes = std::size_t{320} << 20, kValueBytes = 16, kElementBytes = 16, kKeyBytes = 112, kOpenBytes = 64;
+/// The parser has a text twice, and once more where it is kept. The longest of ours is a key in ASCII armour, or the particulars of a swing.
+constexpr std::size_t kMostStringBytes = std::size_t{16} << 20;
 /// An object is a record of ours or a list by name; each is held against the others.
 constexpr std::size_t kMostObjectKeys = 10'000;
 
@@ -86,7 +89,7 @@ private:
     }
     void take(std::size_t bytes)
     {
-        m_bytes += bytes;
+        m_bytes += bytes + (!m_levels.empty() && m_levels.back().isArray ? kElementBytes : 0);
         if (m_bytes > kMostBytes)
             refuse({MARKED("core", "%1: the values up to here take more than %2 MiB; expected %3, of a smaller size"), path(),
                 kMostBytes >> 20, m_expected});
@@ -98,10 +101,30 @@ private:
     std::vector<Level> m_levels;
 };
 
+/// Where a text begins that is longer than may be; found before the parser takes memory for it.
+std::optional<std::size_t> tooLongString(std::string_view text)
+{
+    for (std::size_t i = text.find('"'); i != std::string_view::npos; i = text.find('"', i + 1)) {
+        const std::size_t begin = i++;
+        while (i < text.size() && text[i] != '"')
+            i += text[i] == '\\' ? 2 : 1;
+        if (i - begin > kMostStringBytes)
+            return begin;
+        if (i >= text.size())
+            break;
+    }
+    return {};
+}
+
+std::ptrdiff_t lineAt(std::string_view text, std::size_t byte)
+{
+    return std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(byte), '\n') + 1;
+}
+
 Error notJson(std::string_view text, std::size_t byte, const std::string& name, const Message& expected)
 {
     const auto before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
-    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const auto line = lineAt(before, before.size());
     const auto lineStart = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
     const auto content = text.substr(lineStart, text.find('\n', lineStart) - lineStart);
     if (const auto bytes = notUtf8(content); !bytes.empty())
@@ -118,6 +141,11 @@ Result<Json> parseJson(std::string_view text, const std::string& name, const Mes
         return Error{ErrorCode::Format, {MARKED("core", "is empty; expected %1"), expected}, name};
     if (const auto other = otherEncoding(text); !other.empty())
         return Error{ErrorCode::Format, other, name};
+    if (text.size() > kMostJsonBytes)
+        return Error{ErrorCode::Format, {MARKED("core", "is larger than %1 MiB; expected %2"), kMostJsonBytes >> 20, expected}, name};
+    if (const auto begin = tooLongString(text))
+        return Error{ErrorCode::Format, {MARKED("core", "holds a text of more than %1 MiB; expected %2"), kMostStringBytes >> 20, expected},
+            name, lineAt(text, *begin)};
     Follower follower(expected);
     try {
         return Json::parse(text, [&](int, Json::parse_event_t event, Json& parsed) { return follower(event, parsed); });

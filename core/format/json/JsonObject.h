@@ -76,7 +76,8 @@ public:
         });
     }
 
-    /// Calls `each(element, path)` for the elements of an array; none when the key is not there.
+    /// Calls `each(element, path)` for the elements of an array; none when the key is not there, or what was read before is refused: a
+    /// hostile file's million empty records are not kept.
     template <class Each>
     void array(std::string_view key, Each each)
     {
@@ -84,7 +85,7 @@ public:
         if (!value)
             return;
         const JsonPath here{&m_path, key};
-        for (std::size_t i = 0; i < value->size(); ++i)
+        for (std::size_t i = 0; i < value->size() && !m_fault.error(); ++i)
             each((*value)[i], JsonPath{&here, {}, i});
     }
 

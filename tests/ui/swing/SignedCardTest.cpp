@@ -3,9 +3,12 @@
 
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTableWidget>
 
+#include "db/engine/Statement.h"
 #include "tests/ui/window/Fixture.h"
 #include "ui/due/DueWork.h"
+#include "ui/fleet/FleetModel.h"
 #include "ui/swing/RecordDocuments.h"
 
 using namespace lubberline;
@@ -17,6 +20,8 @@ class SignedCardTest : public QObject {
 private slots:
     void aCompleteCardIsNotSignedAndTheFirstSignedOneIsNoReprint();
     void aSignatureTakesNoCompassOutOfItsLimitsOffTheDueList();
+    void whatNoSignatureStandsOverIsSignedNowhere_data();
+    void whatNoSignatureStandsOverIsSignedNowhere();
 
 private:
     static void sign(SmallFleet& fleet, SwingId id)
@@ -91,6 +96,45 @@ void SignedCardTest::aSignatureTakesNoCompassOutOfItsLimitsOffTheDueList()
     QCOMPARE(dueLine(fleet).answer.state, DueState::Due);
     sign(fleet, mended);
     QCOMPARE(dueLine(fleet).answer.state, DueState::NotDue);
+}
+
+void SignedCardTest::whatNoSignatureStandsOverIsSignedNowhere_data()
+{
+    QTest::addColumn<QString>("forgery");
+    QTest::newRow("one signature of two is gone") << "DELETE FROM signature WHERE name = 'Ben'";
+    QTest::newRow("both are gone") << "DELETE FROM signature";
+    QTest::newRow("a reading was changed") << "UPDATE reading SET compass_heading_deg = 3 WHERE position = 0";
+}
+
+void SignedCardTest::whatNoSignatureStandsOverIsSignedNowhere()
+{
+    QFETCH(QString, forgery);
+    SmallFleet fleet;
+    const SwingId id = fleet.addSwing("2026-11-22", eightPoints());
+    QVERIFY(fleet.stores.signing.complete(id));
+    sign(fleet, id);
+    QCOMPARE(dueLine(fleet).answer.lastSigned, Date("2026-11-22"));
+    db::Database& database = fleet.stores.database();
+    db::Statement triggers(database, "SELECT name FROM sqlite_master WHERE type = 'trigger'");
+    const auto names = db::rowsOf<std::string>(triggers, [](db::Statement& row) { return row.text(0); });
+    for (const auto& name : *names)
+        QVERIFY(db::execute(database, "DROP TRIGGER " + QString::fromStdString(name)));
+    QVERIFY(db::execute(database, forgery));
+    const QString said = "NOT SIGNED (no signatures stand)";
+    const DueLine line = dueLine(fleet);
+    QVERIFY(line.answer.lastSigned.empty());
+    QCOMPARE(line.answer.state, DueState::Due);
+    FleetModel model(fleet.stores);
+    QVERIFY(model.find({fleet.type, fleet.aircraft, fleet.compass, id}).data(Qt::ToolTipRole).toString().contains(said));
+    OpenWindow open(fleet.stores);
+    auto& today = open.find<QTableWidget>("overviewToday");
+    QVERIFY(!today.findItems(said, Qt::MatchContains).isEmpty());
+    open.window.go(fleet.compass);
+    QVERIFY(!open.find<QTableWidget>("swingTable").findItems(said, Qt::MatchExactly).isEmpty());
+    open.window.go(id);
+    QCOMPARE(open.label("swingState"), said);
+    QVERIFY2(open.label("readOnlyReason").contains("it is printed as not signed"), qPrintable(open.label("readOnlyReason")));
+    QVERIFY(!cardOf(fleet.stores, id, {}, "2026-11-23T10:00:00Z", true)->columns.front().isSigned());
 }
 
 QTEST_MAIN(SignedCardTest)
