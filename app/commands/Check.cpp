@@ -106,9 +106,12 @@ Result<CheckedCompass> compassOf(
                                [&](const SourcedRecord& other) { return isSameSwing(one->record, other.record); }),
                 records->end());
     }
-    if (const auto one = checkHistory(*records); !one)
+    std::vector<SourcedRecord> together = *records;
+    if (read) // of which compass they are is as doubtful as of its history
+        together.push_back({nameOfInput(options.readings), *read});
+    if (const auto one = checkHistory(together); !one)
         return one.error();
-    for (Message& doubt : doubtsOfHistory(*records))
+    for (Message& doubt : doubtsOfHistory(together))
         compass.warnings.push_back(std::move(doubt));
     compass.options = options.options;
     std::vector<SwingRecord> swings;
@@ -147,7 +150,9 @@ SwingRecord checkSwing(const CheckedCompass& compass, const SwingRecord& read, c
         record.compass = compass.last.compass;
         record.type = compass.last.type;
     }
-    const std::string said = inWords(verdict, compass.options).english();
+    std::string said = inWords(verdict, compass.options).english();
+    if (read.aircraft.registration.empty() && !record.aircraft.registration.empty())
+        said += "; the readings did not say of which aircraft they are";
     record.swing.note += (record.swing.note.empty() ? "" : "; ") + said;
     return record;
 }
@@ -174,11 +179,6 @@ int checkCommand(const CheckArguments& options, const std::string& database)
     auto compass = compassOf(options.history, database, *year, options, isRead ? &read->record : nullptr);
     if (!compass)
         return fail(compass.error());
-    if (isRead) {
-        compass->records.push_back({nameOfInput(options.readings), read->record});
-        if (const auto one = checkHistory(compass->records); !one)
-            return fail(one.error());
-    }
     const ChosenHeadings chosen = headingsFor(compass->belief, options.headings, compass->options);
     if (!isRead) {
         if (Message unknown = whatIsUnknown(compass->belief); !unknown.empty())

@@ -29,8 +29,12 @@ using TenRow = Eigen::Matrix<double, 10, 1>; ///< of both compasses' changes
 struct Bin {
     TenRow difference = TenRow::Zero(), first = TenRow::Zero(), second = TenRow::Zero();
     double difference_deg = 0, first_deg = 0, second_deg = 0;
+    double from_deg = 0, least_deg = 0, most_deg = 0; ///< the difference of its first pair; the others about that one
     int count = 0, datums = 0;
 };
+
+constexpr double kMostSpread = 6; ///< of the differences of two pairs, four readings: three standard deviations
+constexpr int kFewPairs = 10;     ///< read by people; a log's scatter is no contradiction
 
 using Bins = std::map<int, Bin>;
 
@@ -44,6 +48,11 @@ Bins binsOf(const CompassBelief& first, const CompassBelief& second, std::span<c
         bin.difference.head<5>() -= rowOne;
         bin.difference.tail<5>() += rowTwo;
         bin.difference_deg += wrap180(one - two);
+        if (bin.count == 0)
+            bin.from_deg = wrap180(one - two);
+        const double beyond_deg = wrap180(one - two - bin.from_deg);
+        bin.least_deg = std::min(bin.least_deg, beyond_deg);
+        bin.most_deg = std::max(bin.most_deg, beyond_deg);
         ++bin.count;
         if (pair.datum) {
             bin.first.head<5>() += rowOne;
@@ -211,6 +220,17 @@ Result<PairVerdict> compareCompasses(
     if (!first.hasHistory || !second.hasHistory)
         verdict.warnings.push_back(
             MARKED("core", "a compass without a swing on record has no card: what it always deviated counts as if it had moved"));
+    if (verdict.headings < verdict.readings)
+        verdict.warnings.push_back(
+            {MARKED_N("core", "%n pair(s) were read on %1 different headings: those of the same ten degrees count as one, their mean"),
+                verdict.headings, verdict.readings});
+    for (const auto& [place, bin] : bins)
+        if (const double spread_deg = bin.most_deg - bin.least_deg;
+            bin.count < kFewPairs && spread_deg > kMostSpread * options.readingError_deg)
+            verdict.warnings.push_back(
+                {MARKED("core",
+                     "the pairs between %1° and %2° contradict each other by %3°: one is a slip, or a compass sticks; read them again"),
+                    10 * place, 10 * place + 10, figureText(spread_deg, 1)});
     if (verdict.headings < 4)
         verdict.warnings.push_back(
             {MARKED_N("core", "both were read on %n heading(s) only; what changed elsewhere is not seen"), verdict.headings});

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "core/angle/Angle.h"
+#include "core/angle/PrintedHeading.h"
 #include "core/base/Number.h"
 #include "core/check/CheckRandom.h"
 #include "core/check/Evidence.h"
@@ -16,14 +18,73 @@ namespace {
 
 constexpr int kDraws = 20; ///< of each possibility
 
+/// A heading that was read several times is one reading: datum, place and a compass that sticks err alike, and are no surer by half for
+/// being looked at twice.
+constexpr double kSameHeading_deg = 5;
+
+/// Readings of one heading, each group in the order in which it was read.
+std::vector<std::vector<Observation>> byHeading(std::span<const Observation> readings)
+{
+    std::vector<std::vector<Observation>> groups;
+    for (const Observation& reading : readings) {
+        const auto same = std::ranges::find_if(groups, [&](const auto& group) {
+            return std::abs(wrap180(reading.compass.degrees() - group.front().compass.degrees())) < kSameHeading_deg;
+        });
+        if (same == groups.end())
+            groups.push_back({reading});
+        else
+            same->push_back(reading);
+    }
+    return groups;
+}
+
+double differenceFromCard_deg(const CompassBelief& belief, const Observation& reading)
+{
+    return wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - deviationAt(belief.card, reading.compass).degrees());
+}
+
 Readings<5> readingsOf(const CompassBelief& belief, std::span<const Observation> readings, const CheckOptions& options)
 {
     Readings<5> taken;
-    for (const Observation& reading : readings)
-        taken.take(rowAt(reading.compass.degrees()),
-            wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - deviationAt(belief.card, reading.compass).degrees()),
-            options.readingError_deg);
+    for (const auto& group : byHeading(readings)) {
+        Eigen::Matrix<double, 5, 1> row = Eigen::Matrix<double, 5, 1>::Zero();
+        const double first_deg = differenceFromCard_deg(belief, group.front());
+        double beyond_deg = 0; // about the first, which may lie near ±180°
+        for (const Observation& reading : group) {
+            row += rowAt(reading.compass.degrees());
+            beyond_deg += wrap180(differenceFromCard_deg(belief, reading) - first_deg);
+        }
+        const auto count = static_cast<double>(group.size());
+        taken.take(row / count, wrap180(first_deg + beyond_deg / count), options.readingError_deg);
+    }
     return taken;
+}
+
+/// Which headings were read several times, and where the readings contradict each other.
+std::vector<Message> doubtsOfRepeats(const CompassBelief& belief, std::span<const Observation> readings, const CheckOptions& options)
+{
+    std::vector<Message> doubts;
+    for (const auto& group : byHeading(readings)) {
+        if (group.size() < 2)
+            continue;
+        const double first_deg = differenceFromCard_deg(belief, group.front());
+        double least = 0, most = 0;
+        for (const Observation& reading : group) {
+            const double beyond = wrap180(differenceFromCard_deg(belief, reading) - first_deg);
+            least = std::min(least, beyond);
+            most = std::max(most, beyond);
+        }
+        const std::string at = figureText(printedHeading_deg(group.front().compass.degrees(), 0), 0);
+        constexpr double kMostSpread = 4.2; // of two readings; three standard deviations of their difference
+        if (most - least > kMostSpread * options.readingError_deg)
+            doubts.push_back({MARKED("core",
+                                  "the readings on %1° contradict each other by %2°: one is a slip, or the compass sticks; read it again "
+                                  "(their mean was taken)"),
+                at, figureText(most - least, 1)});
+        else
+            doubts.push_back({MARKED_N("core", "%1° was read %n time(s): it counts as one reading, the mean"), at, group.size()});
+    }
+    return doubts;
 }
 
 double chanceOf(const CompassBelief& belief, const Readings<5>& readings, const CheckOptions& options)
@@ -86,8 +147,7 @@ Result<CheckVerdict> verdictOf(const CompassBelief& belief, std::span<const Obse
     verdict.holds = fault <= options.accepted;
     verdict.errorProbability = verdict.holds ? fault : 1 - fault;
     for (const Observation& reading : readings) {
-        const double difference
-            = wrap180(deviationOf(reading.magnetic, reading.compass).degrees() - deviationAt(belief.card, reading.compass).degrees());
+        const double difference = differenceFromCard_deg(belief, reading);
         verdict.differences_deg.push_back(difference);
         if (std::abs(difference) >= verdict.largestRead_deg) {
             verdict.largestRead_deg = std::abs(difference);
@@ -107,6 +167,7 @@ Result<CheckVerdict> verdictOf(const CompassBelief& belief, std::span<const Obse
             "it was read on one heading only: what changed elsewhere is not seen, and the verdict rests on what compasses of its kind and history do"));
     if (Message unknown = whatIsUnknown(belief); !unknown.empty())
         verdict.warnings.push_back(std::move(unknown));
+    std::ranges::move(doubtsOfRepeats(belief, readings, options), std::back_inserter(verdict.warnings));
     if (verdict.reachable > options.accepted)
         verdict.warnings.push_back(
             {MARKED("core",

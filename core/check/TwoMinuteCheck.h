@@ -30,6 +30,7 @@ struct CheckVerdict {
 };
 /// Of a compass without history; empty: with one.
 [[nodiscard]] Message whatIsUnknown(const CompassBelief& belief);
+/// Readings within 5° of each other are one, their mean; that they are, and that they contradict each other, is told.
 /// Errors: InvalidInput (no reading).
 Result<CheckVerdict> verdictOf(const CompassBelief& belief, std::span<const Observation> readings, const CheckOptions& options);
 

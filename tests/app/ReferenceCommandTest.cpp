@@ -206,6 +206,13 @@ TEST(CheckCommand, headingsVerdictAndASwingToSign)
     judge.back() = "-o";
     judge.push_back(out);
     ASSERT_EQ(sandbox.run(judge).status, 0);
+    // Readings that name no aircraft are told beside a history that does, and in the check that is written.
+    const auto nameless = sandbox.path("nameless.csv");
+    write(nameless, "# date: 2026-03-01\nmagnetic_heading_deg,compass_heading_deg\n2,0\n122,120\n242,240\n");
+    const auto told = sandbox.run({"check", "--date", "2026-03-01", "--history", history[0], nameless, "-o", out + ".csv"});
+    EXPECT_EQ(told.status, 0);
+    EXPECT_NE(told.err.find("nameless.csv does not say of which aircraft and compass it is"), std::string::npos) << told.err;
+    EXPECT_NE(sandbox.read("check.csv.csv").find("did not say of which aircraft they are"), std::string::npos);
     // The check is a swing that can be completed and signed with its three readings.
     const auto database = sandbox.path("fleet.lubberline");
     ASSERT_EQ(sandbox.run({"import", out, "--db", database}).status, 0);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/angle/Angle.h"
 #include "tests/core/check/SimulatedCompass.h"
 
@@ -119,6 +121,16 @@ TEST(TwoCompasses, aLogIsNoSurerThanItsHeadings)
     EXPECT_EQ(many->headings, few->headings);
     for (std::size_t i = 0; i < 4; ++i)
         EXPECT_NEAR(many->probability[i], few->probability[i], 1e-9);
+    const auto said = [](const PairVerdict& verdict, const char* words) {
+        return std::any_of(verdict.warnings.begin(), verdict.warnings.end(),
+            [words](const Message& warning) { return warning.english().find(words) != std::string::npos; });
+    };
+    EXPECT_TRUE(said(*many, "400 pairs were read on 8 different headings"));
+    EXPECT_FALSE(said(*few, "different headings"));
+    EXPECT_FALSE(said(*many, "contradict"));
+    auto twice = pairs;
+    twice.push_back({twice[2].first, CompassHeading::fromDegrees(twice[2].second.degrees() + 9), {}});
+    EXPECT_TRUE(said(*compareCompasses(one, two, twice, {}), "contradict each other by 9.0°"));
 }
 
 TEST(TwoCompasses, aDatumThatIsOutIsDoubtedBeforeBothCompasses)

@@ -73,6 +73,28 @@ TEST(TwoMinuteCheck, agreementAndDisagreement)
     EXPECT_FALSE(verdictOf(belief, agree, limited)->holds);
 }
 
+TEST(TwoMinuteCheck, aHeadingThatIsReadTwiceIsOneReading)
+{
+    const auto belief = beliefOf(quietHistory(3), 2025, {});
+    const auto once = verdictOf(belief, std::vector{readAt(belief, 0, 2), readAt(belief, 90, 2)}, {});
+    const auto twice
+        = verdictOf(belief, std::vector{readAt(belief, 0, 1.5), readAt(belief, 90, 2), readAt(belief, 0, 2.5), readAt(belief, 90, 2)}, {});
+    ASSERT_TRUE(once && twice);
+    EXPECT_NEAR(twice->errorProbability, once->errorProbability, 1e-9);
+    EXPECT_NEAR(twice->reachable, once->reachable, 1e-9);
+    EXPECT_EQ(twice->differences_deg.size(), 4u);
+    EXPECT_EQ(twice->warnings.size(), once->warnings.size() + 2);
+    const auto said = [](const CheckVerdict& verdict, const char* words) {
+        return std::any_of(verdict.warnings.begin(), verdict.warnings.end(),
+            [words](const Message& one) { return one.english().find(words) != std::string::npos; });
+    };
+    EXPECT_TRUE(said(*twice, "90° was read 2 times: it counts as one reading, the mean"));
+    EXPECT_FALSE(said(*once, "was read"));
+    // Across north, too; and what contradicts itself is no mean of two good readings.
+    const auto apart = verdictOf(belief, std::vector{readAt(belief, 359, 0), readAt(belief, 2, 8)}, {});
+    EXPECT_TRUE(said(*apart, "the readings on 359° contradict each other by 8.0°"));
+}
+
 TEST(TwoMinuteCheck, withoutHistoryItSaysWhatItCannotKnow)
 {
     const auto belief = beliefOf({}, 2025, {});
