@@ -1,12 +1,14 @@
 #include "core/procedure/SunDatum.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <complex>
 #include <map>
 
 #include "core/base/Number.h"
 #include "core/earth/VariationError.h"
+#include "core/reference/Alignment.h"
 #include "core/swing/SharedDoubts.h"
 
 namespace lubberline {
@@ -46,10 +48,13 @@ Result<SunHeading> sunHeading(const DatumInstrument& instrument, const RawFigure
 SharedErrors sharedBySun(const Place& place, std::span<const TakenHeading> headings, const SunSighting& sighting, double variationError_deg)
 {
     std::vector<CompassHeading> compass;
-    SharedDoubt clock, position, leanAhead, leanRight, variation;
+    SharedDoubt clock, position, leanAhead, leanRight, variation, runway, setting, drift;
     for (const TakenHeading& taken : headings) {
         compass.push_back(taken.compass);
         variation.push_back(taken.fromTrue ? variationError_deg : 0);
+        runway.push_back(taken.runway_deg);
+        setting.push_back(taken.setting_deg);
+        drift.push_back(taken.drift_deg);
         if (!taken.bySun) {
             for (SharedDoubt* doubt : {&clock, &position, &leanAhead, &leanRight})
                 doubt->push_back(0);
@@ -63,7 +68,7 @@ SharedErrors sharedBySun(const Place& place, std::span<const TakenHeading> headi
         leanAhead.push_back(shares.plumb_deg * std::sin(fromNose)); // across the sun is what turns a shadow
         leanRight.push_back(shares.plumb_deg * std::cos(fromNose));
     }
-    return sharedErrorsOf(compass, std::vector{clock, position, leanAhead, leanRight, variation});
+    return sharedErrorsOf(compass, std::vector{clock, position, leanAhead, leanRight, variation, runway, setting, drift});
 }
 
 namespace {
@@ -79,17 +84,36 @@ double errorOfVariation_deg(const Swing& swing, const Place& place)
     return variationError_deg(*answer);
 }
 
+struct DatumInUse {
+    const DatumInstrument* instrument;
+    std::optional<UtcTime> since; ///< of the first reading by it
+    RawFigures raw;               ///< of this reading
+};
+
+/// A direction in whole tens is the runway's designator, which names it to ten degrees.
+double runwayError_deg(const RawFigures& raw)
+{
+    constexpr double kOfDesignator_deg = 3; // ± 5°, evenly: 10/√12
+    const auto& figures = raw.datum_deg;
+    const bool tens = !figures.empty() && std::ranges::all_of(figures, [](double figure) { return std::fmod(figure, 10.0) == 0; });
+    return tens ? kOfDesignator_deg : RunwayAlignment().published_deg;
+}
+
 } // namespace
 
-SharedErrors sharedErrorsOf(const SwingJob& job, const Swing& swing, const Place& place)
+SharedErrors sharedErrorsOf(const SwingJob& job, const Swing& swing, const std::optional<Place>& place)
 {
-    std::map<std::string, const DatumInstrument*> datumAt; // by the time of the reading
-    const DatumInstrument* datum = &job.datum;
+    std::map<std::string, DatumInUse> datumAt; // by the time of the reading
+    DatumInUse datum{&job.datum, {}, {}};
     for (const JobEvent& event : job.events) {
-        if (const auto* changed = std::get_if<job::DatumChanged>(&event.what))
-            datum = &changed->datum;
-        else if (std::holds_alternative<job::ReadingTaken>(event.what))
+        if (const auto* changed = std::get_if<job::DatumChanged>(&event.what)) {
+            datum = {&changed->datum, {}, {}};
+        } else if (const auto* reading = std::get_if<job::ReadingTaken>(&event.what)) {
+            if (const auto time = readUtcTime(event.timeUtc); time && !datum.since)
+                datum.since = *time;
+            datum.raw = reading->raw;
             datumAt[event.timeUtc] = datum;
+        }
     }
     const Variation variation = Variation::fromDegrees(swing.variation_deg.value_or(0));
     std::vector<TakenHeading> headings;
@@ -98,11 +122,22 @@ SharedErrors sharedErrorsOf(const SwingJob& job, const Swing& swing, const Place
         if (!reading.used() || found == datumAt.end())
             continue;
         const auto time = readUtcTime(reading.timeUtc);
-        const bool bySun = takesSun(found->second->kind) && time;
-        headings.push_back({toTrue(*reading.magnetic, variation), *reading.compass, bySun ? std::optional(*time) : std::nullopt,
-            bySun || found->second->givesTrue});
+        const DatumInstrument& instrument = *found->second.instrument;
+        const bool bySun = place && takesSun(instrument.kind) && time;
+        TakenHeading taken{toTrue(*reading.magnetic, variation), *reading.compass, bySun ? std::optional(*time) : std::nullopt,
+            bySun || instrument.givesTrue};
+        if (instrument.kind == DatumKind::Runway)
+            taken.runway_deg = runwayError_deg(found->second.raw);
+        if (instrument.kind == DatumKind::TransferGyro) {
+            const TransferGyro common;
+            taken.setting_deg = common.setting_deg;
+            const double read_min
+                = found->second.since && time ? std::chrono::duration<double, std::ratio<60>>(*time - *found->second.since).count() : 0;
+            taken.drift_deg = common.drift_deg_h * (common.minutes + std::max(0.0, read_min)) / 60;
+        }
+        headings.push_back(taken);
     }
-    return sharedBySun(place, headings, {}, errorOfVariation_deg(swing, place));
+    return sharedBySun(place.value_or(Place{}), headings, {}, place ? errorOfVariation_deg(swing, *place) : 0);
 }
 
 double hourInA_deg(const Place& place, std::span<const UtcTime> times, int hours)

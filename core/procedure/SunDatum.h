@@ -1,6 +1,7 @@
 #pragma once
 /// The sun as a datum: a shadow pin or an astrocompass on the aircraft, anywhere.
 
+#include <optional>
 #include <span>
 
 #include "core/procedure/DatumHeading.h"
@@ -35,14 +36,21 @@ struct TakenHeading {
     CompassHeading compass;
     std::optional<UtcTime> bySun; ///< when; none: by another instrument
     bool fromTrue = true;         ///< made magnetic with the variation
+    double runway_deg = 0;        ///< standard error of the direction of the runway that it was lined up with
+    double setting_deg = 0;       ///< of the transfer gyro on its base
+    double drift_deg = 0;         ///< by how much that has drifted until then
 };
 /// What the headings by the sun share: clock, position and variation, which are in A, and a pin or level that leans with the aircraft
-/// (`plumb`), which is in B and C. What is read anew on each heading (pointing) their scatter shows.
+/// (`plumb`), which is in B and C; and what a runway's direction and a transfer gyro share. What is read anew on each heading (pointing,
+/// lining up) their scatter shows.
 [[nodiscard]] SharedErrors sharedBySun(
     const Place& place, std::span<const TakenHeading> headings, const SunSighting& sighting, double variationError_deg);
-/// The same of a guided swing at its base, with what a sighting commonly has (the defaults of SunSighting); headings that are true are
-/// uncertain by the variation, too, where that is the model's. None: no true heading is among its readings.
-[[nodiscard]] SharedErrors sharedErrorsOf(const SwingJob& job, const Swing& swing, const Place& place);
+/// The same of a guided swing at its base, with what such a datum commonly has (the defaults of SunSighting, RunwayAlignment and
+/// TransferGyro in core/reference/Alignment.h); headings that are true are uncertain by the variation, too, where that is the model's.
+/// A runway read in whole tens of degrees is its designator (3°). A transfer gyro was set TransferGyro::minutes before the first reading
+/// that was taken by it; a datum that is changed, to the same one again, too, begins anew. @param place none: not known; of the sun and
+/// the model nothing is said then.
+[[nodiscard]] SharedErrors sharedErrorsOf(const SwingJob& job, const Swing& swing, const std::optional<Place>& place);
 
 /// What a clock that is an hour fast adds to A (magnetic − compass) of a swing read at these times [deg]; slow: about the opposite.
 [[nodiscard]] double hourInA_deg(const Place& place, std::span<const UtcTime> times, int hours = 1);

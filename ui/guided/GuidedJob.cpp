@@ -102,9 +102,8 @@ Message GuidedJob::clockDoubt() const
 
 void GuidedJob::tellDatumErrors(Swing& swing) const
 {
-    const auto place = placeOfSun();
-    if (place && !swing.sharedErrors.any()) // else somebody stated it
-        swing.sharedErrors = sharedErrorsOf(m_job, swing, *place);
+    if (!swing.sharedErrors.any()) // else somebody stated it
+        swing.sharedErrors = sharedErrorsOf(m_job, swing, placeOfSun());
 }
 
 QString GuidedJob::astroSetting() const

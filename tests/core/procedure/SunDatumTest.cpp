@@ -189,5 +189,57 @@ TEST(SunDatum, aGuidedSwingKeepsWhatTheSunLeavesOpen)
     EXPECT_FALSE(sharedErrorsOf(job, swing, kWarsaw).any());
 }
 
+/// Eight readings all around, four minutes apart, by an instrument of that kind.
+std::pair<SwingJob, Swing> carriedBy(DatumKind kind, double figure_deg)
+{
+    std::pair<SwingJob, Swing> made;
+    auto& [job, swing] = made;
+    job.datum = shadowPin();
+    job.datum.kind = kind;
+    job.datum.givesTrue = false;
+    for (int i = 0; i < 8; ++i) {
+        const std::string time = "2026-06-01T09:" + std::to_string(10 + 4 * i) + ":00Z";
+        job.events.push_back({time, job::ReadingTaken{i, {{figure_deg}, {}, {}}, 0, 0, {}}});
+        Reading reading;
+        reading.magnetic = MagneticHeading::fromDegrees(45.0 * i);
+        reading.compass = CompassHeading::fromDegrees(45.0 * i);
+        reading.timeUtc = time;
+        swing.readings.push_back(reading);
+    }
+    return made;
+}
+
+TEST(DatumErrors, aRunwayIsNoSurerThanItsPublishedDirection)
+{
+    const auto [job, swing] = carriedBy(DatumKind::Runway, 273);
+    const auto surveyed = sharedErrorsOf(job, swing, {}).of_deg;
+    EXPECT_NEAR(surveyed[0], 0.1, 1e-9);
+    for (const std::size_t c : {1u, 2u, 3u, 4u})
+        EXPECT_NEAR(surveyed[c], 0, 1e-9);
+    const auto [designated, byDesignator] = carriedBy(DatumKind::Runway, 270);
+    EXPECT_NEAR(sharedErrorsOf(designated, byDesignator, {}).of_deg[0], 3, 1e-9);
+    auto trueOne = job;
+    trueOne.datum.givesTrue = true; // with the variation's error, where that is the model's
+    Swing atWarsaw = swing;
+    atWarsaw.date = Date("2026-06-01");
+    atWarsaw.variation_deg
+        = defaultFieldModel(yearOf(atWarsaw.date))->evaluate(kWarsaw, yearOf(atWarsaw.date))->field.variation().degrees();
+    EXPECT_GT(sharedErrorsOf(trueOne, atWarsaw, kWarsaw).of_deg[0], 0.3);
+    EXPECT_NEAR(sharedErrorsOf(job, atWarsaw, kWarsaw).of_deg[0], 0.1, 1e-9);
+    const auto [rose, byRose] = carriedBy(DatumKind::RoseLine, 270);
+    EXPECT_FALSE(sharedErrorsOf(rose, byRose, {}).any());
+}
+
+TEST(DatumErrors, aTransferGyroDriftsSinceItWasSet)
+{
+    auto [job, swing] = carriedBy(DatumKind::TransferGyro, 273);
+    const double A = sharedErrorsOf(job, swing, {}).of_deg[0];
+    // Set ten minutes before the first; the readings lie 0 … 28 min after it: 0.5°/h over 24 min, and 0.05° of the setting.
+    EXPECT_NEAR(A, std::hypot(0.5 * 24 / 60, 0.05), 0.01);
+    // Set anew after the fourth: it has drifted for less.
+    job.events.insert(job.events.begin() + 4, {"2026-06-01T09:24:00Z", job::DatumChanged{job.datum}});
+    EXPECT_NEAR(sharedErrorsOf(job, swing, {}).of_deg[0], std::hypot(0.5 * 16 / 60, 0.05), 0.01);
+}
+
 } // namespace
 } // namespace lubberline
