@@ -214,7 +214,7 @@ TEST_F(Hostile, aHugeExchangeFileIsRefusedInBoundedMemory)
         {many("0,", 38'000'000), "the values up to here take more than 320 MiB"},
         {many("{},", 100'000'000), "the values up to here take more than 320 MiB"},
         {many("{},", 9'000'000), "aircraft[0].record: is missing"},
-        {head + "\"note\": \"" + std::string(100'000'000, 'a') + "\"}", "holds a text of more than 16 MiB"},
+        {head + "\"note\": \"" + std::string(100'000'000, 'a') + "\"}", "holds a text of more than 4 MiB"},
         {std::string(100'000'000, '['), "is nested too deeply"},
     };
     for (const auto& [text, words] : kFiles) {

@@ -24,7 +24,7 @@ constexpr std::size_t kMaxDepth = 32;
 /// twice for a moment.
 constexpr std::size_t kMostBytes = std::size_t{320} << 20, kValueBytes = 16, kElementBytes = 16, kKeyBytes = 112, kOpenBytes = 64;
 /// The parser has a text twice, and once more where it is kept. The longest of ours is a key in ASCII armour, or the particulars of a swing.
-constexpr std::size_t kMostStringBytes = std::size_t{16} << 20;
+constexpr std::size_t kMostStringBytes = std::size_t{4} << 20;
 /// An object is a record of ours or a list by name; each is held against the others.
 constexpr std::size_t kMostObjectKeys = 10'000;
 
