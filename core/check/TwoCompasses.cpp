@@ -223,7 +223,7 @@ Result<PairVerdict> compareCompasses(
     if (verdict.headings < verdict.readings)
         verdict.warnings.push_back(
             {MARKED_N("core", "%n pair(s) were read on %1 different headings: those of the same ten degrees count as one, their mean"),
-                verdict.headings, verdict.readings});
+                verdict.readings, verdict.headings});
     for (const auto& [place, bin] : bins)
         if (const double spread_deg = bin.most_deg - bin.least_deg;
             bin.count < kFewPairs && spread_deg > kMostSpread * options.readingError_deg)

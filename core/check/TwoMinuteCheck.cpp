@@ -75,8 +75,8 @@ std::vector<Message> doubtsOfRepeats(const CompassBelief& belief, std::span<cons
             most = std::max(most, beyond);
         }
         const std::string at = figureText(printedHeading_deg(group.front().compass.degrees(), 0), 0);
-        constexpr double kMostSpread = 4.2; // of two readings; three standard deviations of their difference
-        if (most - least > kMostSpread * options.readingError_deg)
+        constexpr double kContradiction = 4.2; // of two readings; three standard deviations of their difference
+        if (most - least > kContradiction * options.readingError_deg)
             doubts.push_back({MARKED("core",
                                   "the readings on %1° contradict each other by %2°: one is a slip, or the compass sticks; read it again "
                                   "(their mean was taken)"),

@@ -6,6 +6,7 @@
 
 #include "core/due/DueRules.h"
 #include "core/record/FleetRows.h"
+#include "db/stores/SwingMarks.h"
 #include "ui/kit/EditContext.h"
 #include "ui/kit/FormField.h"
 #include "ui/kit/Page.h"

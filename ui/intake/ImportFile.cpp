@@ -9,6 +9,7 @@
 #include "core/base/WholeFile.h"
 #include "core/format/csv/SwingCsv.h"
 #include "core/format/exchange/Exchange.h"
+#include "core/format/json/JsonDocument.h"
 #include "ui/report/swing/Report.h"
 
 namespace lubberline::ui {
