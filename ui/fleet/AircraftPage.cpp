@@ -176,7 +176,7 @@ Result<void> AircraftPage::load(AircraftId id, CompassId compass)
         return loadCompass(known ? compass : worst());
     m_compass.show({}, false);
     showTitle();
-    showSwings({}, {});
+    showSwings({}, {}, {});
     return {};
 }
 
