@@ -3186,10 +3186,6 @@
         <translation>kursy odłożone do sprawdzenia różnią się o %1° (średnia kwadratowa); oczekiwano najwyżej %2°</translation>
     </message>
     <message>
-        <source>the log&apos;s field is %1 nT, %2 % off the %3 nT that were given; expected within %4 %: another unit, another place, or a sensor of another scale</source>
-        <translation>pole zapisu wynosi %1 nT, %2 % inaczej niż podane %3 nT; oczekiwano w granicach %4 %: inna jednostka, inne miejsce albo czujnik o innej skali</translation>
-    </message>
-    <message>
         <source>the sensor seems turned by %1°, which is the variation of the place (%2°): are the headings true instead of magnetic?</source>
         <translation>czujnik wydaje się obrócony o %1°, a tyle wynosi deklinacja miejsca (%2°): czy kursy są rzeczywiste zamiast magnetycznych?</translation>
     </message>
@@ -3384,10 +3380,6 @@
     <message>
         <source>%1 of %2 samples were left out as spikes or faults; expected one in five or fewer</source>
         <translation>%1 z %2 próbek pominięto jako szpilki lub usterki; oczekiwano najwyżej jednej na pięć</translation>
-    </message>
-    <message>
-        <source>the log&apos;s field is %1 nT, %2 % off the %3 nT that were given</source>
-        <translation>pole zapisu wynosi %1 nT, %2 % inaczej niż podane %3 nT</translation>
     </message>
     <message>
         <source>the log is in counts: the field that was given is not used, and the radius is in counts</source>
@@ -4982,10 +4974,6 @@
         <translation>pole w dzienniku wynosi %1 nT, a pole Ziemi od %2 do %3 nT: inna jednostka albo czujnik o innej skali</translation>
     </message>
     <message>
-        <source>perhaps aircraft supply 400 Hz at %1 Hz</source>
-        <translation>być może sieć pokładowa 400 Hz o %1 Hz</translation>
-    </message>
-    <message>
         <source>%1 or %2</source>
         <translation>%1 lub %2</translation>
     </message>
@@ -5120,6 +5108,182 @@
     <message>
         <source>every compass heading is a multiple of %1°: taken as read to no better, whatever the compass can</source>
         <translation>każdy kurs kompasowy jest wielokrotnością %1°: przyjęto, że dokładniej nie odczytano, cokolwiek kompas potrafi</translation>
+    </message>
+    <message>
+        <source>headings are reciprocal, 180° off</source>
+        <translation>kursy są odwrotne, o 180°</translation>
+    </message>
+    <message>
+        <source>headings are %1° off</source>
+        <translation>kursy są przesunięte o %1°</translation>
+    </message>
+    <message>
+        <source>headings run anticlockwise</source>
+        <translation>kursy rosną przeciwnie do ruchu wskazówek zegara</translation>
+    </message>
+    <message>
+        <source>pitch has the other sign (nose up is positive)</source>
+        <translation>pochylenie ma przeciwny znak (dziób w górę jest dodatni)</translation>
+    </message>
+    <message>
+        <source>roll has the other sign (starboard wing down is positive)</source>
+        <translation>przechylenie ma przeciwny znak (prawe skrzydło w dół jest dodatnie)</translation>
+    </message>
+    <message>
+        <source>pitch stands for roll and roll for pitch</source>
+        <translation>pochylenie stoi w miejscu przechylenia, a przechylenie w miejscu pochylenia</translation>
+    </message>
+    <message>
+        <source>%1: so taken the samples are explained to %2 nT, as stated to %3 nT</source>
+        <translation>%1: tak wzięte próbki są wyjaśnione do %2 nT, tak jak podane do %3 nT</translation>
+    </message>
+    <message>
+        <source>heading, pitch and roll explain %1 % of how the readings vary; expected %2 % or more: they are of another log or clock, or of another sign, order or unit</source>
+        <translation>kurs, pochylenie i przechylenie wyjaśniają %1 % zmienności odczytów; oczekiwano co najmniej %2 %: pochodzą z innego zapisu lub zegara albo mają inny znak, kolejność lub jednostkę</translation>
+    </message>
+    <message>
+        <source>the log&apos;s field is %1 nT, %2 % off the %3 nT that were given; expected within %4 %: another unit, another place, or a sensor of another scale, which soft iron then carries</source>
+        <translation>pole w zapisie wynosi %1 nT, o %2 % inne niż podane %3 nT; oczekiwano do %4 %: inna jednostka, inne miejsce albo czujnik o innej skali, którą przejmuje wtedy żelazo miękkie</translation>
+    </message>
+    <message>
+        <source>put the columns of the attitude right and calibrate once more</source>
+        <translation>poprawić kolumny położenia i skalibrować ponownie</translation>
+    </message>
+    <message>
+        <source>without pitch and roll the headings are those of a level compass, and this one was tilted: the field along z goes up and down by %1 % of the field; expected %2 % or less. Headings of it mean nothing, and there is no deviation map</source>
+        <translation>bez pochylenia i przechylenia kursy są jak dla kompasu w poziomie, a ten był przechylony: pole wzdłuż z waha się o %1 % pola; oczekiwano najwyżej %2 %. Takie kursy nic nie znaczą i nie ma mapy dewiacji</translation>
+    </message>
+    <message>
+        <source>more than one source: one dipole leaves %1 nT (rms), two leave %2 nT, at %3 and at %4 m; the errors reach to them. Take the stronger away, or read nearer to each</source>
+        <translation>więcej niż jedno źródło: jeden dipol pozostawia %1 nT (rms), dwa pozostawiają %2 nT, w %3 i w %4 m; błędy sięgają do nich. Usunąć silniejsze albo odczytać bliżej każdego</translation>
+    </message>
+    <message>
+        <source>what is left (%1 nT rms) is alike at neighbouring readings (correlation %2; expected %3 or less), so it is no noise: more than one source, a source that is no dipole from so near, or a field that is not uniform; the errors are %4 times as wide for it</source>
+        <translation>to, co pozostaje (%1 nT rms), jest podobne w sąsiednich odczytach (korelacja %2; oczekiwano najwyżej %3), więc nie jest szumem: więcej niż jedno źródło, źródło, które z tak bliska nie jest dipolem, albo pole niejednorodne; błędy są przez to %4 razy szersze</translation>
+    </message>
+    <message>
+        <source>that the sensor has no soft iron beyond this shape is taken for granted: what this log does not show of it may move the hard iron by up to %1 %2</source>
+        <translation>przyjęto, że czujnik nie ma innego żelaza miękkiego niż w tym kształcie: to, czego ten zapis z niego nie pokazuje, może przesunąć żelazo twarde nawet o %1 %2</translation>
+    </message>
+    <message>
+        <source>soft iron is in the log that these %1 parameters leave out: they leave %2 %4 of noise where all 10 leave %3 %4 (F %5; expected %6 or less), and they move the hard iron by %7 %4</source>
+        <translation>w zapisie jest żelazo miękkie, które te %1 parametrów pomija: pozostawiają %2 %4 szumu tam, gdzie wszystkie 10 pozostawia %3 %4 (F %5; oczekiwano najwyżej %6), i przesuwają żelazo twarde o %7 %4</translation>
+    </message>
+    <message>
+        <source>fit all 10 parameters (ellipsoid)</source>
+        <translation>dopasować wszystkie 10 parametrów (elipsoida)</translation>
+    </message>
+    <message>
+        <source>what the fit leaves over goes with the direction of the field: %1 %4 (rms) of it, %2 times as much as the scatter in one direction explains; expected %3 %4 or less: a sensor that is not linear, or a field that was not the same everywhere</source>
+        <translation>to, co dopasowanie pozostawia, zależy od kierunku pola: %1 %4 (rms), %2 razy więcej niż tłumaczy rozrzut w jednym kierunku; oczekiwano najwyżej %3 %4: czujnik nieliniowy albo pole, które nie było wszędzie takie samo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spike(s) left out, the largest of %1 nT along %2 at %3 s: there for a sample alone; where one comes again as often as a thing is switched, it is that thing&apos;s</source>
+        <translation>
+            <numerusform>pominięto %n impuls, %1 nT wzdłuż %2 w %3 s: trwa jedną próbkę; jeżeli powraca przy każdym przełączeniu urządzenia, pochodzi od niego</numerusform>
+            <numerusform>pominięto %n impulsy, największy %1 nT wzdłuż %2 w %3 s: trwają jedną próbkę; jeżeli powracają przy każdym przełączeniu urządzenia, pochodzą od niego</numerusform>
+            <numerusform>pominięto %n impulsów, największy %1 nT wzdłuż %2 w %3 s: trwają jedną próbkę; jeżeli powracają przy każdym przełączeniu urządzenia, pochodzą od niego</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a line stands at half the sampling rate (%1 Hz): the column goes up and down by %2 %3 from sample to sample, and what makes it may be stronger, as only a part of such a wave shows</source>
+        <translation>prążek leży na połowie częstotliwości próbkowania (%1 Hz): kolumna waha się o %2 %3 z próbki na próbkę, a to, co go wywołuje, może być silniejsze, bo z takiej fali widać tylko część</translation>
+    </message>
+    <message>
+        <source>perhaps %1 at %2 Hz</source>
+        <translation>być może %1 przy %2 Hz</translation>
+    </message>
+    <message>
+        <source>at %1 samples a second %2 Hz fall on %3 Hz: the field of such a supply would look like hard iron that drifts; calibrate with it off, or log at another rate</source>
+        <translation>przy %1 próbkach na sekundę %2 Hz wypada na %3 Hz: pole takiego zasilania wyglądałoby jak dryfujące żelazo twarde; kalibrować przy wyłączonym albo zapisywać z inną częstotliwością</translation>
+    </message>
+    <message>
+        <source>the measured columns look like µT</source>
+        <translation>kolumny zmierzone wyglądają na µT</translation>
+    </message>
+    <message>
+        <source>the measured columns look like mG</source>
+        <translation>kolumny zmierzone wyglądają na mG</translation>
+    </message>
+    <message>
+        <source>the measured columns look like G</source>
+        <translation>kolumny zmierzone wyglądają na G</translation>
+    </message>
+    <message>
+        <source>the applied columns look like µT</source>
+        <translation>kolumny zadane wyglądają na µT</translation>
+    </message>
+    <message>
+        <source>the applied columns look like mG</source>
+        <translation>kolumny zadane wyglądają na mG</translation>
+    </message>
+    <message>
+        <source>the applied columns look like G</source>
+        <translation>kolumny zadane wyglądają na G</translation>
+    </message>
+    <message>
+        <source>a column is in another unit, or is not that field</source>
+        <translation>kolumna jest w innej jednostce albo nie jest tym polem</translation>
+    </message>
+    <message>
+        <source>has %1 to %2 nT measured per nT applied; expected %3 to %4: %5</source>
+        <translation>ma od %1 do %2 nT zmierzonych na nT zadany; oczekiwano od %3 do %4: %5</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>zgodnie z ruchem wskazówek zegara</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>przeciwnie do ruchu wskazówek zegara</translation>
+    </message>
+    <message>
+        <source>no one way</source>
+        <translation>w żadną jedną stronę</translation>
+    </message>
+    <message>
+        <source>the rows of the first run go counter-clockwise and those of the second clockwise: expected the clockwise run first</source>
+        <translation>wiersze pierwszego przebiegu biegną przeciwnie do ruchu wskazówek zegara, a drugiego zgodnie: oczekiwano najpierw przebiegu zgodnego</translation>
+    </message>
+    <message>
+        <source>the rows of the run clockwise go %1 and those of the other %2: one way round nothing is compared; expected one run each way, rows in the order in which they were read</source>
+        <translation>wiersze przebiegu zgodnego biegną %1, a drugiego %2: w jedną stronę nie ma czego porównać; oczekiwano po jednym przebiegu w każdą stronę, wierszy w kolejności odczytu</translation>
+    </message>
+    <message>
+        <source>the run clockwise has no reading from %1 to %2: over these %3° nothing is compared; expected %4° or less between readings</source>
+        <translation>przebieg zgodny nie ma odczytu od %1 do %2: na tych %3° niczego nie porównano; oczekiwano najwyżej %4° między odczytami</translation>
+    </message>
+    <message>
+        <source>the run counter-clockwise has no reading from %1 to %2: over these %3° nothing is compared; expected %4° or less between readings</source>
+        <translation>przebieg przeciwny nie ma odczytu od %1 do %2: na tych %3° niczego nie porównano; oczekiwano najwyżej %4° między odczytami</translation>
+    </message>
+    <message>
+        <source>is in the state already, and would count twice; expected a log that was not taken yet</source>
+        <translation>jest już w stanie i liczyłby się dwa razy; oczekiwano zapisu jeszcze nieprzyjętego</translation>
+    </message>
+    <message>
+        <source>it begins with the readings of a log that is in the state already: what both of them hold counts twice</source>
+        <translation>zaczyna się odczytami zapisu, który już jest w stanie: to, co jest w obu, liczy się dwa razy</translation>
+    </message>
+    <message>
+        <source>it overlaps in time with a log that is in the state already: what both of them hold counts twice</source>
+        <translation>nakłada się w czasie z zapisem, który już jest w stanie: to, co jest w obu, liczy się dwa razy</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n report(s) came long after later ones of their flight: a turn or a climb between them cannot be judged; sort the file by aircraft and time</source>
+        <translation>
+            <numerusform>%n meldunek przyszedł długo po późniejszych z tego lotu: zakrętu ani wznoszenia między nimi nie da się ocenić; posortować plik według statku powietrznego i czasu</numerusform>
+            <numerusform>%n meldunki przyszły długo po późniejszych z tego lotu: zakrętu ani wznoszenia między nimi nie da się ocenić; posortować plik według statku powietrznego i czasu</numerusform>
+            <numerusform>%n meldunków przyszło długo po późniejszych z tego lotu: zakrętu ani wznoszenia między nimi nie da się ocenić; posortować plik według statku powietrznego i czasu</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the headings that are read are %1° from those flown: the other end of the needle, or a sensor that is mounted the wrong way round; it is to be turned before a table is made</source>
+        <translation>odczytywane kursy są o %1° od lecianych: drugi koniec igły albo czujnik zamontowany odwrotnie; obrócić go, zanim powstanie tablica</translation>
+    </message>
+    <message>
+        <source>the winds change by a factor of %1 between the flights %2 and %3, as knots and metres a second would; nothing is fitted until the file has one unit, or it is said that it has</source>
+        <translation>wiatry zmieniają się %1 razy między lotami %2 i %3, jak węzły i metry na sekundę; niczego się nie dopasowuje, dopóki plik nie ma jednej jednostki albo nie powiedziano, że ją ma</translation>
     </message>
 </context>
 <context>
@@ -11103,6 +11267,10 @@ soft iron S:</source>
         <source>Errors that all readings share are in them (%1, in degrees), and in the intervals with 1.96 of theirs: they are stated, not estimated from the scatter.</source>
         <translation>Błędy wspólne dla wszystkich odczytów są w nich zawarte (%1, w stopniach), a w przedziałach z czynnikiem 1,96: są podane, nie oszacowane z rozrzutu.</translation>
     </message>
+    <message>
+        <source>▲ It does not pass: the runs are not one each way round over all headings.</source>
+        <translation>▲ Nie przechodzi: przebiegi nie są po jednym w każdą stronę po wszystkich kursach.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::DueBadge</name>
@@ -12017,6 +12185,10 @@ soft iron S:</source>
     <message>
         <source>readings: %1</source>
         <translation>odczyty: %1</translation>
+    </message>
+    <message>
+        <source>rev. %1</source>
+        <translation>wyd. %1</translation>
     </message>
 </context>
 <context>
@@ -16694,10 +16866,6 @@ Escape przywraca zapisaną wartość.</translation>
         <translation>„%1” nie jest liczbą</translation>
     </message>
     <message>
-        <source>Levelling: natural period %1 s, damping %2, largest gain %3; standoff %4°.</source>
-        <translation>Poziomowanie: okres własny %1 s, tłumienie %2, największe wzmocnienie %3; odchyłka trwała %4°.</translation>
-    </message>
-    <message>
         <source>Slaving leaves %1° of the drift.</source>
         <translation>Korekcja zostawia %1° dryfu.</translation>
     </message>
@@ -16784,6 +16952,10 @@ Escape przywraca zapisaną wartość.</translation>
     <message>
         <source>&amp;Own deviation of %1</source>
         <translation>&amp;Własna dewiacja %1</translation>
+    </message>
+    <message>
+        <source>Levelling: natural period %1 s, damping %2, largest gain %3; standoff to rates and drift %4° (Coriolis, in the curve, is not in it).</source>
+        <translation>Poziomowanie: okres własny %1 s, tłumienie %2, największe wzmocnienie %3; odchyłka od prędkości kątowych i dryfu %4° (bez przyspieszenia Coriolisa, które jest w krzywej).</translation>
     </message>
 </context>
 <context>
