@@ -55,8 +55,8 @@ void printContinuous(const ContinuousResult& result)
     for (const auto& direction : result.nullDirections)
         put("%s\n", direction.english().c_str());
     for (const auto& alarm : result.alarms) {
-        put("alarm at %.0f s: %s by %+.2f +- %.2f deg since %.0f s", alarm.time_s, alarm.coefficient.c_str(), alarm.change_deg,
-            alarm.standardError_deg, alarm.since_s);
+        put("alarm at %.0f s: %s by %+.2f +- %.2f deg since %.0f s (between %.0f and %.0f s)", alarm.time_s, alarm.coefficient.c_str(),
+            alarm.change_deg, alarm.standardError_deg, alarm.since_s, alarm.from_s, alarm.to_s);
         for (const auto& other : alarm.orElse)
             put("%s%s", &other == &alarm.orElse.front() ? ", if it is not " : ", ", other.c_str());
         put("\n");

@@ -13,6 +13,10 @@ namespace {
 constexpr std::int64_t kEnoughForCorrelation = 40;
 constexpr double kAfterAlarm_deg = 3.0;
 constexpr double kMostCorrelation = 0.995, kErrorsOfCorrelation = 2.0;
+/// Of χ²: two walks of a log-likelihood, before and after the moment, both stay below this with 95 %: (1 − e^(−y/2))² = 0.95
+/// [Siegmund 1988]; there are fewer moments than in his limit, so that it is more.
+constexpr double kNearlyAsLikely = 7.4;
+constexpr std::size_t kLookedBackOn = 4 * InnovationWatch::kWindows.back(); ///< updates: errors that last delay an alarm
 constexpr double kClearlyLess = 9.0; ///< of χ²: what explains less than the best by more than this is not what changed
 
 } // namespace
@@ -116,7 +120,7 @@ void ContinuousSwing::watch(const Kept& kept, double white)
     m_previous = white;
     m_previousRow = row;
     m_kept.push_back(kept);
-    if (m_kept.size() > static_cast<std::size_t>(InnovationWatch::kWindows.back()))
+    if (m_kept.size() > kLookedBackOn)
         m_kept.pop_front();
     if (!m_naming.empty()) {
         constexpr std::size_t kUpdatesToName = 30, kMostToName = 1000;
@@ -127,7 +131,7 @@ void ContinuousSwing::watch(const Kept& kept, double white)
             m_namedOn = kept.h;
         }
         m_naming.push_back(kept);
-        const std::size_t since = m_naming.size() - static_cast<std::size_t>(m_alarms.back().window);
+        const std::size_t since = m_naming.size() - m_namedFrom;
         if ((since >= kUpdatesToName && m_namedHeadings >= kHeadingsToName) || since >= kMostToName) {
             nameChange();
             m_naming.clear();
@@ -151,6 +155,7 @@ void ContinuousSwing::nameChange()
     const double known = m_naming.front().variance - m_naming.front().noise; // how well the state was known
     const double widened = widening();
     double most = -1;
+    Eigen::Index best = 0;
     StateFilter::State explained = StateFilter::State::Constant(m_filter.states(), -1);
     for (int i = 0; i < m_filter.states(); ++i) {
         double information = 0, product = 0;
@@ -170,8 +175,10 @@ void ContinuousSwing::nameChange()
             alarm.change_deg = product / information;
             alarm.standardError_deg = std::sqrt(widened / information);
             alarm.since_s = one->time_s;
+            best = i;
         }
     }
+    placeChange(best, most);
     alarm.orElse.clear();
     for (int i = 0; i < m_filter.states(); ++i)
         if (const auto& name = m_names[static_cast<std::size_t>(i)];
@@ -179,13 +186,34 @@ void ContinuousSwing::nameChange()
             alarm.orElse.push_back(name);
 }
 
+/// Between which updates a coefficient changed: all moments from which on a change explains nearly as much as from the likeliest.
+void ContinuousSwing::placeChange(Eigen::Index coefficient, double most)
+{
+    ContinuousAlarm& alarm = m_alarms.back();
+    const StateFilter::State reference = m_naming.front().before;
+    const double known = m_naming.front().variance - m_naming.front().noise, least = most - kNearlyAsLikely * widening();
+    double information = 0, product = 0;
+    alarm.from_s = alarm.to_s = alarm.since_s;
+    for (std::size_t place = m_naming.size(); place-- > 0;) {
+        const Kept& one = m_naming[place];
+        const double variance = one.noise + known, h = one.h(coefficient);
+        information += h * h / variance;
+        product += h * (one.z - one.h.dot(reference)) / variance;
+        if (one.time_s > alarm.time_s || information <= 0 || product * product / information < least)
+            continue;
+        alarm.to_s = std::max(alarm.to_s, one.time_s);
+        alarm.from_s = std::min(alarm.from_s, m_naming[place > 0 ? place - 1 : 0].time_s); // after the update before
+    }
+}
+
 void ContinuousSwing::raise(int window, double p)
 {
     const auto begin = m_kept.end() - window;
-    m_naming.assign(begin, m_kept.end());
+    m_naming.assign(m_kept.begin(), m_kept.end());
+    m_namedFrom = m_naming.size();
     m_namedHeadings = 0;
     m_namedOn = m_kept.back().h;
-    m_alarms.push_back({m_kept.back().time_s, begin->time_s, window, p, {}, {}, 0, 0});
+    m_alarms.push_back({m_kept.back().time_s, begin->time_s, window, p, {}, {}, 0, 0, begin->time_s, m_kept.back().time_s});
     nameChange();
     m_kept.clear();
     m_watch.forget();

@@ -339,8 +339,8 @@ ContinuousResult ContinuousSwing::finish()
     result.log = m_log;
     for (const auto& alarm : m_alarms) {
         Message words{MARKED("core", "the iron changed: %1 by %2\u00B0 \u00B1 %3\u00B0, between %4 s and %5 s"), alarm.coefficient,
-            signedFigureText(alarm.change_deg, 2), figureText(alarm.standardError_deg, 2), figureText(alarm.since_s, 0),
-            figureText(alarm.time_s, 0)};
+            signedFigureText(alarm.change_deg, 2), figureText(alarm.standardError_deg, 2), figureText(alarm.from_s, 0),
+            figureText(alarm.to_s, 0)};
         if (!alarm.orElse.empty()) {
             std::string others = alarm.orElse.front();
             for (std::size_t i = 1; i < alarm.orElse.size(); ++i)

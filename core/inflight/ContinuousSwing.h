@@ -2,10 +2,10 @@
 /// The continuous swing: A to E followed through flights against any heading reference,
 ///   δ = A + B sin ψ' + C cos ψ' + D sin 2ψ' + E cos 2ψ' + Σ I (b sin ψ' + c cos ψ'),   I the current of each electrical load [A]
 /// (of a whole sensor model the row of ModelRow.h in place of the first five) by a Kalman filter, with an alarm when the iron changed: χ² of what the last 10, 20, 40 and 80 whitened innovations say of it
-/// (InnovationWatch.h), at a chance that gives a false alarm in one of ten series of 1400 updates (simulated). Innovations that resemble
+/// (InnovationWatch.h), at a chance that gives a false alarm in one of twenty series of 1400 updates, in one of five where the air turns rough for a while (simulated). Innovations that resemble
 /// their neighbours are whitened by their own correlation first, with room for what that correlation is not known by, and the errors that
 /// are told widened by (1 + ρ)/(1 − ρ): with correlations of 0.5 to 0.99 no more than 12 % of series have a false alarm (simulated on legs
-/// of 20 updates), and 1° in B is found after 40 to 180 updates instead of 10. A leg that is named counts as one update.
+/// of 20 updates), and 1° in B is found after 40 to 180 updates instead of 11. A leg that is named counts as one update.
 /// The error of a pair of headings that nobody states is found from how the first 100 updates scatter, and followed; a stated one that the
 /// innovations contradict is not trusted by the alarm (HeadingNoise.h).
 
@@ -77,6 +77,7 @@ struct ContinuousAlarm {
     std::string coefficient;         ///< that explains most of it
     std::vector<std::string> orElse; ///< others that explain next to as much on the headings that were flown since
     double change_deg = 0, standardError_deg = 0;
+    double from_s = 0, to_s = 0; ///< between which it happened, at 95 % or more
 };
 
 struct ContinuousPoint {
@@ -150,6 +151,7 @@ private:
     void watch(const Kept& kept, double white);
     void raise(int window, double p);
     void nameChange();
+    void placeChange(Eigen::Index coefficient, double most);
     void keepPoint(double time_s);
     [[nodiscard]] double correlation() const;
     [[nodiscard]] double widening() const; ///< of variances: (1 + ρ)/(1 − ρ)
@@ -180,8 +182,9 @@ private:
     std::array<double, 10> m_lags{}; ///< Σ of products of innovations so many updates apart
     std::deque<double> m_recent;
     std::vector<ContinuousAlarm> m_alarms;
-    std::vector<Kept> m_naming; ///< from the window of the last alarm on, until what changed is named for good
-    int m_namedHeadings = 0;    ///< headings since that alarm, one after the other
+    std::vector<Kept> m_naming;  ///< from before the window of the last alarm on, until what changed is named for good
+    std::size_t m_namedFrom = 0; ///< those that came after the alarm
+    int m_namedHeadings = 0;     ///< headings since that alarm, one after the other
     StateFilter::State m_namedOn;
     std::vector<ContinuousPoint> m_history;
     std::int64_t m_stride = 1;

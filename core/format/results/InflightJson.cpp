@@ -59,9 +59,9 @@ std::string toJson(const ContinuousResult& result)
         {"null_directions", inEnglish(result.nullDirections)}, {"alarms", InflightTree::array()}, {"history", InflightTree::array()},
         {"legs", InflightTree::array()}};
     for (const auto& alarm : result.alarms)
-        json["alarms"].push_back({{"time_s", alarm.time_s}, {"since_s", alarm.since_s}, {"window", alarm.window}, {"p", alarm.p},
-            {"coefficient", alarm.coefficient}, {"or_else", alarm.orElse}, {"change_deg", alarm.change_deg},
-            {"standard_error_deg", alarm.standardError_deg}});
+        json["alarms"].push_back({{"time_s", alarm.time_s}, {"since_s", alarm.since_s}, {"from_s", alarm.from_s}, {"to_s", alarm.to_s},
+            {"window", alarm.window}, {"p", alarm.p}, {"coefficient", alarm.coefficient}, {"or_else", alarm.orElse},
+            {"change_deg", alarm.change_deg}, {"standard_error_deg", alarm.standardError_deg}});
     for (const auto& point : result.history) {
         InflightTree values, errors;
         for (std::size_t i = 0; i < result.historyNames.size(); ++i) {
