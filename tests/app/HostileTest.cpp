@@ -212,6 +212,8 @@ TEST_F(Hostile, aHugeExchangeFileIsRefusedInBoundedMemory)
     const std::pair<std::string, const char*> kFiles[] = {
         {many("0,", 300'000'000), "is larger than 128 MiB; expected an exchange file"},
         {many("0,", 38'000'000), "the values up to here take more than 320 MiB"},
+        {many("{},", 100'000'000), "the values up to here take more than 320 MiB"},
+        {many("{},", 9'000'000), "is missing"},
         {head + "\"note\": \"" + std::string(100'000'000, 'a') + "\"}", "holds a text of more than 4 MiB"},
         {std::string(100'000'000, '['), "is nested too deeply"},
     };

@@ -37,7 +37,7 @@ const std::vector<OneWay> kWays = {
         {"ui/kit/Worker.h", "ui/kit/Worker.cpp", "core/format/csv/WindHands.h", "core/base/Alongside.h"}},
     {"readingNumbers", R"(\bfrom_chars\b|\bstrto[dflu][a-z]*\(|\bsto[dfilu][a-z]*\(|\bsscanf\b|\bato[fil]\()",
         {"core/base/Number.cpp", "core/base/PlainNumber.cpp"}},
-    {"readingJson", R"(\bQJson[A-Z]|\bparse_event_t\b)", {"core/format/json/JsonDocument.cpp"}},
+    {"readingJson", R"(\bQJson[A-Z]|\bparse_event_t\b|\bsax_parse\b)", {"core/format/json/JsonDocument.cpp"}},
     {"askingForFiles", R"(QFileDialog\b)", {"ui/kit/Dialogs.h", "ui/kit/Dialogs.cpp"}},
 };
 

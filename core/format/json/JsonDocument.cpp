@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -28,76 +27,109 @@ constexpr std::size_t kMostStringBytes = std::size_t{4} << 20;
 /// An object is a record of ours or a list by name; each is held against the others.
 constexpr std::size_t kMostObjectKeys = 10'000;
 
-/// Ends the parser, which could only be told to keep nothing: it would go on, and keep where it is, five million levels deep.
+/// Ends the parser with what is wrong.
 struct Refused {
     Message why;
+    ErrorCode code;
 };
 
-/// Follows the parser: where it is, and which keys the open objects have.
-class Follower {
+/// Builds the document and follows the parser: where it is, and which keys the open objects have. The library's own parser with a callback
+/// looks through the whole list above at the end of each object in it: a million take hours.
+class Builder final : public nlohmann::json_sax<Json> {
 public:
-    explicit Follower(const Message& expected) : m_expected(expected) {}
-    bool operator()(Json::parse_event_t event, const Json& parsed)
+    explicit Builder(const Message& expected) : m_expected(expected) {}
+    bool null() override { return value(nullptr); }
+    bool boolean(bool one) override { return value(one); }
+    bool number_integer(number_integer_t one) override { return value(one); }
+    bool number_unsigned(number_unsigned_t one) override { return value(one); }
+    bool number_float(number_float_t one, const string_t&) override { return value(one); }
+    bool string(string_t& one) override
     {
-        switch (event) {
-        case Json::parse_event_t::object_start:
-        case Json::parse_event_t::array_start:
-            take(kOpenBytes);
-            if (m_levels.size() == kMaxDepth)
-                refuse({MARKED("core", "%1: is nested too deeply; expected %2"), path(), m_expected});
-            m_levels.push_back({event == Json::parse_event_t::array_start, 0, {}, {}});
-            break;
-        case Json::parse_event_t::object_end:
-        case Json::parse_event_t::array_end:
-            m_levels.pop_back();
-            valueEnds();
-            break;
-        case Json::parse_event_t::key:
-            m_levels.back().key = parsed.get_ref<const std::string&>();
-            take(kKeyBytes + m_levels.back().key.size());
-            if (m_levels.back().keys.size() == kMostObjectKeys)
-                refuse({MARKED("core", "%1: has more than %2 keys; expected %3"), path(), kMostObjectKeys, m_expected});
-            if (!m_levels.back().keys.insert(m_levels.back().key).second)
-                refuse({MARKED("core", "%1: is there twice; expected each key once"), path()});
-            break;
-        case Json::parse_event_t::value:
-            take(kValueBytes + (parsed.is_string() ? parsed.get_ref<const std::string&>().size() + sizeof(std::string) : 0));
-            valueEnds();
-            break;
-        }
+        take(one.size() + sizeof(std::string));
+        return value(std::move(one));
+    }
+    bool binary(binary_t&) override { return false; } // JSON has none
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override
+    {
+        Level& level = m_levels.back();
+        level.key = name;
+        take(kKeyBytes + name.size());
+        if (level.value->size() == kMostObjectKeys)
+            refuse({MARKED("core", "%1: has more than %2 keys; expected %3"), path(), kMostObjectKeys, m_expected});
+        if (level.value->contains(name))
+            refuse({MARKED("core", "%1: is there twice; expected each key once"), path()});
         return true;
     }
-    [[nodiscard]] Message path() const
+    bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception& why) override
     {
-        std::string text;
-        for (const auto& level : m_levels)
-            appendStep(text, level.isArray ? std::nullopt : std::optional<std::string_view>(level.key), level.index);
-        return text.empty() ? Message(MARKED("core", "the file")) : Message::verbatim(text);
+        constexpr int kNumberOutOfRange = 406;
+        if (why.id == kNumberOutOfRange)
+            throw Refused{{MARKED("core", "%1: is out of range; expected a number that can be held"), path()}, ErrorCode::InvalidInput};
+        m_errorAt = byte;
+        return false;
     }
+    [[nodiscard]] std::size_t errorAt() const { return m_errorAt; }
+    [[nodiscard]] Json document() { return std::move(m_document); }
 
 private:
     struct Level {
-        bool isArray;
-        std::size_t index;
+        Json* value; ///< it stays where it is while it is open: the list that it is in does not grow meanwhile
         std::string key;
-        std::set<std::string> keys;
     };
-    void valueEnds()
+    [[nodiscard]] Message path() const
     {
-        if (!m_levels.empty())
-            ++m_levels.back().index;
+        std::string text;
+        for (const Level& level : m_levels) { // a list has the value in it that is open already
+            const std::size_t index = level.value->size() - (&level != &m_levels.back() ? 1 : 0);
+            appendStep(text, level.value->is_array() ? std::nullopt : std::optional<std::string_view>(level.key), index);
+        }
+        return text.empty() ? Message(MARKED("core", "the file")) : Message::verbatim(text);
+    }
+    Json* put(Json one)
+    {
+        if (m_levels.empty())
+            return &(m_document = std::move(one));
+        Json& parent = *m_levels.back().value;
+        if (parent.is_object())
+            return &(parent[m_levels.back().key] = std::move(one));
+        parent.push_back(std::move(one));
+        return &parent.back();
+    }
+    bool value(Json one)
+    {
+        take(kValueBytes);
+        put(std::move(one));
+        return true;
+    }
+    bool open(Json one)
+    {
+        take(kOpenBytes);
+        if (m_levels.size() == kMaxDepth)
+            refuse({MARKED("core", "%1: is nested too deeply; expected %2"), path(), m_expected});
+        m_levels.push_back({put(std::move(one)), {}});
+        return true;
+    }
+    bool close()
+    {
+        m_levels.pop_back();
+        return true;
     }
     void take(std::size_t bytes)
     {
-        m_bytes += bytes + (!m_levels.empty() && m_levels.back().isArray ? kElementBytes : 0);
+        m_bytes += bytes + (!m_levels.empty() && m_levels.back().value->is_array() ? kElementBytes : 0);
         if (m_bytes > kMostBytes)
             refuse({MARKED("core", "%1: the values up to here take more than %2 MiB; expected %3, of a smaller size"), path(),
                 kMostBytes >> 20, m_expected});
     }
-    [[noreturn]] static void refuse(const Message& problem) { throw Refused{problem}; }
+    [[noreturn]] static void refuse(const Message& problem) { throw Refused{problem, ErrorCode::Format}; }
 
     const Message& m_expected;
-    std::size_t m_bytes = 0;
+    Json m_document;
+    std::size_t m_bytes = 0, m_errorAt = 0;
     std::vector<Level> m_levels;
 };
 
@@ -146,16 +178,11 @@ Result<Json> parseJson(std::string_view text, const std::string& name, const Mes
     if (const auto begin = tooLongString(text))
         return Error{ErrorCode::Format, {MARKED("core", "holds a text of more than %1 MiB; expected %2"), kMostStringBytes >> 20, expected},
             name, lineAt(text, *begin)};
-    Follower follower(expected);
+    Builder builder(expected);
     try {
-        return Json::parse(text, [&](int, Json::parse_event_t event, Json& parsed) { return follower(event, parsed); });
+        return Json::sax_parse(text, &builder) ? Result<Json>(builder.document()) : notJson(text, builder.errorAt(), name, expected);
     } catch (const Refused& refused) {
-        return Error{ErrorCode::Format, refused.why, name};
-    } catch (const Json::parse_error& error) {
-        return notJson(text, error.byte, name, expected);
-    } catch (const Json::out_of_range&) {
-        return Error{
-            ErrorCode::InvalidInput, {MARKED("core", "%1: is out of range; expected a number that can be held"), follower.path()}, name};
+        return Error{refused.code, refused.why, name};
     }
 }
 
