@@ -5285,6 +5285,34 @@
         <source>the winds change by a factor of %1 between the flights %2 and %3, as knots and metres a second would; nothing is fitted until the file has one unit, or it is said that it has</source>
         <translation>wiatry zmieniają się %1 razy między lotami %2 i %3, jak węzły i metry na sekundę; niczego się nie dopasowuje, dopóki plik nie ma jednej jednostki albo nie powiedziano, że ją ma</translation>
     </message>
+    <message numerus="yes">
+        <source>%n pair(s) were read on %1 different headings: those of the same ten degrees count as one, their mean</source>
+        <translation>
+            <numerusform>%n parę odczytano na %1 różnych kursach: pary z tych samych dziesięciu stopni liczą się jako jedna, ich średnia</numerusform>
+            <numerusform>%n pary odczytano na %1 różnych kursach: pary z tych samych dziesięciu stopni liczą się jako jedna, ich średnia</numerusform>
+            <numerusform>%n par odczytano na %1 różnych kursach: pary z tych samych dziesięciu stopni liczą się jako jedna, ich średnia</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the pairs between %1° and %2° contradict each other by %3°: one is a slip, or a compass sticks; read them again</source>
+        <translation>pary między %1° a %2° przeczą sobie o %3°: jedna jest pomyłką albo kompas się zacina; odczytać je ponownie</translation>
+    </message>
+    <message>
+        <source>the readings on %1° contradict each other by %2°: one is a slip, or the compass sticks; read it again (their mean was taken)</source>
+        <translation>odczyty na %1° przeczą sobie o %2°: jeden jest pomyłką albo kompas się zacina; odczytać ponownie (wzięto ich średnią)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1° was read %n time(s): it counts as one reading, the mean</source>
+        <translation>
+            <numerusform>%1° odczytano %n raz: liczy się jako jeden odczyt, średnia</numerusform>
+            <numerusform>%1° odczytano %n razy: liczy się jako jeden odczyt, średnia</numerusform>
+            <numerusform>%1° odczytano %n razy: liczy się jako jeden odczyt, średnia</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>holds a text of more than %1 MiB; expected %2</source>
+        <translation>zawiera tekst dłuższy niż %1 MiB; oczekiwano: %2</translation>
+    </message>
 </context>
 <context>
     <name>db</name>
@@ -15480,6 +15508,14 @@ Oparte częściowo na pracy projektu Qwt (http://qwt.sf.net). Wolne oprogramowan
         <source>Guided swing abandoned: %1</source>
         <translation>Pomiar prowadzony przerwany: %1</translation>
     </message>
+    <message>
+        <source>NOT SIGNED (no signatures stand)</source>
+        <translation>NIEPODPISANY (żaden podpis nie obowiązuje)</translation>
+    </message>
+    <message>
+        <source>%1 (not checked)</source>
+        <translation>%1 (niesprawdzone)</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::OverviewPage</name>
@@ -18344,6 +18380,10 @@ pole całkowite %1 nT</translation>
         <source>This swing is frozen as a signed one, but nobody&apos;s signature is there: it is printed as not signed. Amend it to sign it.</source>
         <translation>Ten pomiar jest zamrożony jako podpisany, ale niczyjego podpisu nie ma: drukuje się jako niepodpisany. Aby go podpisać, zmień go w nowym wydaniu.</translation>
     </message>
+    <message>
+        <source>This swing is frozen as a signed one, but its signatures do not stand over what it says now: it is printed as not signed. Amend it to sign it.</source>
+        <translation>Ten pomiar jest zamrożony jako podpisany, ale jego podpisy nie obejmują tego, co teraz zawiera: drukuje się go jako niepodpisany. Aby go podpisać, sporządzić poprawkę.</translation>
+    </message>
 </context>
 <context>
     <name>lubberline::ui::SwingFiles</name>
@@ -19354,10 +19394,6 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
         <translation>wzorcowanie przyrządu %1 było ważne do %2</translation>
     </message>
     <message>
-        <source>cannot be read: %1; expected an exchange file</source>
-        <translation>nie daje się odczytać: %1; oczekiwano pliku wymiany</translation>
-    </message>
-    <message>
         <source>cannot be imported: expected a name that ends in .csv (swing), .json (exchange) or .pdf (report)</source>
         <translation>nie daje się wczytać: oczekiwano nazwy kończącej się na .csv (pomiar), .json (wymiana) lub .pdf (sprawozdanie)</translation>
     </message>
@@ -19568,6 +19604,10 @@ Ctrl+Z cofa wszystko, także między pomiarami. Ctrl+E pomija odczyt, z powodem,
     <message>
         <source>save the model, or store it with the compass: it takes these errors out of what the sensor measures</source>
         <translation>zapisz model albo zachowaj go przy busoli: usuwa te błędy z tego, co mierzy czujnik</translation>
+    </message>
+    <message>
+        <source>an exchange file</source>
+        <translation>plik wymiany</translation>
     </message>
 </context>
 </TS>
