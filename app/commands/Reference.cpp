@@ -61,8 +61,8 @@ void printTable(const Scenario& scenario, const ReferenceRun& run)
     put("\n");
     if (scenario.vertical) {
         const LoopCharacter loop = characterOf(*scenario.vertical);
-        put("levelling loop: natural period %.1f s, damping %.3f, largest gain %.3f%s; standoff %.4f deg to rates and drift (Coriolis, in the curve, not in it)\n", 2 * kPi / loop.natural_rad_s,
-            loop.damping, loop.largestGain, loop.stable ? "" : ", unstable", toDegrees(*run.standoff_rad));
+        put("levelling loop: natural period %.1f s, damping %.3f, largest gain %.3f%s; standoff %.4f deg to rates and drift (Coriolis, in the curve, not in it)\n",
+            2 * kPi / loop.natural_rad_s, loop.damping, loop.largestGain, loop.stable ? "" : ", unstable", toDegrees(*run.standoff_rad));
     }
     if (run.slavingStandoff_rad)
         put("slaving: standoff %+.4f deg\n", toDegrees(*run.slavingStandoff_rad));

@@ -63,10 +63,7 @@ bool isToCome(const DueEvent& event, Date today)
 }
 
 /// Not written, still to come, or one from which clocks count: whether the compass was swung after it nobody can tell.
-bool dayIsKnown(const DueEvent& event, Date today)
-{
-    return !event.date.empty() && doubtOfDate(event.date, today).empty();
-}
+bool dayIsKnown(const DueEvent& event, Date today) { return !event.date.empty() && doubtOfDate(event.date, today).empty(); }
 
 Message wordsOf(const DueEvent& event, bool dayKnown)
 {

@@ -1,5 +1,5 @@
-#include "core/base/Normal.h"
 #include "core/fleet/Plants.h"
+#include "core/base/Normal.h"
 
 #include <algorithm>
 #include <cmath>

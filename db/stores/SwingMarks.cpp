@@ -10,7 +10,7 @@ namespace lubberline::db {
 namespace {
 
 /// About 50 ms of a slow machine.
-constexpr int kReadingsOfList = 4000;
+constexpr int kReadingsOfList = 2000;
 constexpr int kReadingsOfRecord = 40; ///< what a record costs besides its readings, in readings
 
 Result<bool> standsNow(Database& database, SwingId id)

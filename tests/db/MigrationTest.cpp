@@ -190,9 +190,9 @@ TEST(Migration, whatWasReadInPartIsInLimitsNoMore)
     const QTemporaryDir folder;
     const QString path = folder.filePath("old.db");
     ASSERT_TRUE(restoreSchema(11, path));
-    ASSERT_TRUE(RawDatabase(path).run({"UPDATE limits_profile SET max_deviation_deg = 30",
-        "DELETE FROM reading WHERE swing_id = 2 AND magnetic_heading_deg > 150",
-        "UPDATE swing SET status = 1, reading_count = (SELECT count(*) FROM reading WHERE swing_id = 2) WHERE id = 2"}));
+    ASSERT_TRUE(RawDatabase(path).run(
+        {"UPDATE limits_profile SET max_deviation_deg = 30", "DELETE FROM reading WHERE swing_id = 2 AND magnetic_heading_deg > 150",
+            "UPDATE swing SET status = 1, reading_count = (SELECT count(*) FROM reading WHERE swing_id = 2) WHERE id = 2"}));
     auto database = openDatabase(path, OpenMode::ReadWriteCreate);
     ASSERT_TRUE(database) << describe(database.error());
     ASSERT_TRUE(db::refreshBehind(*database));

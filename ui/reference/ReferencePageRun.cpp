@@ -45,7 +45,8 @@ void ReferencePage::take(Result<ReferenceRun> run)
         sentences.append(toText(warning));
     if (m_scenario.vertical) {
         const LoopCharacter loop = characterOf(*m_scenario.vertical);
-        sentences.prepend(tr("Levelling: natural period %1 s, damping %2, largest gain %3; standoff to rates and drift %4° (Coriolis, in the curve, is not in it).")
+        sentences.prepend(tr(
+            "Levelling: natural period %1 s, damping %2, largest gain %3; standoff to rates and drift %4° (Coriolis, in the curve, is not in it).")
                               .arg(plainNumber(2 * kPi / loop.natural_rad_s, 0), plainNumber(loop.damping, 2),
                                   plainNumber(loop.largestGain, 2), plainNumber(toDegrees(m_run->standoff_rad.value_or(0)), 3)));
     }
