@@ -32,15 +32,16 @@ bool readTo(const Swing& swing, double division_deg)
 }
 
 /// A compass whose marks are read without looking between them: the coarsest of 5° and 2° of which every heading is a multiple. By chance eight
-/// headings to 1° are all even in one swing of 256. None of fewer, or of a compass that does not deviate: it is on the headings that were asked.
+/// headings to 1° are all even in one swing of 256. None of fewer, and none where the aircraft was turned until the compass stood on the headings
+/// that were asked: then they are multiples of 15°, but for slips, however finely it is read.
 std::optional<double> coarseSteps_deg(const Swing& swing)
 {
     constexpr std::size_t kEnoughForSteps = 8;
+    constexpr double kAsked_deg = 15.0;
     const auto readings = observationsOf(swing);
-    const auto deviation_deg = [](const Observation& one) { return deviationOf(one.magnetic, one.compass).degrees(); };
-    const bool alike = std::all_of(readings.begin(), readings.end(),
-        [&](const Observation& one) { return std::abs(deviation_deg(one) - deviation_deg(readings.front())) < 1e-6; });
-    if (readings.size() < kEnoughForSteps || alike)
+    const auto onAsked = std::count_if(readings.begin(), readings.end(),
+        [](const Observation& one) { return std::abs(std::remainder(one.compass.degrees(), kAsked_deg)) < 1e-6; });
+    if (readings.size() < kEnoughForSteps || 2 * static_cast<std::size_t>(onAsked) > readings.size())
         return std::nullopt;
     for (const double steps_deg : {5.0, 2.0})
         if (readTo(swing, steps_deg))

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxDepth = 32;
 /// What the values of a document may take; a text of 64 MiB can hold thirty million of them. That of one value, one key with its value,
 /// an empty array or object, as the library keeps them (64-bit machine, with what the allocator adds). An array that grows is there
 /// twice for a moment.
-constexpr std::size_t kMostBytes = std::size_t{320} << 20, kValueBytes = 16, kElementBytes = 16, kKeyBytes = 112, kOpenBytes = 64;
+constexpr std::size_t kMostBytes = std::size_t{240} << 20, kValueBytes = 16, kElementBytes = 16, kKeyBytes = 112, kOpenBytes = 64;
 /// The parser has a text twice, and once more where it is kept. The longest of ours is a key in ASCII armour, or the particulars of a swing.
 constexpr std::size_t kMostStringBytes = std::size_t{4} << 20;
 /// An object is a record of ours or a list by name; each is held against the others.

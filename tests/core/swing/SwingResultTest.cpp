@@ -81,6 +81,9 @@ TEST(SwingResult, aCompassReadToItsMarksIsAsSureAsThose)
     EXPECT_TRUE(told(*result));
     record.swing.readings[2].compass = CompassHeading::fromDegrees(86); // one figure between the marks: it was read to degrees
     EXPECT_FALSE(told(resultOf(record).value()));
+    // Turned until the compass stood on what was asked, one of them slipped: it was read as finely as it can be.
+    record.swing = swingReading({{1, 0}, {44, 45}, {88.4, 90}, {134, 145}, {180, 180}, {226, 225}, {272, 270}, {316.5, 315}});
+    EXPECT_FALSE(told(resultOf(record).value()));
 }
 
 /// A table pasted twice: a list of eight is as sure as eight readings, not as sixteen.

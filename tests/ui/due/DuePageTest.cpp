@@ -60,9 +60,16 @@ struct OpenDue {
         Swing swing;
         swing.compass = *stores.save(compass);
         swing.date = swung;
-        swing.state = SwingState::Signed;
-        swing.signatures = {{SignatureRole::Performer, "Ada", "", swung.text() + "T12:00:00.000Z", std::string(64, 'a')}};
-        static_cast<void>(*stores.swings.add(swing));
+        for (int i = 0; i < 8; ++i) {
+            Reading reading;
+            reading.magnetic = MagneticHeading::fromDegrees(45.0 * i);
+            reading.compass = CompassHeading::fromDegrees(45.0 * i);
+            swing.readings.push_back(reading);
+        }
+        const SwingId id = *stores.swings.add(swing);
+        if (!stores.signing.complete(id) || !stores.signing.sign(id, {SignatureRole::Performer, "Ada", "PL 12", "", ""})
+            || !stores.signing.sign(id, {SignatureRole::Inspector, "Ben", "PL 7", "", ""}))
+            qFatal("the swing cannot be signed");
         return compass.aircraft;
     }
     void event(AircraftId aircraft, Date date, DueCause cause, const std::string& words)

@@ -122,7 +122,7 @@ void FindingTest::theTreeSaysWhatDistinguishesAndKeepsItsBranches()
         QCOMPARE(tree.textElideMode(), Qt::ElideNone);
         for (int row = 0; row < 2; ++row) {
             const QModelIndex swing = tree.model()->index(row, 0, tree.model()->index(0, 0, aircraft));
-            QVERIFY(tree.visualRect(swing).width() >= tree.fontMetrics().horizontalAdvance(swing.data().toString()));
+            QTRY_VERIFY(tree.visualRect(swing).width() >= tree.fontMetrics().horizontalAdvance(swing.data().toString()));
         }
     }
 }
