@@ -138,7 +138,7 @@ struct WindStudy::Source {
 
 /// Reports wait until so many do; then those of the flight that waits longest are judged, in order of time.
 struct WindStudy::Held {
-    static constexpr std::size_t kMost = std::size_t{1} << 14;
+    static constexpr std::size_t kMost = std::size_t{1} << 12; // of some hundred bytes: they stay near the processor
     struct Waiting {
         Aircraft* aircraft = nullptr;
         Flight* flight = nullptr;

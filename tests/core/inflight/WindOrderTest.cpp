@@ -87,7 +87,7 @@ TEST(WindOrder, reportsThatComeTooLateAreCounted)
     std::mt19937_64 engine(6);
     std::shuffle(reports.begin(), reports.end(), engine);
     const AircraftWinds one = studied(reports);
-    EXPECT_GT(one.late, 500); // of 22 000, of which 16 384 are held
+    EXPECT_GT(one.late, 500); // of 22 000, of which 4096 are held
     EXPECT_LT(one.late, one.observations);
     EXPECT_TRUE(says(one.warnings, std::to_string(one.late) + " reports came long after later ones of their flight"));
     // In order of time they are judged all, however many.
