@@ -28,8 +28,8 @@ constexpr double kUnnamedSize_deg = 15.0, kUnnamedRate = 5e-4;
 /// Found by simulation of eight readings to 1° (tests/core/deviation/SwingSlipsTest), where a slip of 5° at a scatter of 0.3° and no slip
 /// at 1° are hard to tell apart: 96 in 100 of the one are found, and 7 in 100 of the other are looked at. No prior of the scatter tells them
 /// much better: 88, 92, 95 and 97 in 100 are found where 3, 5, 7 and 10 are looked at, and 93 for 5 were the very spread of the simulated
-/// curves known. Nor can any: the most powerful test there is between the
-/// two (Neyman and Pearson), which knows the spread of the curves and both scatters, looks at 5.3 in 100 where it finds 97. A second slip, which its first could feign, must be likelier than none.
+/// curves known. Nor can any: the most powerful test there is between the two (Neyman and Pearson), which knows the spread of the curves and
+/// both scatters, looks at 5.3 in 100 where it finds 97. A second slip, which its first could feign, must be likelier than none.
 constexpr double kOdds = 0.075, kOddsMore = 1.0;
 /// With more readings the scatter is known better and a slip stands out by more, so that less has to be looked at for it: at twelve and more
 /// readings some 2 in 100 swings at 1° (5 at the odds of eight), and of slips of 5° at 0.3° and of 8° at 1° as many are found.

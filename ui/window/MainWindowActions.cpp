@@ -3,7 +3,11 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QMenuBar>
+#include <QMouseEvent>
+#include <QPlainTextEdit>
 #include <QSettings>
 #include <QToolBar>
 
@@ -204,6 +208,57 @@ void MainWindow::updateActions()
     const Shown now = shown();
     for (const auto& [action, usable] : m_needs)
         action->setEnabled(usable(now));
+}
+
+namespace {
+
+/// With Ctrl: what every program does in a field. Without it: all that is typed.
+bool editsText(const QKeyEvent& key)
+{
+    if (!(key.modifiers() & Qt::ControlModifier) || (key.modifiers() & Qt::AltModifier))
+        return true;
+    switch (key.key()) {
+    case Qt::Key_A:
+    case Qt::Key_C:
+    case Qt::Key_V:
+    case Qt::Key_X:
+    case Qt::Key_Z:
+    case Qt::Key_Y:
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_Home:
+    case Qt::Key_End:
+    case Qt::Key_Insert:
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace: return true;
+    default: return false;
+    }
+}
+
+} // namespace
+
+bool MainWindow::eventFilter(QObject* object, QEvent* event)
+{
+    // A field takes only the keys of editing: Ctrl+U is no "erase to the left" where it goes to the aircraft.
+    if (event->type() == QEvent::ShortcutOverride && (qobject_cast<QLineEdit*>(object) || qobject_cast<QPlainTextEdit*>(object))
+        && !editsText(*static_cast<QKeyEvent*>(event))) {
+        event->ignore();
+        return true;
+    }
+    // What was opened on the page since it came to the front has letters, too.
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Alt)
+        makeMnemonicsDistinct(m_pages->current(), *this);
+    if (event->type() == QEvent::MouseButtonPress) {
+        const auto button = static_cast<QMouseEvent*>(event)->button();
+        const auto* widget = qobject_cast<QWidget*>(object);
+        if (widget && widget->window() == this && (button == Qt::BackButton || button == Qt::ForwardButton)) {
+            step(button == Qt::BackButton ? -1 : +1);
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(object, event);
 }
 
 void MainWindow::showEdited(int command)
